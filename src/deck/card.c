@@ -361,11 +361,11 @@ static void read_lines(card *c, text contents, setting *s)
 }
 
 /* Cut NAME ANGLE_UNIT UNIT, NAME UNIT or NAME into the name and the units, which may be empty. */
-static void split_name(parser *p, const quantity q[2], text t, text *name, text units[2])
+static void split_name(parser *p, const quantity q[2], text *name, text units[2])
 {
+    text t = *name;
     size_t i, end;
 
-    *name = t;
     units[0].length = units[1].length = 0;
     for (i = 1; i < t.length; i++) {
         text first = flk_reader_plain(p, flk_text_trim(flk_text_from(t, i))), second;
@@ -438,7 +438,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     c.row = *s;
     c.q[0] = p->argument;
     c.q[1] = q;
-    split_name(p, c.q, name, &name, units);
+    split_name(p, c.q, &name, units);
     for (i = 0; i < 2; i++) {
         c.is_told[i] = units[i].length > 0;
         flk_text_copy(units[i], c.unit[i], UNIT_SIZE);

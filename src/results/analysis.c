@@ -45,7 +45,7 @@ void flk_analysis_close(flk_analysis *a)
     memset(a, 0, sizeof *a);
 }
 
-/* The motion, and with `forces` loads and forces: a status. */
+/* Compute the motion, and with `forces` the loads and forces; returns a status. */
 static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
                    fourlink_instant *at)
 {
@@ -65,7 +65,7 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
     return status;
 }
 
-/* What textbooks derive. */
+/* Compute what textbooks derive. */
 static int derive(flk_analysis *a, int needs, int forces, const fourlink_instant *at,
                   flk_derived *derived)
 {

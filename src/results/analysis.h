@@ -43,13 +43,14 @@ typedef struct flk_turning {
 /* A deck with the memory that its analysis needs. */
 typedef struct flk_analysis {
     const deck *d;
-    int possible; /* what of the above can be computed */
+    int possible; /* which of the above the deck can give */
     flk_crank_motion crank_motion;
     flk_acting acting;      /* the loads of the present row */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
-    double rows_left;       /* that a search may compute, as rows without loads */
+    double
+        rows_left; /* that a search may still compute; a row with loads counts as more than one */
 } flk_analysis;
 
 /* Set up an analysis; 0 if out of memory. */

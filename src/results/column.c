@@ -290,7 +290,7 @@ static int has(const flk_analysis *a, const flk_column_info *info)
 static const flk_column_info point_table[DECK_POINT_COLUMNS] = {
     POINT_COLUMNS(POINT_INFO, "", "the point")};
 
-/* Those of the points that every deck has. */
+/* The columns of the points that every deck has. */
 #define OWN_POINT(name, of) POINT_COLUMNS(POINT_INFO, #name, of)
 static const flk_column_info own_table[] = {FLK_POINT_LIST(OWN_POINT)};
 
@@ -344,7 +344,7 @@ static void make_of_spring(const deck *d, size_t i, flk_column *c)
     c->spring = spring;
 }
 
-/* Column i of the points that every deck has; returns why this deck has not, or null. */
+/* Column i of the points that every deck has; returns why this deck does not have it, or null. */
 static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
 {
     make(d, &own_table[i], c);
@@ -352,8 +352,8 @@ static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
     return flk_point_find(d, (flk_point_code)(i / DECK_POINT_COLUMNS), &c->link, &c->at);
 }
 
-/* Possible columns are those of the table, those of the points that every deck has, those of its points, those of its
-** springs. */
+/* Possible columns, in this order: those of the table, of the points that every deck has, of the deck's
+** own points, of its springs. */
 #define FIXED_COUNT (TABLE_COUNT + OWN_COUNT)
 
 size_t flk_column_limit(const deck *d)
@@ -550,7 +550,7 @@ char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, ch
     return flk_column_statistic_text(statistic, c->name, names + DECK_NAME_SIZE * place);
 }
 
-/* From 1: a column, then its statistics. */
+/* Handles start at 1: a column, then its statistics. */
 #define HANDLES (1 + FLK_STATISTICS)
 
 int flk_column_handle(const flk_column *c, flk_statistic statistic)

@@ -15,10 +15,10 @@ typedef struct flk_column {
     size_t number; /* its place among all possible ones */
     const char *name;
     double scale;                  /* what SI values are multiplied by */
-    int link;                      /* of a point: where it is; 0: a column of the mechanism */
+    int link;                      /* of a point: its link; 0: a column of the mechanism */
     fourlink_vector at;            /* m, in the link's own axes */
     int component;                 /* which of the point's columns, or of the spring's */
-    const fourlink_spring *spring; /* of which it is; null: a column of none */
+    const fourlink_spring *spring; /* its spring; null: it belongs to none */
     const fourlink_mechanism *mechanism;
 } flk_column;
 
@@ -55,8 +55,8 @@ typedef enum flk_statistic {
 /* The statistic that a name asks for, and the column's name; FLK_NONE for another name. */
 flk_statistic flk_column_statistic_of(text name, text *of);
 
-/* Write the name of a statistic, max(COLUMN), in DECK_NAME_SIZE bytes; or at its place among those of all
-** columns. */
+/* Write the name of a statistic, max(COLUMN), into DECK_NAME_SIZE bytes; or into its place in the memory
+** for the names of all columns. */
 char *flk_column_statistic_text(flk_statistic statistic, const char *column, char *name);
 char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, char *names);
 
@@ -75,7 +75,7 @@ double flk_column_value(const flk_column *c, const flk_row *row);
 /* 1 if a column depends on positions, velocities and accelerations alone: loads have no corners in it. */
 int flk_column_is_of_motion(const flk_column *c);
 
-/* 1 if a column is the size or the direction of a vector; the vector, in SI. */
+/* 1 if a column is the size or the direction of a vector; the vector itself, in SI units. */
 int flk_column_has_vector(const flk_column *c);
 void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);
 

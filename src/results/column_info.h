@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** column_info.h - what column.c tells of each column, and column_value.c computes it with.
+** column_info.h - what column.c says about each column, for column_value.c.
 */
 #ifndef FOURLINK_COLUMN_INFO_H
 #define FOURLINK_COLUMN_INFO_H
@@ -11,9 +11,9 @@
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
-    VALUE,           /* one of them */
-    POLAR_SIZE,      /* the first, size of a vector; the other is its direction */
-    POLAR_DIRECTION, /* the first, direction of a vector; the other is its size */
+    VALUE,           /* the first */
+    POLAR_SIZE,      /* the first, the size of a vector; the second is its direction */
+    POLAR_DIRECTION, /* the first, the direction of a vector; the second is its size */
     SIZE,            /* resultant of two components */
     DIRECTION,       /* their direction */
     PRODUCT,         /* of two */
@@ -23,8 +23,8 @@ typedef enum column_form {
 struct flk_column_info {
     const char *name;
     quantity q;
-    int kinds; /* mechanisms that have it, and USUAL, USUAL_ACTUAL: printed when the deck names no columns */
-    int need; /* what it is computed with: the deck has the column if it can give that */
+    int kinds; /* mechanisms that have it, and USUAL ...: printed when the deck names no columns */
+    int need;  /* NEED_FORCES ...; a deck that cannot give all of these does not have the column */
     column_form form;
     size_t x, y; /* places of the numbers in a row */
     const char *meaning, *source_name;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** column_value.c - the value of a column in a row, and what the search for extremes must know of it.
+** column_value.c - the value of a column in a row, and what the search for extremes must know about it.
 */
 #include <math.h>
 #include <stddef.h>
@@ -87,7 +87,7 @@ void flk_column_vector(const flk_column *c, const flk_row *row, double *x, doubl
     *y = size == 0 ? 0 : size * sin(direction);
 }
 
-/* A zero vector has none. */
+/* A zero vector has no direction. */
 static double direction_of(double x, double y)
 {
     return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);

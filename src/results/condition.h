@@ -13,8 +13,8 @@ typedef struct flk_condition {
     int flags; /* FOURLINK_ABOVE ... */
 } flk_condition;
 
-/* Take the next condition off a list separated by commas.  1; 0 at the end; -1 if it is no condition, and
-** `whole` is what it is. */
+/* Take the next condition from a list separated by commas.  Returns 1; 0 at the end; -1 if `whole`, its
+** text, is not a condition. */
 int flk_condition_next(text *rest, flk_condition *c);
 
 #endif

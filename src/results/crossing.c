@@ -2,9 +2,10 @@
 **
 ** crossing.c - the crank angles at which a column has a value.
 **
-** The column is sampled piece by piece (samples.c).  Between two samples on both sides of the value base/solve finds the
-** zero of the difference; where three samples come near to it and turn, their extreme may touch it.  A column that jumps
-** over the value, at the end of a piece, through infinity, or as an angle half a turn away, does not have it.
+** The column is sampled piece by piece (samples.c).  Between two samples on different sides of the value,
+** base/solve finds the zero of the difference.  Where three samples approach the value and turn back, their
+** extreme may touch it.  A column does not have a value over which it jumps: at the end of a piece, through
+** infinity, or as an angle half a turn away.
 */
 #include <math.h>
 #include <string.h>
@@ -14,25 +15,25 @@
 #include "base/solve.h"
 #include "crossing.h"
 
-#define EXACT 1e-9      /* of the column's size: it has the value */
-#define CONTINUOUS 1e-6 /* ... from piece to piece */
-#define SAME 1e-7       /* rad: two crank angles are one */
+#define EXACT 1e-9      /* of the column's size: closer, it has the value */
+#define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
+#define SAME 1e-7       /* rad: closer crank angles are the same */
 
 typedef struct sample {
-    double s, off; /* of the piece; the column less the value, NaN: it has none */
+    double s, off; /* its parameter; the column minus the value, NaN: it is undefined */
 } sample;
 
 typedef struct crossings {
     flk_samples x;
     const flk_sampled *c;
     double value, size;
-    double side;        /* 1 or -1: of the samples at hand */
-    double first, last; /* rad passed, of the first and of the last that was found */
+    double side;        /* 1 or -1: the side of the present samples */
+    double first, last; /* rad passed at the first and the last crossing found */
     unsigned long max, n;
     double *angles;
 } crossings;
 
-/* A value of the column less that sought; of an angle to the nearest turn. */
+/* A value of the column minus the value sought; for an angle, to the nearest turn. */
 static double off_of(const crossings *k, double value)
 {
     double off = value - k->value;
@@ -54,7 +55,8 @@ static double size_of(const crossings *k)
     return GSL_MAX_DBL(k->c->of.turn > 0 ? k->c->of.turn : k->size, fabs(k->value));
 }
 
-/* Keep a parameter of the piece, unless the column does not have the value there, or has been found there. */
+/* Keep the crossing at a parameter, if the column has the value there and it is not the last crossing
+** found. */
 static void keep(crossings *k, double s)
 {
     double passed = flk_follow_corner(&k->x.f, s), off = off_at(s, k);
@@ -68,7 +70,7 @@ static void keep(crossings *k, double s)
     k->n++;
 }
 
-/* 1 if an angle passes half a turn from the value between two samples. */
+/* 1 if between two samples an angle passes the point half a turn from the value. */
 static int turns_over(const crossings *k, const sample *a, const sample *b)
 {
     return k->c->of.turn > 0 && fabs(a->off - b->off) > 0.5 * k->c->of.turn;
@@ -85,7 +87,7 @@ static void search_step(crossings *k, const sample *a, const sample *b)
     keep(k, flk_find_zero(off_at, k, &bracket, 0));
 }
 
-/* How far the column is beyond the value, against the side on which the samples are. */
+/* How far the column is beyond the value, seen from the side of the samples. */
 static double beyond(double s, void *data)
 {
     crossings *k = data;
@@ -93,17 +95,16 @@ static double beyond(double s, void *data)
     return -k->side * off_at(s, k);
 }
 
-/* Three samples on one side of the value that come near to it and turn: between them the column may touch it, or pass it
-** there and back. */
+/* Three samples on one side of the value approach it and turn back: between them the column may touch the
+** value, or cross it twice. */
 static void search_turn(crossings *k, const sample *a, const sample *b, const sample *c)
 {
     double sign = b->off < 0 ? -1 : 1;
     flk_sample p[3], top;
     sample near;
 
-    if (gsl_isnan(a->off) || gsl_isnan(b->off) || gsl_isnan(c->off) || turns_over(k, a, b) ||
-        turns_over(k, b, c) || sign * a->off < 0 || sign * c->off < 0 ||
-        !(fabs(b->off) < fabs(a->off)) || fabs(b->off) > fabs(c->off))
+    if (sign * a->off < 0 || sign * c->off < 0 || !(fabs(b->off) < fabs(a->off)) ||
+        !(fabs(b->off) <= fabs(c->off))) /* or one of them is NaN */
         return;
     k->side = sign;
     p[0].x = a->s;
@@ -156,7 +157,7 @@ static void begin(crossings *k, const flk_samples_room *room, flk_analysis *a, c
     k->c = &k->x.columns[0];
 }
 
-/* Find the size of the column; 0 if it is constant. */
+/* Find the size of the column; returns 0 if it is constant. */
 static int measure(crossings *k)
 {
     double least = GSL_POSINF, most = GSL_NEGINF;

@@ -10,9 +10,9 @@
 #include "derived.h"
 #include "mechanics/kind.h"
 
-#define ROUNDING 1e-13 /* of the parts of the shaking force */
+#define ROUNDING 1e-13 /* of the parts of the shaking force: less is rounding error */
 
-/* x / y, or infinite where y is 0 but for rounding. */
+/* x / y, or infinite where y is 0 within rounding. */
 static double ratio(double x, double y)
 {
     if (fabs(x) < 1e15 * fabs(y))
@@ -20,7 +20,7 @@ static double ratio(double x, double y)
     return (x < 0) == (y < 0) ? GSL_POSINF : GSL_NEGINF;
 }
 
-/* x / y, with y of the order of 1, or undefined where y is 0 but for rounding. */
+/* x / y, with y of the order of 1, or undefined where y is 0 within rounding. */
 static double quotient(double x, double y)
 {
     return fabs(y) < 1e-12 ? FLK_UNDEFINED : x / y;
@@ -118,7 +118,7 @@ static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
 **    F = -m a_G,   C = -I alpha,   h = I alpha / (m a_G)
 **
 ** F at the distance h from G has the moment C about it if it passes on the left, looking along F.  There
-** is no h where nothing is left of a_G = a_O + alpha x r - omega^2 r but rounding. */
+** is no h where a_G = a_O + alpha x r - omega^2 r is only rounding error. */
 static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                    int i)
 {
@@ -140,11 +140,12 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 }
 
 /* Shaking force and moment: all that the machine exerts on the frame, at the pins and at the guide by
-** Newton's third law, and by its elements, the gas on the cylinder head for one,
+** Newton's third law, and through its elements, such as the gas on the cylinder head,
 **
 **    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 + M_P
 **
-** the moment about A.  The friction of a guide is F14x.  What is only the rounding of the parts of Fs becomes 0. */
+** the moment about A.  The friction of a guide is F14x.  An Fs that is only the rounding error
+** of its parts becomes 0. */
 static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
                          const flk_acting *acting, flk_derived *e)
 {
@@ -175,7 +176,8 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
         e->inertia[i] = inertia_of(mechanism, state, i);
 }
 
-/* All as forces: couples are divided by a length.  The friction of a guide is among the loads, and not taken here. */
+/* The unknowns as forces: couples are divided by a length.  The friction of a guide is one of the loads
+** and is left out. */
 static void list_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                         const fourlink_forces *forces, double list[10])
 {

@@ -11,8 +11,8 @@
 #include "expected.h"
 #include "fact.h"
 
-/* Of more values than people write, an unknown name is reported without a similar one, so that a large file does
-** not take long. */
+/* Beyond so many values, more than people write, an unknown name is reported without a similar name, so
+** that a large file does not take long. */
 #define HINTED 1000
 
 /* Report a name that is neither a column nor a fact. */

@@ -11,8 +11,8 @@
 void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
                           fourlink_check *check);
 
-/* 1 if a value agrees with check->printed within check->tolerance.  `turn` is a turn of an angle in its unit, as whole
-** turns do not count; else 0. */
+/* 1 if a value agrees with check->printed within check->tolerance.  For an angle, `turn` is a full turn in
+** its unit, since whole turns do not count; else 0. */
 int flk_expected_agrees(const fourlink_check *check, double value, double turn);
 
 #endif

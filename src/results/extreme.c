@@ -2,8 +2,9 @@
 **
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
-** Columns are sampled piece by piece (samples.c).  A peak of the samples is refined by a polynomial through its neighbours;
-** where the row at the peak of the polynomial is not what that says, by base/solve.
+** Columns are sampled piece by piece (samples.c).  A peak of the samples is refined by a polynomial
+** through its neighbours.  Where the row at the polynomial's peak does not agree with it, base/solve finds
+** the peak.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -14,14 +15,14 @@
 #include "base/solve.h"
 #include "extreme.h"
 
-#define CLOSE 1e-12       /* of a value: equal but for rounding, */
+#define CLOSE 1e-12       /* relative difference of values that are equal within rounding, */
 #define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
 
 /* The extremes of a column so far: the largest value and the smallest. */
 typedef struct flk_bests {
     flk_extreme best[2];
-    flk_extreme here[2]; /* since an angle started anew, or an integrated motion began a piece */
-    double close;        /* part of a value: equal but for rounding, or for integration */
+    flk_extreme here[2]; /* since an angle started anew or a piece of an integrated motion began */
+    double close;        /* CLOSE or CLOSE_TURNS */
 } bests;
 
 typedef struct search {
@@ -37,7 +38,7 @@ static double signed_value(int which, double value)
     return which == 0 ? value : -value;
 }
 
-/* 1 if a value is better by more than a part of itself. */
+/* 1 if a value is better by more than `part` of its size. */
 static int is_better(const flk_extreme *best, int which, double value, double part)
 {
     double close = part * GSL_MAX_DBL(fabs(value), fabs(best->value));
@@ -46,7 +47,7 @@ static int is_better(const flk_extreme *best, int which, double value, double pa
                                                                (gsl_finite(close) ? close : 0);
 }
 
-/* Keep a value if it is better than the best so far: of equal ones the first. */
+/* Keep a value if it is better than the best so far.  Of equal values the first one stays. */
 static void offer(flk_extreme *best, int which, double value, double angle, double part)
 {
     if (gsl_isnan(value) || !is_better(best, which, value, part))
@@ -62,8 +63,8 @@ typedef struct sought {
     const flk_sampled *c;
     bests *b;
     int which;
-    double near;      /* an angle goes on from there */
-    double end, away; /* beside an end of the piece: s, and the distance to the next sample */
+    double near;      /* value from which an angle continues */
+    double end, away; /* near an end of the piece: its s, and the distance to the next sample */
     int is_root;      /* 1: the column behaves as the root of the distance from it */
 } sought;
 
@@ -78,7 +79,7 @@ static void offer_at(const sought *k, int which, double value, double s)
     offer(here, which, value, flk_samples_angle(k->x, k->c, s), CLOSE);
 }
 
-/* Close the part of a column's curve since it started anew, moved by whole turns. */
+/* Finish the part of a column's curve since it started anew; `shift` moves it by whole turns. */
 static void commit(bests *b, double shift)
 {
     int which;
@@ -90,7 +91,7 @@ static void commit(bests *b, double shift)
     memset(b->here, 0, sizeof b->here);
 }
 
-/* Offer the row at an end of the piece, where a load jumps and the sample is beside it. */
+/* Offer the row at an end of the piece where a load jumps: the sample is just inside. */
 static void offer_corner(const sought *k, int which, int end)
 {
     const flk_followed *of = &k->c->of;
@@ -176,14 +177,14 @@ static void through(const sought *k, size_t i, flk_polynomial *of)
         flk_polynomial_add(of, k->x->s[from], signed_value(k->which, v[from]));
 }
 
-/* The column's size; there it may pass near 0. */
+/* The column's size, at least its value there. */
 static double size_of(const sought *k, double there)
 {
     return GSL_MAX_DBL(k->c->size, fabs(there));
 }
 
-/* Take the top of a polynomial between two places, if f is better there.  1 if it differs by at most `close` from what the
-** polynomial says. */
+/* Take the top of a polynomial between two places if f is better there.  Returns 1 if f agrees there with
+** the polynomial to within `close`. */
 static int take_top(flk_function *f, sought *k, flk_polynomial *of, double low, double high,
                     double close, flk_sample *best)
 {
@@ -200,8 +201,8 @@ static int take_top(flk_function *f, sought *k, flk_polynomial *of, double low, 
     return agrees;
 }
 
-/* A peak is flat, so values give its place to the root of the rounding only; the slope of a polynomial through values close
-** about it is more exact. */
+/* A peak is flat, so values locate it only to the square root of rounding; the slope of a polynomial
+** through values close to it locates it better. */
 static void sharpen(flk_function *f, sought *k, double low, double high, flk_sample *best)
 {
     double middle = best->x;
@@ -232,10 +233,10 @@ static flk_sample find_peak(sought *k, size_t i)
     return at[1];
 }
 
-/* The peak between sample i, which has no neighbour on one side, and the next: the sample itself, unless the column rises
-** beside it, or the sample is alone, as where a joint with friction stands still.  It is sought over the distance from the
-** end, where that has no root. */
-#define BESIDE_END 1e-3 /* of the distance to the next */
+/* The peak between sample i, which has no neighbour on one side, and the next sample.  It is sample i
+** itself, unless the column rises beside it, or jumps there, as where a joint with friction stands still.
+** The search runs over the distance from the end, or where the column behaves as its root, over that. */
+#define BESIDE_END 1e-3 /* of the distance to the next sample */
 
 static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 {
@@ -262,10 +263,11 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
     return top;
 }
 
-/* A column may be better beside a sample by so many times what this and its neighbours bend. */
+/* A column may exceed a sample by this multiple of the bend of the sample and its neighbours. */
 #define MARGIN 4
 
-/* The best value so far; infinite if there is none.  Angles are compared where they go on only. */
+/* The best value so far; -infinite if there is none.  Angles are compared only since they last started
+** anew. */
 static double best_so_far(const sought *k, int which)
 {
     const bests *b = k->b;
@@ -304,12 +306,12 @@ static void refine(sought *k, int which)
 
 /* ---------------------------------------------------------------------------------------- narrow peaks */
 
-#define HIDDEN 8         /* times its roughness a column may reach beyond a sample */
+#define HIDDEN 8         /* times its roughness: so far a column may exceed a sample */
 #define ROUGH 2e-6       /* of the column's size there: less hides nothing */
 #define NARROWEST 2e-6   /* s: no samples are closer */
 #define MOST_INSERTED 40 /* of a piece, for a column */
 
-/* How far a sample is from the polynomial through its four neighbours, if all steps are the same; in general. */
+/* How far a sample is from the polynomial through its four neighbours: with equal steps, and with any. */
 static double roughness_of_even(const double *v)
 {
     return fabs(v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
@@ -326,7 +328,7 @@ static double roughness(const double *s, const double *v)
     return fabs(flk_polynomial_value(&p, s[0]) - v[0]);
 }
 
-/* 1 if a value so rough may be better than the best. */
+/* 1 if the column near so rough a value may be better than the best. */
 static int is_wanted(const sought *k, double value, double rough)
 {
     return value + HIDDEN * rough > best_so_far(k, 0) ||
@@ -345,7 +347,7 @@ static int may_hide(const sought *k, size_t i)
     return rough > ROUGH * size && is_wanted(k, v[0], rough);
 }
 
-/* Put samples beside those where a better value may hide. */
+/* Insert samples where a better value may hide. */
 static void resolve_narrow(sought *k, flk_samples *x)
 {
     size_t i, most = x->n + MOST_INSERTED;
@@ -384,8 +386,8 @@ static int grows_towards(const sought *k, double s, double step, double *nearer)
     return fabs(*nearer) > 1.5 * fabs(flk_samples_value(k->x, k->c, s + 2 * step, GSL_NAN));
 }
 
-/* Offer the poles of a column: between samples where the denominator changes its sign, both, unless the numerator
-** vanishes with it; at an end of the piece that of the rows beside it. */
+/* Offer the poles of a column.  Where the denominator changes its sign between samples both infinities are
+** offered, unless the numerator vanishes too; at an end of the piece, the one towards which the rows grow. */
 static void find_poles(sought *k)
 {
     const flk_samples *x = k->x;
@@ -395,7 +397,7 @@ static void find_poles(sought *k)
 
     for (i = 0; i < x->n && gsl_finite(bound); i++) {
         at = divisor_at(x->s[i], k);
-        if (at == 0) /* between samples of unlike sign */
+        if (at == 0) /* the zero is found between its neighbours */
             continue;
         if (before * at < 0) {
             flk_bracket b = flk_bracket_of(x->s[last], x->s[i], before, at);
@@ -460,7 +462,7 @@ static void end_piece(search *x)
     }
 }
 
-/* An angle makes in each skipped period as many turns as in the first. */
+/* In each skipped period an angle makes as many turns as in the first. */
 static void skip_turns(search *x)
 {
     double periods = floor(x->samples.f.skipped / x->samples.f.motion.period + 0.5);
@@ -474,9 +476,9 @@ static void skip_turns(search *x)
     }
 }
 
-#define NOISE 1e-10 /* of a column's size: what a constant one varies by near a change point */
+#define NOISE 1e-10 /* of a column's size: so much a constant one may vary near a change point */
 
-/* A column that is constant but for rounding has its extremes at the first row. */
+/* A column that is constant within rounding has its extremes at the first row. */
 static void move_constant(const search *x, const flk_followed *t, bests *b)
 {
     flk_extreme *max = &b->best[0], *min = &b->best[1];
@@ -493,7 +495,7 @@ static void move_constant(const search *x, const flk_followed *t, bests *b)
         max->angle = min->angle = x->samples.f.from;
 }
 
-/* Of a difference of lengths, as a displacement, the least value is 0 but for rounding. */
+/* The least value of a difference of lengths, such as a displacement, may be 0 within rounding. */
 #define ROUNDING (32 * GSL_DBL_EPSILON)
 
 static void give(const search *x, const flk_extreme *best, double size, flk_extreme *extreme)

@@ -9,8 +9,7 @@
 
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
-    double
-        value; /* in the column's unit; infinite: unbounded, such as a speed at a dead position */
+    double value; /* in the column's unit; infinite at a pole */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } flk_extreme;
 
@@ -35,11 +34,11 @@ typedef struct flk_extremes {
     struct flk_bests *bests; /* of each column, in a search */
 } flk_extremes;
 
-/* Take the memory for at most so many columns, and give it back; the rest must be 0.  0 when out of memory. */
+/* Allocate memory for at most so many columns, in a struct that is 0, and free it.  0 when out of memory. */
 int flk_extremes_open(flk_extremes *x, size_t most);
 void flk_extremes_close(flk_extremes *x);
 
-/* Ask for the extremes of a column, before the first of all is found. */
+/* Ask for the extremes of a column; to be called before flk_extremes_find. */
 void flk_extremes_ask(flk_extremes *x, const flk_column *c);
 
 /* An extreme of any column, FLK_MAX or FLK_MIN: FOURLINK_OK, FOURLINK_NOT_REACHED, or why it is not known.  `all`: those

@@ -100,7 +100,7 @@ static const char *meaning_of(const deck *d, fact_code code)
     return fact_table[code].meaning;
 }
 
-/* A handle and a fact: each of the other. */
+/* The handle of a fact, or the fact of a handle. */
 #define OTHER(i) (-1 - (int)(i))
 
 int flk_fact_find(text name)
@@ -193,7 +193,7 @@ static void add_reach(listing *t)
     }
 }
 
-/* 1 if a branch, 0 for both, is among those of a call of flk_fact_list. */
+/* 1 if flk_fact_list, asked for the branch `called`, lists this one; each 0 for both. */
 static int is_asked(const deck *d, int branch, int called)
 {
     if (branch == 0)
@@ -201,24 +201,20 @@ static int is_asked(const deck *d, int branch, int called)
     return called ? branch == called : branch == FOURLINK_OPEN ? d->open : d->crossed;
 }
 
-/* The branch of one of two ranges of link 4, if the crank turns fully: each range belongs to one of them. */
-static int branch_of_rocker(const fourlink_mechanism *mechanism, double from, double to)
+/* The branch of one of two ranges of link 4; 0 if both have it.  The rocker of a crank-rocker never comes
+** into the line of the ground: on the open branch it is above that line. */
+static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
 {
-    fourlink_reach reach;
-    fourlink_state state;
-    double passed;
+    fourlink_type type = FOURLINK_TYPE_END_;
 
-    fourlink_reach_of(mechanism, &reach);
-    if (reach.n_ranges != 1 || reach.to[0] - reach.from[0] < 2 * M_PI * (1 - 1e-15) ||
-        fourlink_position(mechanism, FOURLINK_OPEN, M_PI_2, &state) != FOURLINK_OK)
+    fourlink_type_of(mechanism, &type);
+    if (type != FOURLINK_CRANK_ROCKER)
         return 0;
-    passed = state.link[FOURLINK_FOLLOWER].theta - from;
-    passed -= 2 * M_PI * floor(passed / (2 * M_PI));
-    return passed < to - from ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    return sin(theta4) > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 }
 
-/* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
-** linkage read from D to A. */
+/* The angles that link 4 can have if all joints are pins.  Read from D to A, the linkage has link 4 as its
+** crank, at the angle 180 deg - theta4. */
 static void add_reach_of_rocker(listing *t, int branch)
 {
     fourlink_design mirrored = t->d->design;
@@ -233,8 +229,8 @@ static void add_reach_of_rocker(listing *t, int branch)
     fourlink_reach_of(&mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
         if (reach.n_ranges == 2)
-            t->branch = branch_of_rocker(&t->d->machine.mechanism, M_PI - reach.to[i],
-                                         M_PI - reach.from[i]);
+            t->branch = branch_of_range(&t->d->machine.mechanism,
+                                        M_PI - 0.5 * (reach.from[i] + reach.to[i]));
         if (!is_asked(t->d, t->branch, branch))
             continue;
         add(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
@@ -316,7 +312,7 @@ static int end_of_motion(flk_analysis *a, fourlink_branch branch)
     return f ? f->status : FOURLINK_OK;
 }
 
-/* 1 if the motion of a deck, as it is asked for, can have a fact. */
+/* 1 if the kind of motion that a deck asks for can have a fact. */
 static int is_of_motion(const deck *d, int i)
 {
     switch (i) {
@@ -409,13 +405,13 @@ static void add_turning(listing *t, flk_analysis *a)
     add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
     if (m->has_coefficient)
         add(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
-    if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: it fluctuates less without one */
+    if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: no flywheel is needed */
         add(t, FACT_FLYWHEEL_INERTIA, m->inertia);
     if ((actual ? actual->inertia : m->inertia) > 0)
         add(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
 }
 
-/* What is defined for this motion. */
+/* Add a fact if it is defined for this motion. */
 static void add_if(listing *t, fact_code code, double si)
 {
     if (gsl_finite(si))

@@ -22,7 +22,8 @@ const char *flk_fact_nearest(text name);
 /* Describe a fact without its value. */
 void flk_fact_describe(const deck *d, int handle, fourlink_value *f);
 
-/* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or 1 to 19, why the actual motion ends before it has it. */
+/* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or the status, 1 to 19, with which the actual
+** motion ended early. */
 int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch);
 
 /* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion

@@ -10,7 +10,7 @@
 #include "follow.h"
 
 #define INSIDE 5e-11  /* rad, from an end into the piece */
-#define MOST_ROWS 4e6 /* of a walk, of a deck without loads: a second or two */
+#define MOST_ROWS 4e6 /* of a walk without loads: a second or two */
 
 void flk_follow_all(flk_follower *f)
 {
@@ -22,7 +22,6 @@ static void skip_periods(flk_follower *f)
 {
     f->motion.period =
         flk_crank_motion_repeats(&f->a->crank_motion) ? f->a->crank_motion.period : GSL_POSINF;
-    f->skipped = 0;
     if (f->motion.length < 3 * f->motion.period)
         return;
     f->skipped = f->motion.period * (floor(f->motion.length / f->motion.period) - 2);
@@ -189,7 +188,7 @@ double flk_followed_change(const flk_followed *t, double from, double to)
     return fabs(d - floor(d + 0.5));
 }
 
-/* A force that passes through zero turns over at once: its direction is not continuous there. */
+/* Where a force passes through zero its direction jumps by half a turn. */
 #define HALF_TURN (0.5 - 1e-6)
 
 int flk_followed_turns_over(const flk_followed *t, double from, double to)

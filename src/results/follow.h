@@ -17,16 +17,17 @@
 typedef struct flk_follower {
     flk_analysis *a;
     fourlink_branch branch;
-    flk_pieces motion; /* its length, rad, but for the whole periods that are skipped, */
-    double skipped;    /* rad */
+    flk_pieces motion; /* its length, rad, is without the whole periods that are skipped */
+    double skipped;    /* length of these periods, rad */
     double from,
         end; /* first and last crank angle, in the deck's unit; of rows by time the times, s */
     double per_rad;  /* the deck's unit of angle for 1 rad passed, with sign */
     flk_piece piece; /* the present one */
 } flk_follower;
 
-/* Begin.  The first piece comes with flk_follow_next, which is 0 at the end.  Of a motion that repeats only the first
-** period and the last are followed, unless flk_follow_all is called. */
+/* Begin.  flk_follow_next goes to the first piece, then to the next, and returns 0 at the end.  Of a
+** motion that repeats only the first period and the last ones are followed, unless flk_follow_all is
+** called. */
 void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch);
 void flk_follow_all(flk_follower *f);
 int flk_follow_next(flk_follower *f);
@@ -34,7 +35,7 @@ int flk_follow_next(flk_follower *f);
 /* 1 if the linkage can be assembled in the piece. */
 int flk_follow_is_reached(const flk_follower *f);
 
-/* 1 if columns behave as the root of the distance at an end; 1 if no row is there. */
+/* 1 if columns behave as the root of the distance from an end; 1 if there is no row. */
 int flk_follow_is_root(flk_piece_end end);
 int flk_follow_has_limit(flk_piece_end end);
 
@@ -43,31 +44,32 @@ int flk_follow_has_limit(flk_piece_end end);
 double flk_follow_passed(const flk_follower *f, double s);
 double flk_follow_rate(const flk_follower *f, double s);
 
-/* The same at the end itself; just inside any end. */
+/* The same, but exactly at the ends; but just inside at both ends. */
 double flk_follow_corner(const flk_follower *f, double s);
 double flk_follow_inside(const flk_follower *f, double s);
 
-/* The crank angle after such a part of the motion, in the deck's unit; of rows by time the time.  The crank angle there. */
+/* The crank angle after the angle `passed`, in the deck's unit; for rows by time, the time.  The crank
+** angle that belongs to either. */
 double flk_follow_angle(const flk_follower *f, double passed);
 double flk_follow_crank(const flk_follower *f, double angle);
 
-/* The row after such a part of the motion.  Rows are counted: when too many were computed, they have the status
-** FOURLINK_LONG_SEARCH, and the walk is over. */
+/* The row after the angle `passed`.  Rows are counted: after too many, all have the status
+** FOURLINK_LONG_SEARCH and the walk is over. */
 void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *row);
 int flk_follow_is_over(const flk_follower *f);
 
 /* ------------------------------------------------------------------------------------------- a column */
 
-/* A column that is followed.  An angle goes on from turn to turn; where its vector passes through zero, or the linkage
-** cannot be assembled, it starts anew. */
+/* A column that is followed.  An angle continues from turn to turn; it starts anew where its vector passes
+** through zero or the linkage cannot be assembled. */
 typedef struct flk_followed {
     const flk_column *c;
     double turn;  /* of an angle: a turn in its unit; else 0 */
-    double last;  /* value from which an angle goes on; NaN: it starts anew */
+    double last;  /* value from which an angle continues; NaN: it starts anew */
     double first; /* value at the first row */
     int restarts; /* 1: it started anew after that */
     double bound; /* magnitude beyond which it is infinite */
-    int is_noise; /* 1: a measure of rounding */
+    int is_noise; /* 1: it measures rounding error */
 } flk_followed;
 
 /* Make a column ready to be followed, and include the corners that it has. */

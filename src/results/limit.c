@@ -19,15 +19,15 @@
 #define NODES FLK_LIMIT_NODES
 #define SCALES FLK_LIMIT_SCALES
 
-#define EXACT \
-    1e-9 /* error of a limit, of the column's size: its polynomial stands for the column; */
-#define KNOWN 1e-6     /* ... the limit is used; */
-#define FINITE 1e-3    /* ... at least it is one */
-#define CLOSE 1e-4     /* rad, from a change point: rows are rounding; */
-#define LOST_DEAD 1e-4 /* ... from a dead position, of a column without an exact limit, */
-#define LOST 1e-2      /* ... of a column without an exact limit */
+#define EXACT 1e-9 /* error of a limit, of the column's size: its polynomial replaces the column; */
+#define KNOWN 1e-6 /* ... the limit is used; */
+#define FINITE 1e-3    /* ... the column is known to have one */
+#define CLOSE 1e-4     /* rad from a change point: rows are rounding error; */
+#define LOST_DEAD 1e-4 /* ... from a dead position, for a column without an exact limit; */
+#define LOST 1e-2      /* ... from a change point, for such a column */
 
-/* The largest scale is at most half of the piece; no two are the same, or rounding would look like a pole. */
+/* The largest scale is at most half of the piece.  No two are the same, or rounding would look like a
+** pole. */
 void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit_rows *e)
 {
     static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
@@ -54,7 +54,8 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
 /* A column, or a component of its vector, in the rows. */
 typedef double values[SCALES][NODES];
 
-/* The polynomial x^order y on a scale; its value at 0, and by how much that depends on the last node. */
+/* The polynomial of x^order y on a scale: returns its value at 0; *error is how much the last node changes
+** that. */
 static double extrapolate(const flk_limit_rows *e, values y, int order, int scale,
                           flk_polynomial *p, double *error)
 {
@@ -105,8 +106,8 @@ static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial
 
 /* ------------------------------------------------------------------------------------------------- poles */
 
-/* 1 if the rows closest to the end show a finite limit.  Those farther away may still look like a pole, which is beyond a
-** narrow locked range. */
+/* 1 if the rows closest to the end show a finite limit.  Rows farther away may still look like a pole,
+** which lies beyond a narrow locked range. */
 static int is_finite(const flk_limit_rows *e, values y)
 {
     flk_polynomial p;
@@ -116,9 +117,9 @@ static int is_finite(const flk_limit_rows *e, values y)
     return e->is_root && error <= FINITE * fabs(y[0][NODES - 1]);
 }
 
-/* A pole is the same on two scales, and above the error: far above it on the larger scales, where poles are found that
-** rounding hides on the small ones. */
-#define POLE_SCALE 1 /* the smallest one that is used: closer to the end there may be rounding */
+/* A pole is the same on two scales and greater than the error.  On the larger scales, which show poles
+** that rounding hides on the small ones, it must be far greater. */
+#define POLE_SCALE 1 /* the smallest one used: closer to the end rows may be rounding error */
 
 static int is_pole(const flk_limit_rows *e, values y, int scale, int order, double *strength)
 {
@@ -133,7 +134,7 @@ static int is_pole(const flk_limit_rows *e, values y, int scale, int order, doub
            (scale > POLE_SCALE || fabs(*strength) > 1e-3 * size);
 }
 
-/* The order of a pole and p0; 0 if there is none. */
+/* Returns the order of a pole, 0 if there is none; *strength is p0. */
 static int find_pole(const flk_limit_rows *e, values y, double *strength)
 {
     int scale, order;
@@ -146,9 +147,9 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
     return 0;
 }
 
-/* A number of the sign of a pole, if the rows close to the end grow towards it as a power of x that is steady, or changes
-** slowly; else 0.  A pole beside a narrow locked range has one order close to it and another one farther away.  In a very
-** short piece all scales are close, and rounding is less on the larger ones. */
+/* A number with the sign of a pole, if the rows close to the end grow as a power of x that is constant or
+** changes slowly; else 0.  A pole beside a narrow locked range has one order close to it and another
+** farther away.  In a very short piece all scales are close, and the larger ones have less rounding error. */
 #define GROWTH_CLOSE 0.00101 /* x */
 #define LEAST_ORDER 0.7      /* of a power */
 #define MOST_CHANGE 0.8      /* from row to row */
@@ -174,9 +175,9 @@ static double find_growth(const flk_limit_rows *e, values y)
 
 /* ------------------------------------------------------------------------------------------------ limits */
 
-/* A column that is zero but for rounding can seem to have a pole: where alpha2 is 0, alpha3 of a crank and a rod of the
-** same length, for one. */
-#define LEAST_POLE 1e-11 /* of the column's size elsewhere, at a radian: less is rounding */
+/* A column that is zero within rounding can seem to have a pole, such as alpha3 of a crank and a rod of
+** the same length where alpha2 is 0. */
+#define LEAST_POLE 1e-11 /* of the column's size elsewhere, at 1 rad: less is rounding error */
 
 /* The values in the rows, in the column's unit; the components of a direction in SI. */
 static void take_values(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
@@ -197,7 +198,7 @@ static void take_values(const flk_limit_rows *e, const flk_followed *t, int is_v
             }
 }
 
-/* What the components of a vector, or a column itself, say at x. */
+/* The column at x, by its own polynomial or those of its vector's components. */
 static double join(const flk_limit *l, const flk_followed *t, double x, double near)
 {
     double u = flk_polynomial_value(&l->of[0], x), v;
@@ -209,10 +210,11 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
                        : gsl_hypot(u, v) / gsl_pow_int(x, l->order);
 }
 
-#define VANISHES 1e-6 /* of a vector's size: it has no direction, but one close to the end, */
-#define BESIDE 1e-3   /* of the reach */
+#define VANISHES \
+    1e-6 /* of a vector's size: a smaller one has no direction; it is taken at this part */
+#define BESIDE 1e-3 /* ... of the reach */
 
-/* The limit of a column whose poles, if it has any, are those of a vector. */
+/* The limit of a column without a pole, or of the direction of a vector that may have one. */
 static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
                         const best b[2], double size, flk_limit *l)
 {

@@ -80,10 +80,10 @@ typedef struct listing {
     const deck *d;
     flk_list *to;
     char *names;
-    const char *section; /* that is told of */
+    const char *section; /* the present one */
 } listing;
 
-/* SECTION.KEY in SI units. */
+/* Add SECTION.KEY; `si` is its value in SI units. */
 static fourlink_value *add(listing *t, const char *key, quantity q, double si, const char *meaning)
 {
     char *name = t->names + DECK_NAME_SIZE * t->to->n;
@@ -98,14 +98,14 @@ static fourlink_value *add(listing *t, const char *key, quantity q, double si, c
     return v;
 }
 
-/* The same, left out if 0. */
+/* The same, unless it is 0. */
 static void add_if(listing *t, const char *key, quantity q, double si, const char *meaning)
 {
     if (si != 0)
         add(t, key, q, si, meaning);
 }
 
-/* An input whose value is words. */
+/* Add an input whose value is words. */
 static void add_words(listing *t, const char *key, const char *words, const char *meaning)
 {
     fourlink_value *v = add(t, key, QUANTITY_NUMBER, 0, meaning);
@@ -127,7 +127,7 @@ static void add_link(listing *t, int i)
     add_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
 }
 
-/* An angle of the motion, already in the deck's unit. */
+/* Add an angle of the motion, already in the deck's unit. */
 static void add_angle(listing *t, const char *key, double angle, const char *meaning)
 {
     add(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
@@ -245,7 +245,7 @@ static void add_load(listing *t, const flk_element *element)
     }
 }
 
-/* An end of a spring: its link and, of a linear one, its point. */
+/* An end of a spring: its link and, for a linear spring, its point. */
 static void add_end(listing *t, const fourlink_spring *s, int is_second)
 {
     const fourlink_vector *at = is_second ? &s->to_at : &s->at;

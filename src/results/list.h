@@ -20,7 +20,7 @@ typedef struct flk_list {
 /* The number of the deck that a handle stands for; 0 if it is another. */
 unsigned long flk_list_number(int handle);
 
-/* A value of a deck without its name and number; of a column, with its name. */
+/* Describe a value of a deck without its name and number; a column with its name. */
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 

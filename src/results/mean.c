@@ -19,13 +19,13 @@
 #include "mean.h"
 
 #define STEP (M_PI / 18)     /* rad, of a part at first */
-#define MOST_PARTS 2e4       /* of all of the motion, at first */
+#define MOST_PARTS 2e4       /* of the whole motion, at first */
 #define HALVINGS 2000        /* at most */
-#define EXACT 1e-10          /* error of a part, of itself or of the whole */
-#define ROUNDING 1e-6        /* error that rows can have near a pole */
+#define EXACT 1e-10          /* error of a part, relative to itself or to the whole */
+#define ROUNDING 1e-6        /* relative error that rows can have near a pole */
 #define SHORTEST 1e-10       /* part of a piece that is not halved any more, */
 #define SHORTEST_AT_END 1e-4 /* at an end without a row */
-#define UNBOUNDED 1e-6       /* error, of the whole, that a part so short has only at a pole */
+#define UNBOUNDED 1e-6 /* error relative to the whole that so short a part has only at a pole */
 
 enum { UP = 1, DOWN = 2 };
 
@@ -36,12 +36,13 @@ typedef struct moments {
 
 typedef struct means {
     flk_follower x;
-    flk_followed t;  /* t.last: value from which an angle goes on; NaN: it starts anew */
-    int first, most; /* powers that are sought */
-    int is_rough;    /* 1: in the part at hand an angle leaps, or the rule is not exact */
+    flk_followed t;  /* t.last: value from which an angle continues; NaN: it starts anew */
+    int first, most; /* powers of y to integrate */
+    int is_rough;    /* 1: in the present part an angle jumps, or the rule is not exact */
     int poles;       /* UP, DOWN */
     int halvings;
     moments total, here; /* before, and since an angle started anew */
+    moments opening;     /* until it first did so */
     double size[3];      /* integrals of magnitudes so far */
 } means;
 
@@ -100,13 +101,15 @@ static void repeat(moments *m, double n, double by)
 
 static void start_anew(means *m, double value)
 {
+    if (!m->t.restarts)
+        m->opening = m->here;
     add(&m->total, &m->here);
     memset(&m->here, 0, sizeof m->here);
     m->t.restarts |= !gsl_isnan(m->t.last);
     m->t.last = value;
 }
 
-/* Go on with an angle to a parameter; no row is at some ends. */
+/* Follow an angle to a parameter, or at an end without a row to one beside it. */
 static void follow(means *m, double s)
 {
     double value;
@@ -135,7 +138,8 @@ static int is_shortest(const means *m, double from, double to)
     return to - from < (at_end ? SHORTEST_AT_END : SHORTEST);
 }
 
-/* 1 if the rule is exact for a part, or is not because rows are rounding: then to halve it does not help. */
+/* 1 if the rule is exact for a part, or if its error is rounding error of the rows, which halving does not
+** reduce. */
 static int is_exact(const flk_integral *part, const flk_integral *both, double whole)
 {
     return part->error <= EXACT * part->size || part->error <= EXACT * whole ||
@@ -149,7 +153,8 @@ static int signs_of(const flk_integral *part)
            (part->value > -0.999 * part->size ? UP : 0);
 }
 
-/* Integrate the part of a piece between two parameters: a half of that whose integrals are `both`, or null. */
+/* Integrate a piece between two parameters.  `both` is null, or the integrals of the part of which this is
+** one half. */
 static void integrate(means *m, double from, double to, const flk_integral *both)
 {
     double middle = 0.5 * (from + to);
@@ -191,8 +196,9 @@ static void integrate_piece(means *m)
         integrate(m, i / n, (i + 1) / n, NULL);
 }
 
-/* Of a motion that repeats, the first period counts for all that are skipped.  Angles have turned as often in
-** each of them; time and the crank angle go on. */
+/* Of a motion that repeats, the first period counts for all that are skipped.  Angles turn as often in
+** each of them; time and the crank angle go on.  An angle that starts anew in each period continues until
+** then from the period before. */
 static void count_skipped(means *m)
 {
     const flk_follower *x = &m->x;
@@ -203,9 +209,20 @@ static void count_skipped(means *m)
         flk_follow_row(x, 0, 0, &from);
         flk_follow_row(x, 0, x->motion.period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
-    } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
+    } else if (m->t.turn > 0 && !gsl_isnan(m->t.first + m->t.last)) {
         by = flk_followed_turns(&m->t, m->t.first, m->t.last);
+    }
     repeat(&m->total, n, 0);
+    if (m->t.restarts) {
+        moments later = m->opening;
+
+        shift(&later, by);
+        repeat(&later, n - 1, 0);
+        repeat(&m->opening, 1 - n, 0);
+        add(&m->total, &later);
+        add(&m->total, &m->opening);
+        by = 0;
+    }
     repeat(&m->here, n, by);
     m->t.last += by * (n - 1);
 }
@@ -229,7 +246,7 @@ static void integrate_motion(means *m)
         if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6)
             count_skipped(m);
     }
-    /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
+    /* after the last gap of a revolution angles continue to those of its first row, which is its last */
     if (has_gap && m->t.turn > 0 && flk_crank_motion_is_periodic(&x->a->crank_motion) &&
         !gsl_isnan(m->t.first + m->t.last))
         shift(&m->here, flk_followed_turns(&m->t, m->t.last, m->t.first));

@@ -8,7 +8,8 @@
 #include "column.h"
 
 /* FLK_MEAN or FLK_RMS of a column, in its unit; infinite if the integral is.  Returns FOURLINK_OK,
-** FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN, or of a motion of one instant why it has no value. */
+** FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG or, for a motion of one
+** instant, the status of its row. */
 int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
                   flk_statistic statistic, double *mean);
 

@@ -19,8 +19,8 @@ typedef struct flk_name {
     flk_name_kind kind;
     int handle;              /* for fourlink_results_get; 0: unknown */
     text of;                 /* the name, or that of the column of a statistic */
-    flk_statistic statistic; /* FLK_NONE: of no statistic */
-    flk_column c;            /* a column, or that of a statistic */
+    flk_statistic statistic; /* FLK_NONE: not a statistic */
+    flk_column c;            /* the column, or that of the statistic */
     const fourlink_value *given;
 } flk_name;
 

@@ -20,7 +20,7 @@ static int is_hidden(const deck *d, flk_point_code code)
     return 0;
 }
 
-/* The pin C: the joint of links 3 and 4, or if these slide on each other the end of link 4. */
+/* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of link 4. */
 static const char *find_C(const deck *d, int *link, fourlink_vector *at)
 {
     const fourlink_joint *joint = &flk_kind_of(d->design.kind)->joint[2];

@@ -18,8 +18,8 @@
 #define FLK_POINT_CODE(name, meaning) FLK_POINT_##name,
 typedef enum flk_point_code { FLK_POINT_LIST(FLK_POINT_CODE) FLK_POINT_COUNT } flk_point_code;
 
-/* Why a deck does not have this point; null if it has: then its link, and its place in the link's own axes.  A
-** [point] of the same name hides it. */
+/* Returns why a deck does not have this point, or null: then *link is its link and *at its place in the
+** link's own axes.  A [point] of the same name hides it. */
 const char *flk_point_find(const deck *d, flk_point_code code, int *link, fourlink_vector *at);
 
 #endif

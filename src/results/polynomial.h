@@ -18,7 +18,7 @@ void flk_polynomial_add(flk_polynomial *p, double x, double y);
 
 double flk_polynomial_value(const flk_polynomial *p, double x);
 
-/* Find where the slope is 0 between two places; returns 0 unless it has unlike signs there. */
+/* Find where the slope is 0 between two places; returns 0 unless it has opposite signs at them. */
 int flk_polynomial_find_flat(flk_polynomial *p, double low, double high, double *at);
 
 #endif

@@ -12,11 +12,12 @@
 #include "samples.h"
 
 #define STEP (M_PI / 80) /* rad, */
-#define MOST_STEPS 1e5   /* ... longer over more than 555 turns */
+#define MOST_STEPS 1e5   /* ... longer over more than 625 turns */
 #define LEAST_STEPS 12   /* of a piece */
 #define SHORT 1e-9       /* rad, of a piece of which one row is computed */
 #define HALVINGS 9       /* of the step towards some ends */
-#define NEAR_LINE 0.05   /* |sin(mu)|: nearer to one line columns change within 1e-5 rad */
+#define NEAR_LINE \
+    0.05 /* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad */
 #define MOST_SAMPLES 1000
 
 int flk_samples_open(flk_samples_room *room, size_t most)
@@ -59,7 +60,7 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
 
 /* --------------------------------------------------------------------------------------------- values */
 
-/* The column by its limit at an end of the piece, if it is so close to it; else NaN. */
+/* The column by its limit at an end of the piece, if that reaches so far; else NaN. */
 static double value_by_limit(const flk_sampled *c, double passed, double near)
 {
     double value = flk_limit_value(&c->limit[0], &c->of, passed, near);
@@ -79,7 +80,7 @@ double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, d
                                                         : flk_followed_nearest(&c->of, value, near);
 }
 
-/* 1 where rows of a column are rounding. */
+/* 1 where rows of a column are rounding error. */
 static int is_rounded(const flk_sampled *c, double passed)
 {
     return fabs(passed - c->limit[0].edge) < c->limit[0].rounded ||
@@ -109,7 +110,7 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
     return gsl_isinf(value) ? GSL_NAN : value;
 }
 
-/* Closer to an end where there is no row there is none either: the end is meant. */
+/* A crank angle closer than this to an end without a row is given as that of the end. */
 #define AT_LIMIT 2e-6 /* rad */
 
 double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
@@ -125,8 +126,8 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 
 /* -------------------------------------------------------------------------------------------- samples */
 
-/* At an end of the piece the row there counts; where a load jumps, that just inside. */
-#define AGREES 1e-6 /* of the column's size */
+/* The sample at an end of the piece is the row there or, where a load jumps, the row just inside. */
+#define AGREES 1e-6 /* of the column's size: a greater difference is a jump */
 
 static void take_end(const flk_samples *x, double s, size_t i)
 {
@@ -156,7 +157,7 @@ static double *make_room(double *list, size_t n, size_t i)
     return list + i;
 }
 
-/* Put a sample before number i. */
+/* Insert a sample before number i. */
 static void insert(flk_samples *x, size_t i, double s)
 {
     double passed = flk_follow_corner(&x->f, s);
@@ -371,7 +372,7 @@ static void find_limits(flk_samples *x, int at_end)
     }
 }
 
-/* Its sign says whether friction locks the mechanism. */
+/* Negative where friction locks the mechanism. */
 static double lock_at(double passed, void *data)
 {
     const flk_samples *x = data;
@@ -381,8 +382,8 @@ static double lock_at(double passed, void *data)
     return row.at.status == FOURLINK_LOCKED ? GSL_NEGINF : GSL_POSINF;
 }
 
-/* The first angle passed at which friction begins (or ends, if *lock < 0) to lock the mechanism, on the side with rows;
-** infinite if there is none.  No formula gives it. */
+/* The first angle passed at which friction begins to lock the mechanism (or ceases to, if *lock < 0), on
+** the side with rows; infinite if there is none.  No formula gives it. */
 static double find_edge(flk_samples *x, double *lock)
 {
     double low = flk_follow_passed(&x->f, x->s[0]), high;
@@ -401,9 +402,9 @@ static double find_edge(flk_samples *x, double *lock)
     return GSL_POSINF;
 }
 
-/* Sample the piece, or its part before an edge at which friction begins or ends to lock the mechanism.  Towards such an
-** edge friction grows as the inverse of the distance, or, where two solutions meet, ends as its root: it is treated as
-** dead positions are. */
+/* Sample the piece, or its part up to an edge at which friction begins or ceases to lock the mechanism.
+** Towards such an edge friction grows as the inverse of the distance or, where two solutions meet, ends as
+** its root: the edge is treated as a dead position. */
 #define MOST_PARTS 100
 
 static void sample_part(flk_samples *x)

@@ -17,15 +17,14 @@
 typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
-    double *v;          /* samples; of an angle continuous.  NaN: it has no value, or a pole */
+    double *v;          /* samples, continuous for an angle; NaN: no value, or a pole */
     double size;        /* its largest magnitude in the middle of pieces so far, */
     double largest;     /* the largest magnitude of the samples */
     double size_long;   /* ... and of long ones */
     flk_limit limit[2]; /* at the beginning and the end of the piece */
-    int is_inside
-        [2]; /* 1: the first, the last sample is just inside the piece, as a load jumps at its end, */
-    double corner[2]; /* ... where this is its value */
-    int starts_anew;  /* 1: an angle starts anew in the piece */
+    int is_inside[2];   /* 1: the first, the last sample is just inside, where a load jumps */
+    double corner[2];   /* its value at the end itself or, if that is the sample, just inside */
+    int starts_anew;    /* 1: an angle starts anew in the piece */
 } flk_sampled;
 
 /* Room for the samples of so many columns. */
@@ -35,7 +34,7 @@ typedef struct flk_samples_room {
     double *values;
 } flk_samples_room;
 
-/* Take it, and give it back.  0 when out of memory. */
+/* Allocate and free it.  0 when out of memory. */
 int flk_samples_open(flk_samples_room *room, size_t most);
 void flk_samples_close(flk_samples_room *room);
 
@@ -48,9 +47,9 @@ typedef struct flk_samples {
     size_t n;       /* samples of the present piece */
     double *s;      /* their parameters */
     int is_reached; /* 1: the linkage can be assembled in it */
-    int is_whole;   /* 1: it is not a part before an edge of a locked range, nor between two */
+    int is_whole;   /* 1: it is not a part that ends at an edge of a locked range */
     int has_lock;   /* 1: friction locks the mechanism in a sample */
-    flk_piece rest; /* behind such a part */
+    flk_piece rest; /* the rest of the piece after such a part */
     int n_parts;
 } flk_samples;
 
@@ -60,10 +59,11 @@ void flk_samples_begin(flk_samples *x, const flk_samples_room *room, flk_analysi
 void flk_samples_add(flk_samples *x, const flk_column *c);
 int flk_samples_next(flk_samples *x);
 
-/* Put one more sample of all columns before number i, which is not the first; 0 if there is no room. */
+/* Insert a sample of all columns before number i, which is not the first; 0 if there is no room. */
 int flk_samples_insert(flk_samples *x, size_t i, double s);
 
-/* A column at a parameter; an angle is that nearest to `near`, NaN half a turn from it. */
+/* A column at a parameter.  An angle is moved by whole turns next to `near`; it is NaN half a turn from
+** it. */
 double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, double near);
 
 /* The crank angle of a sample, or of another parameter, in the deck's unit; of rows by time the time. */

@@ -7,11 +7,11 @@
 **
 **    E(theta) = integral of (T - Tm) dtheta,    dE = max E - min E
 **
-** along the motion: over an area that a clockwise crank passes, from its higher angle to its lower.
+** along the motion: for a clockwise crank from greater angles to smaller ones.
 **
 **    coefficient of fluctuation of energy dE / (Tm c),   of speed Cs = dE / (I omega^2)
 **
-** Of an actual motion the speed omega is its mean, and I is that of the flywheel and the rotor of the motor.
+** For an actual motion omega is its mean speed, and I is that of the flywheel and of the motor's rotor.
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and Gauss and Kronrod's rule is exact to rounding.  E has its extremes at the corners
@@ -252,7 +252,7 @@ static void find(moment *m, double scale, fourlink_turning *t)
         t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }
 
-/* Work without friction over work with it, if the crank drives; if it is driven, the reverse. */
+/* Work without friction / work with it, if the crank drives; the inverse if it is driven. */
 static double efficiency_of(const moment *m)
 {
     double sense = m->crank.omega2 < 0 ? 1 : -1;

@@ -7,7 +7,8 @@
 
 #include "analysis.h"
 
-/* Take the memory that the turning moment of a deck needs, until flk_analysis_close; 0 if there is none. */
+/* Allocate the memory that the turning moment of a deck needs, until flk_analysis_close; 0 when out of
+** memory. */
 int flk_turning_open(flk_analysis *a);
 
 /* The turning moment at the deck's speed, which is taken as constant; null if it is not defined: the

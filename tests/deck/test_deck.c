@@ -216,6 +216,7 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = nan kg\n", 10, "'nan kg' is not a finite number"},
     {FOUR_BAR "mass = 1e999 kg\n", 10, "'1e999 kg' is not a finite number"},
     {FOUR_BAR "mass = 0x10 kg\n", 10, "'0x10 kg' is not a decimal number"},
+    {FOUR_BAR "[table]\ndigits = 18\n", 11, "digits must be 1 to 17, not 18"},
     {FOUR_BAR "mass = 1e31 kg\n", 10, "'1e31 kg' is out of range"},
     {FOUR_BAR "mass = 1e300 t\n", 10, "'1e300 t' is out of range"},
     {FOUR_BAR "[motion]\nspeed = 25 Hz\n", 11, "'25 Hz' is not an angular speed, such as 1000 rpm"},
@@ -238,6 +239,8 @@ static const mistaken all_mistaken[] = {
      "the length must be positive, not 0"},
     {"mechanism = slider-crank\n[rod]\nlength = 1e-16 m\n[crank]\nlength = 1 m\n", 3,
      "'1e-16 m' is out of range"},
+    {"mechanism = slider-crank\n[rod]\nlength = 1.01e15 m\n[crank]\nlength = 1 m\n", 3,
+     "'1.01e15 m' is out of range"},
     {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative: -1 g"},
     {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative: -1 kg m2"},
     {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11, "the gyration must not be negative: -1 mm"},
@@ -743,6 +746,10 @@ TEST(test_defaults)
     assert_true(d.motion.from == 30 && d.motion.to == 750);
     assert_int_equal(d.one_revolution, 0);
     flk_deck_free(&d);
+    /* the shortest cycle is one interval */
+    read_good(FOUR_BAR "[motion]\nspeed = 5 rad/s\ncycle = 10 deg\ninterval = 10 deg\n", &d);
+    assert_close(d.machine.cycle, 10 * DEG, 1e-15);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nacceleration = -5 rad/s2\n", &d);
     assert_true(d.motion.to == -360);
     flk_deck_free(&d);
@@ -752,6 +759,17 @@ TEST(test_defaults)
     flk_deck_free(&d);
     read_good(FOUR_BAR "mass = 1 g\n", &d);
     assert_int_equal(d.has_forces, 1);
+    flk_deck_free(&d);
+}
+
+/* The smallest and the largest length are in range. */
+TEST(test_range_of_lengths)
+{
+    deck d;
+
+    read_good("mechanism = slider-crank\n[rod]\nlength = 1e15 m\n[crank]\nlength = 1e-15 m\n", &d);
+    assert_true(d.design.link[3].length == FOURLINK_LENGTH_MAX);
+    assert_true(d.design.link[2].length == FOURLINK_LENGTH_MIN);
     flk_deck_free(&d);
 }
 
@@ -1407,35 +1425,33 @@ TEST(test_left_out)
     free(contents);
 }
 
-static void check_noted(const char *contents, size_t length, long line, const char *message)
+/* What is no text has this mistake only: nothing is said of what it lacks as a deck. */
+static void check_no_text(const char *contents, size_t length, long line, const char *message)
 {
     text t;
     deck d;
-    size_t i;
 
     t.start = contents;
     t.length = length;
     assert_int_equal(read_text(t, NULL, 0, &d), 0);
-    for (i = 0; i < d.mistakes.count; i++)
-        if (d.mistakes.list[i].place.line == line &&
-            strcmp(d.mistakes.list[i].message, message) == 0)
-            break;
-    if (i == d.mistakes.count)
-        fail_msg("line %ld: '%s' was not noted", line, message);
+    assert_int_equal(d.mistakes.count, 1);
+    assert_int_equal(d.mistakes.list[0].place.line, line);
+    assert_string_equal(d.mistakes.list[0].message, message);
     flk_deck_free(&d);
 }
 
 TEST(test_no_text)
 {
     static const char null[] = FOUR_BAR "mass = 1\0 kg\n";
-    static const char bell[] = "title = \a\n" FOUR_BAR;
+    static const char bell[] = "title = \a\n" FOUR_BAR, other[] = "title =\033[1m\n";
     static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
     char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
 
-    check_noted(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
-    check_noted(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
-    check_noted(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
-    check_noted(line, strlen(line), 1, "line longer than 65536 characters: not a deck");
+    check_no_text(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
+    check_no_text(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
+    check_no_text(other, sizeof other - 1, 1, "control character (0x1b): a deck is plain text");
+    check_no_text(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
+    check_no_text(line, strlen(line), 1, "line longer than 65536 characters: not a deck");
     free(line);
 }
 

@@ -88,9 +88,45 @@ TEST(test_motors)
     assert_near(d.machine.motor.curve_torque[1], 6, 0);
     assert_near(d.motion.to, 360, 0);
     flk_deck_free(&d);
+    read_accepted(RUN_UP "[motor]\ncurve = 0 rpm 6 N m, 1500 rpm -6 N m\n", NULL, &d);
+    assert_near(d.motion.to, 360, 0); /* of two torques as large, the first */
+    flk_deck_free(&d);
     read_accepted(RUN_UP "[motor]\ncurve = file motor.csv rpm N m\n", "0 5\n1500 0\n", &d);
     assert_int_equal(d.machine.motor.n_curve, 2);
     flk_deck_free(&d);
+}
+
+/* Any part that moves with the crank gives the machine its inertia. */
+TEST(test_parts_with_inertia)
+{
+    static const struct {
+        int link; /* 0: none */
+        const char *part;
+    } parts[] = {{2, "inertia = 1 kg m2\n"},
+                 {2, "mass = 1 kg\ncg = 1 mm\n"},
+                 {2, "mass = 1 kg\ncg = (0, 1) mm\n"},
+                 {3, "mass = 1 kg\n"},
+                 {3, "inertia = 1 kg m2\n"},
+                 {4, "mass = 1 kg\n"},
+                 {4, "inertia = 1 kg m2\n"},
+                 {0, "[motor]\ntorque = 1 N m\ninertia = 1 kg m2\n"},
+                 {0, FLYWHEEL}};
+    char contents[400];
+    size_t i;
+    deck d;
+
+    for (i = 0; i < COUNT(parts); i++) {
+        const char *part[5] = {"", "", "", "", ""};
+
+        part[parts[i].link] = parts[i].part;
+        sprintf(contents,
+                "mechanism = four-bar\n[motion]\nmode = free\nspeed = 3 rad/s\n[ground]\n"
+                "length = 80 mm\n[crank]\nlength = 20 mm\n%s[coupler]\nlength = 66 mm\n%s"
+                "[rocker]\nlength = 56 mm\n%s%s",
+                part[2], part[3], part[4], part[0]);
+        read_accepted(contents, NULL, &d);
+        flk_deck_free(&d);
+    }
 }
 
 TEST(test_exact_flywheel)

@@ -287,7 +287,7 @@ TEST(test_distributions)
 TEST(test_seeds)
 {
     static const char *const seeds[] = {"",         "seed = 1", "seed = 2",
-                                        "seed = 0", "seed = 3", "seed = 1000"};
+                                        "seed = 0", "seed = 3", "seed = 4294967295"};
     double values[6];
     char lines[200];
     size_t i, k;
@@ -409,6 +409,8 @@ static const struct {
     {"crank.length = 20 mm +- 1 mm\nsamples = 1.5", 17, "expected a whole number, not '1.5'"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = -1", 18,
      "the seed must not be negative: -1"},
+    {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = 4294967296", 18,
+     "the seed must be less than 4294967296"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = 1.5", 18,
      "expected a whole number, not '1.5'"},
     {GOOD "[sweep]\n" GOOD, 17, "[sweep] is given twice; first at line 15"},
@@ -441,6 +443,23 @@ TEST(test_mistakes)
         flk_deck_free(&d);
     }
     assert_int_equal(failed, 0);
+}
+
+/* A quantity whose values are mistaken is not missed as well. */
+TEST(test_mistaken_values_of_a_length)
+{
+    deck d;
+
+    assert_int_equal(read_deck("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\n"
+                               "length = 20 mm\n[rocker]\nlength = 56 mm\n[coupler]\nmass = 1 kg\n"
+                               "[sweep]\ncoupler.length = 66 kg, 67 kg\n",
+                               &d),
+                     0);
+    assert_int_equal(d.mistakes.count, 1);
+    assert_int_equal(d.mistakes.list[0].place.line, 11);
+    assert_string_equal(d.mistakes.list[0].message,
+                        "'66 kg' is a mass; expected a length, such as 80 mm");
+    flk_deck_free(&d);
 }
 
 /* The same quantity under two names. */

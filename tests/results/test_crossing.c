@@ -99,6 +99,25 @@ TEST(test_against_scan)
             check_scan(load, columns[i], shares[j]);
 }
 
+/* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles are those of a
+** scan in steps of 0.001 deg. */
+TEST(test_direction_beside_change_point)
+{
+    fourlink_results *r =
+        opened("mechanism = four-bar\n[crank]\nlength = 0.925\nmass = 1 kg\nuniform = yes\n"
+               "[coupler]\nlength = 1.029\nmass = 2 kg\nuniform = yes\n[rocker]\nlength = 1.712\n"
+               "mass = 1 kg\nuniform = yes\n[ground]\nlength = 1.6142\n" SPEED);
+    double at[MOST];
+
+    assert_int_equal(crossings(r, "F12_dir", FOURLINK_OPEN, 144, at), 2);
+    assert_near(at[0], 6.8855, 0.0005);
+    assert_near(at[1], 329.1995, 0.0005);
+    assert_int_equal(crossings(r, "F12_dir", FOURLINK_OPEN, 43.2, at), 2);
+    assert_near(at[0], 6.9245, 0.0005);
+    assert_near(at[1], 209.7015, 0.0005);
+    fourlink_results_free(r);
+}
+
 /* theta4 is at its limit where crank and coupler are in one line: a touch, at which omega4 is 0. */
 TEST(test_touch)
 {

@@ -38,6 +38,52 @@ TEST(test_full_turns)
     check(fast, FOURLINK_OPEN, "min(F23_dir)", -142.085310157, 1e-6);
 }
 
+/* Where both cranks turn fully an angle gains a turn in each period, of which most are skipped. */
+TEST(test_many_turns)
+{
+    static const char deck[] = "mechanism = four-bar\n[ground]\nlength = 30 mm\n[crank]\n"
+                               "length = 60 mm\n[coupler]\nlength = 70 mm\n[rocker]\n"
+                               "length = 65 mm\n[motion]\nspeed = 10 rad/s\nto = 7200 deg\n"
+                               "[table]\ncolumns = theta4\n";
+    fourlink_results *r = opened(deck);
+    double first = value_at(r, "theta4", 0);
+
+    assert_near(value_at(r, "min(theta4)", 0), first, 1e-9);
+    assert_near(value_at(r, "max(theta4)", 0), first + 7200, 1e-9);
+    fourlink_results_free(r);
+}
+
+/* A hundred thousand periods have the extremes and the mean of one. */
+TEST(test_many_periods)
+{
+    static const char *const names[] = {"max(F12)", "min(Ts)", "mean(F12)", "rms(Ts)"};
+    fourlink_results *one = opened(CRANK_ROCKER "speed = 10.5 rad/s\n");
+    fourlink_results *many = opened(ROCKER "[motion]\nspeed = 10.5 rad/s\nto = 36000000 deg\n"
+                                           "interval = 3600 deg\n");
+    size_t i;
+
+    for (i = 0; i < COUNT(names); i++)
+        assert_close(value_at(many, names[i], 0), value_at(one, names[i], 0), 1e-9);
+    fourlink_results_free(one);
+    fourlink_results_free(many);
+}
+
+/* The extremes of a measure of rounding are those of rows as they are printed. */
+TEST(test_measures_of_rounding)
+{
+    static const char *const names[] = {"residual", "superposition"};
+    fourlink_results *r = opened(CRANK_ROCKER "speed = 10.5 rad/s\n");
+    size_t i;
+
+    for (i = 0; i < COUNT(names); i++) {
+        fourlink_value most = named(r, print("max(%s)", names[i]), FOURLINK_OPEN, 0);
+
+        assert_true(most.value > 0);
+        assert_true(value_at(r, names[i], most.angle) == most.value);
+    }
+    fourlink_results_free(r);
+}
+
 /* The corners of a load move no direction that has nothing to do with it. */
 TEST(test_corners)
 {
@@ -50,19 +96,58 @@ TEST(test_corners)
 }
 
 /* The force in a massless coupler has its direction, also where that ends: at a dead position coupler and rocker are in
-** one line, from B to D. */
+** one line, from B to D.  Its size does not matter. */
 TEST(test_direction_at_dead_position)
 {
-    static const char deck[] =
-        "mechanism = four-bar\n[crank]\nlength = 0.3\n[coupler]\nlength = 0.4\n[rocker]\n"
-        "length = 0.5\n[ground]\nlength = 0.75\n[load]\nlink = rocker\ntorque = 1 N m\n"
-        "[motion]\nspeed = 2 rad/s\nto = 150 deg\n";
+    static const char *const torques[] = {"1 N m", "1e6 N m", "1e-6 N m"};
     double dead = acos((0.3 * 0.3 + 0.75 * 0.75 - 0.9 * 0.9) / (2 * 0.3 * 0.75));
     double line = atan2(-0.3 * sin(dead), 0.75 - 0.3 * cos(dead)) * 180 / PI;
+    size_t i;
 
-    check(deck, FOURLINK_OPEN, "min(theta3)", line, 1e-9);
-    check(deck, FOURLINK_OPEN, "min(F34_dir)", line, 1e-9);
-    check(deck, FOURLINK_CROSSED, "max(F34_dir)", line + 180, 1e-9);
+    for (i = 0; i < COUNT(torques); i++) {
+        char *deck =
+            print("mechanism = four-bar\n[crank]\nlength = 0.3\n[coupler]\nlength = 0.4\n"
+                  "[rocker]\nlength = 0.5\n[ground]\nlength = 0.75\n[load]\nlink = rocker\n"
+                  "torque = %s\n[motion]\nspeed = 2 rad/s\nto = 150 deg\n",
+                  torques[i]);
+
+        check(deck, FOURLINK_OPEN, "min(theta3)", line, 1e-9);
+        check(deck, FOURLINK_OPEN, "min(F34_dir)", line, 1e-9);
+        check(deck, FOURLINK_CROSSED, "max(F34_dir)", line + 180, 1e-9);
+    }
+}
+
+/* 12 h times the slope of a column, with an error of h^5. */
+static double slope_at(fourlink_results *r, const char *name, fourlink_branch branch, double angle)
+{
+    const double h = 0.04;
+
+    return 8 * (named(r, name, branch, angle + h).value - named(r, name, branch, angle - h).value) -
+           (named(r, name, branch, angle + 2 * h).value -
+            named(r, name, branch, angle - 2 * h).value);
+}
+
+/* The place of a flat extreme is where the slope is 0, by bisection. */
+TEST(test_place_of_a_flat_extreme)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[crank]\nlength = 0.314\nmass = 1 kg\nuniform = yes\n[coupler]\n"
+        "length = 0.873\nmass = 2 kg\nuniform = yes\n[rocker]\nlength = 1.049\nmass = 1 kg\n"
+        "uniform = yes\n[ground]\nlength = 0.816\n[motion]\nspeed = 1 rad/s\nfrom = -1 deg\n"
+        "to = 359 deg\n");
+    fourlink_value least = named(r, "min(Fs)", FOURLINK_CROSSED, 0);
+    double low = least.angle - 0.01, high = least.angle + 0.01;
+
+    while (high - low > 1e-9) {
+        double middle = (low + high) / 2;
+
+        if (slope_at(r, "Fs", FOURLINK_CROSSED, middle) < 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    assert_near(least.angle, low, 5e-7);
+    fourlink_results_free(r);
 }
 
 /* With a rod as long as the crank x = 2 a cos(theta2): at 90 deg the piston's acceleration turns over. */

@@ -7,6 +7,10 @@
 TEST(test_facts_of_linkages)
 {
     static fact_list list;
+    /* crank and coupler in one line, stretched and folded: 86 and 46 mm in the triangle of 80 and 56 mm */
+    double stretched = acos((80. * 80 + 86 * 86 - 56 * 56) / (2 * 80 * 86));
+    double folded = PI + acos((80. * 80 + 46 * 46 - 56 * 56) / (2 * 80 * 46));
+    double ratio = (folded - stretched) / (2 * PI - folded + stretched);
     const fourlink_value *f;
 
     facts_of(four_bar(0.020, 0.066, 0.056, 0.080, revolution(10.5)), &list);
@@ -27,6 +31,8 @@ TEST(test_facts_of_linkages)
     f = find_fact(&list, "theta4_max", FOURLINK_CROSSED);
     assert_near(f->value, -180 + acos(2140. / 8960) / DEG, 1e-12);
     assert_near(f->angle, 360 - acos(10660. / 13760) / DEG, 1e-12);
+    check_fact(&list, "time_ratio", FOURLINK_OPEN, ratio, 1e-12);
+    check_fact(&list, "time_ratio", FOURLINK_CROSSED, ratio, 1e-12);
     assert_null(find_fact(&list, "stroke", FOURLINK_OPEN));
     assert_null(find_fact(&list, "n", FOURLINK_OPEN));
     assert_null(find_fact(&list, "mean_torque", FOURLINK_OPEN));
@@ -67,6 +73,14 @@ TEST(test_reach_of_link_4)
                 find_fact(&list, "theta4_min", FOURLINK_OPEN)->value, 1e-11);
     assert_near(find_fact(&list, "theta4_to", FOURLINK_CROSSED)->value,
                 find_fact(&list, "theta4_max", FOURLINK_CROSSED)->value, 1e-11);
+    /* a branch has its own range only */
+    assert_int_equal(fourlink_results_facts(list.results, FOURLINK_CROSSED, FOURLINK_FACTS_LIMITS,
+                                            &list.list, &list.n),
+                     FOURLINK_OK);
+    for (n_from = 0, i = 0; i < list.n; i++)
+        n_from += strcmp(list.list[i].name, "theta4_from") == 0;
+    assert_int_equal(n_from, 1);
+    assert_near(turned(value_of(&list, "theta4_from", FOURLINK_CROSSED), 360), -high, 1e-11);
     /* of a double rocker none does */
     facts_of(four_bar(0.066, 0.020, 0.056, 0.080, ""), &list);
     n_from = 0;
@@ -76,6 +90,7 @@ TEST(test_reach_of_link_4)
             n_from++;
         }
     assert_int_equal(n_from, 2);
+    assert_null(find_fact(&list, "time_ratio", FOURLINK_OPEN));
 }
 
 TEST(test_facts_of_engines)
@@ -83,6 +98,8 @@ TEST(test_facts_of_engines)
     static fact_list list;
     const char *rod = "mechanism = slider-crank\n[units]\nlength = mm\n[crank]\nlength = 150\n"
                       "[rod]\nlength = 450\nmass = 2 kg\ngyration = 175\ncg = 150\n";
+    double distance =
+        175. * 175 / 300; /* k^2 / b, with b from the centre of mass to the gudgeon pin */
     const fourlink_value *f;
 
     facts_of(rod, &list);
@@ -92,7 +109,11 @@ TEST(test_facts_of_engines)
     check_fact(&list, "k", FOURLINK_OPEN, 175, 1e-12);
     check_fact(&list, "m_a", FOURLINK_OPEN, 4. / 3, 1e-15);
     check_fact(&list, "m_b", FOURLINK_OPEN, 2. / 3, 1e-15);
-    check_fact(&list, "L", FOURLINK_OPEN, 300 + 175. * 175 / 300, 1e-12);
+    check_fact(&list, "k1", FOURLINK_OPEN, sqrt(300. * 150), 1e-12);
+    check_fact(&list, "d", FOURLINK_OPEN, distance, 1e-12);
+    check_fact(&list, "L", FOURLINK_OPEN, 300 + distance, 1e-12);
+    check_fact(&list, "m_d", FOURLINK_OPEN, 2 * 300 / (300 + distance), 1e-14);
+    check_fact(&list, "m_g", FOURLINK_OPEN, 2 * distance / (300 + distance), 1e-14);
     check_fact(&list, "stroke", FOURLINK_CROSSED, 300, 1e-12);
     check_fact(&list, "inner_dead_centre", FOURLINK_OPEN, 0, 0);
     check_fact(&list, "outer_dead_centre", FOURLINK_OPEN, 180, 1e-12);

@@ -504,6 +504,16 @@ TEST(test_mistakes)
          15, "'3 N s/m' is a damping; expected a torsional damping, such as 0.02 N m s/rad"},
         {"[spring S]\nlink = crank\nto = coupler\nat = 3 mm\nstiffness = 9 N m/rad\n", 13,
          "a torsional spring has no at"},
+        {"[spring S]\nlink = crank\nto = coupler\nto_at = 3 mm\nstiffness = 9 N m/rad\n", 13,
+         "a torsional spring has no to_at"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 5 mm\nto_at = 3 mm\n", 10,
+         "[spring] has neither a stiffness nor a damping nor a preload"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 5 mm\nto_at = 3 mm\npreload = 3 N\n"
+         "free_length = 9 mm\n",
+         16, "'free_length' needs a stiffness"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 5 mm\nto_at = 3 mm\npreload = 3 N\n"
+         "only = pushes\n",
+         16, "a spring that only pushes needs a free_length, below which it acts"},
         {"[spring S]\nlink = crank\nto = ground\nat = 5 mm\nstiffness = 10 N/m\n", 10,
          "the spring needs 'to_at', its end on the ground"},
         {"[spring]\nlink = crank\nto = ground\nstiffness = 10 N m/rad\n", 10,
@@ -556,6 +566,19 @@ TEST(test_mistakes)
         assert_int_equal(fourlink_results_open(&source, 1, &r, &mistake, NULL), FOURLINK_BAD_DECK);
         assert_string_equal(mistake.message, "a slider-crank has no slide");
     }
+}
+
+/* A spring is not said to have no length where the crank has 13 deg only. */
+TEST(test_spring_in_a_narrow_range)
+{
+    fourlink_results *r =
+        opened("mechanism = four-bar\n[crank]\nlength = 1 m\n[coupler]\nlength = 1 m\n"
+               "[rocker]\nlength = 1 m\n[ground]\nlength = 2.99 m\n[spring S]\nlink = crank\n"
+               "at = (0, 0) m\nto = ground\nto_at = (3, 4) m\nstiffness = 5 N/m\n");
+
+    assert_near(value(r, "theta2_to", 0), acos((1 + 2.99 * 2.99 - 4) / (2 * 2.99)), 1e-13);
+    assert_near(value(r, "S.length", 0), 5, 1e-15);
+    fourlink_results_free(r);
 }
 
 /* A position at which friction locks the machine is a row with its reason. */

@@ -283,6 +283,35 @@ TEST(test_nothing_to_integrate)
     assert_memory_equal(&v, &before, sizeof v);
 }
 
+/* The force m (a_G - g) of a crank with r omega^2 = g vanishes once in a turn.  Until then its direction turns by half
+** a turn; then it starts anew.  Each segment has a slope of 1/2 over its angles. */
+TEST(test_direction_that_starts_anew)
+{
+    static const int turns[] = {1, 2, 3, 4, 20};
+    size_t i;
+
+    for (i = 0; i < COUNT(turns); i++) {
+        int n = turns[i], to = 450 + 360 * n;
+        double segment[3][3] = {{-130, -80, 1}, {100, 280, n - 1}, {100, 230, 1}};
+        double mean = 0, square = 0;
+        char *deck = print("mechanism = slider-crank\n[gravity]\nacceleration = 10 m/s2\n[crank]\n"
+                           "length = 100 mm\nmass = 1 kg\ncg = 100 mm\n[rod]\nlength = 300 mm\n"
+                           "[ground]\nangle = -100 deg\n[motion]\nspeed = 10 rad/s\n"
+                           "from = 450 deg\nto = %d deg\n",
+                           to);
+        int k;
+
+        for (k = 0; k < 3; k++) {
+            double a = segment[k][0], b = segment[k][1], times = segment[k][2];
+
+            mean += times * (b * b - a * a) / (360 * n);
+            square += times * 2 * (b * b * b - a * a * a) / (3 * 360 * n);
+        }
+        check_value(deck, "mean(F12_dir)", FOURLINK_OPEN, mean, 1e-6);
+        check_value(deck, "rms(F12_dir)", FOURLINK_OPEN, sqrt(square), 1e-6);
+    }
+}
+
 /* ---- by name elsewhere */
 
 TEST(test_expectations_and_outputs)

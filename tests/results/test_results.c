@@ -264,6 +264,20 @@ TEST(test_designs)
     fourlink_results_free(any);
 }
 
+/* Of 5001 designs the first 2501 have no length above 0: after a thousand each fifth is tried. */
+TEST(test_any_of_many_designs)
+{
+    fourlink_source source =
+        deck_source(linkage("[sweep]\ncrank.length = -100 mm to 100 mm in 5001\n"));
+    fourlink_results *r = NULL;
+
+    source.design = FOURLINK_ANY_DESIGN;
+    assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(problem_of(r).n_designs, 5001);
+    assert_int_equal(problem_of(r).design, 2505);
+    fourlink_results_free(r);
+}
+
 /* None of the designs is in order: the mistakes are those of the first. */
 TEST(test_no_design_in_order)
 {
@@ -303,35 +317,21 @@ TEST(test_lists_that_are_not_there)
     fourlink_results_free(r);
 }
 
-/* The inputs of a deck in its units, each with the value that the deck gives it. */
-TEST(test_inputs)
+typedef struct input {
+    const char *name;
+    double value;
+    const char *unit, *words;
+} input;
+
+/* The deck has these inputs in its units, each with the value that the deck gives it. */
+static void check_inputs(const char *deck, const input *inputs, size_t n_inputs)
 {
-    static const char deck[] =
-        "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
-        "[crank]\nlength = 15 cm\n[rod]\nlength = 450\nmass = 2 kg\ncg = 150\n[piston]\n"
-        "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
-        "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
-        "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
-    static const struct {
-        const char *name;
-        double value;
-        const char *unit, *words;
-    } inputs[] = {{"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
-                  {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
-                  {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
-                  {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
-                  {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
-                  {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
-                  {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
-                  {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
-                  {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
-                  {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
     fourlink_results *r = opened(deck);
     const fourlink_value *list, *again;
     unsigned long n, i;
 
     assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
-    for (i = 0; i < n && i < COUNT(inputs); i++) {
+    for (i = 0; i < n && i < n_inputs; i++) {
         assert_string_equal(list[i].name, inputs[i].name);
         assert_string_equal(list[i].unit, inputs[i].unit);
         assert_near(list[i].value, inputs[i].value, 1e-14 * fabs(inputs[i].value));
@@ -340,9 +340,112 @@ TEST(test_inputs)
             assert_string_equal(list[i].words, inputs[i].words);
         assert_true(*list[i].meaning && list[i].source);
     }
-    assert_int_equal(n, COUNT(inputs));
+    assert_int_equal(n, n_inputs);
     assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &again, &n), FOURLINK_OK);
-    assert_true(again == list && n == COUNT(inputs)); /* once and for all */
+    assert_true(again == list && n == n_inputs); /* once and for all */
+    fourlink_results_free(r);
+}
+
+TEST(test_inputs)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
+        "[crank]\nlength = 15 cm\n[rod]\nlength = 450\nmass = 2 kg\ncg = 150\n[piston]\n"
+        "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
+        "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
+        "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
+    static const input inputs[] = {
+        {"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
+        {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
+        {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
+        {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
+        {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
+        {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
+        {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
+        {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
+        {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
+        {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
+
+    check_inputs(deck, inputs, COUNT(inputs));
+}
+
+TEST(test_inputs_of_springs_friction_and_motor)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[units]\nlength = mm\n[ground]\nlength = 80\n[crank]\nlength = 20\n"
+        "[coupler]\nlength = 66\n[rocker]\nlength = 56\n[motion]\nmode = steady\n"
+        "[motor]\nstall_torque = 9 N m\nno_load_speed = 90 rad/s\nratio = 5\ninertia = 2 kg m2\n"
+        "[load F]\nlink = rocker\ntorque = -2 N m\nover = omega4\nat_speed = 3 rad/s\n"
+        "exponent = 2\n"
+        "[spring S]\nlink = rocker\nat = (40, 10)\nto = ground\nto_at = (100, 90)\n"
+        "stiffness = 2 N/mm\nfree_length = 7 cm\npreload = 3 N\ndamping = 5 N s/m\nonly = pulls\n"
+        "[spring T]\nlink = rocker\nto = crank\nstiffness = 1.5 N m/rad\nfree_angle = 100 deg\n"
+        "[friction]\nA = 0.75\nradius_A = 15\n";
+    static const input inputs[] = {{"ground.length", 80, "mm", NULL},
+                                   {"crank.length", 20, "mm", NULL},
+                                   {"coupler.length", 66, "mm", NULL},
+                                   {"rocker.length", 56, "mm", NULL},
+                                   {"gravity.x", 0, "m/s2", NULL},
+                                   {"gravity.y", -9.81, "m/s2", NULL},
+                                   {"motion.mode", 0, "", "steady"},
+                                   {"motion.from", 0, "deg", NULL},
+                                   {"motion.to", 360, "deg", NULL},
+                                   {"motion.interval", 10, "deg", NULL},
+                                   {"motion.cycle", 360, "deg", NULL},
+                                   {"motor.stall_torque", 9, "N.m", NULL},
+                                   {"motor.no_load_speed", 90, "rad/s", NULL},
+                                   {"motor.inertia", 2, "kg.m2", NULL},
+                                   {"motor.ratio", 5, "1", NULL},
+                                   {"load F.link", 0, "", "rocker"},
+                                   {"load F.torque", -2, "N.m", NULL},
+                                   {"load F.over", 0, "", "omega4"},
+                                   {"load F.at_speed", 3, "rad/s", NULL},
+                                   {"load F.exponent", 2, "1", NULL},
+                                   {"spring S.link", 0, "", "rocker"},
+                                   {"spring S.at.x", 40, "mm", NULL},
+                                   {"spring S.at.y", 10, "mm", NULL},
+                                   {"spring S.to", 0, "", "ground"},
+                                   {"spring S.to_at.x", 100, "mm", NULL},
+                                   {"spring S.to_at.y", 90, "mm", NULL},
+                                   {"spring S.stiffness", 2000, "N/m", NULL},
+                                   {"spring S.free_length", 70, "mm", NULL},
+                                   {"spring S.preload", 3, "N", NULL},
+                                   {"spring S.damping", 5, "N.s/m", NULL},
+                                   {"spring S.only", 0, "", "pulls"},
+                                   {"spring T.link", 0, "", "rocker"},
+                                   {"spring T.to", 0, "", "crank"},
+                                   {"spring T.stiffness", 1.5, "N.m/rad", NULL},
+                                   {"spring T.free_angle", 100, "deg", NULL},
+                                   {"friction.circle_A", 11.25, "mm", NULL}};
+
+    check_inputs(deck, inputs, COUNT(inputs));
+}
+
+/* Forty springs with all that a spring can have. */
+TEST(test_inputs_of_many_springs)
+{
+    enum { SPRINGS = 40, OF_EACH = 11 };
+    static char deck[SPRINGS * 200 + 400];
+    const fourlink_value *list;
+    fourlink_results *r;
+    unsigned long n, i;
+
+    strcpy(deck, linkage(""));
+    for (i = 1; i <= SPRINGS; i++)
+        sprintf(deck + strlen(deck),
+                "[spring S%lu]\nlink = crank\nat = (1, 2) mm\nto = ground\nto_at = (3, 4) m\n"
+                "stiffness = 5 N/m\nfree_length = 6 m\npreload = 7 N\ndamping = %lu N s/m\n"
+                "only = pulls\n",
+                i, i);
+    r = opened(deck);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
+    assert_true(n > SPRINGS * OF_EACH);
+    for (i = 0; i < n; i++)
+        if (strcmp(list[i].name, "spring S1.link") == 0)
+            break;
+    assert_int_equal(n - i, SPRINGS * OF_EACH);
+    assert_string_equal(list[n - 2].name, "spring S40.damping");
+    assert_near(list[n - 2].value, 40, 0);
     fourlink_results_free(r);
 }
 
@@ -424,6 +527,38 @@ static void check_rows(const char *contents)
                 if (status != FOURLINK_OK)
                     assert_int_equal(!isnan(values[j]), list[j].flags & FOURLINK_OF_CRANK);
         }
+    fourlink_results_free(r);
+}
+
+/* A position of a deck is that of its rows, with all loads. */
+TEST(test_deck_analyse)
+{
+    fourlink_results *r =
+        opened(linkage("[spring S]\nlink = rocker\nat = 20 mm\nto = ground\nto_at = (50, 90) "
+                       "mm\nstiffness = 2 N/mm\n"
+                       "damping = 3 N s/m\n[friction]\nA = 0.1\nradius_A = 5 mm\n"));
+    const fourlink_deck *d = fourlink_results_deck(r);
+    fourlink_load loads[MOST_LOADS], own_loads[MOST_LOADS];
+    fourlink_losses losses;
+    fourlink_forces forces;
+    fourlink_state state;
+    fourlink_instant x;
+    double gas = 7;
+
+    assert_true(problem_of(r).n_loads <= MOST_LOADS);
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 3, NULL, &x, loads), FOURLINK_OK);
+    assert_int_equal(fourlink_deck_analyse(d, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           &forces, &losses, &gas),
+                     FOURLINK_OK);
+    assert_close(forces.Ts, x.forces.Ts, 1e-12);
+    assert_close(losses.Ts0, x.losses.Ts0, 1e-12);
+    assert_true(losses.power > 0 && gas == 0);
+    assert_int_equal(fourlink_deck_analyse(d, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           NULL, &losses, &gas),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_analyse(NULL, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           &forces, &losses, &gas),
+                     FOURLINK_NULL);
     fourlink_results_free(r);
 }
 
@@ -612,6 +747,10 @@ TEST(test_groups_of_facts)
             assert_true(v.value == list[j].value && v.angle == list[j].angle);
             assert_string_equal(v.unit, list[j].unit);
         }
+        assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_EXTREMES, &list, &n),
+                         FOURLINK_OK);
+        for (j = 1; j < n; j++) /* the open branch first */
+            assert_true(list[j].branch <= list[j - 1].branch);
         assert_int_equal(fourlink_results_facts(r, 0, 0, &list, &n), FOURLINK_OK);
         assert_int_equal(n, 0);
         n = 77;

@@ -64,6 +64,34 @@ TEST(test_conditions)
     fourlink_results_free(r);
 }
 
+/* A list of conditions may end with a comma; none may be empty, nor lack a part. */
+TEST(test_forms_of_conditions)
+{
+    static const struct {
+        const char *list;
+        int is_good;
+    } cases[] = {{"mu_min > 0.5 rad, swing <= 40,", 1},
+                 {"mu_min > 0.5 rad,, swing <= 40", 0},
+                 {", mu_min > 0.5 rad", 0},
+                 {"mu_min > , swing <= 40", 0},
+                 {"> 0.5 rad", 0},
+                 {"mu_min", 0}};
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        char *deck = linkage(print("[sweep]\ncrank.length = 18 mm, 19 mm\noutput = swing\n"
+                                   "yield = %s\n",
+                                   cases[i].list));
+        fourlink_source source = deck_source(deck);
+        fourlink_results *r = NULL;
+        fourlink_mistake mistake;
+
+        assert_int_equal(fourlink_results_open(&source, 1, &r, &mistake, NULL),
+                         cases[i].is_good ? FOURLINK_OK : FOURLINK_BAD_DECK);
+        fourlink_results_free(r);
+    }
+}
+
 /* ------------------------------------------------------------------------------- designs of settings */
 
 /* Sweeps whose values other keys of their section depend on, or that another design has changed before. */

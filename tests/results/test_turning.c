@@ -558,6 +558,67 @@ TEST(test_no_turning_moment)
     check_no_turning_moment(four_bar(0.3, 0.4, 0.5, 0.6 * (1 + 1e-9), good));
 }
 
+/* Just beside a change point at 0 deg the moment has a peak of some tenths of a degree.  Without weights the
+** energy that fluctuates is the kinetic energy of coupler and rocker, two uniform bars. */
+TEST(test_energy_beside_change_point)
+{
+    static fact_list list;
+    double least = INFINITY, most = 0, angle;
+
+    facts_of(print("mechanism = four-bar\n[ground]\nlength = 0.70001 m\n[crank]\nlength = 0.3 m\n"
+                   "[coupler]\nlength = 1 m\nmass = 2 kg\nuniform = yes\n[rocker]\n"
+                   "length = 0.6 m\nmass = 1 kg\nuniform = yes\n%s%s",
+                   still, revolution(10)),
+             &list);
+    for (angle = -180; angle <= 180; angle += fabs(angle) < 2 ? 0.001 : 0.1) {
+        double v3 = value_at(list.results, "G3.v", angle),
+               v4 = value_at(list.results, "G4.v", angle);
+        double w3 = value_at(list.results, "omega3", angle),
+               w4 = value_at(list.results, "omega4", angle);
+        double E = v3 * v3 + w3 * w3 / 12 + v4 * v4 / 2 + 0.36 * w4 * w4 / 24;
+
+        least = fmin(least, E);
+        most = fmax(most, E);
+    }
+    check_fact(&list, "mean_torque", FOURLINK_OPEN, 0, 0);
+    check_fact(&list, "energy_fluctuation", FOURLINK_OPEN, most - least, 1e-4 * most);
+}
+
+/* A cycle has at least a degree, rounded, and at most 100,000. */
+TEST(test_cycles_without_turning_moment)
+{
+    const char *load_ = "[load]\nlink = crank\ntorque = 5 N m\n[motion]\nspeed = 10 rad/s\n";
+    static fact_list list;
+
+    check_no_turning_moment(four_bar(0.020, 0.066, 0.056, 0.080,
+                                     print("%sinterval = 0.1 deg\ncycle = 0.4 deg\n", load_)));
+    check_no_turning_moment(
+        four_bar(0.020, 0.066, 0.056, 0.080, print("%scycle = 100080 deg\n", load_)));
+    facts_of(four_bar(0.020, 0.066, 0.056, 0.080,
+                      print("%sinterval = 0.1 deg\ncycle = 0.6 deg\n", load_)),
+             &list);
+    check_fact(&list, "mean_torque", FOURLINK_OPEN, 5, 5e-9);
+}
+
+/* A torque of 1 N m drives the crank; friction in A, with at least the crank's weight on it, takes more. */
+TEST(test_load_that_cannot_drive)
+{
+    static fact_list list;
+    double turns;
+
+    for (turns = 1; turns >= -1; turns -= 2) {
+        facts_of(print("mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 100 kg\n"
+                       "cg = 0 mm\n[rod]\nlength = 200 mm\n[load]\nlink = crank\n"
+                       "torque = %g N m\n[friction]\nA = 0.1\nradius_A = 20 mm\n"
+                       "[motion]\nspeed = %g rad/s\n",
+                       turns, 3 * turns),
+                 &list);
+        /* 981 N on a friction circle of 2 mm */
+        check_fact(&list, "mean_torque", FOURLINK_OPEN, turns * (1 - 1.962), 1e-6);
+        check_fact(&list, "efficiency_cycle", FOURLINK_OPEN, 0, 0);
+    }
+}
+
 /* The areas of a cycle add up to nothing, and the greatest sum of some that follow each other is the
 ** fluctuation; the deck's facts are those of the turning moment. */
 TEST(test_areas_add_up_to_the_fluctuation)
