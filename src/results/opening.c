@@ -3,6 +3,7 @@
 ** opening.c - opens decks and their designs for results: lists columns, and the outputs and conditions of a sweep.
 */
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/quantity.h"
 #include "condition.h"
@@ -85,6 +86,28 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
     output->name =
         flk_text_copy(name, o->output_names + DECK_NAME_SIZE * outputs->n++, DECK_NAME_SIZE);
     return output;
+}
+
+/* The outputs and conditions of another design, without looking up their names. */
+static int take_outputs(flk_opened *o, const flk_opened *from)
+{
+    const flk_list *outputs = &from->lists[FOURLINK_OUTPUTS],
+                   *conditions = &from->lists[FOURLINK_CONDITIONS];
+    unsigned long i;
+    flk_name n;
+
+    for (i = 0; i < outputs->n; i++) {
+        flk_name_of_handle(o, outputs->list[i].handle, &n);
+        if (n.kind != FLK_NAME_STATISTIC && n.kind != FLK_NAME_FACT)
+            return 0;
+        ask_extreme(o, &n);
+    }
+    memcpy(o->lists[FOURLINK_OUTPUTS].list, outputs->list, outputs->n * sizeof *outputs->list);
+    memcpy(o->lists[FOURLINK_CONDITIONS].list, conditions->list,
+           conditions->n * sizeof *conditions->list);
+    o->lists[FOURLINK_OUTPUTS].n = outputs->n;
+    o->lists[FOURLINK_CONDITIONS].n = conditions->n;
+    return 1;
 }
 
 static void list_outputs(flk_opened *o)
@@ -170,8 +193,8 @@ static int take_memory(flk_opened *o)
     return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
 }
 
-/* Open a deck without mistakes; 0 if out of memory. */
-static int open_deck(flk_opened *o)
+/* Open a deck without mistakes, which may be a design of another; 0 if out of memory. */
+static int open_deck(flk_opened *o, const flk_opened *from)
 {
     flk_list *list = &o->lists[FOURLINK_COLUMNS];
     size_t i;
@@ -185,8 +208,10 @@ static int open_deck(flk_opened *o)
         flk_list_column(&o->d, &o->columns[i], &list->list[list->n++]);
         o->needs |= flk_column_need(&o->columns[i]);
     }
-    list_outputs(o);
-    list_conditions(o);
+    if (!from || !take_outputs(o, from)) {
+        list_outputs(o);
+        list_conditions(o);
+    }
     ask_extremes(o);
     flk_list_variables(&o->d, &o->lists[FOURLINK_VARIABLES], o->variable_names);
     return 1;
@@ -237,13 +262,13 @@ static void hold_instant(deck *d)
     d->one_instant = 0;
 }
 
-/* Open results of their deck, with the status of flk_deck_read. */
-static int open_results(flk_opened *o, int status, const flk_mistake_list *list,
-                        flk_opened **opened)
+/* Open results of their deck, with the status of flk_deck_read; `from` as in open_deck. */
+static int open_results(flk_opened *o, const flk_opened *from, int status,
+                        const flk_mistake_list *list, flk_opened **opened)
 {
     if (status > 0 && o->whole_cycle && o->d.one_instant)
         hold_instant(&o->d);
-    if (status > 0 && !open_deck(o))
+    if (status > 0 && !open_deck(o, from))
         status = -1;
     else if (status == 0)
         flk_column_check(&o->d);
@@ -269,7 +294,7 @@ int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
     if (!o)
         return FOURLINK_NO_MEMORY;
     o->whole_cycle = source->whole_cycle;
-    return open_results(o, read_deck(source, &o->d), list, opened);
+    return open_results(o, NULL, read_deck(source, &o->d), list, opened);
 }
 
 int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,
@@ -280,7 +305,8 @@ int flk_opened_design(const flk_opened *from, unsigned long design, const deck_n
     if (!o)
         return FOURLINK_NO_MEMORY;
     o->whole_cycle = from->whole_cycle;
-    return open_results(o, flk_deck_design(&from->d, design, set, n_set, &o->d), list, opened);
+    return open_results(o, from, flk_deck_design(&from->d, design, set, n_set, &o->d), list,
+                        opened);
 }
 
 void flk_opened_free(flk_opened *o)
