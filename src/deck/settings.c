@@ -89,7 +89,7 @@ const setting *flk_setting_by_name(parser *p, section_code section, const char *
     key_code i;
 
     for (i = flk_first_key(section); i < flk_first_key(section + 1); i++)
-        if (strcmp(flk_key_table[i].name, key) == 0)
+        if (flk_key_table[i].name[0] == key[0] && strcmp(flk_key_table[i].name, key) == 0)
             return flk_setting_find(p, i);
     return &unset;
 }

@@ -283,7 +283,10 @@ static int open_results(sheet *s, fourlink_results *results)
     const fourlink_value *list;
     unsigned long n;
 
-    view_take(&s->v, results);
+    if (s->design)
+        view_take_design(&s->v, results);
+    else
+        view_take(&s->v, results);
     if (!s->design && fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n) == FOURLINK_OK)
         s->variables = list;
     s->values = malloc((s->v.n_columns + 1) * sizeof *s->values);

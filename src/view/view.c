@@ -19,17 +19,15 @@ static double end_of(const fourlink_motion *motion, const fourlink_range *range)
     return range->stops ? range->stop_angle : last.angle;
 }
 
-void view_take(view *v, fourlink_results *results)
+void view_take_design(view *v, fourlink_results *results)
 {
-    int q;
-
-    memset(v, 0, sizeof *v);
     v->results = results;
     v->deck = fourlink_results_deck(results);
     fourlink_deck_problem(v->deck, &v->problem);
     v->mechanism = &v->problem.mechanism;
     v->design = &v->mechanism->design;
     fourlink_kind_of((int)v->design->kind, &v->kind);
+    v->n_branches = 0;
     if (v->problem.open)
         v->branches[v->n_branches++] = FOURLINK_OPEN;
     if (v->problem.crossed)
@@ -37,9 +35,17 @@ void view_take(view *v, fourlink_results *results)
     fourlink_motion_range(&v->problem.motion, &v->range);
     v->end = end_of(&v->problem.motion, &v->range);
     v->range.n_rows = v->problem.n_rows;
-    for (q = 0; q < QUANTITY_COUNT; q++)
-        fourlink_deck_unit(v->deck, flk_quantities[q].name, &v->units[q]);
     fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
+}
+
+void view_take(view *v, fourlink_results *results)
+{
+    int q;
+
+    memset(v, 0, sizeof *v);
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        fourlink_deck_unit(fourlink_results_deck(results), flk_quantities[q].name, &v->units[q]);
+    view_take_design(v, results);
 }
 
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,

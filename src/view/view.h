@@ -30,6 +30,9 @@ typedef struct view {
 /* Take the results of a deck, which stay the caller's. */
 void view_take(view *v, fourlink_results *results);
 
+/* Take another design of the same deck, which has the same units. */
+void view_take_design(view *v, fourlink_results *results);
+
 /* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
 ** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
