@@ -10,7 +10,6 @@
 
 #include "actual.h"
 #include "motion_facts.h"
-#include "flywheel.h"
 #include "path.h"
 #include "steady.h"
 #include "mechanics/inertia.h"
@@ -65,7 +64,7 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     int found;
 
-    if (!m->winds && flk_steady_find(p, m->cycle, 0))
+    if (!m->winds && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     else
         f->no_cycle = p->status;
@@ -107,11 +106,9 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
         return 0;
     if (d->drive.mode == DRIVE_RUN_UP)
         return run_up(m, p, f);
-    if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
-        return flk_flywheel_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
-                                 d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
-        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed);
+        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
+                               d->drive.fluctuation);
     return run(p, d, m->length);
 }
 
