@@ -28,7 +28,8 @@
 #include "base/solve.h"
 
 #define PLACES 18
-#define SPEEDS 60 /* that are tried */
+#define SLOWEST 1e-3 /* of the speed that the torque at rest gives in a radian */
+#define SPEEDS 60    /* that are tried */
 #define FACTOR 1.4
 #define LONGEST_STEP_OF_FLYWHEEL 2.8
 #define NO_FLYWHEEL 28   /* -ln(kg m2) */
@@ -70,31 +71,10 @@ static int mean_torque(const flk_path *p, double cycle, double speed, double *me
     return 1;
 }
 
-/* A speed of the order of the motor's speeds. */
-static double size_of_speed(const fourlink_motor *motor, double torque, double total)
-{
-    double w = 0;
-
-    switch (motor->kind) {
-    case FOURLINK_MOTOR_LINEAR:
-        w = motor->no_load_speed;
-        break;
-    case FOURLINK_MOTOR_CURVE:
-        w = GSL_MAX(fabs(motor->curve_speed[0]), fabs(motor->curve_speed[motor->n_curve - 1]));
-        break;
-    case FOURLINK_MOTOR_POWER:
-        w = motor->power / motor->max_torque;
-        break;
-    default:
-        return sqrt(fabs(torque) / total);
-    }
-    return fabs(w / motor->ratio);
-}
-
 /* The speed at which the mean torque turns negative; 0: there is none. */
 static double guess_speed(const flk_path *p, double cycle)
 {
-    double mean, last = 0, speed, largest;
+    double mean, last = 0, speed;
     flk_machine_place place;
     int i;
 
@@ -102,8 +82,7 @@ static double guess_speed(const flk_path *p, double cycle)
             FOURLINK_OK ||
         !mean_torque(p, cycle, 0, &mean))
         return 0;
-    largest = size_of_speed(&p->equation.machine.motor, mean, place.total);
-    speed = largest / 1000;
+    speed = SLOWEST * sqrt(fabs(mean) / place.total);
     for (i = 0; i < SPEEDS && mean_torque(p, cycle, speed, &mean); i++, speed *= FACTOR) {
         if (last > 0 && mean <= 0)
             return speed / FACTOR * pow(FACTOR, last / (last - mean));
