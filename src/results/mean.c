@@ -196,15 +196,14 @@ static void integrate_piece(means *m)
 static void count_skipped(means *m)
 {
     const flk_follower *x = &m->x;
-    double n = 1 + floor(x->skipped / x->motion.period + 0.5), by = 0;
+    double n = 1 + floor(x->skipped / x->motion.period + 0.5), by = flk_followed_per_period(&m->t);
     flk_row from, to;
 
     if (flk_column_flags(m->t.c) & FOURLINK_OF_CRANK) {
         flk_follow_row(x, 0, 0, &from);
         flk_follow_row(x, 0, x->motion.period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
-    } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
-        by = flk_followed_turns(&m->t, m->t.first, m->t.last);
+    }
     repeat(&m->total, n, 0);
     repeat(&m->here, n, by);
     m->t.last += by * (n - 1);
@@ -229,10 +228,8 @@ static void integrate_motion(means *m)
         if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6)
             count_skipped(m);
     }
-    /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
-    if (has_gap && m->t.turn > 0 && flk_crank_motion_is_periodic(&x->a->crank_motion) &&
-        !gsl_isnan(m->t.first + m->t.last))
-        shift(&m->here, flk_followed_turns(&m->t, m->t.last, m->t.first));
+    if (has_gap)
+        shift(&m->here, flk_followed_behind_gap(&m->t, x));
     add(&m->total, &m->here);
 }
 

@@ -17,8 +17,7 @@ typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples; of an angle continuous.  NaN: it has no value, or a pole */
-    double size;        /* its largest magnitude in the middle of pieces so far, */
-    double size_long;   /* ... and of long ones */
+    double size;        /* its largest magnitude in the middle of pieces so far */
     flk_limit limit[2]; /* at the beginning and the end of the piece */
     int is_inside
         [2]; /* 1: the first, the last sample is just inside the piece, as a load jumps at its end, */
