@@ -11,7 +11,7 @@
 #define FOURLINK_FOLLOW_H
 
 #include "column.h"
-#include "motion/pieces.h"
+#include "motion/crank_motion.h"
 
 /* A walk along the motion. */
 typedef struct flk_follower {
