@@ -136,8 +136,8 @@ static double excess(double x, void *data)
     return is_lost(q->p) ? GSL_NEGINF : GSL_NAN;
 }
 
-/* ln(fluctuation / the required one), as a function of -ln(flywheel / 1 kg m2); infinite if there is no steady
-** motion, 0 if no flywheel is needed. */
+/* ln(fluctuation / the required one), as a function of -ln(flywheel / 1 kg m2); infinite if there is no
+** steady motion, 0 if no flywheel is needed. */
 static double excess_fluctuation(double x, void *data)
 {
     problem *q = data;
