@@ -91,7 +91,7 @@ double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
 int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, double rounded)
 {
     flk_bracket b = flk_bracket_of(r->x, r->x, GSL_POSINF, GSL_NEGINF);
-    double last = GSL_NAN, from = r->x, longest = r->longest, step = GSL_POSINF;
+    double last = GSL_NAN, from = r->x, longest = r->longest, step = GSL_POSINF, off;
     int is_near, stuck = 0, k;
 
     for (k = 0; k < ITERATIONS; k++, longest *= 2) {
@@ -101,9 +101,10 @@ int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, do
             return 0;
         r->slope = slope > 0 && gsl_finite(slope) ? slope : r->slope;
         step = -value / r->slope;
-        is_near = GSL_MAX_DBL(fabs(value), fabs(step)) <= rounded;
+        off = GSL_MAX_DBL(fabs(value), fabs(step));
+        is_near = fabs(value) <= close || off <= rounded;
         stuck += is_near && fabs(step) > 0.5 * before;
-        if (fabs(value) <= close || stuck > 2)
+        if (off <= close || stuck > 2)
             return 1;
         flk_bracket_take(&b, r->x, value, 1);
         last = value;
