@@ -15,7 +15,7 @@
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
-#define TOLERANCE 1e-13   /* of a step: 1e-11 over many */
+#define TOLERANCE 1.5e-13 /* of a step: 1e-11 over many */
 #define MOST_STEPS 300000 /* of a motion and the search for it; each takes 240 bytes */
 
 /* The motion of one branch. */
