@@ -4,7 +4,7 @@
 **
 ** Zeros: false position that halves the value at an end that is kept (the Illinois method; M. Dowell, P.
 ** Jarratt, A modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the
-** function is known.
+** function is known.  The zero of an increasing function is found by the secant method from a guess.
 ** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives,
 ** 1973, ch. 5.
 ** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
@@ -86,6 +86,36 @@ double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
         flk_bracket_take(b, x, value, is_rising);
     }
     return x;
+}
+
+int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, double rounded)
+{
+    flk_bracket b = flk_bracket_of(r->x, r->x, GSL_POSINF, GSL_NEGINF);
+    double last = GSL_NAN, from = r->x, longest = r->longest, step = GSL_POSINF, off;
+    int is_near, stuck = 0, k;
+
+    for (k = 0; k < ITERATIONS; k++, longest *= 2) {
+        double value = f(r->x, data), before = fabs(step), slope = (value - last) / (r->x - from);
+
+        if (gsl_isnan(value))
+            return 0;
+        r->slope = slope > 0 && gsl_finite(slope) ? slope : r->slope;
+        step = -value / r->slope;
+        off = GSL_MAX_DBL(fabs(value), fabs(step));
+        is_near = fabs(value) <= close || off <= rounded;
+        stuck += is_near && fabs(step) > 0.5 * before;
+        if (off <= close || stuck > 2)
+            return 1;
+        flk_bracket_take(&b, r->x, value, 1);
+        last = value;
+        from = r->x;
+        if (b.f_low < 0 && b.f_high > 0 && b.high - b.low <= close * (1 + fabs(b.high)))
+            return is_near;
+        r->x += GSL_MAX(-longest, GSL_MIN(step, longest));
+        if (b.f_low < 0 && b.f_high > 0 && !(b.low < r->x && r->x < b.high))
+            r->x = flk_bracket_next(&b);
+    }
+    return 0;
 }
 
 /* At the distance t from the best place the parabola through the three points is f + s t - c t^2.  Its top is

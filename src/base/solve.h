@@ -26,6 +26,19 @@ void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
 ** bracket shrinks around it.  NaN ends the search. */
 double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close);
 
+/* A search for the zero of an increasing function. */
+typedef struct flk_rising {
+    double x;       /* a guess; then the place evaluated last, */
+    double slope;   /* ... and the slope of the function there, > 0 */
+    double longest; /* of the first step */
+} flk_rising;
+
+/* Search by the secant method; where it fails, by longer and longer steps, then in the bracket.  The search
+** ends where |f| and the step are at most `close`, or where neither is above `rounded` and steps do not become
+** shorter.  The function may be infinite.  0 if there is no zero: it is infinite on one side.  NaN ends the
+** search, with 0. */
+int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, double rounded);
+
 /* A place and the value there. */
 typedef struct flk_sample {
     double x, value;

@@ -179,13 +179,19 @@ int flk_step_within(flk_step *step, flk_curve_of_step *within)
     return status;
 }
 
-double flk_step_change(const flk_curve_of_step *within, int i, double part)
+double flk_step_change(const flk_curve_of_step *within, int i, double part, double *slope)
 {
     const double *F = within->F[i];
     double sum = 0;
     int p;
 
-    for (p = FLK_POWERS - 1; p >= 0; p--)
-        sum = (sum + F[p]) * (p % 2 == 0 ? part : 1 - part);
+    *slope = 0;
+    for (p = FLK_POWERS - 1; p >= 0; p--) {
+        double factor = p % 2 == 0 ? part : 1 - part;
+
+        sum += F[p];
+        *slope = *slope * factor + (p % 2 == 0 ? sum : -sum);
+        sum *= factor;
+    }
     return sum;
 }

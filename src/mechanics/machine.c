@@ -61,11 +61,11 @@ size_t flk_machine_count(const flk_machine *m, const flk_sort *sort)
 
 const flk_element *flk_machine_find(const flk_machine *m, const flk_sort *sort, size_t i)
 {
-    const flk_element *e = m->element, *end = e + m->n_elements;
+    size_t k;
 
-    for (; e < end; e++)
-        if (e->sort == sort && i-- == 0)
-            return e;
+    for (k = 0; k < m->n_elements; k++)
+        if (m->element[k].sort == sort && i-- == 0)
+            return &m->element[k];
     return NULL;
 }
 
@@ -91,14 +91,16 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
 void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double theta2,
                           double omega2, flk_acting *acting)
 {
-    const flk_element *e = m->element, *end = e + m->n_elements;
     fourlink_state state;
+    size_t k;
     int i;
 
     state.branch = branch;
     state.link[FOURLINK_CRANK].theta = theta2;
     begin(m, omega2, acting);
-    for (; e < end; e++) {
+    for (k = 0; k < m->n_elements; k++) {
+        const flk_element *e = &m->element[k];
+
         for (i = 0; i < e->n_loads && e->needs_motion; i++)
             clear(&acting->load[e->first + (unsigned long)i], e->link[i]);
         if (!e->needs_motion)
@@ -110,12 +112,15 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
 static int set_loads(const flk_machine *m, const fourlink_state *state, double omega2,
                      flk_acting *acting)
 {
-    const flk_element *e = m->element, *end = e + m->n_elements;
     int status = FOURLINK_OK;
+    size_t k;
 
     begin(m, omega2, acting);
-    for (; e < end && status == FOURLINK_OK; e++)
+    for (k = 0; k < m->n_elements && status == FOURLINK_OK; k++) {
+        const flk_element *e = &m->element[k];
+
         status = e->sort->act(e, m, state, &acting->load[e->first], acting);
+    }
     return status;
 }
 

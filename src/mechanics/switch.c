@@ -60,11 +60,12 @@ static size_t list_joints(const flk_machine *m, flk_switch *list)
 size_t flk_switch_list(const flk_machine *m, flk_switch *list)
 {
     flk_switch own[FLK_ELEMENT_SWITCHES];
-    const flk_element *e = m->element, *end = e + m->n_elements;
-    size_t n = list_joints(m, list), i, of_element;
+    size_t n = list_joints(m, list), k, i;
 
-    for (; e < end; e++) {
-        of_element = e->sort->switches ? e->sort->switches(e, m, own) : 0;
+    for (k = 0; k < m->n_elements; k++) {
+        const flk_element *e = &m->element[k];
+        size_t of_element = e->sort->switches ? e->sort->switches(e, m, own) : 0;
+
         for (i = 0; i < of_element; i++, n++)
             if (list)
                 list[n] = own[i];

@@ -10,30 +10,29 @@
 
 #include "actual.h"
 #include "motion_facts.h"
-#include "flywheel.h"
 #include "path.h"
 #include "steady.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
-#define TOLERANCE 4e-13   /* of a step: 1e-11 over many */
+#define TOLERANCE 1.5e-13 /* of a step: 1e-11 over many */
 #define MOST_STEPS 300000 /* of a motion and the search for it; each takes 240 bytes */
+
+/* The motion of one branch. */
+typedef struct on_branch {
+    flk_path path;
+    flk_actual_facts facts;
+    int is_found; /* 1: it is integrated */
+    int is_known; /* 1: all facts; 0: those of the cycle are still missing */
+} on_branch;
 
 struct flk_actual {
     const deck *d;
-    int winds;        /* 1: there is no steady motion */
-    flk_path path[2]; /* open, crossed */
-    flk_actual_facts facts[2];
-    int is_found[2]; /* 1: the motion of this branch is integrated */
-    int is_known[2]; /* 1: all facts; 0: those of the cycle are still missing */
-    double cycle;    /* rad */
-    double length;   /* rad, of the rows */
+    int winds; /* 1: there is no steady motion */
+    on_branch of[2];
+    double cycle;  /* rad */
+    double length; /* rad, of the rows */
 };
-
-static int index_of(fourlink_branch branch)
-{
-    return branch == FOURLINK_OPEN ? 0 : 1;
-}
 
 /* A run-up, or a free motion. */
 static int run(flk_path *p, const deck *d, double length)
@@ -65,7 +64,7 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     int found;
 
-    if (!m->winds && flk_steady_find(p, m->cycle, 0))
+    if (!m->winds && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     else
         f->no_cycle = p->status;
@@ -107,11 +106,9 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
         return 0;
     if (d->drive.mode == DRIVE_RUN_UP)
         return run_up(m, p, f);
-    if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
-        return flk_flywheel_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
-                                 d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
-        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed);
+        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
+                               d->drive.fluctuation);
     return run(p, d, m->length);
 }
 
@@ -132,10 +129,10 @@ static unsigned long budget_of(const flk_machine *machine)
     return MOST_STEPS / cost;
 }
 
-static void find_branch(flk_actual *m, fourlink_branch branch)
+static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
 {
-    flk_path *p = &m->path[index_of(branch)];
-    flk_actual_facts *f = &m->facts[index_of(branch)];
+    flk_path *p = &b->path;
+    flk_actual_facts *f = &b->facts;
     int found;
 
     p->equation.branch = branch;
@@ -152,15 +149,17 @@ static void find_branch(flk_actual *m, fourlink_branch branch)
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->y[FLK_PASSED] : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
     }
-    m->is_found[index_of(branch)] = 1;
+    b->is_found = 1;
 }
 
-/* The index of a branch; finds its motion if necessary. */
-static int find_index(flk_actual *m, fourlink_branch branch)
+/* The motion of a branch, integrated if necessary. */
+static on_branch *on(flk_actual *m, fourlink_branch branch)
 {
-    if (!m->is_found[index_of(branch)])
-        find_branch(m, branch);
-    return index_of(branch);
+    on_branch *b = &m->of[branch == FOURLINK_OPEN ? 0 : 1];
+
+    if (!b->is_found)
+        integrate(m, branch, b);
+    return b;
 }
 
 flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
@@ -177,18 +176,17 @@ flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *act
     m->cycle = period;
     m->length = fabs(end - motion->from) * motion->angle_unit;
     for (i = 0; i < 2; i++) {
-        m->path[i].d = d;
-        m->path[i].corners = corners;
-        m->path[i].equation.machine = d->machine;
-        m->path[i].equation.acting = acting;
-        m->path[i].equation.from = motion->from * motion->angle_unit;
-        m->path[i].equation.sense = end < motion->from ? -1 : 1;
+        flk_path *p = &m->of[i].path;
+
+        p->d = d;
+        p->corners = corners;
+        p->equation.machine = d->machine;
+        p->equation.acting = acting;
+        p->equation.from = motion->from * motion->angle_unit;
+        p->equation.sense = end < motion->from ? -1 : 1;
     }
-    if (d->open)
-        find_branch(m, FOURLINK_OPEN);
-    if (d->crossed)
-        find_branch(m, FOURLINK_CROSSED);
-    if (!m->path[0].no_memory && !m->path[1].no_memory)
+    if ((!d->open || !on(m, FOURLINK_OPEN)->path.no_memory) &&
+        (!d->crossed || !on(m, FOURLINK_CROSSED)->path.no_memory))
         return m;
     flk_actual_free(m);
     return NULL;
@@ -197,27 +195,26 @@ flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *act
 void flk_actual_free(flk_actual *m)
 {
     if (m) {
-        free(m->path[0].node);
-        free(m->path[1].node);
+        free(m->of[0].path.node);
+        free(m->of[1].path.node);
     }
     free(m);
 }
 
 double flk_actual_length(flk_actual *m, fourlink_branch branch)
 {
-    const flk_path *p = &m->path[find_index(m, branch)];
+    const on_branch *b = on(m, branch);
 
     if (m->d->drive.by_time)
-        return flk_path_travel(p);
-    return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 &&
-                   m->d->drive.mode != DRIVE_STEADY
-               ? flk_path_end(p)->y[FLK_PASSED]
+        return flk_path_travel(&b->path);
+    return b->facts.status != FOURLINK_OK && b->path.n > 1 && m->d->drive.mode != DRIVE_STEADY
+               ? flk_path_end(&b->path)->y[FLK_PASSED]
                : m->length;
 }
 
 double flk_actual_time(flk_actual *m, fourlink_branch branch)
 {
-    const flk_path *p = &m->path[find_index(m, branch)];
+    const flk_path *p = &on(m, branch)->path;
 
     return p->n ? flk_path_end(p)->t : 0;
 }
@@ -229,11 +226,10 @@ int flk_actual_from_rest(const deck *d)
 
 int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
 {
-    const flk_path *p = &m->path[find_index(m, branch)];
+    const flk_path *p = &on(m, branch)->path;
     const fourlink_motion *motion = &m->d->motion;
     double s = p->equation.sense * (angle - motion->from) * motion->angle_unit, turns = 0;
-    const flk_actual_facts *f = &m->facts[index_of(branch)];
-    int status = f->status;
+    int status = on(m, branch)->facts.status;
 
     memset(row, 0, sizeof *row);
     row->angle = angle;
@@ -255,7 +251,7 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
 
 int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_actual_row *row)
 {
-    const flk_path *p = &m->path[find_index(m, branch)];
+    const flk_path *p = &on(m, branch)->path;
     double end = flk_actual_time(m, branch);
     int status = p->n ? FOURLINK_OK : p->status;
 
@@ -273,16 +269,16 @@ int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_a
 
 const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
 {
-    int i = m ? find_index(m, branch) : 0;
+    on_branch *b = m ? on(m, branch) : NULL;
 
-    if (!m)
+    if (!b)
         return NULL;
-    if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+    if (!m->d->drive.by_time && !b->is_known && b->facts.status == FOURLINK_OK) {
         if (m->d->drive.mode == DRIVE_RUN_UP)
-            flk_facts_of_run_up(&m->path[i], &m->facts[i]);
+            flk_facts_of_run_up(&b->path, &b->facts);
         else if (m->d->drive.mode == DRIVE_STEADY || m->length >= m->cycle * (1 - 1e-12))
-            flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);
+            flk_facts_of_cycle(&b->path, m->cycle, &b->facts);
     }
-    m->is_known[i] = 1;
-    return &m->facts[i];
+    b->is_known = 1;
+    return &b->facts;
 }

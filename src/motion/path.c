@@ -221,7 +221,7 @@ static int advance_node(flk_path *p, flk_node *node, cell *c, double left, doubl
 
 /* ------------------------------------------------------------------------------------ where a step is cut */
 
-/* The change of an unknown within a step, minus the change sought. */
+/* The change of an unknown within a step, minus the change sought; the slope of the speed. */
 typedef struct passing {
     const flk_curve_of_step *within;
     int i;
@@ -231,31 +231,50 @@ typedef struct passing {
 static double passed_by(double part, void *data)
 {
     const passing *x = data;
+    double slope;
 
-    return flk_step_change(x->within, x->i, part) - x->change;
+    return flk_step_change(x->within, x->i, part, &slope) - x->change;
 }
 
-/* The fraction of a step, up to `most`, at which an unknown has changed by this much. */
-static double part_of(const flk_curve_of_step *within, int i, double change, double most)
+static double slope_at(double part, void *data)
+{
+    const passing *x = data;
+    double slope;
+
+    flk_step_change(x->within, FLK_SPEED, part, &slope);
+    return slope;
+}
+
+double flk_node_part(const flk_node *node, int i, double value, double most)
 {
     flk_bracket b;
     passing x;
 
-    x.within = within;
+    x.within = &node->within;
     x.i = i;
-    x.change = change;
-    b = flk_bracket_of(0, most, -change, passed_by(most, &x));
+    x.change = value - node->y[i];
+    b = flk_bracket_of(0, most, -x.change, passed_by(most, &x));
     return flk_find_zero(passed_by, &x, &b, 0);
 }
 
-/* The unknowns at a fraction of the step that begins at a node. */
-static void at_part(const flk_node *node, double part, flk_node *at)
+double flk_node_peak(const flk_node *node, double from, double to)
 {
+    flk_bracket b;
+    passing x;
+
+    x.within = &node->within;
+    b = flk_bracket_of(from, to, slope_at(from, &x), slope_at(to, &x));
+    return b.f_low * b.f_high < 0 ? flk_find_zero(slope_at, &x, &b, 0) : to;
+}
+
+void flk_node_within(const flk_node *node, double part, flk_node *at)
+{
+    double slope;
     int i;
 
     at->t = node->t + part * node->h;
     for (i = 0; i < FLK_UNKNOWNS; i++)
-        at->y[i] = node->y[i] + flk_step_change(&node->within, i, part);
+        at->y[i] = node->y[i] + flk_step_change(&node->within, i, part, &slope);
     at->residual = node->residual;
     at->h = 0;
 }
@@ -263,41 +282,20 @@ static void at_part(const flk_node *node, double part, flk_node *at)
 /* Cut a step where unknown i crosses a value, if that is before *part. */
 static int cut(const flk_node *node, int i, double value, int rises, double *part)
 {
-    double change = value - node->y[i], reached = flk_step_change(&node->within, i, *part);
+    flk_node at;
 
-    if (rises ? !(reached > change) : !(reached < change))
+    flk_node_within(node, *part, &at);
+    if (rises ? !(at.y[i] > value) : !(at.y[i] < value))
         return 0;
-    *part = part_of(&node->within, i, change, *part);
+    *part = flk_node_part(node, i, value, *part);
     return 1;
-}
-
-/* The fraction of a step at which the speed has its peak, if the slopes at both ends show that there is one;
-** else 1.  Golden section, as the peak may be close to an end. */
-static double peak_of_speed(const flk_node *node, const flk_step *step)
-{
-    double sign = step->k[0][FLK_SPEED] < 0 ? -1 : 1, low = 0, high = 1, x, y;
-    int i;
-
-    if (!(step->k[0][FLK_SPEED] * step->k[FLK_STAGE_AT_END][FLK_SPEED] < 0))
-        return 1;
-    for (i = 0; i < 30; i++) {
-        x = high - 0.618 * (high - low);
-        y = low + 0.618 * (high - low);
-        if (sign * flk_step_change(&node->within, FLK_SPEED, x) <
-            sign * flk_step_change(&node->within, FLK_SPEED, y))
-            low = x;
-        else
-            high = y;
-    }
-    return 0.5 * (low + high);
 }
 
 /* The node at the end of a step, or where it first leaves the cell, and why.  A speed with a peak may leave
 ** the cell and return. */
-static ending end_step(const flk_path *p, const flk_node *node, const cell *c, const flk_step *step,
-                       flk_node *after)
+static ending end_step(const flk_path *p, const flk_node *node, const cell *c, flk_node *after)
 {
-    double sense = p->equation.sense, part = peak_of_speed(node, step);
+    double sense = p->equation.sense, part = flk_node_peak(node, 0, 1);
     double low = sense > 0 ? c->slowest : -c->fastest, high = sense > 0 ? c->fastest : -c->slowest;
     ending why = IN_CELL;
 
@@ -312,7 +310,7 @@ static ending end_step(const flk_path *p, const flk_node *node, const cell *c, c
         if (part == 1 || why != IN_CELL)
             break;
     }
-    at_part(node, part, after);
+    flk_node_within(node, part, after);
     if (why == AT_END)
         after->y[FLK_PASSED] = c->end;
     if (why == AT_STOP)
@@ -433,7 +431,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
         status = advance_node(p, node, c, duration - node->t, h, &step);
         if (status != FOURLINK_OK)
             return status;
-        why = end_step(p, node, c, &step, &after);
+        why = end_step(p, node, c, &after);
         c->goes_on = why == IN_CELL;
         if (why == IN_CELL && step.h == duration - node->t)
             after.t = duration;
@@ -551,8 +549,8 @@ static void at_angle(const flk_node *node, double s, flk_node *at)
     most = (node[1].t - node->t) / node->h;
     change = GSL_MAX(GSL_MIN(change, GSL_MAX(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED])),
                      GSL_MIN(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED]));
-    part = part_of(&node->within, FLK_PASSED, change, GSL_MIN(most, 1));
-    at_part(node, GSL_MAX(0, GSL_MIN(part, 1)), at);
+    part = flk_node_part(node, FLK_PASSED, node->y[FLK_PASSED] + change, GSL_MIN(most, 1));
+    flk_node_within(node, GSL_MAX(0, GSL_MIN(part, 1)), at);
 }
 
 int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
@@ -604,7 +602,7 @@ int flk_path_at_time(const flk_path *p, double t, flk_actual_row *row)
     flk_node at = *node;
 
     if (node->h > 0)
-        at_part(node, (t - node->t) / node->h, &at);
+        flk_node_within(node, (t - node->t) / node->h, &at);
     at.t = t;
     return flk_path_row(p, &at, row);
 }
@@ -639,7 +637,7 @@ static void growth_at(double t, void *data, double *growth)
     flk_node at;
 
     *growth = GSL_NAN;
-    at_part(x->node, (t - x->node->t) / x->node->h, &at);
+    flk_node_within(x->node, (t - x->node->t) / x->node->h, &at);
     theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
     speed = at.y[FLK_SPEED];
     if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)

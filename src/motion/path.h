@@ -44,6 +44,13 @@ int flk_path_run_for(flk_path *p, double speed, double duration);
 /* The end of the path. */
 const flk_node *flk_path_end(const flk_path *p);
 
+/* The unknowns at a fraction of the step that begins at a node.  The fraction, up to `most`, at which unknown
+** i has a value; the fraction at which the speed has a peak, or `to` if its slopes at both ends have one
+** sign. */
+void flk_node_within(const flk_node *node, double part, flk_node *at);
+double flk_node_part(const flk_node *node, int i, double value, double most);
+double flk_node_peak(const flk_node *node, double from, double to);
+
 /* The unknowns when the crank first passes s. */
 int flk_path_node_at(const flk_path *p, double s, flk_node *at);
 

@@ -14,9 +14,10 @@
 ** Given:
 **    cycle       rad
 **    mean_speed  rad/s, in the sense of the motion, of a motor that balances
+**    fluctuation 1, of the speed: then the flywheel is sought, too, in place of the machine's; 0: it is given
 ** Returned (function value):
 **    1 found, 0 not
 */
-int flk_steady_find(flk_path *p, double cycle, double mean_speed);
+int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctuation);
 
 #endif

@@ -471,8 +471,7 @@ static void skip_turns(search *x)
     for (c = 0; c < x->samples.n_columns; c++) {
         flk_followed *t = &x->samples.columns[c].of;
 
-        if (t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last))
-            t->last += flk_followed_turns(t, t->first, t->last) * periods;
+        t->last += flk_followed_per_period(t) * periods;
     }
 }
 
@@ -512,13 +511,9 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
 
     for (i = 0; i < x->samples.n_columns; i++) {
         const flk_sampled *c = &x->samples.columns[i];
-        double first = c->of.first, last = c->of.last, shift = 0;
         bests *b = &x->bests[i];
 
-        if (has_gap && c->of.turn > 0 &&
-            flk_crank_motion_is_periodic(&x->samples.f.a->crank_motion) && !gsl_isnan(first + last))
-            shift = flk_followed_turns(&c->of, last, first);
-        commit(b, shift);
+        commit(b, has_gap ? flk_followed_behind_gap(&c->of, &x->samples.f) : 0);
         move_constant(x, &c->of, b);
         give(x, &b->best[0], c->size, &pairs[i].max);
         give(x, &b->best[1], c->size, &pairs[i].min);

@@ -181,6 +181,21 @@ double flk_followed_nearest(const flk_followed *t, double value, double near)
     return t->turn > 0 && !gsl_isnan(near) ? value + flk_followed_turns(t, value, near) : value;
 }
 
+double flk_followed_per_period(const flk_followed *t)
+{
+    return t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last)
+               ? flk_followed_turns(t, t->first, t->last)
+               : 0;
+}
+
+double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
+{
+    return t->turn > 0 && flk_crank_motion_is_periodic(&f->a->crank_motion) &&
+                   !gsl_isnan(t->first + t->last)
+               ? flk_followed_turns(t, t->last, t->first)
+               : 0;
+}
+
 double flk_followed_change(const flk_followed *t, double from, double to)
 {
     double d = (to - from) / t->turn;

@@ -11,7 +11,7 @@
 #define FOURLINK_FOLLOW_H
 
 #include "column.h"
-#include "motion/pieces.h"
+#include "motion/crank_motion.h"
 
 /* A walk along the motion. */
 typedef struct flk_follower {
@@ -82,6 +82,11 @@ double flk_followed_value(const flk_follower *f, const flk_followed *t, double s
 ** possible to another. */
 double flk_followed_turns(const flk_followed *t, double from, double to);
 double flk_followed_nearest(const flk_followed *t, double value, double near);
+
+/* The turns of an angle in a period, 0 of other columns and where it started anew; those that move it, behind the last gap
+** of a revolution, to the first row, which is the last. */
+double flk_followed_per_period(const flk_followed *t);
+double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f);
 
 /* The part of a turn by which an angle changes, at most a half; 1 if it is half a turn: its vector passes through zero. */
 double flk_followed_change(const flk_followed *t, double from, double to);

@@ -5,7 +5,7 @@
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
 ** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion/pieces.c) is integrated over the parameter s of follow.h, in which a root at its end is smooth: at a
+** (motion/crank_motion.c) is integrated over the parameter s of follow.h, in which a root at its end is smooth: at a
 ** dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the rule is not exact is halved.
 ** Where that does not end, the integral is infinite.
 */
@@ -246,10 +246,8 @@ static void integrate_motion(means *m)
         if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6)
             count_skipped(m);
     }
-    /* after the last gap of a revolution angles continue to those of its first row, which is its last */
-    if (has_gap && m->t.turn > 0 && flk_crank_motion_is_periodic(&x->a->crank_motion) &&
-        !gsl_isnan(m->t.first + m->t.last))
-        shift(&m->here, flk_followed_turns(&m->t, m->t.last, m->t.first));
+    if (has_gap)
+        shift(&m->here, flk_followed_behind_gap(&m->t, x));
     add(&m->total, &m->here);
 }
 

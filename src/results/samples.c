@@ -329,8 +329,6 @@ static void follow(const flk_samples *x, flk_sampled *c)
 
 /* --------------------------------------------------------------------------------------------- pieces */
 
-#define LONG 0.4 /* rad */
-
 /* The size of columns, in the middle of the piece. */
 static void measure(flk_samples *x)
 {
@@ -343,11 +341,8 @@ static void measure(flk_samples *x)
         flk_sampled *c = &x->columns[k];
         double size = fabs(flk_column_value(c->of.c, &row));
 
-        if (!(size < c->of.bound)) /* where there is no row, or a pole */
-            continue;
-        c->size = GSL_MAX_DBL(c->size, size);
-        if (size > c->size_long && p->to - p->from > LONG)
-            c->size_long = size;
+        if (size < c->of.bound) /* elsewhere there is no row, or a pole */
+            c->size = GSL_MAX_DBL(c->size, size);
     }
 }
 
@@ -368,7 +363,7 @@ static void find_limits(flk_samples *x, int at_end)
         if (c->is_of_crank || c->of.is_noise)
             flk_limit_of_crank(x->near, l);
         else
-            flk_limit_find(x->near, &c->of, c->size_long, l);
+            flk_limit_find(x->near, &c->of, c->size, l);
     }
 }
 

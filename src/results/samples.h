@@ -18,9 +18,8 @@ typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples, continuous for an angle; NaN: no value, or a pole */
-    double size;        /* its largest magnitude in the middle of pieces so far, */
+    double size;        /* its largest magnitude in the middle of pieces so far */
     double largest;     /* the largest magnitude of the samples */
-    double size_long;   /* ... and of long ones */
     flk_limit limit[2]; /* at the beginning and the end of the piece */
     int is_inside[2];   /* 1: the first, the last sample is just inside, where a load jumps */
     double corner[2];   /* its value at the end itself or, if that is the sample, just inside */

@@ -89,6 +89,55 @@ TEST(test_unknown)
     assert_true(b.low == 0 && b.high == 4);
 }
 
+/* -infinity below a place, as where a crank stalls; then it rises from a value. */
+typedef struct cliff {
+    double edge, value;
+} cliff;
+
+static double from_cliff(double x, void *data)
+{
+    const cliff *c = data;
+
+    calls++;
+    return x < c->edge ? -INFINITY : c->value + x - c->edge;
+}
+
+TEST(test_rising)
+{
+    uint64_t seed = 5;
+    int i, most = 0;
+
+    for (i = 0; i < 2000; i++) {
+        steep s = {uniform(&seed, -10, 10), pow(10, uniform(&seed, -2, 0))};
+        cliff c = {uniform(&seed, -10, 10), -uniform(&seed, 1e-3, 2)};
+        flk_rising r = {0, 0, 0.3};
+
+        r.x = s.zero + uniform(&seed, -20, 20);
+        r.slope = pow(10, uniform(&seed, -2, 2));
+        calls = 0;
+        assert_int_equal(flk_find_rising(rise, &s, &r, 1e-12, 0), 1);
+        most = calls > most ? calls : most;
+        assert_near(r.x, s.zero, 1e-11 / s.rate);
+        r.x = uniform(&seed, -20, 20);
+        r.slope = 1;
+        assert_int_equal(flk_find_rising(from_cliff, &c, &r, 1e-12, 1e-9), 1);
+        assert_near(r.x, c.edge - c.value, 1e-11);
+        c.value = -c.value; /* it jumps over zero */
+        assert_int_equal(flk_find_rising(from_cliff, &c, &r, 1e-12, 1e-9), 0);
+    }
+    assert_true(most < 100);
+}
+
+TEST(test_rising_to_unknown)
+{
+    flk_rising r = {0, 1, 10};
+    double end = 1.5;
+
+    calls = 0;
+    assert_int_equal(flk_find_rising(left, &end, &r, 0, 0), 0);
+    assert_int_equal(calls, 2);
+}
+
 /* ---------------------------------------------------------------------------------------------- peaks */
 
 /* A peak of the height 1 whose sides differ: 1 - u + log(u) has its largest value, 0, at u = 1. */

@@ -40,7 +40,7 @@ static void measure(double h, double error[3])
 {
     flk_curve_of_step within;
     flk_step s;
-    double estimates[3];
+    double estimates[3], slope, change;
     int calls = 0, i;
 
     begin(&s, &calls, 0.3, h);
@@ -52,10 +52,16 @@ static void measure(double h, double error[3])
     for (i = 0; i < 3; i++) {
         error[0] = fmax(error[0], fabs(s.next[i] - exact(i, 0.3 + h)));
         error[1] = fmax(error[1], estimates[i]);
-        error[2] = fmax(error[2],
-                        fabs(s.y[i] + flk_step_change(&within, i, 0.4) - exact(i, 0.3 + 0.4 * h)));
-        assert_near(s.y[i] + flk_step_change(&within, i, 1), s.next[i], 1e-15);
-        assert_near(flk_step_change(&within, i, 0), 0, 0);
+        error[2] = fmax(error[2], fabs(s.y[i] + flk_step_change(&within, i, 0.4, &slope) -
+                                       exact(i, 0.3 + 0.4 * h)));
+        change = flk_step_change(&within, i, 0.4 + 1e-5, &slope) -
+                 flk_step_change(&within, i, 0.4 - 1e-5, &slope);
+        flk_step_change(&within, i, 0.4, &slope);
+        assert_near(slope, change / 2e-5, 1e-9);
+        assert_near(s.y[i] + flk_step_change(&within, i, 1, &slope), s.next[i], 1e-15);
+        assert_near(slope, h * s.k[FLK_STAGE_AT_END][i], 1e-14);
+        assert_near(flk_step_change(&within, i, 0, &slope), 0, 0);
+        assert_near(slope, h * s.k[0][i], 1e-14);
     }
 }
 

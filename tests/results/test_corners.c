@@ -3,7 +3,7 @@
 ** test_corners.c - where columns of loads are not smooth, at angles that are known, and what the ends of pieces are.
 */
 #include "check.h"
-#include "motion/pieces.h"
+#include "motion/crank_motion.h"
 #include "read.h"
 
 #define CRANK                                                                                      \
