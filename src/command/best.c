@@ -165,7 +165,8 @@ static double value_at(const gsl_vector *x, void *data)
     return value;
 }
 
-/* Let a simplex of this size go down from the best point, with memory for it and for its first point and steps. */
+/* Let a simplex of this size go down from the best point, with memory for it and for its first point and
+** steps. */
 static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vector *x,
                     gsl_vector *steps)
 {

@@ -9,8 +9,8 @@
 
 #include "input.h"
 
-/* Find the design that --best asks for and write it as a deck; returns the exit status.  If a signal stops it, its
-** number is `signal_number`, otherwise 0. */
+/* Find the design that --best asks for and write it as a deck; returns the exit status.  If a signal stops
+** it, its number is `signal_number`, otherwise 0. */
 int best_write(FILE *out, const input *in, int *signal_number);
 
 #endif

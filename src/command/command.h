@@ -10,15 +10,15 @@ enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
 /* The worse of two exit statuses. */
 int command_worse(int status, int other);
 
-/* Print words as a part of a message; what is not printable becomes a question mark, so that no name can command
-** the terminal or pretend to be another line. */
+/* Print words as a part of a message; what is not printable becomes a question mark, so that no name can
+** command the terminal or pretend to be another line. */
 void command_print(const char *words);
 
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 
-/* Print a mistake: FILE:LINE: error: MESSAGE, or a note, without the line if it is 0.  `deck_name` is null if there is
-** only one deck; otherwise it is added if the mistake is in another file. */
+/* Print a mistake: FILE:LINE: error: MESSAGE, or a note, without the line if it is 0.  `deck_name` is null
+** if there is only one deck; otherwise it is added if the mistake is in another file. */
 void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name);
 void command_tell_note(const char *file, long line, const char *message, const char *deck_name);
 

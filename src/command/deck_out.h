@@ -7,8 +7,8 @@
 
 #include "input.h"
 
-/* Print the deck, or write each design of its [sweep] into the folder of --output as NAME-N.deck; returns the exit
-** status. */
+/* Print the deck, or write each design of its [sweep] into the folder of --output as NAME-N.deck; returns
+** the exit status. */
 int deck_out_print(const input *in);
 
 #endif

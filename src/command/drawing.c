@@ -60,8 +60,8 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
     return EXIT_USAGE;
 }
 
-/* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed without the
-** table that would tell; returns the exit status. */
+/* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed
+** without the table that would tell; returns the exit status. */
 static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
                         const char *why)
 {

@@ -15,8 +15,8 @@ typedef struct drawing {
     plot_caption caption;
 } drawing;
 
-/* Write the script of a picture, before anything is printed; a picture that is refused is a mistake of the options.
-** Returns the exit status. */
+/* Write the script of a picture, before anything is printed; a picture that is refused is a mistake of the
+** options. Returns the exit status. */
 int drawing_begin(drawing *d, const input *in);
 
 /* Draw a script, or give it out; or drop it.  Returns the exit status. */

@@ -18,8 +18,8 @@ typedef struct grade_answers {
 /* Open what --check names, if it names something.  Prints a failure and returns the exit status. */
 int grade_open(grade_answers *a, const options *o);
 
-/* Read FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and why there are no answers in `why`, which stays
-** as it is if reading or memory failed. */
+/* Read FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and why there are no answers in `why`,
+** which stays as it is if reading or memory failed. */
 int grade_read(grade_answers *a, const options *o, const char *deck, char why[400]);
 
 void grade_close(grade_answers *a);

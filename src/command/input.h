@@ -29,8 +29,8 @@ typedef struct input {
     char refusal[MESSAGE_SIZE];
 } input;
 
-/* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads the
-** first design without mistakes. */
+/* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads
+** the first design without mistakes. */
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers);
 
 void input_close(input *in);

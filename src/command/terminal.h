@@ -7,8 +7,8 @@
 
 #include <stdio.h>
 
-/* The width of the terminal in characters; 0 if the stream is a file or a pipe.  COLUMNS comes first, then what
-** the terminal says; a terminal that says nothing has 80. */
+/* The width of the terminal in characters; 0 if the stream is a file or a pipe.  COLUMNS comes first, then
+** what the terminal says; a terminal that says nothing has 80. */
 unsigned long terminal_width(FILE *out);
 
 #endif

@@ -165,8 +165,8 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
                     deck *d);
 
-/* The first `max` values of a design's variables, in the deck's unit; the values before and after them in their
-** ranges, or the same value at an end of a range, and for a list.  `low` and `high` may be null. */
+/* The first `max` values of a design's variables, in the deck's unit; the values before and after them in
+** their ranges, or the same value at an end of a range, and for a list.  `low` and `high` may be null. */
 void flk_deck_variables(const deck *d, unsigned long design, size_t max, double *values,
                         double *low, double *high);
 
@@ -174,8 +174,8 @@ void flk_deck_variables(const deck *d, unsigned long design, size_t max, double 
 ** there is no such key, or no such section in the deck. */
 unsigned long flk_number_find(const deck *d, text name);
 
-/* The quantity and the last word of the name of a number; its value in the deck's unit, NaN if it is not given.
-** 0 if it is not a number: words, a list, a curve. */
+/* The quantity and the last word of the name of a number; its value in the deck's unit, NaN if it is not
+** given. 0 if it is not a number: words, a list, a curve. */
 int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
                         double *value);
 

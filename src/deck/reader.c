@@ -137,8 +137,8 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     return p->out_of_memory ? NULL : p;
 }
 
-/* Build what a text describes; for a deck with [sweep], one of its designs, with numbers set.  Returns the same
-** as flk_deck_read. */
+/* Build what a text describes; for a deck with [sweep], one of its designs, with numbers set.  Returns the
+** same as flk_deck_read. */
 static int build_from(deck *d, parser *p, unsigned long design, const deck_number *set,
                       size_t n_set)
 {

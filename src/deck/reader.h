@@ -170,8 +170,8 @@ int flk_setting_target(parser *p, text_place place, text key, target *t);
 /* The same without mistakes and for the sections that the deck has. */
 int flk_setting_look(const parser *p, text key, target *t);
 
-/* Set a target from outside its section: a number, with its text, by a design of a sweep or by a host; or by a
-** change of the source. */
+/* Set a target from outside its section: a number, with its text, by a design of a sweep or by a host; or
+** by a change of the source. */
 void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,
                       text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);

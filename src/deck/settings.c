@@ -332,8 +332,8 @@ static setting *set_part(parser *p, text_place place, const target *t, setting *
     return &parts[t->part];
 }
 
-/* key = value; `t->name` has the text of the key.  Returns the setting of a key or a part, null for a name and
-** after a mistake. */
+/* key = value; `t->name` has the text of the key.  Returns the setting of a key or a part, null for a name
+** and after a mistake. */
 static setting *set_target(parser *p, text_place place, const target *t, text value,
                            value_giver giver)
 {

@@ -64,8 +64,7 @@ static int is_valid(const fourlink_motor *motor)
 
     if (motor->kind == FOURLINK_NO_MOTOR)
         return 1;
-    if (motor->ratio == 0 ||
-        (motor->kind == FOURLINK_MOTOR_LINEAR && motor->no_load_speed == 0) ||
+    if (motor->ratio == 0 || (motor->kind == FOURLINK_MOTOR_LINEAR && motor->no_load_speed == 0) ||
         (motor->kind == FOURLINK_MOTOR_POWER && motor->power <= 0))
         return 0;
     if (motor->kind == FOURLINK_MOTOR_CURVE) {

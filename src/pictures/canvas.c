@@ -16,9 +16,10 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
-** of a file is written as it is.  In a text what is not printable is shown as a question mark, so that every script
-** and picture is valid UTF-8, and ]]> gets a blank: gnuplot would copy it, and no SVG may have it. */
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.
+** The name of a file is written as it is.  In a text what is not printable is shown as a question mark,
+** so that every script and picture is valid UTF-8, and ]]> gets a blank: gnuplot would copy it, and no SVG
+** may have it. */
 static void put_quoted(FILE *out, const char *words, int is_file)
 {
     text rest = flk_text_of(words);

@@ -17,7 +17,8 @@ typedef struct friction_circle {
 friction_circle friction_circle_of(const picture *p, const picture_row *r, int joint, int link,
                                    fourlink_vector F);
 
-/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can be seen. */
+/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can
+** be seen. */
 double friction_circle_scale(double size, const friction_circle *x, const friction_circle *y);
 
 /* Where a force touches its circle, drawn so many times larger. */

@@ -44,8 +44,8 @@ typedef struct graph_line {
 /* Extend by x of all points of a curve. */
 void graph_extend_x(graph_extent *e, const graph_line *line);
 
-/* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no number.
-** Angles are followed past half a turn; what is rounding becomes 0. */
+/* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no
+** number. Angles are followed past half a turn; what is rounding becomes 0. */
 void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 

@@ -14,8 +14,8 @@
 #define TURNS 2       /* of a spiral */
 #define SPIRAL_STEPS 60
 
-/* As fractions of the drawing: half the width of a zigzag and of a cylinder, the distance of a spring's teeth when it
-** is free, and the radius of a spiral. */
+/* As fractions of the drawing: half the width of a zigzag and of a cylinder, the distance of a spring's
+** teeth when it is free, and the radius of a spiral. */
 #define HALF_WIDTH 0.018
 #define PITCH 0.035
 #define RADIUS 0.05

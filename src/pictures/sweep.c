@@ -56,8 +56,8 @@ static void close_designs(designs *d)
     free(d->values);
 }
 
-/* Keep the variables of design i; `last` are those of the design before it, and `fast` marks those that change from
-** the first design to the second. */
+/* Keep the variables of design i; `last` are those of the design before it, and `fast` marks those that
+** change from the first design to the second. */
 static void keep_variables(designs *d, unsigned long i, const double *now, double *last, char *fast)
 {
     unsigned long k;

@@ -169,8 +169,8 @@ static const char *put_path(const char *s, int is_polygon, FILE *out)
     return end;
 }
 
-/* Write the end of a tag and the words after it; blanks alone are left out.  gnuplot leaves ]]> in them, which XML
-** does not allow.  Returns the next tag. */
+/* Write the end of a tag and the words after it; blanks alone are left out.  gnuplot leaves ]]> in them,
+** which XML does not allow.  Returns the next tag. */
 static const char *put_words(const char *s, FILE *out)
 {
     putc('>', out);

@@ -9,8 +9,8 @@
 
 #include "rows.h"
 
-/* Write the rows of branches; the drawing begins at the step nearest to `start`, a crank angle or a time in the deck's
-** unit.  Returns 0 without memory. */
+/* Write the rows of branches; the drawing begins at the step nearest to `start`, a crank angle or a time
+** in the deck's unit.  Returns 0 without memory. */
 int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start);
 
 #endif

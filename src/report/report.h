@@ -48,8 +48,8 @@ typedef struct report_outcome {
     int has_failed;      /* 1: rows could not be computed, or expected values differ */
 } report_outcome;
 
-/* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the reason why there
-** is none; -1 if out of memory.  The caller checks the stream. */
+/* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the
+** reason why there is none; -1 if out of memory.  The caller checks the stream. */
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake);
 

@@ -38,8 +38,8 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
     math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i], SAMPLE_NM);
 }
 
-/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at right angles; a
-** slider and its lever press on each other with both. */
+/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at
+** right angles; a slider and its lever press on each other with both. */
 static void put_guide(const report *r, math *m, const fourlink_friction *friction)
 {
     static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
@@ -82,8 +82,8 @@ static void put_loads_of_joint(report *r, unsigned long joint)
     }
 }
 
-/* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the link that
-** slides. */
+/* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the
+** link that slides. */
 static void put_loads(report *r)
 {
     page *p = &r->page;

@@ -553,7 +553,8 @@ static void search_motion(search *x, flk_extreme_pair *pairs)
     finish(x, has_gap, pairs);
 }
 
-/* Find the extremes of n columns on a branch, unless the search takes too many rows, or the motion too many steps. */
+/* Find the extremes of n columns on a branch, unless the search takes too many rows, or the motion too
+** many steps. */
 static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
                  flk_extreme_pair *pairs, size_t n)
 {

@@ -21,8 +21,8 @@ typedef struct flk_extreme_pair {
     int is_searched; /* 1: the members above are set */
 } flk_extreme_pair;
 
-/* The extremes that a deck asks for.  All are found in one search where all are wanted, or if they are few; else
-** each is found alone.  The last digits may depend on which, but not on what was found before. */
+/* The extremes that a deck asks for.  All are found in one search where all are wanted, or if they are
+** few; else each is found alone.  The last digits may depend on which, but not on what was found before. */
 typedef struct flk_extremes {
     flk_extreme_pair *together[2]; /* open, crossed */
     flk_extreme_pair *alone[2];    /* the same columns */
@@ -41,8 +41,8 @@ void flk_extremes_close(flk_extremes *x);
 /* Ask for the extremes of a column; to be called before flk_extremes_find. */
 void flk_extremes_ask(flk_extremes *x, const flk_column *c);
 
-/* An extreme of any column, FLK_MAX or FLK_MIN: FOURLINK_OK, FOURLINK_NOT_REACHED, or why it is not known.  `all`: those
-** of all columns asked for are wanted. */
+/* An extreme of any column, FLK_MAX or FLK_MIN: FOURLINK_OK, FOURLINK_NOT_REACHED, or why it is not known.
+** `all`: those of all columns asked for are wanted. */
 int flk_extremes_find(flk_extremes *x, flk_analysis *a, const flk_column *c, fourlink_branch branch,
                       flk_statistic statistic, int all, flk_extreme *found);
 

@@ -39,8 +39,8 @@ int flk_follow_is_reached(const flk_follower *f);
 int flk_follow_is_root(flk_piece_end end);
 int flk_follow_has_limit(flk_piece_end end);
 
-/* The angle passed at a parameter, rad, and its derivative; just inside the piece at an end that has a neighbour, where a
-** load may jump. */
+/* The angle passed at a parameter, rad, and its derivative; just inside the piece at an end that has a
+** neighbour, where a load may jump. */
 double flk_follow_passed(const flk_follower *f, double s);
 double flk_follow_rate(const flk_follower *f, double s);
 
@@ -83,12 +83,13 @@ double flk_followed_value(const flk_follower *f, const flk_followed *t, double s
 double flk_followed_turns(const flk_followed *t, double from, double to);
 double flk_followed_nearest(const flk_followed *t, double value, double near);
 
-/* The turns of an angle in a period, 0 of other columns and where it started anew; those that move it, behind the last gap
-** of a revolution, to the first row, which is the last. */
+/* The turns of an angle in a period, 0 of other columns and where it started anew; those that move it,
+** behind the last gap of a revolution, to the first row, which is the last. */
 double flk_followed_per_period(const flk_followed *t);
 double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f);
 
-/* The part of a turn by which an angle changes, at most a half; 1 if it is half a turn: its vector passes through zero. */
+/* The part of a turn by which an angle changes, at most a half; 1 if it is half a turn: its vector passes
+** through zero. */
 double flk_followed_change(const flk_followed *t, double from, double to);
 int flk_followed_turns_over(const flk_followed *t, double from, double to);
 

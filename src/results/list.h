@@ -13,7 +13,8 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
-/* The handle of an input that is not a number of the deck; of a number of the deck, by flk_number_find.  Those of facts are between these and 0, those of columns greater than 0. */
+/* The handle of an input that is not a number of the deck; of a number of the deck, by flk_number_find.
+** Those of facts are between these and 0, those of columns greater than 0. */
 #define FLK_LIST_HANDLE(i) (-1000 - 2 * (int)(i))
 #define FLK_NUMBER_HANDLE(id) (-1001 - 2 * (int)(id))
 

@@ -43,8 +43,8 @@ static void ask_extreme(flk_opened *o, const flk_name *n)
         flk_extremes_ask(&o->extremes, &n->c);
 }
 
-/* Ask for the extremes that are found in one search with those of a sweep's outputs: those of the columns of a deck
-** without a sweep, and those that are expected. */
+/* Ask for the extremes that are found in one search with those of a sweep's outputs: those of the columns
+** of a deck without a sweep, and those that are expected. */
 static void ask_extremes(flk_opened *o)
 {
     flk_name n;

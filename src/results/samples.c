@@ -253,7 +253,8 @@ static void halve_steps(flk_samples *x, double step)
             insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
-/* Samples of the piece in even steps, which are doubled where all columns are smooth, and closer beside some ends. */
+/* Samples of the piece in even steps, which are doubled where all columns are smooth, and closer beside
+** some ends. */
 static void sample(flk_samples *x)
 {
     size_t n = steps_of(x), i;

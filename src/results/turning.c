@@ -140,9 +140,9 @@ static void halve(moment *m, size_t i)
     m->n_cuts++;
 }
 
-/* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rule is not exact is
-** halved: near a change point the moment has a peak far narrower than a degree.  Where that does not end, the moment is
-** unbounded. */
+/* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rule is not
+** exact is halved: near a change point the moment has a peak far narrower than a degree.  Where that does
+** not end, the moment is unbounded. */
 static double mean_of(moment *m, double *scale)
 {
     size_t most = most_cuts(m->a), i = 0;

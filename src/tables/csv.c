@@ -28,8 +28,8 @@ static int is_formula(const char *s)
     return strpbrk(rest.start, "=+@|!('\"") != NULL;
 }
 
-/* A field that holds a comma, a quote or an end of line is quoted, and its quotes are doubled.  A formula gets
-** an apostrophe, which makes it text. */
+/* A field that holds a comma, a quote or an end of line is quoted, and its quotes are doubled.  A formula
+** gets an apostrophe, which makes it text. */
 static void put_words(line *l, const char *s)
 {
     size_t is_quoted = strpbrk(s, ",\"\r\n") ? 1 : 0, n;

@@ -17,8 +17,8 @@ void head_put_kind(sheet *s)
     line_put(&s->l, "# %s\n", s->v.kind.words);
 }
 
-/* The kind and its type, as in "four-bar linkage: crank-rocker".  The name of a type may begin with that of the
-** kind, which then comes once. */
+/* The kind and its type, as in "four-bar linkage: crank-rocker".  The name of a type may begin with that
+** of the kind, which then comes once. */
 static void put_type(sheet *s)
 {
     const char *kind = s->v.kind.words, *words;

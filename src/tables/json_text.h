@@ -7,8 +7,8 @@
 
 #include "line.h"
 
-/* Write a string.  Bytes that are not UTF-8 become the replacement character.  Control characters and those of
-** `escaped` are written as \u003c. */
+/* Write a string.  Bytes that are not UTF-8 become the replacement character.  Control characters and
+** those of `escaped` are written as \u003c. */
 void json_text_put(line *l, const char *s, const char *escaped);
 
 /* Write a number with so many significant digits; undefined is null, unbounded is "inf" or "-inf". */

@@ -97,9 +97,10 @@ typedef struct sheet_yield {
     double percent, low, high; /* 95 per cent interval, in per cent */
 } sheet_yield;
 
-/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may be
-** null.  The others may be null if the format does not write their contents: `row` for rows, `check` and `refuse`
-** for comparisons, `column` for lists, `design` and `refuse` for sweeps, `statistic` and `yield` for statistics. */
+/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may
+** be null.  The others may be null if the format does not write their contents: `row` for rows, `check`
+** and `refuse` for comparisons, `column` for lists, `design` and `refuse` for sweeps, `statistic` and
+** `yield` for statistics. */
 typedef struct sheet_format {
     const char *name;
     int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
@@ -158,7 +159,8 @@ const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_
 /* Write where the crank comes to rest, or why the machine goes no further, if so. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
-/* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format is brief. */
+/* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format
+** is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
                        void (*put)(sheet *s, fourlink_branch branch, double angle));
 

@@ -122,8 +122,8 @@ void statistics_refuse(sheet *s)
 
 /* ------------------------------------------------------------------------------------- results */
 
-/* By linear interpolation between sorted values, the first being the quantile of 0, the last that of 1.  GSL's
-** has 0 * inf where the value after it is unbounded. */
+/* By linear interpolation between sorted values, the first being the quantile of 0, the last that of 1.
+** GSL's has 0 * inf where the value after it is unbounded. */
 static double quantile(const double *sorted, size_t n, double share)
 {
     double place = share * (double)(n - 1);

@@ -19,8 +19,8 @@ static size_t width_of(const sheet *s)
     return s->v.problem.digits > USUAL_DIGITS ? (size_t)s->v.problem.digits + 8 : WIDTH;
 }
 
-/* A number has fewer digits if the column then has room for it, but not fewer than 4; if that is not enough, it
-** has all, and the line is longer. */
+/* A number has fewer digits if the column then has room for it, but not fewer than 4; if that is not
+** enough, it has all, and the line is longer. */
 static void put_number(sheet *s, double value)
 {
     int all = s->v.problem.digits, digits = all;
