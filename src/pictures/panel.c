@@ -207,8 +207,8 @@ static void put_extremes(const picture *p, panel *q, int y, int branch, int i)
     fourlink_value found;
 
     for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
-        if (fourlink_results_get(p->v.results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
-                                 p->v.branches[branch], 0, &found) != FOURLINK_OK ||
+        if (!view_find_extreme(&p->v, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
+                               p->v.branches[branch], &found) ||
             !gsl_finite(found.value) ||
             (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
             continue;
@@ -238,8 +238,8 @@ static int is_unbounded(const picture *p, int column, int i)
     int which;
 
     for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++)
-        if (fourlink_results_get(p->v.results, p->v.columns[column].handle + which,
-                                 p->v.branches[i], 0, &found) == FOURLINK_OK &&
+        if (view_find_extreme(&p->v, p->v.columns[column].handle + which, p->v.branches[i],
+                              &found) &&
             gsl_isinf(found.value))
             return 1;
     return 0;

@@ -79,7 +79,7 @@ static void put_extreme(report *r, int handle, fourlink_branch branch)
 {
     fourlink_value v;
 
-    if (fourlink_results_get(r->v.results, handle, branch, 0, &v) != FOURLINK_OK) {
+    if (!view_find_extreme(&r->v, handle, branch, &v)) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }

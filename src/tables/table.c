@@ -54,8 +54,7 @@ static void find_extreme(sheet *s, fourlink_branch branch, int which, const four
                          style *x)
 {
     x->has_extreme = !(c->flags & FOURLINK_CRANK_ANGLE) &&
-                     fourlink_results_get(s->v.results, c->handle + which, branch, 0,
-                                          &x->extreme) == FOURLINK_OK;
+                     view_find_extreme(&s->v, c->handle + which, branch, &x->extreme);
 }
 
 /* The field of an extreme, or of its crank angle. */

@@ -48,6 +48,19 @@ void view_take(view *v, fourlink_results *results)
     view_take_design(v, results);
 }
 
+int view_find_extreme(const view *v, int handle, fourlink_branch branch, fourlink_value *extreme)
+{
+    const fourlink_value *list;
+    unsigned long n, i;
+
+    fourlink_results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &list, &n);
+    for (i = 0; i < n && list[i].handle != handle; i++)
+        ;
+    if (i < n)
+        *extreme = list[i];
+    return i < n;
+}
+
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
                 int n, fourlink_results **results, fourlink_mistake *mistake)
 {

@@ -33,6 +33,10 @@ void view_take(view *v, fourlink_results *results);
 /* Take another design of the same deck, which has the same units. */
 void view_take_design(view *v, fourlink_results *results);
 
+/* The extreme of a column of the deck's table, by the column's handle + FOURLINK_MAX or FOURLINK_MIN: those of
+** all columns are found in one search.  0 if there is none.  Facts that were listed before are not valid then. */
+int view_find_extreme(const view *v, int handle, fourlink_branch branch, fourlink_value *extreme);
+
 /* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
 ** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
