@@ -277,6 +277,7 @@ void flk_node_within(const flk_node *node, double part, flk_node *at)
         at->y[i] = node->y[i] + flk_step_change(&node->within, i, part, &slope);
     at->residual = node->residual;
     at->h = 0;
+    at->is_at_rest = 0;
 }
 
 /* Cut a step where unknown i crosses a value, if that is before *part. */
@@ -461,25 +462,48 @@ static int start(flk_path *p, double speed)
     return keep(p, &node) && p->status == FOURLINK_OK;
 }
 
+/* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other values
+** where its variable falls can push to rest from both sides. */
+static int leave(flk_path *p, const flk_node *node, double length, cell *c)
+{
+    int turning = turns_to(p, node);
+
+    if (turning == 0)
+        return 0;
+    p->status = enter(p, node, turning, length, c);
+    return p->status != FOURLINK_OK || node->y[FLK_SPEED] != 0 ||
+           turning * acceleration_at(p, node) > 0;
+}
+
+/* Stay at rest: no torque changes any more. */
+static void rest(flk_path *p, double duration)
+{
+    flk_node node = *flk_path_end(p);
+
+    node.h = 0;
+    node.is_at_rest = 1;
+    keep(p, &node);
+    node.t = duration;
+    keep(p, &node);
+}
+
 static int run(flk_path *p, double speed, double length, double duration)
 {
     double h = 0;
-    int turning;
     cell c;
 
     if (!start(p, speed))
         return 0;
     while (p->status == FOURLINK_OK && flk_path_end(p)->y[FLK_PASSED] < length &&
            flk_path_end(p)->t < duration) {
-        const flk_node *node = flk_path_end(p);
+        int leaves = leave(p, flk_path_end(p), length, &c);
 
-        turning = turns_to(p, node);
-        if (turning == 0 && !p->swings)
-            p->status = FOURLINK_DOES_NOT_START;
-        else
-            p->status = enter(p, node, turning ? turning : 1, length, &c);
-        if (p->status == FOURLINK_OK)
+        if (leaves && p->status == FOURLINK_OK)
             p->status = run_cell(p, &c, duration, &h);
+        else if (!leaves && p->swings)
+            rest(p, duration);
+        else if (!leaves)
+            p->status = FOURLINK_DOES_NOT_START;
         p->equation.acting->held = NULL;
     }
     return p->status == FOURLINK_OK;
@@ -567,7 +591,7 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
         return status;
     row->crank.theta2 = theta2;
     row->crank.omega2 = e->sense * speed;
-    row->crank.alpha2 = e->sense * torque.alpha2;
+    row->crank.alpha2 = at->is_at_rest ? 0 : e->sense * torque.alpha2;
     row->time = at->t;
     row->T_motor = torque.T_motor;
     row->J = place.J;

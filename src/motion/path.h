@@ -18,6 +18,7 @@ typedef struct flk_node {
     double h;                 /* s, of the step, which may extend beyond the next node; 0 at the
                                  end */
     flk_curve_of_step within; /* the unknowns within it */
+    int is_at_rest;           /* 1: it stays here */
 } flk_node;
 
 typedef struct flk_path {

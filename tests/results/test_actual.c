@@ -604,6 +604,33 @@ TEST(test_pendulum)
     fourlink_results_free(s);
 }
 
+/* A load that opposes the rocker in both directions, as dry friction does, takes T |dtheta4| of the energy: the
+** crank stops where it is spent, and stays there. */
+TEST(test_rest_between_two_loads)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[gravity]\nacceleration = 0\n[ground]\nlength = 80 mm\n"
+        "[crank]\nlength = 20 mm\nmass = 0.1 kg\nuniform = yes\n[coupler]\nlength = 66 mm\n"
+        "mass = 0.3 kg\nuniform = yes\n[rocker]\nlength = 56 mm\nmass = 0.2 kg\nuniform = yes\n"
+        "[load K]\nlink = rocker\nover = theta4\ntorque = -2 N m\nback = 2 N m\n[motion]\n"
+        "mode = free\nspeed = 60 rad/s\nfrom = 60 deg\nrows = time\nduration = 0.05 s\n"
+        "time_step = 0.001 s\n");
+    fourlink_instant first = row_of(r, 0), at = first;
+    double spent = 0, before = first.state.link[4].theta;
+    unsigned long i;
+
+    for (i = 1; i < problem_of(r).n_rows; i++) {
+        at = row_of(r, i);
+        spent += 2 * fabs(at.state.link[4].theta - before);
+        before = at.state.link[4].theta;
+        assert_near(energy_of(r, &at), energy_of(r, &first) - spent, 1e-9 * energy_of(r, &first));
+        assert_near(named(r, "energy_residual", FOURLINK_OPEN, at.row.angle).value, 0, 1e-11);
+    }
+    assert_true(at.row.crank.omega2 == 0 && at.row.crank.alpha2 == 0);
+    assert_near(spent, energy_of(r, &first), 1e-9 * spent);
+    fourlink_results_free(r);
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);
