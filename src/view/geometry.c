@@ -48,14 +48,15 @@ void geometry_find_way(const view *v, fourlink_branch branch, double *near, doub
 {
     const fourlink_mechanism *m = v->mechanism;
     double sum = v->design->link[FOURLINK_CRANK].length + v->design->link[FOURLINK_GROUND].length;
+    double sign = (double)branch;
 
     if (v->kind.has_stroke) {
-        *near = branch * outer_end(m);
-        *far = branch * m->dead_centre;
+        *near = sign * outer_end(m);
+        *far = sign * m->dead_centre;
         return;
     }
-    *far = branch * sqrt(fabs((sum - m->h) * (sum + m->h)));
-    *near = m->change_folded ? -*far : m->folded > 0 ? branch * sqrt(m->folded) : 0;
+    *far = sign * sqrt(fabs((sum - m->h) * (sum + m->h)));
+    *near = m->change_folded ? -*far : m->folded > 0 ? sign * sqrt(m->folded) : 0;
 }
 
 fourlink_vector geometry_on_slide(const fourlink_state *state, double along)

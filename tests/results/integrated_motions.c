@@ -824,7 +824,7 @@ static int open_machine(const char *name, machine *m)
 #define BEFORE 1e-3   /* rad, before the crank is locked: nearer, rows are not compared */
 #define EQUATION 1e-9 /* of the largest acceleration, at the speed of the row */
 #define SHAFT 1e-11   /* of the torques on the shaft */
-#define WORK 4e-11    /* energy_residual; of nearly all machines 1e-11 */
+#define WORK 1e-11    /* energy_residual */
 #define END 1e-5      /* rad */
 
 static const char *name_of_deck;
