@@ -347,6 +347,7 @@ module fourlink
     type(c_ptr) :: answers = c_null_ptr
     integer(c_long) :: answers_length = 0
     integer(c_long) :: design = 0
+    type(c_ptr) :: units = c_null_ptr ! ends in c_null_char
     integer(c_int) :: whole_cycle = 0
   end type fourlink_source
 

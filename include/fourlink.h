@@ -610,7 +610,10 @@ typedef struct fourlink_source {
     const char *answers; /* [expect] and [misprint] sections instead of the deck's; may be null */
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
-    int whole_cycle;      /* for fourlink_results_open; 1: a deck with one crank angle is run over a
+    const char
+        *units; /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
+                             bare numbers keep theirs; null: the deck's */
+    int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over a
                              cycle from 0, with the same speed and acceleration at every row */
 } fourlink_source;
 

@@ -291,6 +291,7 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
     in->source.load = load_file;
     in->source.host = in;
     in->source.changes = o->changes;
+    in->source.units = o->units;
     in->source.n_changes = (unsigned long)o->n_changes;
     in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
     status = open_results(in);

@@ -24,6 +24,8 @@ static const char *const help[] = {
     "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
     "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
+    "      --units=UNIT,UNIT,...         units of results, such as 'mm, kg, rpm'; bare numbers of",
+    "                                    the deck keep theirs",
     "  -w, --wide                        on a terminal: all columns side by side",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
@@ -74,7 +76,8 @@ enum {
     ALLOW_FILES,
     DESIGN,
     PRINT_DECK,
-    LAST_WITHOUT_LETTER = PRINT_DECK
+    UNITS,
+    LAST_WITHOUT_LETTER = UNITS
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -90,6 +93,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'b', "--branch", 1, "table.branch="},
                                     {'i', "--interval", 1, "motion.interval="},
                                     {'c', "--columns", 1, "table.columns="},
+                                    {UNITS, "--units", 1, NULL},
                                     {'w', "--wide", 0, NULL},
                                     {'s', "--set", 1, ""},
                                     {ALLOW_FILES, "--allow-files", 0, NULL},
@@ -305,6 +309,9 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return o->allow_files = 1;
     case AT:
         o->at = value;
+        return 1;
+    case UNITS:
+        o->units = value;
         return 1;
     case 'm':
         return set_content(o, SHEET_MATRIX);

@@ -20,6 +20,7 @@ typedef struct options {
     const char *check_file; /* null: the deck's own expectations */
     const char *at;         /* the crank angles of --expect; null: the rows */
     const char *output;     /* null: standard output */
+    const char *units;      /* of results; null: those of the deck */
     const char *best;       /* the name that --best asks for; null: it was not given */
     int best_is_largest;
     int n_statistics;          /* how often --statistics was given */

@@ -62,7 +62,7 @@ static double in_unit_of(parser *p, const setting *s, double length, text *writt
 {
     *written = flk_quantity_unit_text(s->value);
     if (!written->length)
-        *written = flk_text_of(p->d->units[QUANTITY_LENGTH].name);
+        *written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
     return flk_unit_from_si(length, s->unit);
 }
 

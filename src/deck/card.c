@@ -197,7 +197,7 @@ static int keep_unit(card *c, int column, text t)
     if (t.length > MOST_QUOTED)
         return flk_mistake(c->p->mistakes, c->row.place, "'%t': this is too long for a unit",
                            c->row.value);
-    if (!flk_quantity_unit(t, t, c->q[column], c->p->d->units[c->q[column]].unit, &u, c->p->why))
+    if (!flk_quantity_unit(t, t, c->q[column], c->p->d->bare[c->q[column]].unit, &u, c->p->why))
         return flk_mistake(c->p->mistakes, c->row.place, "%s", c->p->why);
     if (c->is_told[column] && !flk_text_same(t, c->unit[column]))
         return flk_mistake(c->p->mistakes, c->row.place,
@@ -419,7 +419,7 @@ static int refuse_units(parser *p, const setting *s, const quantity q[2], text t
         rest = flk_reader_plain(p, flk_text_trim(rest));
         units[1] = rest;
         for (i = !flk_text_cut(rest, " ", &units[0], &units[1]); i < 2; i++)
-            if (!flk_quantity_unit(units[i], units[i], q[i], p->d->units[q[i]].unit, &u, p->why))
+            if (!flk_quantity_unit(units[i], units[i], q[i], p->d->bare[q[i]].unit, &u, p->why))
                 return !flk_mistake(p->mistakes, s->place, "%s", p->why);
     }
     return 0;

@@ -76,7 +76,7 @@ static int read_constant(parser *p, setting *s, quantity q)
 /* Note values without units, unless the deck gives the unit of bare numbers.  Returns 1. */
 static int note_unit(parser *p, const setting *s, quantity q)
 {
-    const char *name = p->d->units[q].name;
+    const char *name = p->d->bare[q].name;
     double largest = 0;
     size_t i;
 
@@ -91,7 +91,7 @@ static int note_unit(parser *p, const setting *s, quantity q)
         flk_mistake(NOTES(p), s->place,
                     "the values of this curve are read as %s, the largest as %g %s: give their "
                     "unit, such as '%s'",
-                    name, flk_unit_from_si(largest, p->d->units[q].unit), name,
+                    name, flk_unit_from_si(largest, p->d->bare[q].unit), name,
                     !flk_curve_text_file(s->value, NULL) ? flk_curve_point_example(q)
                     : q == QUANTITY_PRESSURE             ? "file card.csv deg bar"
                     : q == QUANTITY_FORCE                ? "file card.csv deg N"

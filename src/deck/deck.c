@@ -21,6 +21,7 @@ void flk_deck_start(deck *d)
         strcpy(d->units[q].name, flk_quantities[q].unit);
         flk_unit_read(flk_text_of(flk_quantities[q].unit), &d->units[q].unit, &bad);
     }
+    memcpy(d->bare, d->units, sizeof d->bare);
 }
 
 /* The header of a block of the deck's memory, before its contents. */

@@ -128,7 +128,8 @@ struct fourlink_deck {
     int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;
     int digits;
-    deck_unit units[QUANTITY_COUNT];
+    deck_unit units[QUANTITY_COUNT]; /* of results */
+    deck_unit bare[QUANTITY_COUNT];  /* of bare numbers in the text */
 
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes notes;                    /* on what is allowed but probably not meant */

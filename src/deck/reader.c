@@ -129,6 +129,8 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
         flk_values_read(p, 1);
+    if (source->units && !is_answers)
+        flk_values_result_units(p, source->units);
     if (!p->out_of_memory && !p->not_text)
         flk_sweep_read(p);
     if (!p->out_of_memory)
@@ -204,6 +206,7 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
     if (!from->settings->is_sound)
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
+    memcpy(d->bare, from->bare, sizeof d->bare);
     d->sweep = from->sweep;
     d->settings = share(d, from->settings);
     status = build_from(d, d->settings, design, set, n_set);

@@ -205,6 +205,9 @@ void flk_lines_read(parser *p);
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
+/* The units of results that a host asks for, such as "mm, kg, rpm", in place of the deck's. */
+void flk_values_result_units(parser *p, const char *list);
+
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 

@@ -23,7 +23,7 @@ int flk_values_number(parser *p, const setting *s, text *rest, quantity q, doubl
 
 int flk_values_unit(parser *p, const setting *s, text t, quantity q, unit *u)
 {
-    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, p->why) || refuse(p, s->place);
+    return flk_quantity_unit(t, s->value, q, p->d->bare[q].unit, u, p->why) || refuse(p, s->place);
 }
 
 int flk_values_size(parser *p, const setting *s, quantity q, double si)
@@ -34,7 +34,7 @@ int flk_values_size(parser *p, const setting *s, quantity q, double si)
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value)
 {
-    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, p->why) || refuse(p, place);
+    return flk_quantity_read(t, whole, q, p->d->bare[q].unit, value, p->why) || refuse(p, place);
 }
 
 /* Read a quantity that is a piece of a setting's value. */
@@ -117,10 +117,10 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
 }
 
 /* Areas are in the square of the unit of length, unless that unit has an exponent itself. */
-static void set_area(deck *d)
+static void set_area(deck_unit *units)
 {
-    const deck_unit *length = &d->units[QUANTITY_LENGTH];
-    deck_unit *area = &d->units[QUANTITY_AREA];
+    const deck_unit *length = &units[QUANTITY_LENGTH];
+    deck_unit *area = &units[QUANTITY_AREA];
     size_t n = strlen(length->name), i;
 
     for (i = 0; i < n; i++)
@@ -132,12 +132,37 @@ static void set_area(deck *d)
     area->unit.down = length->unit.down * length->unit.down;
 }
 
-static void set_unit(deck *d, quantity q, text name, unit u)
+static void set_unit(deck_unit *units, quantity q, text name, unit u)
 {
-    name_unit(name, d->units[q].name);
-    d->units[q].unit = u;
+    name_unit(name, units[q].name);
+    units[q].unit = u;
     if (q == QUANTITY_LENGTH)
-        set_area(d);
+        set_area(units);
+}
+
+void flk_values_result_units(parser *p, const char *list)
+{
+    text rest = flk_text_of(list), item;
+    text_place place = {"--units", 0};
+    key_code k;
+    text bad;
+    unit u;
+
+    while (flk_text_split(&rest, ',', &item)) {
+        item = flk_text_trim(item);
+        k = flk_first_key(SECTION_UNITS);
+        if (flk_unit_read(item, &u, &bad))
+            while (k < flk_first_key(SECTION_UNITS + 1) &&
+                   !flk_dimension_equal(u.dim, flk_quantities[flk_key_table[k].q].dim))
+                k++;
+        else
+            k = KEY_COUNT;
+        if (k < flk_first_key(SECTION_UNITS + 1))
+            set_unit(p->d->units, flk_key_table[k].q, item, u);
+        else
+            flk_mistake(p->mistakes, place, "'%t' is not a unit of results, such as mm, kg or rpm",
+                        item);
+    }
 }
 
 /* A whole number. */
@@ -266,8 +291,10 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         read_word(p, code, s);
         break;
     case FORM_UNIT:
-        if (flk_values_unit(p, s, s->value, key->q, &s->unit))
-            set_unit(p->d, key->q, s->value, s->unit);
+        if (flk_values_unit(p, s, s->value, key->q, &s->unit)) {
+            set_unit(p->d->units, key->q, s->value, s->unit);
+            set_unit(p->d->bare, key->q, s->value, s->unit);
+        }
         break;
     case FORM_QUANTITY:
     case FORM_EITHER:

@@ -50,7 +50,7 @@ static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
 {
     text size = value, rest;
 
-    *u = d->units[q].unit;
+    *u = d->bare[q].unit;
     if (value.length && value.start[0] == '(')
         flk_text_split(&size, ')', &rest);
     else if (!flk_text_cut(value, " at ", &size, &rest))
@@ -111,7 +111,7 @@ static void put_vector(writer *w, const setting *s, quantity q)
             u = of_part;
         }
     if (!name.length)
-        name = flk_text_of(d->units[q].name);
+        name = flk_text_of(d->bare[q].name);
     if (!find_number(s->si[0], &u, x) || !find_number(s->si[1], &u, y)) {
         name = flk_text_of(flk_quantities[q].unit);
         u.up = u.down = 1;

@@ -105,7 +105,7 @@ static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
         t.length--;
         q = QUANTITY_NUMBER;
     }
-    if (!flk_quantity_read(flk_text_trim(t), t, q, d->units[q].unit, &value, c->message))
+    if (!flk_quantity_read(flk_text_trim(t), t, q, d->bare[q].unit, &value, c->message))
         return 0;
     *tolerance = is_percent ? value.si * (fabs(printed->si) / 100) : value.si;
     if (*tolerance >= 0)
@@ -174,7 +174,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     q = n_facts ? flk_quantity_find(facts[0].quantity) : flk_column_quantity(&n->c);
     u = &o->d.units[q];
     c->unit = u->name;
-    infinite = n_facts ? 0 : infinite_sign(e->value, q, u->unit);
+    infinite = n_facts ? 0 : infinite_sign(e->value, q, o->d.bare[q].unit);
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
         if (!value_there(o, e, n, c, &found))
@@ -182,7 +182,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
         c->computed = found.value;
         return flk_expected_agrees(c, c->computed, 0);
     }
-    if (!flk_quantity_read(e->value, e->value, q, u->unit, &printed, c->message) ||
+    if (!flk_quantity_read(e->value, e->value, q, o->d.bare[q].unit, &printed, c->message) ||
         !read_tolerance(&o->d, e, q, &printed, &tolerance, c))
         return -1;
     c->message_line = e->place.line;

@@ -138,7 +138,7 @@ static int add_condition(flk_opened *o, const flk_condition *c)
     if (!output->quantity)
         return 1; /* not known: already reported */
     q = flk_quantity_find(output->quantity);
-    if (!flk_quantity_read(c->limit, c->limit, q, o->d.units[q].unit, &limit, message))
+    if (!flk_quantity_read(c->limit, c->limit, q, o->d.bare[q].unit, &limit, message))
         return flk_mistake(&o->d.mistakes, place, "%s", message) + 1;
     v = &list->list[list->n];
     *v = *output;
