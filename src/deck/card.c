@@ -453,6 +453,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
                                ? "; units after its name are written as in deg bar"
                                : "");
     contents.length = length;
+    contents = flk_reader_utf8(p, contents);
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
     c.row.place.line = 0;
     rows = flk_text_count(contents, flk_text_line_end(contents)) + 1;

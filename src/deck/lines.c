@@ -90,6 +90,9 @@ int flk_line_is_text(parser *p, text line, text_place place)
 
         if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
             p->not_text = 1;
+            if (!c && place.line == 1 && i < 2)
+                return flk_mistake(p->mistakes, place,
+                                   "UTF-16 without its mark, or no text: save the file as UTF-8");
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
             return flk_mistake(p->mistakes, place, "control character (0x%s): a deck is plain text",

@@ -1429,12 +1429,15 @@ TEST(test_no_text)
 {
     static const char null[] = FOUR_BAR "mass = 1\0 kg\n";
     static const char bell[] = "title = \a\n" FOUR_BAR;
-    static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
+    static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0\a\0\n\0";
+    static const char no_mark[] = "t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
     char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
 
     check_noted(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
     check_noted(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
-    check_noted(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
+    check_noted(utf16, sizeof utf16 - 1, 1, "control character (0x07): a deck is plain text");
+    check_noted(no_mark, sizeof no_mark - 1, 1,
+                "UTF-16 without its mark, or no text: save the file as UTF-8");
     check_noted(line, strlen(line), 1, "line longer than 65536 characters: not a deck");
     free(line);
 }
