@@ -147,6 +147,40 @@ static void join_lines(parser *p, text *rest, text *line)
     }
 }
 
+/* The key of a section that is this word; null if there is none. */
+static const char *find_key(const section_use *use, text word)
+{
+    key_code k;
+
+    for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++)
+        if (flk_text_equal(word, flk_key_table[k].name))
+            return flk_key_table[k].name;
+    return NULL;
+}
+
+/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */
+static void refuse_line(parser *p, const section_use *use, text line, text_place place)
+{
+    static const char expected[] = "expected 'key = value' or '[section]', not '%t'";
+    const char *key;
+    text word = line, rest;
+
+    flk_section_split(&word, &rest);
+    if (rest.length && rest.start[0] == ':')
+        rest = flk_text_trim(flk_text_from(rest, 1));
+    key = use && rest.length ? find_key(use, word) : NULL;
+    if (key)
+        flk_mistake(p->mistakes, place,
+                    "expected 'key = value' or '[section]', not '%t'; did you mean '%s = %t'?",
+                    line, key, rest);
+    else if (flk_find_section(word) != SECTION_COUNT)
+        flk_mistake(p->mistakes, place,
+                    "expected 'key = value' or '[section]', not '%t'; did you mean '[%t%s%t]'?",
+                    line, word, rest.length ? " " : "", rest);
+    else
+        flk_mistake(p->mistakes, place, expected, line);
+}
+
 void flk_lines_read(parser *p)
 {
     text rest = p->text;
@@ -174,8 +208,7 @@ void flk_lines_read(parser *p)
         value = line;
         flk_text_split(&value, '=', &key);
         if (!value.start) {
-            flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'",
-                        line);
+            refuse_line(p, use, line, place);
         } else if (use) { /* keys of an unknown section are not checked */
             flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
         }

@@ -107,6 +107,7 @@ static void build(parser *p)
     flk_build_flywheel(p);
     flk_build_table(p);
     flk_build_curve_ends(p);
+    flk_build_doubts(p);
     flk_build_expectations(p);
 }
 

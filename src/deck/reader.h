@@ -285,6 +285,9 @@ void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
 
+/* Note values that are allowed but probably not meant. */
+void flk_build_doubts(parser *p);
+
 /* How the speed of the crank is determined: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);
 

@@ -136,6 +136,18 @@ static const mistaken all_mistaken[] = {
      "unknown key 'titel' before the first section; did you mean 'title'?"},
     {FOUR_BAR "LENGTH = 1 m\n", 10, "'LENGTH' is given twice; first at line 9"},
     {FOUR_BAR "mass\n", 10, "expected 'key = value' or '[section]', not 'mass'"},
+    {FOUR_BAR "mass 1 kg # none\n", 10,
+     "expected 'key = value' or '[section]', not 'mass 1 kg'; did you mean 'mass = 1 kg'?"},
+    {FOUR_BAR "Mass:\t1 kg\n", 10,
+     "expected 'key = value' or '[section]', not 'Mass: 1 kg'; did you mean 'mass = 1 kg'?"},
+    {FOUR_BAR "motion\n", 10,
+     "expected 'key = value' or '[section]', not 'motion'; did you mean '[motion]'?"},
+    {FOUR_BAR "Motion:\n", 10,
+     "expected 'key = value' or '[section]', not 'Motion:'; did you mean '[Motion]'?"},
+    {FOUR_BAR "load L\n", 10,
+     "expected 'key = value' or '[section]', not 'load L'; did you mean '[load L]'?"},
+    {FOUR_BAR "a crank of 20 mm\n", 10,
+     "expected 'key = value' or '[section]', not 'a crank of 20 mm'"},
     {FOUR_BAR "mass = # none\n", 10, "expected a value after 'mass ='"},
     {FOUR_BAR "[rod]\nlength = 1 m\n", 10,
      "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
@@ -196,6 +208,19 @@ static const mistaken all_mistaken[] = {
      "length = 300 mm\n[rocker]\nlength = 56 mm\n",
      7,
      "the coupler, 300 mm, is longer than the other three together, 156 mm: the linkage cannot be "
+     "assembled"},
+    {"mechanism = four-bar\n[ground]\nlength = 900\n[crank]\nlength = 20 mm\n[coupler]\n"
+     "length = 100 mm\n[rocker]\nlength = 100 mm\n",
+     3,
+     "the ground, 900 m, is longer than the other three together, 0.22 m: the linkage cannot be "
+     "assembled"},
+    {"mechanism = four-bar\n[ground]\nlength = 900\n[crank]\nlength = 20\n[coupler]\n"
+     "length = 100\n[rocker]\nlength = 100\n[units]\nlength = mm\n",
+     3,
+     "the ground, 900 mm, is longer than the other three together, 220 mm: the linkage cannot be "
+     "assembled"},
+    {SLIDER_CRANK "[ground]\noffset = -2\n", 11,
+     "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
      "assembled"},
     {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
      "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
