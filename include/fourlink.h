@@ -324,7 +324,7 @@ typedef struct fourlink_losses {
     double guide;      /* N, >= 0, friction force in the guide */
     double power;      /* W, >= 0, lost */
     double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
-                          friction prevents the load from driving */
+                          friction prevents the load from driving; NaN where both are 0 */
     unsigned long n_loads; /* FOURLINK_FRICTION_LOADS */
     fourlink_load
         load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the two links at B and at C, on the

@@ -135,19 +135,22 @@ static void check_friction(parser *p)
                           radii[] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
                                      KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
     static const char words[] = "a coefficient of friction";
+    const setting *all = flk_setting_find(p, KEY_FRICTION_RADIUS);
     double crank = p->d->design.link[FOURLINK_CRANK].length, circle;
-    int i;
+    int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
 
     for (i = 0; i < 4; i++) {
         const setting *radius = flk_setting_find(p, radii[i]);
 
         circle = p->d->machine.friction.circle[i];
-        if (check_above_one(p, flk_setting_find(p, coefficients[i]), words) || !(circle > crank))
+        if (check_above_one(p, flk_setting_find(p, coefficients[i]), words) || is_large ||
+            !(circle > crank))
             continue;
         flk_mistake(
-            NOTES(p), radius->place,
+            NOTES(p), (IS_SET(radius) ? radius : all)->place,
             "the friction circle of %s has a radius of %.4g m, the crank a length of %.4g m",
             flk_key_table[coefficients[i]].name, circle, crank);
+        is_large = !IS_SET(radius); /* of all pins: once */
     }
     check_above_one(p, flk_setting_find(p, KEY_FRICTION_GUIDE), words);
 }

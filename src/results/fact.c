@@ -399,11 +399,13 @@ static void add_turning(listing *t, flk_analysis *a)
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
     const flk_actual_facts *actual =
         flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
+    double efficiency;
 
     if (!m)
         return;
-    if (t->d->machine.has_friction)
-        add(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
+    efficiency = a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency;
+    if (t->d->machine.has_friction && !gsl_isnan(efficiency))
+        add(t, FACT_EFFICIENCY_CYCLE, efficiency);
     add(t, FACT_MEAN_TORQUE, m->mean_torque);
     add(t, FACT_MEAN_POWER, m->mean_power);
     add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);

@@ -89,6 +89,12 @@ TEST(test_friction)
     check_note(FOUR_BAR "[friction]\nD = 0.1\nradius_D = 500 mm\n", NULL, 12,
                "the friction circle of D has a radius of 0.05 m, the crank a length of 0.02 m");
     check_none(FOUR_BAR "[friction]\nD = 0.1\nradius_D = 50 mm\n");
+    /* of all pins, once */
+    check_note(FOUR_BAR "[friction]\nmu = 15\nradius = 5 mm\n", NULL, 11,
+               "a coefficient of friction of 15 is above 1: write 15 % if per cent are meant");
+    check_note(FOUR_BAR "[friction]\nmu = 0.1\nradius = 500 mm\n", NULL, 12,
+               "the friction circle of A has a radius of 0.05 m, the crank a length of 0.02 m");
+    check_none(FOUR_BAR "[friction]\nmu = 15 %\nradius = 5 mm\n");
 }
 
 TEST(test_springs)
