@@ -435,6 +435,7 @@ typedef struct fourlink_reach {
 /* The limits of a mechanism on one branch. */
 typedef struct fourlink_limits {
     double mu_min, mu_max;         /* rad, transmission angle over all possible crank angles */
+    double gamma_min, gamma_max;   /* rad, 0 to pi, angle between coupler and rocker; four-bar */
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever; the swing is max - min */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at these limits */

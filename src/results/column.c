@@ -133,7 +133,9 @@
       "acceleration of B relative to the lever, along the slide", "")                              \
     X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
       "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
-    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                              \
+    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
+    X(gamma, ANGLE, FOUR_BAR, OF_MOTION(gamma), "angle between coupler and rocker, 0 to 180 deg",  \
+      "")                                                                                          \
     COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
     COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
     COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
