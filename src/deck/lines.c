@@ -147,38 +147,32 @@ static void join_lines(parser *p, text *rest, text *line)
     }
 }
 
-/* The key of a section that is this word; null if there is none. */
-static const char *find_key(const section_use *use, text word)
+/* 1 if a word is a key of a section, or may be a name in it, before a number. */
+static int is_key(const section_use *use, text word, text value)
 {
     key_code k;
 
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++)
         if (flk_text_equal(word, flk_key_table[k].name))
-            return flk_key_table[k].name;
-    return NULL;
+            return 1;
+    return TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL;
 }
 
 /* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */
 static void refuse_line(parser *p, const section_use *use, text line, text_place place)
 {
-    static const char expected[] = "expected 'key = value' or '[section]', not '%t'";
-    const char *key;
+    char meant[MESSAGE_SIZE] = "";
     text word = line, rest;
 
     flk_section_split(&word, &rest);
     if (rest.length && rest.start[0] == ':')
         rest = flk_text_trim(flk_text_from(rest, 1));
-    key = use && rest.length ? find_key(use, word) : NULL;
-    if (key)
-        flk_mistake(p->mistakes, place,
-                    "expected 'key = value' or '[section]', not '%t'; did you mean '%s = %t'?",
-                    line, key, rest);
+    if (use && word.length && rest.length && is_key(use, word, rest))
+        flk_message(meant, sizeof meant, "%t = %t", word, rest);
     else if (flk_find_section(word) != SECTION_COUNT)
-        flk_mistake(p->mistakes, place,
-                    "expected 'key = value' or '[section]', not '%t'; did you mean '[%t%s%t]'?",
-                    line, word, rest.length ? " " : "", rest);
-    else
-        flk_mistake(p->mistakes, place, expected, line);
+        flk_message(meant, sizeof meant, "[%t%s%t]", word, rest.length ? " " : "", rest);
+    flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'%h", line,
+                *meant ? meant : NULL);
 }
 
 void flk_lines_read(parser *p)

@@ -156,18 +156,31 @@ static int infinite_sign(text value, quantity q, unit usual)
     return flk_quantity_read(value, value, q, usual, &v, message) ? sign : 0;
 }
 
-/* 1 if a value is these words: crank-rocker, Crank rocker. */
+#define WORDS_SIZE sizeof(((fourlink_check *)0)->words)
+
+/* Copy words with blanks for hyphens. */
+static const char *without_hyphens(text t, char *copy)
+{
+    char *c;
+
+    flk_text_copy(t, copy, WORDS_SIZE);
+    for (c = copy; *c; c++)
+        if (*c == '-' || *c == '_')
+            *c = ' ';
+    return copy;
+}
+
+/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses may be
+** missing. */
 static int are_words(text value, const char *words)
 {
-    char copy[sizeof((fourlink_check *)0)->words], *c;
+    text all = flk_text_of(words), front, rest, given;
+    char copy[WORDS_SIZE], meant[WORDS_SIZE];
 
-    if (value.length >= sizeof copy)
-        return 0;
-    flk_text_copy(value, copy, sizeof copy);
-    for (c = copy; *c && words[c - copy]; c++)
-        if ((*c == ' ' || *c == '_') && words[c - copy] == '-')
-            *c = '-';
-    return flk_text_equal(flk_text_of(copy), words);
+    given = flk_text_of(without_hyphens(value, copy));
+    return flk_text_equal(given, without_hyphens(all, meant)) ||
+           (flk_text_cut(all, " (", &front, &rest) &&
+            flk_text_equal(given, without_hyphens(front, meant)));
 }
 
 /* 1 if they agree; -1 and a message if there is nothing to compare. */

@@ -335,9 +335,21 @@ TEST(test_facts_in_words)
         {"[expect]\ntype = crank  rocker\n", DIFFERS}, {"[expect]\ntype = crankrocker\n", DIFFERS},
         {"[expect]\ntype = rocker crank\n", DIFFERS},  {"[expect]\ntype = rocker-crank\n", DIFFERS},
         {"[expect]\ntype = crank\n", DIFFERS},         {"[expect]\ntype = 5 mm\n", DIFFERS}};
+    static const verdict_of double_cranks[] = {{"[expect]\ntype = double crank (drag link)\n", OK},
+                                               {"[expect]\ntype = double-crank\n", OK},
+                                               {"[expect]\ntype = Double crank\n", OK},
+                                               {"[expect]\ntype = double crank (drag\n", DIFFERS},
+                                               {"[expect]\ntype = double\n", DIFFERS}};
     size_t i;
 
     check_verdicts(alvi, cases, COUNT(cases));
+    for (i = 0; i < COUNT(double_cranks); i++) {
+        fourlink_check c =
+            one_check(four_bar(0.06, 0.06, 0.06, 0.04, double_cranks[i].expectation));
+
+        assert_string_equal(c.words, "double crank (drag link)");
+        assert_int_equal(c.verdict, double_cranks[i].verdict);
+    }
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_check c = one_check(alvi(cases[i].expectation));
 
