@@ -139,6 +139,8 @@ TEST(test_loads_over_speed)
                NULL, 13, DRIVES("omega4", "rocker"));
     check_none(FOUR_BAR "[load]\nlink = rocker\nover = omega4\n"
                         "torque = -9 rad/s 1 N m, 0 rad/s 0 N m, 9 rad/s -2 N m\n");
+    check_none(FOUR_BAR "[load]\nlink = crank\nover = omega2\n"
+                        "torque = 0 1/min 0 N m, 300 1/min -2 N m\n");
     /* a motor and a brake; another link */
     check_none(FOUR_BAR "[load]\nlink = rocker\nover = omega4\n"
                         "torque = -9 rad/s 1 N m, 0 rad/s 0 N m, 9 rad/s 2 N m\n");
