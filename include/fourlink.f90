@@ -250,6 +250,7 @@ module fourlink
 
   type, bind(c) :: fourlink_limits
     real(c_double) :: mu_min, mu_max
+    real(c_double) :: gamma_min, gamma_max
     integer(c_int) :: has_swing
     real(c_double) :: theta4_min, theta4_max, theta2_min, theta2_max, time_ratio
     integer(c_int) :: has_stroke

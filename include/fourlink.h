@@ -324,7 +324,7 @@ typedef struct fourlink_losses {
     double guide;      /* N, >= 0, friction force in the guide */
     double power;      /* W, >= 0, lost */
     double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
-                          friction prevents the load from driving */
+                          friction prevents the load from driving; NaN where both are 0 */
     unsigned long n_loads; /* FOURLINK_FRICTION_LOADS */
     fourlink_load
         load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the two links at B and at C, on the
@@ -435,6 +435,7 @@ typedef struct fourlink_reach {
 /* The limits of a mechanism on one branch. */
 typedef struct fourlink_limits {
     double mu_min, mu_max;         /* rad, transmission angle over all possible crank angles */
+    double gamma_min, gamma_max;   /* rad, 0 to pi, angle between coupler and rocker; four-bar */
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever; the swing is max - min */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at these limits */

@@ -4,7 +4,7 @@
 #
 # Prints "same", "within" or "differs", the number of values, and the largest difference of a value, divided by the
 # largest value of its column, with the name of the column.  More than TOLERANCE (2e-12) differs, and so do other words.
-# The values of each COLUMN are not compared.  Angles are compared modulo 360 deg; the residual, which is rounding
+# The values of each COLUMN are not compared; +COLUMN is one that OTHER has besides.  Angles are compared modulo 360 deg; the residual, which is rounding
 # itself, has the largest value 1, and that of the energy, which has the error of the integration, 10.
 import csv
 import re
@@ -16,6 +16,12 @@ NUMBER = re.compile(r'-?[0-9.]+(e[-+]?[0-9]+)?$')
 def records(path):
     with open(path, newline='', encoding='utf-8') as file:
         return list(csv.reader(file, strict=True))
+
+
+def without(rows, added):
+    """Rows without the columns that were added."""
+    keep = [i for i, name in enumerate(rows[0] if rows else []) if '+' + name.split(' ')[0] not in added]
+    return [[row[i] for i in keep if i < len(row)] for row in rows]
 
 
 def compared(head, ours, theirs, omitted):
@@ -38,7 +44,7 @@ def compared(head, ours, theirs, omitted):
 
 
 def main(path, other, most='2e-12', *omitted):
-    ours, theirs = records(path), records(other)
+    ours, theirs = records(path), without(records(other), omitted)
     agree, count, largest, difference = compared(ours[0] if ours else [], ours, theirs, omitted)
     for name in largest:
         if 'residual' in name:

@@ -91,6 +91,15 @@ static int is_direction(text t)
            flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
+/* 1 if a text begins with an apostrophe, ' or the typographic one, and a digit. */
+static int is_apostrophe(text t)
+{
+    size_t n = t.length && t.start[0] == '\'' ? 1 : 3;
+
+    return t.length > n && (n == 1 || memcmp(t.start, "\342\200\231", 3) == 0) &&
+           '0' <= t.start[n] && t.start[n] <= '9';
+}
+
 /* The message for text that cannot follow a number; null if it can. */
 static const char *why_trailing_text(text t)
 {
@@ -98,6 +107,8 @@ static const char *why_trailing_text(text t)
 
     if ('0' <= c && c <= '9')
         return "'%t': two numbers in place of one; a blank does not separate thousands";
+    if (is_apostrophe(t))
+        return "'%t': an apostrophe within a number: write it without";
     if (t.length > 1 && c == '.' && '0' <= t.start[1] && t.start[1] <= '9')
         return "'%t': a number with two points";
     if (t.length > 1 && c == '/' && '0' <= t.start[1] && t.start[1] <= '9')

@@ -228,6 +228,17 @@ char *flk_text_copy(text t, char *out, size_t size)
     return out;
 }
 
+char *flk_text_quote(text t, char *out, size_t size)
+{
+    size_t i;
+
+    flk_text_copy(t, out, size);
+    for (i = 0; out[i]; i++)
+        if (out[i] == '?' && t.start[i] == '\t')
+            out[i] = ' ';
+    return out;
+}
+
 #define WORD_MAX 32
 
 /* The number of edits between two words: letters inserted, left out or replaced, neighbours swapped (the

@@ -67,6 +67,9 @@ int flk_text_cut_last(text t, const char *separator, text *before, text *after);
 ** fit. */
 char *flk_text_copy(text t, char *out, size_t size);
 
+/* The same for a message: a tab becomes a blank. */
+char *flk_text_quote(text t, char *out, size_t size);
+
 /* The word nearest to `t`, one or two typing mistakes away, in a list that ends with a null pointer.  Null if
 ** there is none. */
 const char *flk_text_nearest(text t, const char *const *words);

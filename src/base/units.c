@@ -142,6 +142,19 @@ static const named_unit *find_word(text word, const named_unit **first)
     return NULL;
 }
 
+/* What stands on motors for rpm, as a whole; 1/min is no other quantity's unit. */
+static const char *const rpm[] = {"r.p.m.", "r.p.m", "r/min", "U/min", "1/min", "min^-1", "min-1"};
+
+static text as_rpm(text t)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof rpm / sizeof rpm[0]; i++)
+        if (i < 2 ? flk_text_equal(t, rpm[i]) : flk_text_same(t, rpm[i]))
+            return flk_text_of("rpm");
+    return t;
+}
+
 #define MOST_FACTORS 8
 
 /* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if no
@@ -210,7 +223,7 @@ int flk_unit_read(text t, unit *result, text *bad)
     unit u = {1, 1, {0, 0, 0, 0}};
     int sign = 1, factors = 0, exponent;
 
-    t = flk_text_trim(t);
+    t = as_rpm(flk_text_trim(t));
     *bad = t;
     while (t.length) {
         const named_unit *known, *first = NULL;

@@ -3,6 +3,7 @@
 ** build_mechanism.c - builds the mechanism from values.
 */
 #include <math.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -66,6 +67,18 @@ static double in_unit_of(parser *p, const setting *s, double length, text *writt
     return flk_unit_from_si(length, s->unit);
 }
 
+/* A length as it is written, with the unit of a bare number. */
+static text with_unit(parser *p, const setting *s)
+{
+    char ending[DECK_NAME_SIZE + 1] = " ";
+    const char *copy;
+
+    if (flk_quantity_unit_text(s->value).length)
+        return s->value;
+    copy = flk_reader_copy(p, s->value, strcat(ending, p->d->units[QUANTITY_LENGTH].name));
+    return copy ? flk_text_of(copy) : s->value;
+}
+
 /* The slide of a lever: its offset, or its angle at the end of the lever. */
 static void build_slide(parser *p)
 {
@@ -120,7 +133,7 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
     flk_mistake(p->mistakes, s->place,
                 "the offset, %t, is larger than %s and %s together, %.6g %t: the linkage cannot be "
                 "assembled",
-                s->value, first, second, in_unit, written);
+                with_unit(p, s), first, second, in_unit, written);
 }
 
 /* A linkage can be assembled at some angle if no link is longer than the sum of the other three.  A linkage
@@ -154,7 +167,7 @@ static void check_reach(parser *p, const flk_kind *kind)
             p->mistakes, s->place,
             "the %s, %t, is longer than the other three together, %.6g %t: the linkage cannot be "
             "assembled",
-            kind->link[longest], s->value, in_unit, written);
+            kind->link[longest], with_unit(p, s), in_unit, written);
     }
 }
 

@@ -166,6 +166,30 @@ void flk_build_springs(parser *p)
 
 /* ----------------------------------------------------------------------------------------- friction */
 
+/* The friction circle of a pin, from its own values or from those of all pins; 0 and a mistake if one is
+** missing, -1 if that is the radius of all pins. */
+static double build_circle(parser *p, const section_use *use, key_code coefficient, key_code key)
+{
+    const setting *own = flk_setting_of(use, coefficient),
+                  *all = flk_setting_of(use, KEY_FRICTION_MU),
+                  *own_radius = flk_setting_of(use, key),
+                  *common_radius = flk_setting_of(use, KEY_FRICTION_RADIUS);
+    const setting *mu = IS_SET(own) ? own : all;
+    const setting *radius = IS_SET(own_radius) ? own_radius : common_radius;
+
+    if (!(flk_key_table[coefficient].kinds & (int)p->d->design.kind))
+        return 0;
+    if (IS_SET(all) && !IS_SET(own) && !IS_SET(radius) && mu->si[0] > 0)
+        return -1;
+    if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->is_mistaken)
+        flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
+                    flk_key_table[coefficient].name, flk_key_table[key].name);
+    if (IS_SET(own_radius) && !IS_SET(mu) && !use->is_mistaken)
+        flk_mistake(p->mistakes, own_radius->place, "'%s' needs '%s', the coefficient of friction",
+                    flk_key_table[key].name, flk_key_table[coefficient].name);
+    return mu->si[0] * radius->si[0];
+}
+
 void flk_build_friction(parser *p)
 {
     static const key_code coefficients[4] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
@@ -174,29 +198,27 @@ void flk_build_friction(parser *p)
                                       KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
     const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
     const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
-                  *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH);
+                  *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
+                  *mu = flk_setting_find(p, KEY_FRICTION_MU),
+                  *radius = flk_setting_find(p, KEY_FRICTION_RADIUS);
     fourlink_friction *friction = &p->d->machine.friction;
-    int i, has_any = IS_SET(guide);
+    int i, has_pins = IS_SET(mu), lacks_radius = 0;
 
     if (!use)
         return;
     for (i = 0; i < 4; i++) {
-        const setting *mu = flk_setting_of(use, coefficients[i]),
-                      *radius = flk_setting_of(use, radii[i]);
-
-        has_any |= IS_SET(mu);
-        friction->circle[i] = mu->si[0] * radius->si[0];
-        if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->is_mistaken)
-            flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
-                        flk_key_table[coefficients[i]].name, flk_key_table[radii[i]].name);
-        if (IS_SET(radius) && !IS_SET(mu) && !use->is_mistaken)
-            flk_mistake(p->mistakes, radius->place, "'%s' needs '%s', the coefficient of friction",
-                        flk_key_table[radii[i]].name, flk_key_table[coefficients[i]].name);
+        has_pins |= IS_SET(flk_setting_of(use, coefficients[i]));
+        friction->circle[i] = build_circle(p, use, coefficients[i], radii[i]);
+        lacks_radius |= friction->circle[i] < 0;
     }
+    if (lacks_radius && !use->is_mistaken)
+        flk_mistake(p->mistakes, mu->place, "'mu' needs 'radius', that of the pins");
+    if (IS_SET(radius) && !has_pins && !use->is_mistaken)
+        flk_mistake(p->mistakes, radius->place, "'radius' needs 'mu', the coefficient of friction");
     if (IS_SET(length) && !IS_SET(guide) && !use->is_mistaken)
         flk_mistake(p->mistakes, length->place,
                     "'guide_length' needs 'guide', the coefficient of friction");
-    if (!has_any && !use->is_mistaken)
+    if (!has_pins && !IS_SET(guide) && !IS_SET(radius) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
     friction->guide = guide->si[0];
     friction->guide_length = length->si[0];

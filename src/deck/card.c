@@ -346,7 +346,7 @@ static void read_lines(card *c, text contents, setting *s)
                         "more than 8,000,000 characters: not a curve");
             return;
         }
-        c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
+        c->row.value = flk_text_of(flk_text_quote(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
             return;
@@ -453,6 +453,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
                                ? "; units after its name are written as in deg bar"
                                : "");
     contents.length = length;
+    contents = flk_reader_utf8(p, contents);
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
     c.row.place.line = 0;
     rows = flk_text_count(contents, flk_text_line_end(contents)) + 1;

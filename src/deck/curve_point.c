@@ -16,7 +16,8 @@ size_t flk_curve_point_value(text t)
     size_t i;
 
     for (i = 1; i < t.length; i++)
-        if (is_blank(t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]))
+        if (is_blank(t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]) &&
+            !(t.length - i > 2 && memcmp(t.start + i, "1/m", 3) == 0)) /* 300 1/min */
             break;
     return t.length ? i : 0;
 }

@@ -57,7 +57,24 @@ static int is_constant(text value, quantity q)
     next_item(&rest, &item);
     if (!flk_text_cut(item, " at ", &size, &angle))
         size = item;
+    if (size.length > 1 && strchr("+-", size.start[0]) && flk_text_blank(flk_text_from(size, 1)))
+        size = flk_text_trim(flk_text_from(size, 1)); /* - 2 N m */
     return !rest.start && (size.start[0] == '(' || flk_curve_point_value(size) >= size.length);
+}
+
+/* 1 if a text looks like the name of a file: words, a point and a short ending. */
+static int is_file_name(text t)
+{
+    text name, ending;
+    size_t i;
+
+    if (!t.length || strchr("+-.(0123456789", t.start[0]) ||
+        !flk_text_cut_last(t, ".", &name, &ending) || !ending.length || ending.length > 4)
+        return 0;
+    for (i = 0; i < ending.length; i++)
+        if (!flk_text_is_word(ending.start[i]))
+            return 0;
+    return 1;
 }
 
 static int read_constant(parser *p, setting *s, quantity q)
@@ -109,6 +126,10 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
         return flk_values_piece(p, s, rest, q, &s->si[0]);
     if (flk_curve_text_file(rest, &item))
         return flk_card_read(p, s, q, item) && note_unit(p, s, q);
+    if (is_file_name(flk_text_unquoted(rest)))
+        return flk_mistake(p->mistakes, s->place,
+                           "expected %s or a curve, not '%t'; did you mean 'file %t'?",
+                           flk_quantities[q].words, rest, rest);
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
     if (is_constant(rest, q))

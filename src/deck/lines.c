@@ -90,6 +90,9 @@ int flk_line_is_text(parser *p, text line, text_place place)
 
         if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
             p->not_text = 1;
+            if (!c && place.line == 1 && i < 2)
+                return flk_mistake(p->mistakes, place,
+                                   "UTF-16 without its mark, or no text: save the file as UTF-8");
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
             return flk_mistake(p->mistakes, place, "control character (0x%s): a deck is plain text",
@@ -144,6 +147,34 @@ static void join_lines(parser *p, text *rest, text *line)
     }
 }
 
+/* 1 if a word is a key of a section, or may be a name in it, before a number. */
+static int is_key(const section_use *use, text word, text value)
+{
+    key_code k;
+
+    for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++)
+        if (flk_text_equal(word, flk_key_table[k].name))
+            return 1;
+    return TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL;
+}
+
+/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */
+static void refuse_line(parser *p, const section_use *use, text line, text_place place)
+{
+    char meant[MESSAGE_SIZE] = "";
+    text word = line, rest;
+
+    flk_section_split(&word, &rest);
+    if (rest.length && rest.start[0] == ':')
+        rest = flk_text_trim(flk_text_from(rest, 1));
+    if (use && word.length && rest.length && is_key(use, word, rest))
+        flk_message(meant, sizeof meant, "%t = %t", word, rest);
+    else if (flk_find_section(word) != SECTION_COUNT)
+        flk_message(meant, sizeof meant, "[%t%s%t]", word, rest.length ? " " : "", rest);
+    flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'%h", line,
+                *meant ? meant : NULL);
+}
+
 void flk_lines_read(parser *p)
 {
     text rest = p->text;
@@ -171,8 +202,7 @@ void flk_lines_read(parser *p)
         value = line;
         flk_text_split(&value, '=', &key);
         if (!value.start) {
-            flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'",
-                        line);
+            refuse_line(p, use, line, place);
         } else if (use) { /* keys of an unknown section are not checked */
             flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
         }

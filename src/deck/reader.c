@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/spelling.h"
+#include "base/utf16.h"
 #include "reader.h"
 
 void *flk_reader_keep(parser *p, size_t size)
@@ -48,6 +49,13 @@ text flk_reader_plain(parser *p, text t)
 text flk_reader_blanks(parser *p, text t)
 {
     return spell(p, t, flk_spelling_blanks);
+}
+
+text flk_reader_utf8(parser *p, text t)
+{
+    char *copy = flk_utf16_is(t) ? flk_reader_keep(p, UTF16_SIZE(t.length)) : NULL;
+
+    return copy ? flk_utf16_convert(t, copy) : t;
 }
 
 text_place flk_reader_end(const parser *p)
@@ -99,6 +107,7 @@ static void build(parser *p)
     flk_build_flywheel(p);
     flk_build_table(p);
     flk_build_curve_ends(p);
+    flk_build_doubts(p);
     flk_build_expectations(p);
 }
 
@@ -120,6 +129,7 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
     contents.start = is_answers ? source->answers : source->text;
     contents.length = is_answers ? source->answers_length : source->length;
+    contents = flk_reader_utf8(p, contents);
     p->text = contents;
     p->text.start = flk_reader_copy(p, contents, "");
     p->copy = flk_reader_copy(p, contents, "");

@@ -122,6 +122,9 @@ char *flk_reader_copy(parser *p, text t, const char *ending);
 text flk_reader_plain(parser *p, text t);
 text flk_reader_blanks(parser *p, text t);
 
+/* A file's text in UTF-8, if it is in UTF-16; valid as long. */
+text flk_reader_utf8(parser *p, text t);
+
 #define MOST_POINTS 100000      /* of a curve */
 #define MOST_CHARACTERS 8000000 /* of a text, besides comments */
 
@@ -284,6 +287,9 @@ void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
+
+/* Note values that are allowed but probably not meant. */
+void flk_build_doubts(parser *p);
 
 /* How the speed of the crank is determined: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);

@@ -29,7 +29,7 @@
     X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
     X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
     X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)                \
-    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_A)             \
+    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)            \
     X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)            \
     X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
@@ -168,6 +168,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SPRING, PRELOAD, "preload", EITHER, FORCE, ANY, ANY_KIND)                                    \
     X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND)                         \
     X(SPRING, ONLY, "only", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(FRICTION, MU, "mu", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                \
+    X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                            \
     X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \

@@ -259,6 +259,8 @@ static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *l
     double half_turn = M_PI,
            most = mechanism->stretched < 0 ? half_turn : angle_in_triangle(b, c, d + a);
 
+    limits->gamma_min = least;
+    limits->gamma_max = most;
     limits->mu_min = least < half_turn - most ? least : half_turn - most;
     limits->mu_max = least <= M_PI_2 && most >= M_PI_2 ? M_PI_2
                      : most < M_PI_2                   ? most

@@ -22,6 +22,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "free_body.h"
 
 #define JOINTS 4
@@ -410,14 +412,14 @@ static void find_friction_at_A(equations *e)
 }
 
 /* The part of the power that is not lost: of the power that the crank puts in, or that it takes out.  0 if
-** the load would drive the crank without friction, but does not with it. */
+** the load would drive the crank without friction, but does not with it; undefined if there is no power. */
 static double efficiency_of(double Ts, double Ts0, double direction)
 {
     Ts *= direction;
     Ts0 *= direction;
     if (Ts > 0)
         return Ts0 > 0 ? Ts0 / Ts : 0;
-    return Ts0 < 0 ? Ts / Ts0 : Ts == Ts0;
+    return Ts0 < 0 ? Ts / Ts0 : Ts == Ts0 ? FLK_UNDEFINED : 0;
 }
 
 /* Scale the friction loads, and apply them to the free bodies of the links. */

@@ -2,8 +2,10 @@
 **
 ** listing.c - the deck of a report: its text as it is, and what is wrong with it.
 */
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/utf16.h"
 #include "base/xml.h"
 #include "report.h"
 
@@ -49,10 +51,14 @@ static void put_notes(report *r)
 static void put_text(report *r)
 {
     text rest, line;
+    char *utf8;
     long n = 1;
 
     rest.start = r->source->text;
     rest.length = (size_t)r->source->length;
+    utf8 = flk_utf16_is(rest) ? malloc(UTF16_SIZE(rest.length)) : NULL;
+    if (utf8)
+        rest = flk_text_without_mark(flk_utf16_convert(rest, utf8));
     if (rest.length && rest.start[rest.length - 1] == '\n')
         rest.length--;
     page_print(&r->page, "<pre class=\"deck\">");
@@ -65,6 +71,7 @@ static void put_text(report *r)
         page_print(&r->page, "</%m>\n", element);
     }
     page_print(&r->page, "</pre>\n");
+    free(utf8);
 }
 
 static void put_changes(report *r)

@@ -133,7 +133,9 @@
       "acceleration of B relative to the lever, along the slide", "")                              \
     X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
       "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
-    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                              \
+    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
+    X(gamma, ANGLE, FOUR_BAR, OF_MOTION(gamma), "angle between coupler and rocker, 0 to 180 deg",  \
+      "")                                                                                          \
     COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
     COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
     COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
@@ -423,17 +425,52 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c)
     return find(a, name, flk_text_same, c);
 }
 
+/* What people call columns, and the names; the digits that follow are the same in both. */
+static const struct {
+    const char *written, *meant;
+} aliases[] = {{"w", "omega"},        {"a", "alpha"},
+               {"t", "time"},         {"force", "F"},
+               {"torque", "Ts"},      {"driving_torque", "Ts"},
+               {"displacement", "x"}, {"velocity", "v"},
+               {"acceleration", "a"}, {"transmission_angle", "mu"}};
+
+static int is_digits(const char *s)
+{
+    return s[strspn(s, "0123456789")] == '\0';
+}
+
+const char *flk_column_meant(const flk_analysis *a, text name)
+{
+    char word[DECK_NAME_SIZE];
+    size_t i, k;
+
+    flk_text_copy(name, word, sizeof word);
+    for (i = 0; i < sizeof aliases / sizeof aliases[0]; i++) {
+        size_t n = strlen(aliases[i].written), m = strlen(aliases[i].meant);
+        text front = name;
+
+        front.length = n < name.length ? n : name.length;
+        if (!flk_text_equal(front, aliases[i].written) || !is_digits(word + n))
+            continue;
+        for (k = 0; k < TABLE_COUNT; k++)
+            if ((!a || has(a, &table[k])) && strncmp(table[k].name, aliases[i].meant, m) == 0 &&
+                strcmp(table[k].name + m, word + n) == 0)
+                return table[k].name;
+    }
+    return NULL;
+}
+
 /* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {
-    const char *known[TABLE_COUNT + 1];
+    const char *known[TABLE_COUNT + 1], *meant = flk_column_meant(a, name);
     size_t i, n = 0;
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (!a || has(a, &table[i]))
             known[n++] = table[i].name;
     known[n] = NULL;
-    return flk_text_nearest(name, known);
+    return meant ? meant : flk_text_nearest(name, known);
 }
 
 /* 1 if possible column i is printed if the deck names none; of a point or a spring only the first two. */
@@ -480,6 +517,7 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
 
 static void note_missing(const flk_analysis *a, const deck *d, text name, mistakes *m)
 {
+    const char *nearest;
     flk_column c;
     size_t i;
 
@@ -503,7 +541,9 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
                             second ? fourlink_kind_text(second) : "");
             return;
         }
-    flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
+    nearest = flk_column_nearest(a, name);
+    flk_mistake(m, d->columns.place, "unknown column '%t'%h%s", name, nearest,
+                nearest ? "" : "; see --list");
 }
 
 int flk_column_next_name(text *rest, text *name)

@@ -66,7 +66,10 @@ int flk_column_handle(const flk_column *c, flk_statistic statistic);
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
                          flk_statistic *statistic);
 
-/* The most similar column name, or null. */
+/* The column that another name means, such as w4; null if there is none. */
+const char *flk_column_meant(const flk_analysis *a, text name);
+
+/* The same, or the most similar column name, or null. */
 const char *flk_column_nearest(const flk_analysis *a, text name);
 
 /* The value of a column in its unit; NaN if it has none. */

@@ -51,6 +51,13 @@ static void derive_freudenstein(const fourlink_design *design, const fourlink_ve
     e->C = K - a * (d + c) * crank_axis->x + c * d;
 }
 
+/* The angle BCD between coupler and rocker, whose axes point from B to C and from D to C. */
+static double angle_at_C(const fourlink_vector *coupler, const fourlink_vector *rocker)
+{
+    return atan2(fabs(coupler->x * rocker->y - coupler->y * rocker->x),
+                 coupler->x * rocker->x + coupler->y * rocker->y);
+}
+
 /* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
 ** velocity there is 0,
 **
@@ -78,8 +85,10 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
         e->mechanical_advantage = ratio(1, follower->k);
         e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
         e->I24.y = 0;
-        if (!flk_kind_has_slide(mechanism->design.kind))
+        if (!flk_kind_has_slide(mechanism->design.kind)) {
+            e->gamma = angle_at_C(&coupler->axis, &follower->axis);
             derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
+        }
     } else {
         e->mechanical_advantage =
             ratio(-(double)state->branch * link[2].length, follower->k_origin.x);

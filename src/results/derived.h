@@ -28,6 +28,7 @@ typedef struct flk_derived {
     flk_offset_force inertia[5];  /* by link number */
     double mechanical_advantage;  /* 1 */
     double condition;             /* 1 */
+    double gamma;                 /* rad, 0 to pi: angle between coupler and rocker; four-bar */
     fourlink_vector I13, I24;     /* m, instantaneous centres; NaN at infinity */
     double A, B, C;               /* m2, coefficients of Freudenstein's equation; four-bar */
     double Ts_static, Ts_inertia; /* N m, of loads and weights alone, and of inertia alone */

@@ -18,8 +18,9 @@
 /* Report a name that is neither a column nor a fact. */
 static void refuse(fourlink_check *c, text name, const char *nearest)
 {
-    flk_message(c->message, sizeof c->message, "'%t' is neither a column nor a fact of this deck%h",
-                name, nearest);
+    flk_message(c->message, sizeof c->message,
+                "'%t' is neither a column nor a fact of this deck%h%s", name, nearest,
+                nearest ? "" : "; see --list");
 }
 
 /* The first fact of the deck with a similar name, or the most similar column. */
@@ -30,8 +31,11 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
         &o->a, NULL, (int)e->branch,
         group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
         NULL, 0, o->facts, NULL);
+    const char *meant = flk_column_meant(&o->a, e->name);
     unsigned long i;
 
+    if (meant)
+        return meant;
     for (i = 0; i < n; i++) {
         const char *known[2];
 
@@ -152,6 +156,33 @@ static int infinite_sign(text value, quantity q, unit usual)
     return flk_quantity_read(value, value, q, usual, &v, message) ? sign : 0;
 }
 
+#define WORDS_SIZE sizeof(((fourlink_check *)0)->words)
+
+/* Copy words with blanks for hyphens. */
+static const char *without_hyphens(text t, char *copy)
+{
+    char *c;
+
+    flk_text_copy(t, copy, WORDS_SIZE);
+    for (c = copy; *c; c++)
+        if (*c == '-' || *c == '_')
+            *c = ' ';
+    return copy;
+}
+
+/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses may be
+** missing. */
+static int are_words(text value, const char *words)
+{
+    text all = flk_text_of(words), front, rest, given;
+    char copy[WORDS_SIZE], meant[WORDS_SIZE];
+
+    given = flk_text_of(without_hyphens(value, copy));
+    return flk_text_equal(given, without_hyphens(all, meant)) ||
+           (flk_text_cut(all, " (", &front, &rest) &&
+            flk_text_equal(given, without_hyphens(front, meant)));
+}
+
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
@@ -169,7 +200,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     c->has_angle = n->kind == FLK_NAME_COLUMN;
     if (n_facts && facts[0].words) {
         flk_text_copy(flk_text_of(facts[0].words), c->words, sizeof c->words);
-        return flk_text_equal(e->value, facts[0].words);
+        return are_words(e->value, facts[0].words);
     }
     q = n_facts ? flk_quantity_find(facts[0].quantity) : flk_column_quantity(&n->c);
     u = &o->d.units[q];

@@ -30,8 +30,10 @@
     X(ROD_DISTANCE, "d", LENGTH, LIMITS, "k^2/b, from the centre of mass to m_d")                  \
     X(M_D, "m_d", MASS, LIMITS, "mass of the equivalent pair at distance d")                       \
     X(M_G, "m_g", MASS, LIMITS, "mass of that pair at the gudgeon pin")                            \
-    X(MU_MIN, "mu_min", ANGLE, LIMITS, "smallest transmission angle")                              \
-    X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle")                               \
+    X(MU_MIN, "mu_min", ANGLE, LIMITS, "smallest transmission angle, acute")                       \
+    X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle, acute")                        \
+    X(GAMMA_MIN, "gamma_min", ANGLE, LIMITS, "smallest angle between coupler and rocker")          \
+    X(GAMMA_MAX, "gamma_max", ANGLE, LIMITS, "largest angle between coupler and rocker")           \
     X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of the rocker or lever")            \
     X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of the rocker or lever")             \
     X(SWING, "swing", ANGLE, LIMITS, "angle between these limits")                                 \
@@ -290,6 +292,10 @@ static void add_limits(listing *t)
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
     add(t, FACT_MU_MIN, limits.mu_min);
     add(t, FACT_MU_MAX, limits.mu_max);
+    if (t->d->design.kind == FOURLINK_FOUR_BAR) {
+        add(t, FACT_GAMMA_MIN, limits.gamma_min);
+        add(t, FACT_GAMMA_MAX, limits.gamma_max);
+    }
     if (limits.has_swing) {
         add_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
         add_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
@@ -395,11 +401,13 @@ static void add_turning(listing *t, flk_analysis *a)
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
     const flk_actual_facts *actual =
         flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
+    double efficiency;
 
     if (!m)
         return;
-    if (t->d->machine.has_friction)
-        add(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
+    efficiency = a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency;
+    if (t->d->machine.has_friction && !gsl_isnan(efficiency))
+        add(t, FACT_EFFICIENCY_CYCLE, efficiency);
     add(t, FACT_MEAN_TORQUE, m->mean_torque);
     add(t, FACT_MEAN_POWER, m->mean_power);
     add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);

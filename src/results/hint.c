@@ -53,6 +53,29 @@ static int agrees_at(flk_opened *o, const flk_name *n, const fourlink_check *c,
            flk_expected_agrees(c, v.value, turn);
 }
 
+/* The two angles that books call the transmission angle. */
+static const char *const angles[][2] = {{"mu", "gamma"},
+                                        {"mu_min", "gamma_min"},
+                                        {"mu_max", "gamma_max"},
+                                        {"max(mu)", "max(gamma)"},
+                                        {"min(mu)", "min(gamma)"}};
+
+/* The name of the other transmission angle, if that has the expected value; or null. */
+static const char *find_other_angle(flk_opened *o, const fourlink_check *c)
+{
+    size_t i;
+    flk_name other;
+    int k;
+
+    for (i = 0; i < sizeof angles / sizeof angles[0]; i++)
+        for (k = 0; k < 2; k++)
+            if (strcmp(c->name, angles[i][k]) == 0) {
+                flk_name_find(o, flk_text_of(angles[i][!k]), &other);
+                return agrees_at(o, &other, c, c->branch, c->angle, 0) ? angles[i][!k] : NULL;
+            }
+    return NULL;
+}
+
 /* The neighbouring row whose value is the expected one. */
 static void hint_of_row(flk_opened *o, const flk_name *n, fourlink_check *c, double turn)
 {
@@ -74,7 +97,7 @@ void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
 {
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     fourlink_value here;
-    const char *words;
+    const char *words, *angle;
     double turn;
     int is_opposite, is_other;
 
@@ -83,8 +106,13 @@ void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
     is_opposite = flk_expected_agrees(c, -c->computed, turn);
     is_other = agrees_at(o, n, c, other, c->angle, turn);
+    angle = find_other_angle(o, c);
     words = hint_of_factor(c);
-    if (is_opposite && !is_other)
+    if (angle)
+        flk_message(c->hint, sizeof c->hint,
+                    "%s is %s: mu is acute, gamma is the angle from 0 to 180 deg", c->printed_text,
+                    angle);
+    else if (is_opposite && !is_other)
         flk_message(c->hint, sizeof c->hint, "the sign is the opposite");
     else if (is_other)
         flk_message(c->hint, sizeof c->hint, "%s%s is the %s branch's value",

@@ -252,7 +252,8 @@ static void find(moment *m, double scale, fourlink_turning *t)
         t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }
 
-/* Work without friction / work with it, if the crank drives; the inverse if it is driven. */
+/* Work without friction over work with it, if the crank drives; if it is driven, the reverse.  Undefined if
+** there is no work. */
 static double efficiency_of(const moment *m)
 {
     double sense = m->crank.omega2 < 0 ? 1 : -1;
@@ -260,7 +261,7 @@ static double efficiency_of(const moment *m)
 
     if (with > 0)
         return without > 0 ? without / with : 0;
-    return without < 0 ? with / without : with == without;
+    return without < 0 ? with / without : with == without ? FLK_UNDEFINED : 0;
 }
 
 /* The speed of the crank, or the mean of its steady motion; NaN if it has none. */

@@ -27,7 +27,7 @@ TEST(test_conversions)
                 "rocker");
     assert_string_equal(out, "a rod of 80 mm, 5 %, line 12; did you mean 'rocker'?");
     assert_string_equal(flk_message(out, sizeof out, "%t%h.", flk_text_of("a\tb"), (char *)NULL),
-                        "a?b.");
+                        "a b.");
     flk_message(out, sizeof out, "%t",
                 flk_text_of("0123456789012345678901234567890123456789"
                             "01234567890123456789012345678901234567"));

@@ -128,7 +128,12 @@ refused "fourlink: --interval: error: 'nan' is not a finite number" -i nan
 refused 'fourlink: --branch: error: expected open, crossed or both' -b left
 refused "did you mean 'crossed'?" --branch=crosed
 refused "fourlink: --columns: error: unknown column 'theta5'" -c theta2,theta5
+refused "fourlink: --columns: error: unknown column 'force13'; see --list" -c force13
 refused "did you mean 'omega3'?" -c omgea3
+run 2 -c torque "$matrix"
+says "fourlink: --columns: error: unknown column 'torque'; did you mean 'Ts'?"
+run 2 -c theta2,force12 "$matrix"
+says "fourlink: --columns: error: unknown column 'force12'; did you mean 'F12'?"
 refused "fourlink: --columns: error: the column 'Ts' needs masses" -c Ts
 refused "fourlink: --columns: error: the column 'x' belongs to the slider-crank" -c x
 refused 'fourlink: --columns: error: ' -c ''

@@ -93,7 +93,7 @@ static const struct {
     {"file card.csv deg bar", "0;1\n20;32;5\n", 2,
      "'20;32;5' has 3 columns; a curve has two, the crank angle and the value"},
     {"file card.csv deg bar", "0\t1\n20\t32\t5\n", 2,
-     "'20?32?5' has 3 columns; a curve has two, the crank angle and the value"},
+     "'20 32 5' has 3 columns; a curve has two, the crank angle and the value"},
     {"file card.csv deg bar", "0 1\n20 32 5\n", 2,
      "'20 32 5': two numbers in place of one; a blank does not separate thousands"},
     {"file card.csv deg bar", "0;1\n20;\n", 2,
@@ -166,6 +166,14 @@ TEST(test_missing)
         "deg bar");
     check_mistake(ENGINE "indicator = file \"card.csv\" deg bar\n", NULL, 10,
                   "cannot read the file 'card.csv'");
+    /* without the word */
+    check_mistake(ENGINE "indicator = card.csv\n", NULL, 10,
+                  "expected a pressure or a curve, not 'card.csv'; did you mean 'file card.csv'?");
+    check_mistake(ENGINE "indicator = \"my card.csv\"\n", NULL, 10,
+                  "expected a pressure or a curve, not '\"my card.csv\"'; did you mean 'file "
+                  "\"my card.csv\"'?");
+    check_mistake(ENGINE "indicator = bar\n", NULL, 10,
+                  "expected an angle, such as 40 deg, not 'bar'");
 }
 
 #define NOTE(unit, largest, example)                                                  \

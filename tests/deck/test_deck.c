@@ -136,6 +136,23 @@ static const mistaken all_mistaken[] = {
      "unknown key 'titel' before the first section; did you mean 'title'?"},
     {FOUR_BAR "LENGTH = 1 m\n", 10, "'LENGTH' is given twice; first at line 9"},
     {FOUR_BAR "mass\n", 10, "expected 'key = value' or '[section]', not 'mass'"},
+    {FOUR_BAR "mass 1 kg # none\n", 10,
+     "expected 'key = value' or '[section]', not 'mass 1 kg'; did you mean 'mass = 1 kg'?"},
+    {FOUR_BAR "Mass:\t1 kg\n", 10,
+     "expected 'key = value' or '[section]', not 'Mass: 1 kg'; did you mean 'Mass = 1 kg'?"},
+    {FOUR_BAR "motion\n", 10,
+     "expected 'key = value' or '[section]', not 'motion'; did you mean '[motion]'?"},
+    {FOUR_BAR "Motion:\n", 10,
+     "expected 'key = value' or '[section]', not 'Motion:'; did you mean '[Motion]'?"},
+    {FOUR_BAR "load L\n", 10,
+     "expected 'key = value' or '[section]', not 'load L'; did you mean '[load L]'?"},
+    {FOUR_BAR "[expect]\nmu_min 30 deg\n", 11,
+     "expected 'key = value' or '[section]', not 'mu_min 30 deg'; did you mean 'mu_min = 30 "
+     "deg'?"},
+    {FOUR_BAR "[expect]\ntype crank\n", 11,
+     "expected 'key = value' or '[section]', not 'type crank'"},
+    {FOUR_BAR "a crank of 20 mm\n", 10,
+     "expected 'key = value' or '[section]', not 'a crank of 20 mm'"},
     {FOUR_BAR "mass = # none\n", 10, "expected a value after 'mass ='"},
     {FOUR_BAR "[rod]\nlength = 1 m\n", 10,
      "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
@@ -196,6 +213,19 @@ static const mistaken all_mistaken[] = {
      "length = 300 mm\n[rocker]\nlength = 56 mm\n",
      7,
      "the coupler, 300 mm, is longer than the other three together, 156 mm: the linkage cannot be "
+     "assembled"},
+    {"mechanism = four-bar\n[ground]\nlength = 900\n[crank]\nlength = 20 mm\n[coupler]\n"
+     "length = 100 mm\n[rocker]\nlength = 100 mm\n",
+     3,
+     "the ground, 900 m, is longer than the other three together, 0.22 m: the linkage cannot be "
+     "assembled"},
+    {"mechanism = four-bar\n[ground]\nlength = 900\n[crank]\nlength = 20\n[coupler]\n"
+     "length = 100\n[rocker]\nlength = 100\n[units]\nlength = mm\n",
+     3,
+     "the ground, 900 mm, is longer than the other three together, 220 mm: the linkage cannot be "
+     "assembled"},
+    {SLIDER_CRANK "[ground]\noffset = -2\n", 11,
+     "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
      "assembled"},
     {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
      "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
@@ -1444,13 +1474,16 @@ TEST(test_no_text)
 {
     static const char null[] = FOUR_BAR "mass = 1\0 kg\n";
     static const char bell[] = "title = \a\n" FOUR_BAR, other[] = "title =\033[1m\n";
-    static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
+    static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0\a\0\n\0";
+    static const char no_mark[] = "t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
     char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
 
     check_no_text(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
-    check_no_text(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
     check_no_text(other, sizeof other - 1, 1, "control character (0x1b): a deck is plain text");
-    check_no_text(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
+    check_no_text(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
+    check_no_text(utf16, sizeof utf16 - 1, 1, "control character (0x07): a deck is plain text");
+    check_no_text(no_mark, sizeof no_mark - 1, 1,
+                  "UTF-16 without its mark, or no text: save the file as UTF-8");
     check_no_text(line, strlen(line), 1, "line longer than 65536 characters: not a deck");
     free(line);
 }

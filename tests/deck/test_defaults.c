@@ -55,6 +55,26 @@ TEST(test_speed)
                   "'300 300': two numbers in place of one; a blank does not separate thousands");
 }
 
+#define THOUSANDS(written, read, meant)                                                     \
+    "'" written "' is read as " read " rpm, with a decimal point: if thousands are meant, " \
+    "write " meant " rpm"
+
+/* A point between thousands, where these are a plausible speed. */
+TEST(test_thousands)
+{
+    check_note(SLIDER_CRANK "[motion]\nspeed = 1.200 rpm\n", NULL, 7,
+               THOUSANDS("1.200 rpm", "1.2", "1200"));
+    check_note(SLIDER_CRANK "[motion]\nspeed = -12.500 1/min\n", NULL, 7,
+               THOUSANDS("-12.500 1/min", "-12.5", "-12500"));
+    check_note(SLIDER_CRANK "[motion]\nspeed = 3.000\n[units]\nangular_speed = rpm\n", NULL, 7,
+               THOUSANDS("3.000", "3", "3000"));
+    check_note(SLIDER_CRANK "[motion]\nspeed = 1.20 rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 1.2000 rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 0.500 rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 120.500 rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 1.200 rad/s\n", NULL, 0, NULL);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

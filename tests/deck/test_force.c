@@ -182,6 +182,13 @@ TEST(test_alone)
                   NULL, 12,
                   "expected theta2, theta4, x, slide, omega2, omega4, v or slide_v, not 'omega5'; "
                   "did you mean 'omega2'?");
+    check_mistake(FOUR_BAR "link = rocker\ntorque = - 2 N m\n", NULL, 12,
+                  "expected a torque, such as 0.5 N m, not '- 2 N m': there is a blank after the "
+                  "sign");
+    check_mistake(FOUR_BAR "link = rocker\ntorque = t.txt\n", NULL, 12,
+                  "expected a torque or a curve, not 't.txt'; did you mean 'file t.txt'?");
+    check_mistake(ENGINE "force = - 2 N\n", NULL, 8,
+                  "expected a force, such as 50 N, not '- 2 N': there is a blank after the sign");
     check_mistake(ENGINE "back = 10 N\n", NULL, 6, "[load] has neither a force nor a torque");
     check_mistake(ENGINE "force = 3 N\ntorque = 3 N m\nback = 10 N m\n", NULL, 10,
                   "'back' of a force or of a torque? give them in two loads");

@@ -94,6 +94,13 @@ TEST(test_motors)
     read_accepted(RUN_UP "[motor]\ncurve = file motor.csv rpm N m\n", "0 5\n1500 0\n", &d);
     assert_int_equal(d.machine.motor.n_curve, 2);
     flk_deck_free(&d);
+    read_accepted(RUN_UP "[motor]\ncurve = file motor.csv 1/min N m\n", "0 5\n1500 0\n", &d);
+    assert_near(d.machine.motor.curve_speed[1], 50 * PI, 1e-12);
+    flk_deck_free(&d);
+    read_accepted(RUN_UP "[motor]\ncurve = file motor.csv\n", "n [1/min];T [N m]\n0;5\n1500;0\n",
+                  &d);
+    assert_near(d.machine.motor.curve_speed[1], 50 * PI, 1e-12);
+    flk_deck_free(&d);
 }
 
 /* Any part that moves with the crank gives the machine its inertia. */

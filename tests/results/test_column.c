@@ -157,14 +157,19 @@ TEST(test_columns_that_cannot_be_chosen)
         const char *columns, *message;
     } cases[] = {
         {"thta4", "unknown column 'thta4'; did you mean 'theta4'?"},
-        {"xyzzy", "unknown column 'xyzzy'"},
+        {"w4", "unknown column 'w4'; did you mean 'omega4'?"},
+        {"alpha2, A4", "unknown column 'A4'; did you mean 'alpha4'?"},
+        {"t", "unknown column 't'; did you mean 'time'?"},
+        {"torque", "unknown column 'torque'; see --list"}, /* no masses */
+        {"w", "unknown column 'w'; see --list"},
+        {"xyzzy", "unknown column 'xyzzy'; see --list"},
         {"theta4, x", "the column 'x' belongs to the slider-crank"},
         {"friction_guide",
          "the column 'friction_guide' belongs to the slider-crank and the inverted slider-crank"},
         {"friction_D", "the column 'friction_D' needs a [friction] section; the deck has none"},
         {"B.x, G3.vx", "the column 'G3.vx' needs a mass of that link"},
-        {"C.x, G5.x", "unknown column 'G5.x'"},
-        {"B.x, B.z", "unknown column 'B.z'"},
+        {"C.x, G5.x", "unknown column 'G5.x'; see --list"},
+        {"B.x, B.z", "unknown column 'B.z'; see --list"},
         {"time, F12x", "the column 'F12x' needs masses, loads or gas; the deck has none"},
     };
     size_t i;

@@ -329,14 +329,27 @@ TEST(test_angles_modulo_a_turn)
 
 TEST(test_facts_in_words)
 {
-    static const verdict_of cases[] = {{"[expect]\ntype = crank-rocker\n", OK},
-                                       {"[expect]\ntype = Crank-Rocker\n", OK},
-                                       {"[expect]\ntype = rocker-crank\n", DIFFERS},
-                                       {"[expect]\ntype = crank\n", DIFFERS},
-                                       {"[expect]\ntype = 5 mm\n", DIFFERS}};
+    static const verdict_of cases[] = {
+        {"[expect]\ntype = crank-rocker\n", OK},       {"[expect]\ntype = Crank-Rocker\n", OK},
+        {"[expect]\ntype = crank rocker\n", OK},       {"[expect]\ntype = crank_rocker\n", OK},
+        {"[expect]\ntype = crank  rocker\n", DIFFERS}, {"[expect]\ntype = crankrocker\n", DIFFERS},
+        {"[expect]\ntype = rocker crank\n", DIFFERS},  {"[expect]\ntype = rocker-crank\n", DIFFERS},
+        {"[expect]\ntype = crank\n", DIFFERS},         {"[expect]\ntype = 5 mm\n", DIFFERS}};
+    static const verdict_of double_cranks[] = {{"[expect]\ntype = double crank (drag link)\n", OK},
+                                               {"[expect]\ntype = double-crank\n", OK},
+                                               {"[expect]\ntype = Double crank\n", OK},
+                                               {"[expect]\ntype = double crank (drag\n", DIFFERS},
+                                               {"[expect]\ntype = double\n", DIFFERS}};
     size_t i;
 
     check_verdicts(alvi, cases, COUNT(cases));
+    for (i = 0; i < COUNT(double_cranks); i++) {
+        fourlink_check c =
+            one_check(four_bar(0.06, 0.06, 0.06, 0.04, double_cranks[i].expectation));
+
+        assert_string_equal(c.words, "double crank (drag link)");
+        assert_int_equal(c.verdict, double_cranks[i].verdict);
+    }
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_check c = one_check(alvi(cases[i].expectation));
 
@@ -461,18 +474,25 @@ TEST(test_mistakes_of_columns)
     check_mistake(engine(300, "[expect]\nat = 40 deg\nomga3 = 3 rad/s\n"), 11,
                   "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[expect]\nxyzzy = 3 rad/s\n"), 10,
-                  "'xyzzy' is neither a column nor a fact of this deck");
+                  "'xyzzy' is neither a column nor a fact of this deck; see --list");
     check_mistake(engine(300, "[expect]\nmax(omga3) = 3 rad/s\n"), 10,
                   "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[misprint]\nn = 2\nxyzzy = 3\n"), 11,
-                  "'xyzzy' is neither a column nor a fact of this deck");
+                  "'xyzzy' is neither a column nor a fact of this deck; see --list");
+    /* what people call them */
+    check_mistake(engine(300, "[expect]\nat = 40 deg\nw3 = 3 rad/s\n"), 11,
+                  "'w3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
+    check_mistake(engine(300, "[expect]\nmax(a3) = 3 rad/s2\n"), 10,
+                  "'a3' is neither a column nor a fact of this deck; did you mean 'alpha3'?");
+    check_mistake(engine(300, "[expect]\nVelocity = 3 rad/s2\n"), 10,
+                  "'Velocity' is neither a column nor a fact of this deck; did you mean 'v'?");
     /* of the other mechanism, or of a deck with forces */
     check_mistake(engine(300, "[expect]\nswing = 30 deg\n"), 10,
-                  "'swing' is neither a column nor a fact of this deck");
+                  "'swing' is neither a column nor a fact of this deck; see --list");
     check_mistake(engine(300, "[expect]\nmean_torque = 30 N m\n"), 10,
-                  "'mean_torque' is neither a column nor a fact of this deck");
+                  "'mean_torque' is neither a column nor a fact of this deck; see --list");
     check_mistake(engine(300, "[expect]\nat = 40 deg\nx = 30 mm\nv = 1\nspeed = 1 rpm\n"), 13,
-                  "'speed' is neither a column nor a fact of this deck");
+                  "'speed' is neither a column nor a fact of this deck; see --list");
 }
 
 TEST(test_mistakes_of_units)

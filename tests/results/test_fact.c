@@ -38,6 +38,47 @@ TEST(test_facts_of_linkages)
     assert_null(find_fact(&list, "mean_torque", FOURLINK_OPEN));
 }
 
+/* The angle between coupler and rocker, by the law of cosines from the distance BD; mu is its acute form. */
+TEST(test_gamma)
+{
+    static const struct {
+        double a, b, c, d, from;                 /* m, deg: a crank angle that can be reached */
+    } cases[] = {{0.04, 0.1, 0.08, 0.09, 140},   /* crank-rocker */
+                 {0.06, 0.06, 0.06, 0.04, 140},  /* double crank */
+                 {0.05, 0.05, 0.05, 0.11, 10},   /* to 180 deg */
+                 {0.03, 0.09, 0.04, 0.05, 140},  /* from 0 deg */
+                 {0.04, 0.09, 0.04, 0.09, 140}}; /* parallelogram */
+    static fact_list list;
+    size_t i, k;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        double a = cases[i].a, b = cases[i].b, c = cases[i].c, d = cases[i].d;
+        double low = (b * b + c * c - (d - a) * (d - a)) / (2 * b * c);
+        double high = (b * b + c * c - (d + a) * (d + a)) / (2 * b * c), theta2;
+        const char *contents = four_bar(
+            a, b, c, d,
+            print("[motion]\nfrom = %g deg\nto = %g deg\n", cases[i].from, cases[i].from + 20));
+        fourlink_results *r = opened(contents);
+
+        facts_of(contents, &list);
+        check_fact(&list, "gamma_min", FOURLINK_OPEN, acos(fmin(low, 1)) / DEG, 2e-6);
+        check_fact(&list, "gamma_max", FOURLINK_CROSSED, acos(fmax(high, -1)) / DEG, 2e-6);
+        for (theta2 = cases[i].from; theta2 <= cases[i].from + 20; theta2 += 10)
+            for (k = 0; k < 2; k++) {
+                double square = a * a + d * d - 2 * a * d * cos(theta2 * DEG);
+                double gamma = acos((b * b + c * c - square) / (2 * b * c));
+
+                assert_near(si_value(r, "gamma", branches[k], theta2), gamma, 1e-12);
+                assert_near(si_value(r, "mu", branches[k], theta2), fmin(gamma, PI - gamma), 1e-12);
+            }
+        fourlink_results_free(r);
+    }
+    facts_of(four_bar(0.04, 0.1, 0.08, 0.09, ""), &list);
+    check_fact(&list, "gamma_min", FOURLINK_OPEN, 29.6862952314, 1e-9);
+    check_fact(&list, "gamma_max", FOURLINK_OPEN, 91.7907846593, 1e-9);
+    check_fact(&list, "mu_max", FOURLINK_OPEN, 90, 1e-12);
+}
+
 /* The limits of link 4 where the crank does not turn fully, with A, B, C in one line: 300 + 400 mm from
 ** A to C in the triangle of 500 and 750 mm; in a crank-rocker a range above the ground and one below. */
 TEST(test_reach_of_link_4)

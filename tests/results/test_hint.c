@@ -91,6 +91,41 @@ TEST(test_hints)
     }
 }
 
+/* The angle that the book calls the transmission angle. */
+TEST(test_other_transmission_angle)
+{
+#define BOTH ": mu is acute, gamma is the angle from 0 to 180 deg"
+    static const struct {
+        const char *expectation, *hint;
+    } cases[] = {{"[expect]\nmu_max = 91.79 deg\n", "91.79 deg is gamma_max" BOTH},
+                 {"[expect]\nmax(mu) = 91.79 deg\n", "91.79 deg is max(gamma)" BOTH},
+                 {"[expect]\nat = 180 deg\nmu = 91.79 deg\n", "91.79 deg is gamma" BOTH},
+                 {"[expect]\nat = 180 deg\ngamma = 88.21 deg\n", "88.21 deg is mu" BOTH},
+                 {"[expect]\ngamma_max = 90.00 deg\n", "90.00 deg is mu_max" BOTH},
+                 {"[expect]\nmu_max = 91 deg\n", ""},
+                 {"[expect]\nmu_min = 29.69 deg\n", ""},
+                 {"[expect]\ngamma_min = 29.69 deg\n", ""}};
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *r = opened(four_bar(0.04, 0.1, 0.08, 0.09, cases[i].expectation));
+        fourlink_check check;
+
+        assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+        assert_string_equal(check.hint, cases[i].hint);
+        fourlink_results_free(r);
+    }
+    /* an engine has no coupler */
+    {
+        fourlink_results *r = opened(engine(300, "[expect]\nmu_max = 91 deg\n"));
+        fourlink_check check;
+
+        assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+        assert_string_equal(check.hint, "");
+        fourlink_results_free(r);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

@@ -22,14 +22,16 @@
     "[load L]\nlink = rocker\ntorque = 0.5 N m\n[friction]\nA = 0.1\nB = 0.1\nC = 0.1\nD = 10 %\n" \
     "radius_A = 6 mm\nradius_B = 6 mm\nradius_C = 6 mm\nradius_D = 6 mm\n"
 
-#define LEVER                                                                                      \
+#define LEVER_AT_WORK                                                                              \
     "mechanism = inverted-slider-crank\n[ground]\nlength = 240 mm\n[crank]\nlength = 120 mm\n"     \
     "mass = 0.8 kg\ninertia = 0.0015 kg m2\ncg = (50, 4) mm\n[slider]\nmass = 0.3 kg\n"            \
     "inertia = 0.00012 kg m2\ncg = (2, -1) mm\n[lever]\nmass = 2.5 kg\ninertia = 0.035 kg m2\n"    \
     "cg = (210, 12) mm\n[motion]\nspeed = 10 rad/s\n[load L]\nlink = lever\nforce = (-150, 0) N\n" \
-    "at = (450, 0) mm\n[friction]\nA = 0.1\nB = 0.1\nD = 0.1\nradius_A = 15 mm\nradius_B = 10 "    \
-    "mm\n"                                                                                         \
-    "radius_D = 20 mm\nguide = 0.12\nguide_length = 50 mm\n"
+    "at = (450, 0) mm\n"
+
+#define LEVER                                                                                   \
+    LEVER_AT_WORK "[friction]\nA = 0.1\nB = 0.1\nD = 0.1\nradius_A = 15 mm\nradius_B = 10 mm\n" \
+                  "radius_D = 20 mm\nguide = 0.12\nguide_length = 50 mm\n"
 
 #define GAS "[gas]\nbore = 40 mm\npressure = 3 bar\n"
 
@@ -229,6 +231,60 @@ TEST(test_work)
     assert_close(value(r, "mean_torque", 0), -Ts / 10.5, 1e-6);
     assert_true(fabs(value(r, "max(residual)", 0)) < 1e-13);
     assert_true(fabs(value(r, "min(residual)", 0)) < 1e-13);
+    fourlink_results_free(r);
+}
+
+/* One coefficient and one radius for all pins that a mechanism has; a pin's own override them; the guide has its own. */
+TEST(test_all_pins)
+{
+    static const struct {
+        const char *machine, *all, *each;
+    } cases[] = {
+        {MOVING_ROCKER, "mu = 0.1\nradius = 6 mm\n",
+         "A = 0.1\nB = 0.1\nC = 0.1\nD = 10 %\nradius_A = 6 mm\nradius_B = 6 mm\n"
+         "radius_C = 6 mm\nradius_D = 6 mm\n"},
+        {MOVING_ROCKER, "mu = 0.1\nradius = 6 mm\nA = 0.2\nradius_B = 5 mm\nC = 0\n",
+         "A = 0.2\nB = 0.1\nD = 0.1\nradius_A = 6 mm\nradius_B = 5 mm\nradius_D = 6 mm\n"},
+        {MOVING_ROCKER, "radius = 6 mm\nB = 0.2\n", "B = 0.2\nradius_B = 6 mm\n"},
+        {MOVING_PUMP, "mu = 0.05\nradius = 10 mm\nguide = 0.2\n",
+         "A = 0.05\nB = 0.05\nC = 0.05\nradius_A = 10 mm\nradius_B = 10 mm\nradius_C = 10 mm\n"
+         "guide = 0.2\n"},
+        {MOVING_PUMP, "mu = 0.05\nradius = 10 mm\n",
+         "A = 0.05\nB = 0.05\nC = 0.05\nradius_A = 10 mm\nradius_B = 10 mm\nradius_C = 10 mm\n"},
+        {LEVER_AT_WORK, "mu = 0.1\nradius = 10 mm\nguide = 0.2\n",
+         "A = 0.1\nB = 0.1\nD = 0.1\nradius_A = 10 mm\nradius_B = 10 mm\nradius_D = 10 mm\n"
+         "guide = 0.2\n"}};
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *all = opened(print("%s[friction]\n%s", cases[i].machine, cases[i].all));
+        fourlink_results *each = opened(print("%s[friction]\n%s", cases[i].machine, cases[i].each));
+        double angle;
+
+        for (angle = 0; angle < 360; angle += 30) {
+            assert_true(value(all, "Ts", angle) == value(each, "Ts", angle));
+            assert_true(value(all, "power_friction", angle) ==
+                        value(each, "power_friction", angle));
+        }
+        assert_true(value(all, "Ts", 30) != value(all, "Ts0", 30));
+        fourlink_results_free(each);
+        fourlink_results_free(all);
+    }
+}
+
+/* Where no power is transmitted there is no efficiency. */
+TEST(test_no_efficiency)
+{
+    fourlink_results *r = opened("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\n"
+                                 "length = 20 mm\n[coupler]\nlength = 66 mm\n[rocker]\n"
+                                 "length = 56 mm\n[motion]\nspeed = 9 rad/s\n[friction]\n"
+                                 "mu = 0.1\nradius = 5 mm\n[gravity]\nacceleration = 0\n[load]\n"
+                                 "link = crank\ntorque = 0 N m\n");
+    fourlink_value v;
+
+    assert_true(isnan(value(r, "efficiency", 30)));
+    assert_int_equal(fourlink_results_value(r, "efficiency_cycle", FOURLINK_OPEN, 0, &v),
+                     FOURLINK_NO_SUCH_FACT);
     fourlink_results_free(r);
 }
 
@@ -487,6 +543,14 @@ TEST(test_mistakes)
         {"[friction]\nA = -0.1\nradius_A = 5 mm\n", 11,
          "the coefficient of friction A must not be negative: -0.1"},
         {"[friction]\nA = 0.1\n", 11, "the friction of A needs 'radius_A', that of its pin"},
+        {"[friction]\nmu = 0.1\n", 11, "'mu' needs 'radius', that of the pins"},
+        {"[friction]\nmu = 0.1\nradius_A = 5 mm\n", 11, "'mu' needs 'radius', that of the pins"},
+        {"[friction]\nmu = -0.1\nradius = 5 mm\n", 11,
+         "the coefficient of friction mu must not be negative: -0.1"},
+        {"[friction]\nmu = 0.1\nradius = 0 mm\n", 12, "the radius must be positive, not 0 mm"},
+        {"[friction]\nradius = 5 mm\n", 11, "'radius' needs 'mu', the coefficient of friction"},
+        {"[friction]\nA = 0.1\nradius = 5 mm\nradius_B = 6 mm\n", 13,
+         "'radius_B' needs 'B', the coefficient of friction"},
         {"[friction]\nguide = 0.1\n", 11, "the friction of a four-bar linkage has no guide"},
         {"[friction]\n", 10, "[friction] has no coefficient of friction"},
         {"[spring S]\nlink = rocker\nto = rocker\nat = 10 mm\nto_at = 5 mm\nstiffness = 9 N/m\n",

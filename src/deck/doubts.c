@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** doubts.c - notes on values that are allowed but probably not meant.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "reader.h"
+
+/* ------------------------------------------------------------------------------------------- units */
+
+/* 1 if a number has three decimals and at most three digits before them: 1.200 rpm. */
+static int is_like_thousands(text t)
+{
+    size_t digits, decimals;
+
+    if (t.length && strchr("+-", t.start[0]))
+        t = flk_text_from(t, 1);
+    for (digits = 0; digits < t.length && strchr("0123456789", t.start[digits]); digits++)
+        ;
+    if (digits < 1 || digits > 3 || digits == t.length || t.start[digits] != '.')
+        return 0;
+    t = flk_text_from(t, digits + 1);
+    for (decimals = 0; decimals < t.length && strchr("0123456789", t.start[decimals]); decimals++)
+        ;
+    return decimals == 3;
+}
+
+#define SLOW 20 /* rpm; a thousand times as much is the speed of a fast machine */
+
+/* Note 1.200 rpm, where a point probably separates thousands. */
+static void check_thousands(parser *p, key_code key)
+{
+    const setting *s = flk_setting_find(p, key);
+    double rpm = s->si[0] * 60 / (2 * M_PI);
+
+    if (s->si[0] != 0 && fabs(rpm) < SLOW && fabs(s->number) < SLOW && fabs(s->number) >= 1 &&
+        fabs(rpm - s->number) < 1e-9 && is_like_thousands(s->value))
+        flk_mistake(NOTES(p), s->place,
+                    "'%t' is read as %g rpm, with a decimal point: if thousands are meant, write "
+                    "%g rpm",
+                    s->value, s->number, 1000 * s->number);
+}
+
+/* 1 if a setting is a bare number, and the deck does not give the unit of such numbers. */
+static int is_bare(parser *p, const setting *s, quantity q)
+{
+    return IS_SET(s) && !s->curve && !s->of_length && !flk_quantity_unit_text(s->value).length &&
+           !IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name));
+}
+
+/* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */
+static void check_bare(parser *p, quantity q, double most, const char *other)
+{
+    const char *own = flk_quantities[q].unit;
+    size_t i;
+    key_code k;
+
+    for (i = 0; i < p->n_uses; i++)
+        for (k = flk_first_key(p->uses[i].section); k < flk_first_key(p->uses[i].section + 1);
+             k++) {
+            const setting *s = flk_setting_of(&p->uses[i], k);
+
+            if (flk_key_table[k].q != q || flk_key_table[k].form == FORM_UNIT ||
+                !is_bare(p, s, q) || gsl_hypot(s->si[0], s->si[1]) <= most)
+                continue;
+            flk_mistake(NOTES(p), s->place, "'%t' is read as %s: write %t %s or %t %s", s->value,
+                        own, s->value, own, s->value, other);
+            return;
+        }
+}
+
+/* -------------------------------------------------------------------------------------- mass and size */
+
+#define FAR 10 /* times the longest link */
+
+static double longest_link(const fourlink_design *design)
+{
+    double longest = 0;
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        longest = GSL_MAX(longest, design->link[i].length);
+    return longest;
+}
+
+/* Note a radius of gyration or a centre of mass that is far outside the mechanism. */
+static void check_body(parser *p, int number)
+{
+    const fourlink_link *link = &p->d->design.link[number];
+    const char *name = flk_kind_of(p->d->design.kind)->link[number];
+    section_code section = flk_find_section(flk_text_of(name));
+    const setting *inertia = flk_setting_by_name(p, section, "inertia"),
+                  *gyration = flk_setting_by_name(p, section, "gyration"),
+                  *cg = flk_setting_by_name(p, section, "cg");
+    double longest = longest_link(&p->d->design);
+    double k = link->mass > 0 ? sqrt(fabs(link->inertia) / link->mass) : 0;
+
+    if ((IS_SET(inertia) || IS_SET(gyration)) && k > FAR * longest)
+        flk_mistake(
+            NOTES(p), (IS_SET(inertia) ? inertia : gyration)->place,
+            "the radius of gyration of the %s is %.4g m, the longest link has %.4g m: is the "
+            "unit right%s?",
+            name, k, longest, IS_SET(inertia) ? ", kg m2 or kg mm2" : "");
+    if (IS_SET(cg) && link->mass > 0 && gsl_hypot(link->cg.x, link->cg.y) > FAR * longest)
+        flk_mistake(NOTES(p), cg->place,
+                    "the centre of mass of the %s is %.4g m from its origin, the longest link has "
+                    "%.4g m: is the unit right?",
+                    name, gsl_hypot(link->cg.x, link->cg.y), longest);
+}
+
+/* -------------------------------------------------------------------------------------------- numbers */
+
+/* Note a number above 1 that is usually far below, such as 15 for 15 %. */
+static int check_above_one(parser *p, const setting *s, const char *words)
+{
+    int is_percent = s->value.length && s->value.start[s->value.length - 1] == '%';
+
+    if (!IS_SET(s) || !(s->si[0] > 1))
+        return 0;
+    flk_mistake(NOTES(p), s->place,
+                is_percent ? "%s of %t is above 100 %%"
+                           : "%s of %t is above 1: write %t %% if per cent are meant",
+                words, s->value, s->value);
+    return 1;
+}
+
+static void check_friction(parser *p)
+{
+    static const key_code coefficients[] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
+                                            KEY_FRICTION_D},
+                          radii[] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
+                                     KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
+    static const char words[] = "a coefficient of friction";
+    const setting *all = flk_setting_find(p, KEY_FRICTION_RADIUS);
+    double crank = p->d->design.link[FOURLINK_CRANK].length, circle;
+    int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
+
+    for (i = 0; i < 4; i++) {
+        const setting *radius = flk_setting_find(p, radii[i]);
+
+        circle = p->d->machine.friction.circle[i];
+        if (check_above_one(p, flk_setting_find(p, coefficients[i]), words) || is_large ||
+            !(circle > crank))
+            continue;
+        flk_mistake(
+            NOTES(p), (IS_SET(radius) ? radius : all)->place,
+            "the friction circle of %s has a radius of %.4g m, the crank a length of %.4g m",
+            flk_key_table[coefficients[i]].name, circle, crank);
+        is_large = !IS_SET(radius); /* of all pins: once */
+    }
+    check_above_one(p, flk_setting_find(p, KEY_FRICTION_GUIDE), words);
+}
+
+/* ---------------------------------------------------------------------------------------------- loads */
+
+static void check_spring(parser *p, const section_use *use)
+{
+    const setting *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
+
+    if (stiffness->si[0] < 0)
+        flk_mistake(NOTES(p), stiffness->place,
+                    "a negative stiffness: the spring drives its ends away from where it is free");
+}
+
+#define VACUUM -101325 /* Pa, against the atmosphere */
+
+static void check_pressure(parser *p, key_code key)
+{
+    const setting *s = flk_setting_find(p, key);
+
+    if (s->si[0] < 1.001 * VACUUM)
+        flk_mistake(NOTES(p), s->place,
+                    "%t is less than a vacuum, which is -1.01325 bar against the atmosphere",
+                    s->value);
+}
+
+/* 1 if a torque over a speed always has the sign of that speed. */
+static int drives(const flk_own_load *own)
+{
+    const curve *c = &own->values.torque_curve;
+    int n = 0;
+    size_t i;
+
+    if (own->at_speed > 0)
+        return own->values.torque > 0;
+    for (i = 0; i < c->n; i++) {
+        if (c->x[i] * c->y[i] < 0)
+            return 0;
+        n += c->x[i] * c->y[i] > 0;
+    }
+    return n > 0;
+}
+
+/* Note a load over the speed of its own link that drives it: a fan with a positive torque. */
+static void check_load(parser *p, const section_use *use, const flk_own_load *own)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER);
+
+    if ((own->over == FLK_OMEGA2 && own->load.link == FOURLINK_CRANK) ||
+        (own->over == FLK_OMEGA4 && own->load.link == FOURLINK_FOLLOWER))
+        if (drives(own))
+            flk_mistake(NOTES(p), flk_setting_of(use, KEY_LOAD_TORQUE)->place,
+                        "this torque has the sign of %t, so it drives the %s: that of a fan or a "
+                        "brake has the opposite sign",
+                        over->value, fourlink_link_text((int)p->d->design.kind, own->load.link));
+}
+
+/* Note a curve at whose fast end the motor still drives: beyond it, it keeps this torque. */
+static void check_motor(parser *p)
+{
+    const fourlink_motor *motor = &p->d->machine.motor;
+    const setting *s = flk_setting_find(p, KEY_MOTOR_CURVE);
+    const deck_unit *speed = &p->d->units[QUANTITY_ANGULAR_SPEED],
+                    *torque = &p->d->units[QUANTITY_TORQUE];
+    int sense = flk_build_sense(p) * (motor->ratio < 0 ? -1 : 1);
+    unsigned long end = sense > 0 && motor->n_curve ? motor->n_curve - 1 : 0;
+
+    if (!motor->n_curve || !(motor->curve_torque[end] * sense > 0))
+        return;
+    flk_mistake(
+        NOTES(p), s->place,
+        "the curve ends at %.4g %s with %.4g %s, which the motor keeps at higher speeds: end "
+        "it with the speed at which the torque is 0",
+        flk_unit_from_si(motor->curve_speed[end], speed->unit), speed->name,
+        flk_unit_from_si(motor->curve_torque[end], torque->unit), torque->name);
+}
+
+#define MANY_TURNS 100
+
+/* Note a long run-up by a constant torque that nothing opposes. */
+static void check_run_up(parser *p)
+{
+    const flk_machine *machine = &p->d->machine;
+    const fourlink_motor *motor = &machine->motor;
+    double turns = flk_setting_or(p, KEY_MOTION_TO, 0) / (2 * M_PI);
+
+    if (p->d->drive.mode != DRIVE_GIVEN && !p->d->drive.by_time && !machine->n_elements &&
+        !machine->has_friction && motor->kind == FOURLINK_MOTOR_TORQUE && motor->torque != 0 &&
+        fabs(flk_setting_or(p, KEY_MOTION_TURNS, turns)) > MANY_TURNS)
+        flk_mistake(NOTES(p), flk_setting_find(p, KEY_MOTOR_TORQUE)->place,
+                    "nothing opposes this torque, so the crank turns faster and faster: give a "
+                    "load, or a motor whose torque falls with the speed");
+}
+
+void flk_build_doubts(parser *p)
+{
+    size_t i, n = 0;
+    int k;
+
+    if (p->mistakes->count)
+        return;
+    check_bare(p, QUANTITY_LENGTH, 10, "mm");
+    check_bare(p, QUANTITY_MASS, 500, "g");
+    check_thousands(p, KEY_MOTION_SPEED);
+    check_thousands(p, KEY_MOTION_MEAN_SPEED);
+    check_thousands(p, KEY_MOTOR_NO_LOAD_SPEED);
+    for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
+        check_body(p, k);
+    for (i = 0; i < p->n_uses; i++) {
+        if (p->uses[i].section == SECTION_SPRING)
+            check_spring(p, &p->uses[i]);
+        if (p->uses[i].section == SECTION_LOAD)
+            check_load(p, &p->uses[i], flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
+    }
+    check_friction(p);
+    check_pressure(p, KEY_GAS_PRESSURE);
+    check_pressure(p, KEY_GAS_BACK_PRESSURE);
+    check_above_one(p, flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION), "a fluctuation");
+    check_motor(p);
+    check_run_up(p);
+}
