@@ -42,7 +42,7 @@ same file named
 
 # Each number is the one of csv: the parser reads both.
 csv_rows='def csv_rows: # of a single deck: arrays of branch, values, status
-    ($csv | split("\r\n"))[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
+    ($csv | split("\n"))[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
         if startswith("\"") then .[1:-1] | gsub("\"\""; "\"") elif . == "" then null
         elif test("^-?[0-9.]+(e[-+]?[0-9]+)?$") then tonumber else . end]);'
 same_rows() {

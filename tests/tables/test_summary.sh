@@ -146,10 +146,10 @@ holds '17 digits' '
     END {exit bad || long < 5}'
 run 0 -S -f csv engine.deck
 check 'a comma in a fact is quoted' grep -q '^type,"slider-crank, the crank turns fully",,,' out
-check 'the end of the lines' test "$(grep -c "$cr\$" out)" -eq "$(wc -l <out)"
+check 'the end of the lines' none "$cr" out
 cp engine.deck 'a "b", c.deck'
 run 0 -S -f csv "$alvi" 'a "b", c.deck'
-check 'a column deck' test "$(head -n 1 out)" = "deck,name,value,unit,theta2,branch$cr"
+check 'a column deck' test "$(head -n 1 out)" = "deck,name,value,unit,theta2,branch"
 check 'one header' test "$(grep -c 'name,value' out)" -eq 1
 check 'its name' grep -q '^"a ""b"", c.deck",mean_torque,' out
 # the same numbers in both formats
