@@ -161,7 +161,8 @@ static void tell_all(const input *in, const fourlink_mistake *list, unsigned lon
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
-        tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
+        if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
+            tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
     command_tell_more(n, what);
 }
 
@@ -237,7 +238,7 @@ static int find_answers(input *in, const char *path, const grade_answers *answer
 
     in->source.answers_name = in->o->check_file;
     if (answers->is_folder) {
-        status = grade_read(&in->answers, in->o, path, in->refusal);
+        status = grade_read(&in->answers, in->o, path, NULL, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }
@@ -278,21 +279,19 @@ static int take_design(input *in)
     return open_results(in);
 }
 
-int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+/* Open what has been read; returns the exit status. */
+static int open_input(input *in)
 {
+    const options *o = in->o;
     int status;
 
-    in->o = o;
-    status = read_text(in, path);
-    if (!status)
-        status = find_answers(in, path, answers);
-    if (status)
-        return status;
     in->source.load = load_file;
     in->source.host = in;
-    in->source.changes = o->changes;
-    in->source.n_changes = (unsigned long)o->n_changes;
-    in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+    if (!in->is_design) {
+        in->source.changes = o->changes;
+        in->source.n_changes = (unsigned long)o->n_changes;
+        in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+    }
     status = open_results(in);
     if (status || !in->results)
         return status;
@@ -308,6 +307,34 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
         return 0;
     refuse(in);
     return EXIT_USAGE;
+}
+
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+{
+    int status;
+
+    in->o = o;
+    status = read_text(in, path);
+    if (!status)
+        status = find_answers(in, path, answers);
+    return status ? status : open_input(in);
+}
+
+int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
+                       size_t i)
+{
+    int status;
+
+    in->o = o;
+    in->deck = deck;
+    in->name = deck->name;
+    in->source = deck->source;
+    in->is_design = deck->is_design;
+    status = grade_read(&in->answers, o, in->name, answers->files[i], in->refusal);
+    in->source.answers_name = in->answers.path;
+    in->source.answers = in->answers.text;
+    in->source.answers_length = (unsigned long)in->answers.length;
+    return status ? status : open_input(in);
 }
 
 void input_close(input *in)

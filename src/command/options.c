@@ -29,6 +29,8 @@ static const char *const help[] = {
     "                                    change the deck: --set 'motion.speed=100 rpm'",
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
     "                                    or FOLDER/NAME.expect for NAME.deck",
+    "      --answers=FOLDER              compare one deck with each file of answers in FOLDER",
+    "      --scores                      print a score for each deck or file, not each value",
     "      --expect                      print the values of the deck as answers for --check=FILE",
     "      --at=ANGLE,COLUMN=VALUE,...   the rows at these crank angles, and where columns have",
     "                                    these values, such as --at='theta4 = 120 deg'",
@@ -68,6 +70,8 @@ enum {
     REPORT,
     PLOT_X,
     EXPECT,
+    ANSWERS,
+    SCORES,
     AT,
     STATISTICS,
     BEST,
@@ -95,6 +99,8 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {ALLOW_FILES, "--allow-files", 0, NULL},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
+                                    {ANSWERS, "--answers", 1, NULL},
+                                    {SCORES, "--scores", 0, NULL},
                                     {EXPECT, "--expect", 0, NULL},
                                     {AT, "--at", 1, NULL},
                                     {'S', "--summary", 0, NULL},
@@ -199,18 +205,11 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
-/* 1 if a name ends in this, whatever the case of its letters. */
-static int ends_in(const char *name, const char *ending)
-{
-    size_t n = strlen(name), length = strlen(ending);
-
-    return n > length && flk_text_equal(flk_text_of(name + n - length), ending);
-}
-
 static int set_report(options *o, const char *value, char message[400])
 {
     o->report = value;
-    return ends_in(value, ".html") || ends_in(value, ".htm") ||
+    return flk_text_ends_in(flk_text_of(value), ".html") ||
+           flk_text_ends_in(flk_text_of(value), ".htm") ||
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
 
@@ -293,6 +292,14 @@ static int set(options *o, const option_info *info, const char *value, char mess
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
+        return set_content(o, SHEET_CHECK);
+    case ANSWERS:
+        if (!*value)
+            return say(message, "--answers= needs a folder", "", "");
+        o->answers = value;
+        return set_content(o, SHEET_CHECK);
+    case SCORES:
+        o->scores = 1;
         return set_content(o, SHEET_CHECK);
     case BEST:
         return set_best(o, value, message);
@@ -489,6 +496,14 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || o->report ||
                   o->plot || o->plot_script || o->format == &paper_format))
         return say(message, "--at chooses rows of a table, csv, json or --expect", "", "");
+    if (o->answers && o->n_decks > 1)
+        return say(message,
+                   "--answers takes one deck; for a deck of each student give --check=FOLDER", "",
+                   "");
+    if (o->answers && (o->plot || o->plot_script || o->report))
+        return say(message, "--answers prints scores: it takes no picture and no report", "", "");
+    if (o->answers)
+        o->check_file = o->answers;
     if (o->content == SHEET_EXPECT && o->n_decks > 1)
         return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))

@@ -18,6 +18,8 @@ typedef struct options {
     int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
+    const char *answers;    /* the folder of --answers, which check_file is then too */
+    int scores;             /* 1: a line for each deck, or file of answers, instead of each value */
     const char *at;         /* the crank angles of --expect; null: the rows */
     const char *output;     /* null: standard output */
     const char *best;       /* the name that --best asks for; null: it was not given */

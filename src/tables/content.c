@@ -219,19 +219,30 @@ static void write_rows(sheet *s)
         write_block(s, s->v.branches[i]);
 }
 
-static void write_checks(sheet *s)
+/* Write all comparisons, or those whose value is right, or the others. */
+static void write_checks_that_are(sheet *s, int right, int all)
 {
     fourlink_check check;
     unsigned long i;
 
     for (i = 0; i < s->v.problem.n_expected; i++) {
         fourlink_results_check(s->v.results, i, &check);
+        if (!all &&
+            right != (check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT))
+            continue;
         s->checks[check.verdict]++;
         s->format->check(s, &check);
         if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
             s->checks[FOURLINK_NO_VALUE] <= MOST_MISTAKES)
             s->no_value(&check, s->deck_name);
     }
+}
+
+static void write_checks(sheet *s)
+{
+    write_checks_that_are(s, 0, !s->wrong_first);
+    if (s->wrong_first)
+        write_checks_that_are(s, 1, 0);
 }
 
 /* List all names, each once. */
@@ -340,7 +351,7 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
 {
     s->deck_name = s->n_decks > 1 ? deck_name : NULL;
     if (!results) {
-        if (s->content == SHEET_CHECK && s->deck_name)
+        if (s->content == SHEET_CHECK && (s->deck_name || s->mark))
             s->format->refuse(s, why);
         line_end(&s->l);
         return;
@@ -350,6 +361,12 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     else
         s->out_of_memory = 1;
     close_results(s);
+}
+
+void content_write_mark(sheet *s, const sheet_mark *mark)
+{
+    s->format->mark(s, mark);
+    line_end(&s->l);
 }
 
 /* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not

@@ -58,7 +58,9 @@ static void begin(sheet *s)
 {
     unsigned long i;
 
-    line_put(&s->l, s->n_decks > 1 ? "deck," : s->n_variables ? "design," : "");
+    if (s->n_decks > 1 && s->content != SHEET_SCORES)
+        line_put(&s->l, "deck,");
+    line_put(&s->l, s->n_decks <= 1 && s->n_variables ? "design," : "");
     if (s->content == SHEET_SUMMARY) {
         line_put(&s->l, "name,value,unit,theta2,branch\n");
         return;
@@ -66,6 +68,10 @@ static void begin(sheet *s)
     if (s->content == SHEET_CHECK) {
         line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,"
                         "of,note\n");
+        return;
+    }
+    if (s->content == SHEET_SCORES) {
+        line_put(&s->l, "name,right,of,percent,note\n");
         return;
     }
     if (s->content == SHEET_STATISTICS) {
@@ -197,7 +203,10 @@ static void close_deck(sheet *s)
         return;
     score = sheet_score(s, &of);
     put_labels(s);
-    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,\n", score, of);
+    put_words(&s->l, s->mark ? s->mark->path : "");
+    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,", score, of);
+    put_words(&s->l, s->mark ? s->mark->note : "");
+    line_text(&s->l, "\n", 1);
 }
 
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
@@ -207,7 +216,11 @@ static void refuse(sheet *s, const char *why)
 
     if (!s->design) {
         put_labels(s);
-        line_put(&s->l, ",,bad deck,,,,,,,,0,,");
+        put_words(&s->l, s->mark ? s->mark->path : "");
+        line_put(&s->l, ",,%s,,,,,,,,0,", s->mark ? "bad answers" : "bad deck");
+        if (s->mark)
+            line_put(&s->l, "%lu", s->mark->of);
+        line_text(&s->l, ",", 1);
         put_words(&s->l, why);
         line_text(&s->l, "\n", 1);
     }
@@ -248,24 +261,37 @@ static void put_yield(sheet *s, const sheet_yield *y)
     line_text(&s->l, "\n", 1);
 }
 
+static void put_mark(sheet *s, const sheet_mark *m)
+{
+    put_words(&s->l, m->name);
+    line_put(&s->l, ",%lu,%lu", m->right, m->of);
+    if (m->of)
+        line_put(&s->l, ",%12g,", sheet_percent(m));
+    else
+        line_put(&s->l, ",,");
+    put_words(&s->l, m->note);
+    line_text(&s->l, "\n", 1);
+}
+
 const sheet_format csv_format = {
     "csv", /* name */
     1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
-        1 << SHEET_STATISTICS, /* writes */
-    begin,                     /* begin */
-    open_deck,                 /* open */
-    NULL,                      /* column */
-    put_fact,                  /* fact */
-    NULL,                      /* block */
-    put_row,                   /* row */
-    NULL,                      /* end_block */
-    put_check,                 /* check */
-    put_design,                /* design */
-    refuse,                    /* refuse */
-    close_deck,                /* close */
-    sizeof(long),              /* layout_size */
-    0,                         /* is_by_angle */
-    0,                         /* is_brief */
-    put_statistic,             /* statistic */
-    put_yield                  /* yield */
+        1 << SHEET_STATISTICS | 1 << SHEET_SCORES, /* writes */
+    begin,                                         /* begin */
+    open_deck,                                     /* open */
+    NULL,                                          /* column */
+    put_fact,                                      /* fact */
+    NULL,                                          /* block */
+    put_row,                                       /* row */
+    NULL,                                          /* end_block */
+    put_check,                                     /* check */
+    put_design,                                    /* design */
+    refuse,                                        /* refuse */
+    close_deck,                                    /* close */
+    sizeof(long),                                  /* layout_size */
+    0,                                             /* is_by_angle */
+    0,                                             /* is_brief */
+    put_statistic,                                 /* statistic */
+    put_yield,                                     /* yield */
+    put_mark                                       /* mark */
 };

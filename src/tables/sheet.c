@@ -35,6 +35,9 @@ void sheet_write_gap(sheet *s)
     if (s->deck_name)
         line_put(&s->l, "# deck: %s\n",
                  flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
+    if (s->mark)
+        line_put(&s->l, "# answers: %s\n",
+                 flk_text_copy(flk_text_of(s->mark->path), name, sizeof name));
 }
 
 int sheet_is_over(const sheet *s, const fourlink_instant *at)
@@ -157,8 +160,17 @@ unsigned long sheet_score(const sheet *s, unsigned long *of)
 {
     int i;
 
+    if (s->mark) {
+        *of = s->mark->of;
+        return s->mark->right;
+    }
     *of = 0;
     for (i = 0; i < 5; i++)
         *of += s->checks[i];
     return s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT];
+}
+
+double sheet_percent(const sheet_mark *m)
+{
+    return m->of ? floor(1000 * (double)m->right / (double)m->of + 0.5) / 10 : GSL_NAN;
 }

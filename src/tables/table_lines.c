@@ -87,6 +87,19 @@ void table_close(sheet *s)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]]);
     line_put(&s->l, "\n# score: %lu of %lu\n", score, of);
+    if (s->mark && s->mark->note[0])
+        line_put(&s->l, "# note: %s\n", s->mark->note);
+}
+
+void table_put_mark(sheet *s, const sheet_mark *m)
+{
+    char number[FORMAT_SIZE];
+
+    line_put(&s->l, "%-30s", m->name);
+    line_field(&s->l, format_fixed((double)m->right, 0, number), 7);
+    line_field(&s->l, format_fixed((double)m->of, 0, number), 7);
+    line_field(&s->l, m->of ? format_fixed(sheet_percent(m), 1, number) : "nan", 10);
+    line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
@@ -148,6 +161,8 @@ static void put_legend(sheet *s)
 
 void table_begin(sheet *s)
 {
+    if (s->content == SHEET_SCORES)
+        line_put(&s->l, "# %-28s  right     of  per cent  note\n", "name");
     if (s->content != SHEET_DESIGNS)
         return;
     head_put_title(s);
@@ -197,7 +212,10 @@ void table_refuse(sheet *s, const char *why)
 {
     if (!s->design) {
         sheet_write_gap(s);
-        line_put(&s->l, "# bad deck: %s\n# score: 0\n", why);
+        if (s->mark)
+            line_put(&s->l, "# bad answers: %s\n# score: 0 of %lu\n", why, s->mark->of);
+        else
+            line_put(&s->l, "# bad deck: %s\n# score: 0\n", why);
         s->n_written++;
         return;
     }

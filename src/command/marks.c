@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** marks.c - what is asked of many answers, and what each is worth.
+**
+** All answers are asked for the same values, so that one who leaves some out is not better off.  What is asked is in
+** the deck's own [expect].  If it has none, it is what a quarter of the answers have: neither a slip of one student
+** nor a value that many leave out changes it.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/message.h"
+#include "command.h"
+#include "files.h"
+#include "marks.h"
+
+#define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
+#define SHARE 4             /* one answer in four makes a question */
+
+/* A value that is asked for. */
+typedef struct question {
+    char name[64];
+    int has_angle;
+    double angle; /* in the deck's unit */
+    fourlink_branch branch;
+    unsigned long answers; /* how many have it */
+    size_t last;           /* number of the last one that has it, from 1 */
+} question;
+
+static int is_asked(const question *q, const fourlink_check *c)
+{
+    return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
+           q->has_angle == c->has_angle &&
+           (!q->has_angle || fabs(q->angle - c->angle) <= 1e-9 * (1 + fabs(q->angle)));
+}
+
+static question *find(const marks *m, const fourlink_check *c)
+{
+    unsigned long i;
+
+    for (i = 0; i < m->n; i++)
+        if (is_asked(&m->list[i], c))
+            return &m->list[i];
+    return NULL;
+}
+
+/* Add the values of an input. */
+static void add(marks *m, const input *in, size_t number)
+{
+    fourlink_check c;
+    unsigned long i;
+    question *q;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        fourlink_results_check(in->results, i, &c);
+        q = find(m, &c);
+        if (!q && m->n < MOST_QUESTIONS) {
+            q = &m->list[m->n++];
+            strcpy(q->name, c.name);
+            q->has_angle = c.has_angle;
+            q->angle = c.angle;
+            q->branch = c.branch;
+            q->answers = 0;
+            q->last = 0;
+        }
+        if (q && q->last != number) {
+            q->answers++;
+            q->last = number;
+        }
+    }
+}
+
+int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
+{
+    unsigned long i, kept = 0, readable = 0;
+
+    m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
+    if (!m->list)
+        return 0;
+    if (deck && deck->problem.n_expected) {
+        add(m, deck, 1);
+        return 1;
+    }
+    for (i = 0; i < n; i++)
+        if (inputs[i].results) {
+            add(m, &inputs[i], i + 1);
+            readable++;
+        }
+    for (i = 0; i < m->n; i++) {
+        if (SHARE * m->list[i].answers < readable)
+            continue;
+        m->are_guessed |= m->list[i].answers < readable;
+        m->list[kept++] = m->list[i];
+    }
+    m->are_guessed |= kept < m->n;
+    m->n = kept;
+    return 1;
+}
+
+/* Add words to a note; what does not fit is left out. */
+static void put(char *note, size_t size, const char *words)
+{
+    size_t n = strlen(note);
+
+    strncat(note, words, size - n - 1);
+}
+
+/* Add ", Ts (crossed) at 30" to a list that begins with some words. */
+static void put_name(char *note, size_t size, const char *title, int *n, const question *q)
+{
+    char words[200], angle[80] = "";
+
+    if (q->has_angle)
+        flk_message(angle, sizeof angle, " at %g", q->angle);
+    put(note, size, (*n)++ ? ", " : *note ? "; " : "");
+    put(note, size, *n == 1 ? title : "");
+    put(note, size,
+        flk_message(words, sizeof words, "%s%s%s", q->name,
+                    q->branch == FOURLINK_CROSSED ? " (crossed)" : "", angle));
+}
+
+void marks_tell(const marks *m, const char *name)
+{
+    char note[MESSAGE_SIZE] = "", words[MESSAGE_SIZE];
+    unsigned long i;
+    int n = 0;
+
+    if (!m->are_guessed)
+        return;
+    for (i = 0; i < m->n; i++)
+        put_name(note, 250, "", &n, &m->list[i]);
+    flk_message(words, sizeof words,
+                "not all answers have the same values; %ld are asked, those that a quarter of them "
+                "have: %s; an [expect] in the deck says what is asked",
+                (long)m->n, note);
+    command_tell_note(name, 0, words, NULL);
+}
+
+/* 1 if all answers of an input to a question are right; -1 if there is none. */
+static int answer(const input *in, const question *q)
+{
+    fourlink_check c;
+    unsigned long i;
+    int is_right = -1;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        fourlink_results_check(in->results, i, &c);
+        if (is_asked(q, &c))
+            is_right = is_right != 0 && c.verdict == FOURLINK_AGREES;
+    }
+    return is_right;
+}
+
+/* Note what is odd in an answer: values that are not asked for, without a value, or known to be wrong. */
+static void note_checks(const marks *m, const input *in, sheet_mark *mark)
+{
+    size_t size = sizeof mark->note;
+    char words[MESSAGE_SIZE + 40];
+    int n_extra = 0, has_mistake = 0, has_misprint = 0;
+    fourlink_check c;
+    unsigned long i;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        question q;
+
+        fourlink_results_check(in->results, i, &c);
+        has_misprint |= c.verdict == FOURLINK_MISPRINT;
+        if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
+            put(mark->note, size, *mark->note ? "; " : "");
+            put(mark->note, size,
+                flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
+        } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !find(m, &c)) {
+            strcpy(q.name, c.name);
+            q.has_angle = c.has_angle;
+            q.angle = c.angle;
+            q.branch = c.branch;
+            put_name(mark->note, size, "not asked: ", &n_extra, &q);
+        }
+    }
+    if (has_misprint && m->list) {
+        put(mark->note, size, *mark->note ? "; " : "");
+        put(mark->note, size, "a value of [misprint] is no answer");
+    }
+}
+
+/* The name of a file without its ending, which is that of a student. */
+static text name_of(const char *path)
+{
+    static const char *const endings[] = {".deck", ".expect", ".txt", NULL};
+    text name = flk_text_of(files_name(path));
+    int i;
+
+    for (i = 0; endings[i]; i++)
+        if (flk_text_ends_in(flk_text_of(name.start), endings[i])) {
+            name.length -= strlen(endings[i]);
+            break;
+        }
+    return name;
+}
+
+void marks_give(const marks *m, const input *in, sheet_mark *mark)
+{
+    const char *path = in->deck ? in->source.answers_name : in->name;
+    int n_missing = 0, is_right;
+    fourlink_check c;
+    unsigned long i;
+
+    memset(mark, 0, sizeof *mark);
+    mark->path = path ? path : "";
+    flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
+    mark->of = m->n;
+    if (!in->results) {
+        put(mark->note, sizeof mark->note, in->refusal);
+        return;
+    }
+    for (i = 0; i < m->n; i++) {
+        is_right = answer(in, &m->list[i]);
+        mark->right += is_right == 1;
+        if (is_right < 0)
+            put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i]);
+    }
+    for (i = 0; i < in->problem.n_expected && !m->list; i++) {
+        fourlink_results_check(in->results, i, &c);
+        mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT;
+        mark->of++;
+    }
+    note_checks(m, in, mark);
+}
+
+void marks_free(marks *m)
+{
+    free(m->list);
+}
