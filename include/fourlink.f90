@@ -395,6 +395,8 @@ module fourlink
     integer(c_long) :: message_line
     character(kind=c_char) :: message(400)  ! for fourlink_text
     character(kind=c_char) :: hint(200)     ! the same
+    integer(c_int) :: tolerance_from
+    real(c_double) :: marks
   end type fourlink_check
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.

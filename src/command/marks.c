@@ -24,6 +24,7 @@ typedef struct question {
     int has_angle;
     double angle; /* in the deck's unit */
     fourlink_branch branch;
+    double marks;
     unsigned long answers; /* how many have it */
     size_t last;           /* number of the last one that has it, from 1 */
 } question;
@@ -54,6 +55,8 @@ static void add(marks *m, const input *in, size_t number)
 
     for (i = 0; i < in->problem.n_expected; i++) {
         fourlink_results_check(in->results, i, &c);
+        m->set_tolerances |=
+            c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;
         q = find(m, &c);
         if (!q && m->n < MOST_QUESTIONS) {
             q = &m->list[m->n++];
@@ -61,6 +64,7 @@ static void add(marks *m, const input *in, size_t number)
             q->has_angle = c.has_angle;
             q->angle = c.angle;
             q->branch = c.branch;
+            q->marks = c.marks;
             q->answers = 0;
             q->last = 0;
         }
@@ -73,20 +77,24 @@ static void add(marks *m, const input *in, size_t number)
 
 int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
 {
-    unsigned long i, kept = 0, readable = 0;
+    unsigned long i, kept = 0, readable = 0, from_deck;
 
     m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
     if (!m->list)
         return 0;
-    if (deck && deck->problem.n_expected) {
-        add(m, deck, 1);
-        return 1;
-    }
+    if (deck)
+        add(m, deck, 0);
+    from_deck = m->n;
+    m->set_tolerances = 0;
     for (i = 0; i < n; i++)
         if (inputs[i].results) {
             add(m, &inputs[i], i + 1);
             readable++;
         }
+    if (from_deck) {
+        m->n = from_deck;
+        return 1;
+    }
     for (i = 0; i < m->n; i++) {
         if (SHARE * m->list[i].answers < readable)
             continue;
@@ -126,6 +134,11 @@ void marks_tell(const marks *m, const char *name)
     unsigned long i;
     int n = 0;
 
+    if (m->set_tolerances)
+        command_tell_note(name, 0,
+                          "answers set their own tolerance, by 'tolerance' or their last digit; "
+                          "--tolerance='1 %' or a [grading] section sets it for all",
+                          NULL);
     if (!m->are_guessed)
         return;
     for (i = 0; i < m->n; i++)
@@ -157,7 +170,7 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;
     char words[MESSAGE_SIZE + 40];
-    int n_extra = 0, has_mistake = 0, has_misprint = 0;
+    int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0;
     fourlink_check c;
     unsigned long i;
 
@@ -166,6 +179,8 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 
         fourlink_results_check(in->results, i, &c);
         has_misprint |= c.verdict == FOURLINK_MISPRINT;
+        sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION ||
+                          (!in->deck && c.tolerance_from == FOURLINK_FROM_GRADING);
         if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
             put(mark->note, size, *mark->note ? "; " : "");
             put(mark->note, size,
@@ -181,6 +196,10 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
     if (has_misprint && m->list) {
         put(mark->note, size, *mark->note ? "; " : "");
         put(mark->note, size, "a value of [misprint] is no answer");
+    }
+    if (sets_tolerance && m->list) {
+        put(mark->note, size, *mark->note ? "; " : "");
+        put(mark->note, size, "sets its own tolerance");
     }
 }
 
@@ -209,21 +228,22 @@ void marks_give(const marks *m, const input *in, sheet_mark *mark)
     memset(mark, 0, sizeof *mark);
     mark->path = path ? path : "";
     flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
-    mark->of = m->n;
+    for (i = 0; i < m->n; i++)
+        mark->of += m->list[i].marks;
     if (!in->results) {
         put(mark->note, sizeof mark->note, in->refusal);
         return;
     }
     for (i = 0; i < m->n; i++) {
         is_right = answer(in, &m->list[i]);
-        mark->right += is_right == 1;
+        mark->right += is_right == 1 ? m->list[i].marks : 0;
         if (is_right < 0)
             put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i]);
     }
     for (i = 0; i < in->problem.n_expected && !m->list; i++) {
         fourlink_results_check(in->results, i, &c);
-        mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT;
-        mark->of++;
+        mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT ? c.marks : 0;
+        mark->of += c.marks;
     }
     note_checks(m, in, mark);
 }

@@ -11,7 +11,8 @@
 typedef struct marks {
     struct question *list; /* null: each file is asked for the values that it has */
     unsigned long n;
-    int are_guessed; /* 1: found in the answers, because the deck does not list them */
+    int set_tolerances; /* 1: some answers set their own */
+    int are_guessed;    /* 1: found in the answers, because the deck does not list them */
 } marks;
 
 /* Find what is asked of the answers in a folder: the values of the deck's own [expect]; without a deck, or if it has

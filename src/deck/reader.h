@@ -281,6 +281,7 @@ void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
+void flk_build_grading(parser *p);
 
 /* How the speed of the crank is determined: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);

@@ -197,14 +197,14 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
 /* The last line of a deck's comparisons is its score. */
 static void close_deck(sheet *s)
 {
-    unsigned long score, of;
+    double score, of;
 
     if (s->content != SHEET_CHECK)
         return;
     score = sheet_score(s, &of);
     put_labels(s);
     put_words(&s->l, s->mark ? s->mark->path : "");
-    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,", score, of);
+    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", score, of);
     put_words(&s->l, s->mark ? s->mark->note : "");
     line_text(&s->l, "\n", 1);
 }
@@ -219,7 +219,7 @@ static void refuse(sheet *s, const char *why)
         put_words(&s->l, s->mark ? s->mark->path : "");
         line_put(&s->l, ",,%s,,,,,,,,0,", s->mark ? "bad answers" : "bad deck");
         if (s->mark)
-            line_put(&s->l, "%lu", s->mark->of);
+            line_put(&s->l, "%12g", s->mark->of);
         line_text(&s->l, ",", 1);
         put_words(&s->l, why);
         line_text(&s->l, "\n", 1);
@@ -264,8 +264,8 @@ static void put_yield(sheet *s, const sheet_yield *y)
 static void put_mark(sheet *s, const sheet_mark *m)
 {
     put_words(&s->l, m->name);
-    line_put(&s->l, ",%lu,%lu", m->right, m->of);
-    if (m->of)
+    line_put(&s->l, ",%12g,%12g", m->right, m->of);
+    if (m->of > 0)
         line_put(&s->l, ",%12g,", sheet_percent(m));
     else
         line_put(&s->l, ",,");

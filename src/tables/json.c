@@ -282,7 +282,7 @@ static void refuse(sheet *s, const char *why)
         put_text(&s->l, "status", s->mark ? "bad answers" : "bad deck");
         put_named_number(&s->l, "score", 0);
         if (s->mark)
-            put_named_number(&s->l, "of", (double)s->mark->of);
+            put_named_number(&s->l, "of", s->mark->of);
         put_text(&s->l, "message", why);
     }
     line_put(&s->l, "}\n");
@@ -291,14 +291,14 @@ static void refuse(sheet *s, const char *why)
 static void close_deck(sheet *s)
 {
     int is_in_rows = s->content == SHEET_ROWS;
-    unsigned long score, of;
+    double score, of;
 
     put_newline(s);
     if (s->content == SHEET_CHECK) {
         end_list(s);
         score = sheet_score(s, &of);
-        put_named_number(&s->l, "score", (double)score);
-        put_named_number(&s->l, "of", (double)of);
+        put_named_number(&s->l, "score", score);
+        put_named_number(&s->l, "of", of);
         if (s->mark && s->mark->note[0])
             put_text(&s->l, "note", s->mark->note);
     }
@@ -341,8 +341,8 @@ static void put_yield(sheet *s, const sheet_yield *y)
 static void put_mark(sheet *s, const sheet_mark *m)
 {
     begin_object(&s->l, "name", m->name);
-    put_named_number(&s->l, "right", (double)m->right);
-    put_named_number(&s->l, "of", (double)m->of);
+    put_named_number(&s->l, "right", m->right);
+    put_named_number(&s->l, "of", m->of);
     put_named_number(&s->l, "percent", sheet_percent(m));
     put_text(&s->l, "note", m->note);
     line_put(&s->l, "}\n");

@@ -156,7 +156,7 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
     return 0;
 }
 
-unsigned long sheet_score(const sheet *s, unsigned long *of)
+double sheet_score(const sheet *s, double *of)
 {
     int i;
 
@@ -166,11 +166,11 @@ unsigned long sheet_score(const sheet *s, unsigned long *of)
     }
     *of = 0;
     for (i = 0; i < 5; i++)
-        *of += s->checks[i];
-    return s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT];
+        *of += (double)s->checks[i];
+    return (double)(s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT]);
 }
 
 double sheet_percent(const sheet_mark *m)
 {
-    return m->of ? floor(1000 * (double)m->right / (double)m->of + 0.5) / 10 : GSL_NAN;
+    return m->of > 0 ? floor(1000 * m->right / m->of + 0.5) / 10 : GSL_NAN;
 }

@@ -33,7 +33,7 @@ struct sheet_format;
 typedef struct sheet_mark {
     const char *path; /* of the file, or the deck */
     char name[256];   /* of the file without its ending */
-    unsigned long right, of;
+    double right, of; /* marks */
     char note[1000];
 } sheet_mark;
 
@@ -154,7 +154,7 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
 /* How many values of this deck agree, or are misprints as expected; and of how many. */
-unsigned long sheet_score(const sheet *s, unsigned long *of);
+double sheet_score(const sheet *s, double *of);
 
 /* Per cent of a mark, to one decimal; NaN if nothing is asked. */
 double sheet_percent(const sheet_mark *m);
