@@ -198,7 +198,8 @@ static int open_results(input *in)
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
-        tell_all(in, list, n, command_tell_note, "note");
+        if (!in->o->is_again)
+            tell_all(in, list, n, command_tell_note, "note");
     }
     free(list);
     return status;

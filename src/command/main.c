@@ -20,6 +20,7 @@
 #include "output.h"
 #include "reporting.h"
 #include "terminal.h"
+#include "variants.h"
 #include "tables/content.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -235,6 +236,56 @@ static int run_class(const options *o, const grade_answers *answers, int *signal
     return status;
 }
 
+/* Run one design of a [sweep] for a file of its own; returns the exit status. */
+static int run_variant(const options *o, const char *path, unsigned long i, int *signal_number)
+{
+    grade_answers none;
+    options one = *o;
+    int status;
+
+    memset(&none, 0, sizeof none);
+    one.all_designs = 0;
+    one.design = i + 1;
+    one.is_again = i > 0;
+    *(o->report ? &one.report : &one.output) = path;
+    status = files_tell_clash(&one);
+    return status ? status : run_inputs(&one, &none, NULL, signal_number);
+}
+
+/* Write a file for each design of a [sweep]; returns the exit status. */
+static int run_variants(const options *o, int *signal_number)
+{
+    const char *folder = o->report ? o->report : o->output;
+    grade_answers none;
+    options of_deck = *o;
+    variants v = {NULL, NULL, 0};
+    int status, may_write = 0;
+    unsigned long i;
+    input deck;
+
+    memset(&none, 0, sizeof none);
+    memset(&deck, 0, sizeof deck);
+    of_deck.content = SHEET_ROWS;
+    of_deck.report = NULL;
+    of_deck.is_again = 1;
+    status = input_read(&deck, o->decks[0], &of_deck, &none);
+    if (deck.results) {
+        status = variants_open(&v, &deck);
+        may_write = status == 0;
+    }
+    for (i = 0; i < v.n && may_write && status != EXIT_FILES && !*signal_number; i++) {
+        char *path = variants_path(&v, folder, &deck, i, o->report ? ".html" : ".expect");
+
+        status = command_worse(
+            status, path ? run_variant(o, path, i, signal_number)
+                         : command_complain("cannot write", folder, "not enough memory"));
+        free(path);
+    }
+    variants_close(&v);
+    input_close(&deck);
+    return status;
+}
+
 static int run(const options *o)
 {
     int status, signal_number = 0;
@@ -242,8 +293,9 @@ static int run(const options *o)
 
     status = grade_open(&answers, o);
     if (!status)
-        status = answers.n_files ? run_class(o, &answers, &signal_number)
-                                 : run_inputs(o, &answers, NULL, &signal_number);
+        status = o->all_designs && !o->print_deck ? run_variants(o, &signal_number)
+                 : answers.n_files                ? run_class(o, &answers, &signal_number)
+                                                  : run_inputs(o, &answers, NULL, &signal_number);
     grade_close(&answers);
     if (signal_number) {
         fflush(stdout);

@@ -55,6 +55,7 @@ static const char *const help[] = {
     "      --print-deck                  print the deck as it is computed: with other values, of "
     "one",
     "                                    design; of all: into --output=FOLDER/",
+    "      --names=FILE                  names for the files of --design=all, one a line",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
     "  -V, --version                     print the version",
@@ -80,7 +81,8 @@ enum {
     ALLOW_FILES,
     DESIGN,
     PRINT_DECK,
-    LAST_WITHOUT_LETTER = PRINT_DECK
+    NAMES,
+    LAST_WITHOUT_LETTER = NAMES
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -117,6 +119,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {DESIGN, "--design", 1, NULL},
+                                    {NAMES, "--names", 1, NULL},
                                     {PRINT_DECK, "--print-deck", 0, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
@@ -208,10 +211,16 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* 1 if a name says that it is a folder's: it ends in a slash. */
+static int is_folder(const char *name)
+{
+    return name && *name && name[strlen(name) - 1] == '/';
+}
+
 static int set_report(options *o, const char *value, char message[400])
 {
     o->report = value;
-    return flk_text_ends_in(flk_text_of(value), ".html") ||
+    return is_folder(value) || flk_text_ends_in(flk_text_of(value), ".html") ||
            flk_text_ends_in(flk_text_of(value), ".htm") ||
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
@@ -278,6 +287,9 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_design(o, value, message);
     case PRINT_DECK:
         return o->print_deck = 1;
+    case NAMES:
+        o->names = value;
+        return 1;
     case PLOT_KIND:
         return set_plot_kind(o, value, message);
     case PLOT_AT:
@@ -447,17 +459,28 @@ void options_put_help(FILE *out)
 /* Check what does not go with decks that are printed, or with one design. */
 static int check_designs(const options *o, char message[400])
 {
-    size_t length = o->output ? strlen(o->output) : 0;
+    int is_output = is_folder(o->output);
 
     if (o->print_deck &&
         (o->content != SHEET_ROWS || o->parts || o->best || o->n_statistics || o->plot ||
          o->plot_script || o->report || o->at || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--print-deck prints a deck: it takes one deck and no other output", "",
                    "");
-    if (o->all_designs && (!o->print_deck || !length || o->output[length - 1] != '/'))
+    if (o->all_designs && !((o->print_deck || o->content == SHEET_EXPECT) && is_output) &&
+        !(is_folder(o->report) && !o->output))
         return say(message,
-                   "--design=all needs --print-deck and --output=FOLDER/: it writes one deck each",
+                   "--design=all needs --print-deck or --expect with --output=FOLDER/, or "
+                   "--report=FOLDER/: it writes one file each",
                    "", "");
+    if (o->all_designs && o->content == SHEET_EXPECT && o->report)
+        return say(message, "--design=all writes answers or reports, one of them at a time", "",
+                   "");
+    if (o->all_designs && !o->print_deck && strcmp(o->decks[0], "-") == 0)
+        return say(message, "--design=all reads the deck for each design: it needs a file", "", "");
+    if (!o->all_designs && is_folder(o->report))
+        return say(message, "--report=FOLDER/ needs --design=all", "", "");
+    if (o->names && !o->all_designs)
+        return say(message, "--names needs --design=all", "", "");
     if (o->design && (o->parts || o->best || o->n_statistics))
         return say(message, "--design takes one design, not the whole [sweep]", "", "");
     return 1;
@@ -523,10 +546,10 @@ int options_read(int argc, char **argv, options *o, char message[400])
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message, "--statistics needs all designs, not a --part", "", "");
-    if (!check_designs(o, message))
-        return 0;
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
+    if (!check_designs(o, message))
+        return 0;
     return check_plot(o, message);
 }
 

@@ -28,6 +28,8 @@ typedef struct options {
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     unsigned long design;      /* --design=N, from 1; 0: not given */
     int all_designs;           /* 1: --design=all */
+    const char *names;         /* the list of names for its files; null: numbers */
+    int is_again;              /* 1: the notes on this deck have been told */
     int print_deck;            /* 1: print the deck instead of rows */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */
