@@ -98,7 +98,7 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
     s->format->row(s, &row);
 }
 
-static void write_words(sheet *s, const char *name, const char *meaning, fourlink_branch branch,
+static void write_words(sheet *s, const char *name, const char *meaning, int branch,
                         const char *words)
 {
     fourlink_value f;
@@ -108,7 +108,7 @@ static void write_words(sheet *s, const char *name, const char *meaning, fourlin
     f.unit = f.source = "";
     f.quantity = "number";
     f.meaning = meaning;
-    f.branch = (int)branch;
+    f.branch = branch;
     f.words = words;
     s->format->fact(s, &f);
 }
@@ -116,18 +116,22 @@ static void write_words(sheet *s, const char *name, const char *meaning, fourlin
 /* The same in a summary, of a motion that is not given. */
 static void write_ends(sheet *s)
 {
-    int i;
-    char words[SHEET_STOP_SIZE];
-    const char *stop;
+    int i, are_same, n = s->v.problem.mode != FOURLINK_MODE_GIVEN ? s->v.n_branches : 0;
+    char words[2][SHEET_STOP_SIZE];
+    const char *stops[2];
     double angle;
 
-    for (i = 0; i < s->v.n_branches && s->v.problem.mode != FOURLINK_MODE_GIVEN; i++) {
-        stop = sheet_stop(s, s->v.branches[i], words);
-        if (stop)
-            write_words(s, "end", "why the machine goes no further", s->v.branches[i], stop);
+    for (i = 0; i < n; i++) {
+        stops[i] = sheet_stop(s, s->v.branches[i], words[i]);
         s->failed +=
             fourlink_results_end(s->v.results, s->v.branches[i], &angle) == FOURLINK_TOO_LONG;
     }
+    are_same =
+        n == 2 && s->format->is_brief && stops[0] && stops[1] && strcmp(stops[0], stops[1]) == 0;
+    for (i = 0; i < (are_same ? 1 : n); i++)
+        if (stops[i])
+            write_words(s, "end", "why the machine goes no further",
+                        are_same ? 0 : (int)s->v.branches[i], stops[i]);
 }
 
 /* In a summary, why it has no extremes. */
@@ -137,7 +141,7 @@ static void write_missing_extremes(sheet *s)
 
     for (i = 0; i < s->v.n_branches; i++)
         if (sheet_find_extremes(s->v.results, s->v.branches[i]) == FOURLINK_LONG_SEARCH) {
-            write_words(s, "extremes", "why there are none", s->v.branches[i],
+            write_words(s, "extremes", "why there are none", (int)s->v.branches[i],
                         fourlink_status_text(FOURLINK_LONG_SEARCH));
             s->failed++;
         }
@@ -382,12 +386,46 @@ static const char *find_output(sheet *s, fourlink_branch branch, int handle, she
                                              : fourlink_status_text(status);
 }
 
+/* 1 if crank angles from `from` to `to`, in rad, are within a range, or whole turns from it. */
+static int is_within(double from, double to, double low, double high)
+{
+    double turns = floor((from - low) / (2 * M_PI) + 1e-9) * (2 * M_PI);
+
+    return high - low > 2 * M_PI - 1e-9 || to - turns <= high + 1e-9;
+}
+
+/* Why a design has no positions at some crank angles of its motion: the angles at which it has; null if it has all. */
+static const char *find_gap(const sheet *s, char words[200])
+{
+    const fourlink_motion *motion = &s->v.problem.motion;
+    double to_si = motion->angle_unit;
+    double from = GSL_MIN(motion->from, motion->to) * to_si;
+    double to = GSL_MAX(motion->from, motion->to) * to_si;
+    fourlink_reach reach;
+    int i;
+
+    fourlink_reach_of(&s->v.problem.mechanism, &reach);
+    for (i = 0; i < reach.n_ranges; i++)
+        if (is_within(from, to, reach.from[i], reach.to[i]))
+            return NULL;
+    if (!reach.n_ranges)
+        return fourlink_status_text(FOURLINK_NOT_REACHED);
+    strcpy(words, "assembled only ");
+    for (i = 0; i < reach.n_ranges; i++)
+        flk_message(words + strlen(words), 200 - strlen(words), "%sfrom %.4g to %.4g %s",
+                    i ? " and " : "", reach.from[i] / to_si, reach.to[i] / to_si,
+                    s->v.units[QUANTITY_ANGLE].name);
+    return words;
+}
+
 /* Write the lines of a design, one for each branch. */
 static void write_lines(sheet *s)
 {
     sheet_output outputs[SHEET_OUTPUTS];
     int i;
     unsigned long k;
+    char words[200];
+    const char *gap = s->statistics ? NULL : find_gap(s, words);
 
     for (i = 0; i < s->v.n_branches; i++) {
         const char *why = NULL;
@@ -401,7 +439,7 @@ static void write_lines(sheet *s)
         if (s->statistics)
             statistics_add(s, s->v.branches[i], outputs);
         else
-            s->format->design(s, s->v.branches[i], outputs, why);
+            s->format->design(s, s->v.branches[i], outputs, why ? why : gap);
     }
 }
 

@@ -151,8 +151,10 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 
     for (i = 0; i < n; i++)
         if (f->branch && facts[i].branch == -f->branch && strcmp(f->name, facts[i].name) == 0)
-            return !f->words && is_near(f->value, facts[i].value) &&
-                   f->has_angle == facts[i].has_angle && is_near(f->angle, facts[i].angle);
+            return f->words
+                       ? facts[i].words && strcmp(f->words, facts[i].words) == 0
+                       : is_near(f->value, facts[i].value) && f->has_angle == facts[i].has_angle &&
+                             is_near(f->angle, facts[i].angle);
     return 0;
 }
 
