@@ -115,7 +115,8 @@ static int serves_options(input *in)
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
-        why = "nothing to check: no [expect] or [misprint] section";
+        why = in->deck ? "nothing to check: no values in [expect]"
+                       : "nothing to check: no [expect] or [misprint] section";
         name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
         why = "--matrix needs masses or loads; the deck has none";

@@ -170,7 +170,7 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;
     char words[MESSAGE_SIZE + 40];
-    int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0;
+    int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0, has_grading = 0;
     fourlink_check c;
     unsigned long i;
 
@@ -179,8 +179,8 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 
         fourlink_results_check(in->results, i, &c);
         has_misprint |= c.verdict == FOURLINK_MISPRINT;
-        sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION ||
-                          (!in->deck && c.tolerance_from == FOURLINK_FROM_GRADING);
+        sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
+        has_grading |= !in->deck && c.tolerance_from == FOURLINK_FROM_GRADING;
         if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
             put(mark->note, size, *mark->note ? "; " : "");
             put(mark->note, size,
@@ -200,6 +200,10 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
     if (sets_tolerance && m->list) {
         put(mark->note, size, *mark->note ? "; " : "");
         put(mark->note, size, "sets its own tolerance");
+    }
+    if (has_grading && m->list) {
+        put(mark->note, size, *mark->note ? "; " : "");
+        put(mark->note, size, "by the [grading] of its deck");
     }
 }
 

@@ -228,12 +228,15 @@ static void write_checks_that_are(sheet *s, int right, int all)
 {
     fourlink_check check;
     unsigned long i;
+    int is_right;
 
     for (i = 0; i < s->v.problem.n_expected; i++) {
         fourlink_results_check(s->v.results, i, &check);
-        if (!all &&
-            right != (check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT))
+        is_right = check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT;
+        if (!all && right != is_right)
             continue;
+        s->right += is_right ? check.marks : 0;
+        s->of += check.marks;
         s->checks[check.verdict]++;
         s->format->check(s, &check);
         if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
@@ -307,6 +310,7 @@ static int open_results(sheet *s, fourlink_results *results)
     s->list = NULL;
     s->n_pages = 1;
     memset(s->checks, 0, sizeof s->checks);
+    s->right = s->of = 0;
     return s->values && s->loads && s->layout;
 }
 

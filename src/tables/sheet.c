@@ -160,16 +160,8 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 
 double sheet_score(const sheet *s, double *of)
 {
-    int i;
-
-    if (s->mark) {
-        *of = s->mark->of;
-        return s->mark->right;
-    }
-    *of = 0;
-    for (i = 0; i < 5; i++)
-        *of += (double)s->checks[i];
-    return (double)(s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT]);
+    *of = s->mark ? s->mark->of : s->of;
+    return s->mark ? s->mark->right : s->right;
 }
 
 double sheet_percent(const sheet_mark *m)

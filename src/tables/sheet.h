@@ -68,6 +68,7 @@ typedef struct sheet {
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
+    double right, of;        /* marks of this deck */
     /* called for these, at most MOST_MISTAKES times for a deck */
     void (*no_value)(const fourlink_check *check, const char *deck_name);
     int out_of_memory;
@@ -153,7 +154,7 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 /* Give the deck's inputs to a function of the format. */
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
-/* How many values of this deck agree, or are misprints as expected; and of how many. */
+/* The marks of this deck: of values that agree, or are misprints as expected; and of all. */
 double sheet_score(const sheet *s, double *of);
 
 /* Per cent of a mark, to one decimal; NaN if nothing is asked. */
