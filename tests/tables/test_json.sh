@@ -191,4 +191,9 @@ lines out 2
 every 'the name of a deck' '.[0].deck == "a \"b\"\t\\ \u0001\b\u001b\u001f\u007f \ufffd.deck"'
 check 'no control characters' test "$(tr -d '\n' <out | LC_ALL=C tr -cd '\001-\037\177' | wc -c)" -eq 0
 
+# what a sweep varies has a meaning
+{ cat "$alvi" && printf '[sweep]\ncrank.length = 18 mm, 20 mm\noutput = swing\n'; } >sweep.deck
+run 0 -f json sweep.deck
+check 'its meaning' grep -q '^{.*"columns":\[{"name":"crank.length","unit":"m","meaning":"varied by \[sweep\]"}' out
+
 finish
