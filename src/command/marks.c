@@ -82,6 +82,7 @@ int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
     m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
     if (!m->list)
         return 0;
+    m->is_class = deck != NULL;
     if (deck)
         add(m, deck, 0);
     from_deck = m->n;
@@ -112,6 +113,13 @@ static void put(char *note, size_t size, const char *words)
     size_t n = strlen(note);
 
     strncat(note, words, size - n - 1);
+}
+
+/* Begin another part of a note. */
+static void put_part(char *note, size_t size, const char *words)
+{
+    put(note, size, *note ? "; " : "");
+    put(note, size, words);
 }
 
 /* Add ", Ts (crossed) at 30" to a list that begins with some words. */
@@ -145,8 +153,9 @@ void marks_tell(const marks *m, const char *name)
         put_name(note, 250, "", &n, &m->list[i]);
     flk_message(words, sizeof words,
                 "not all answers have the same values; %ld are asked, those that a quarter of them "
-                "have: %s; an [expect] in the deck says what is asked",
-                (long)m->n, note);
+                "have: %s%s",
+                (long)m->n, note,
+                m->is_class ? "; an [expect] in the deck says what is asked" : "");
     command_tell_note(name, 0, words, NULL);
 }
 
@@ -178,13 +187,12 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         question q;
 
         fourlink_results_check(in->results, i, &c);
-        has_misprint |= c.verdict == FOURLINK_MISPRINT;
+        has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
         sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
         has_grading |= !in->deck && c.tolerance_from == FOURLINK_FROM_GRADING;
         if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
-            put(mark->note, size, *mark->note ? "; " : "");
-            put(mark->note, size,
-                flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
+            put_part(mark->note, size,
+                     flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
         } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !find(m, &c)) {
             strcpy(q.name, c.name);
             q.has_angle = c.has_angle;
@@ -194,16 +202,13 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         }
     }
     if (has_misprint && m->list) {
-        put(mark->note, size, *mark->note ? "; " : "");
-        put(mark->note, size, "a value of [misprint] is no answer");
+        put_part(mark->note, size, "a value of [misprint] is no answer");
     }
     if (sets_tolerance && m->list) {
-        put(mark->note, size, *mark->note ? "; " : "");
-        put(mark->note, size, "sets its own tolerance");
+        put_part(mark->note, size, "sets its own tolerance");
     }
     if (has_grading && m->list) {
-        put(mark->note, size, *mark->note ? "; " : "");
-        put(mark->note, size, "by the [grading] of its deck");
+        put_part(mark->note, size, "by the [grading] of its deck");
     }
 }
 

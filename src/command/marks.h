@@ -12,6 +12,7 @@ typedef struct marks {
     struct question *list; /* null: each file is asked for the values that it has */
     unsigned long n;
     int set_tolerances; /* 1: some answers set their own */
+    int is_class;       /* 1: all answers are to one deck */
     int are_guessed;    /* 1: found in the answers, because the deck does not list them */
 } marks;
 

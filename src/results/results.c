@@ -385,7 +385,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     if (i >= r->now->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
     flk_expected_compare(r->now, &r->now->d.expectations[i], &n, check);
-    if (check->verdict == FOURLINK_DIFFERS && !check->words[0] && !check->hint[0])
+    if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
         flk_hint_find(r->now, &n, check);
     return FOURLINK_OK;
 }

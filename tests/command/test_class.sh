@@ -46,7 +46,7 @@ anna,3,3,100,
 ben,2,3,66.7,missing: swing
 "c, ""d""",3,3,100,sets its own tolerance
 dora,2,3,66.7,missing: mu_min; line 3: 'mu_mni' is neither a column nor a fact of this deck; did you mean 'mu_min'?; not asked: omega4 at 40
-emil,0,3,0,
+emil,0,3,0,a value of [misprint] is no answer
 fay,0,3,0,a value of [misprint] is no answer
 gerd,0,3,0,"answers/gerd.expect:1: expected [expect] or [misprint] in this file, not [crank]"
 hans,0,3,0,answers/hans.expect:1: nothing to check: no values in [expect]
