@@ -85,7 +85,7 @@ static int find_marks(marks *m, const options *o, const input *inputs, size_t n)
     const input *deck = inputs[0].deck;
 
     memset(m, 0, sizeof *m);
-    if (!deck && !(o->scores && o->check_file))
+    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
         return 0;
     if (!marks_find(m, deck, inputs, n))
         return command_complain("cannot start", "", "not enough memory");

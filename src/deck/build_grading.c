@@ -2,6 +2,8 @@
 **
 ** build_grading.c - builds [grading]: tolerances, marks and digits that hold whatever answers say.
 */
+#include <string.h>
+
 #include "base/number.h"
 #include "deck.h"
 #include "reader.h"
@@ -75,6 +77,19 @@ static void add_rule(parser *p, text name, text items, text_place place)
     }
 }
 
+/* Note a rule for a name that the deck's own [expect] does not have. */
+static void note_unused(parser *p, const deck_rule *rule)
+{
+    const deck *d = p->d;
+    size_t i;
+
+    for (i = 0; i < d->n_expectations; i++)
+        if (d->expectations[i].name.length == rule->name.length &&
+            memcmp(d->expectations[i].name.start, rule->name.start, rule->name.length) == 0)
+            return;
+    flk_mistake(&p->d->notes, rule->place, "no value of [expect] has the name '%t'", rule->name);
+}
+
 void flk_build_grading(parser *p)
 {
     const setting *tolerance = flk_setting_find(p, KEY_GRADING_TOLERANCE);
@@ -91,6 +106,8 @@ void flk_build_grading(parser *p)
     for (i = 0; i < p->n_named; i++)
         if (p->uses[p->named[i].use].section == SECTION_GRADING)
             add_rule(p, p->named[i].name, p->named[i].value, p->named[i].place);
+    for (i = 0; i < p->d->n_rules && p->d->n_expectations; i++)
+        note_unused(p, &p->d->rules[i]);
     if (IS_SET(tolerance))
         add_rule(p, none, tolerance->value, tolerance->place);
     p->d->fewest_digits = IS_SET(digits) ? digits->si[0] : 0;

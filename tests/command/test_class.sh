@@ -133,6 +133,11 @@ for wrong in '0,5 deg' x '-1 %' 5 '1 % 2 deg' ''; do
     says '--tolerance: error: expected'
     nothing
 done
+# a name that nothing has
+{ cat asked.deck && printf '[grading]\nswimg = 3 marks\nswing = 2 marks\n'; } >names.deck
+run 2 --answers=answers --scores names.deck
+says "names.deck:17: note: no value of [expect] has the name 'swimg'"
+check 'the other has' none "'swing'" err
 # near zero, rounding is not a mistake
 printf '[expect]\nat = 90 deg\nmu = 59 deg\n' >own
 sed 's/rad.s/rad\/s/; s/^speed.*/speed = 0 rad\/s/' exercise.deck >still.deck
@@ -147,6 +152,20 @@ check 'a deck with [grading]' grep -q '^theirs,3,3,100,by the \[grading\] of its
 run 0 --check=answers --scores -f csv --tolerance='1 %' exercise.deck theirs.deck
 check 'overridden' grep -q '^theirs,3,3,100,$' out
 rm answers/theirs.expect answers/exercise.expect
+
+# one file of answers, an instructor's, for all decks
+cp exercise.deck longer.deck
+run 1 --check=answers/emil.expect --scores -f csv exercise.deck longer.deck
+quiet
+prints 'longer,0,3,0,'
+sed -i 's/^length = 80/length = 81/' longer.deck
+run 1 --check=answers/anna.expect --scores -f csv exercise.deck longer.deck
+quiet
+prints 'exercise,3,3,100,'
+check 'the other' grep -q '^longer,[012],3,' out
+# a deck's own
+run 0 --scores asked.deck
+check 'its score' grep -Eqx 'asked +2 +2 +100.0' out
 
 # ------------------------------------------------------------------------------------------ variants
 
