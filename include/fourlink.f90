@@ -124,6 +124,8 @@ module fourlink
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
   ! The most areas of a turning moment; for a source, any design without mistakes.
+  integer(c_int), parameter :: fourlink_from_digit = 1, fourlink_from_section = 2, &
+    fourlink_from_grading = 3, fourlink_from_change = 4
   integer(c_int), parameter :: fourlink_areas = 40
   integer(c_long), parameter :: fourlink_any_design = int(z'ffffffff', c_long)
 
@@ -313,7 +315,7 @@ module fourlink
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits
     integer(c_long) :: n_expected, n_designs, design
-    integer(c_int) :: has_outputs, has_statistics
+    integer(c_int) :: has_outputs, has_statistics, is_graded
     integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
     real(c_double) :: time_step, duration ! s, of rows by time
   end type fourlink_problem
@@ -397,6 +399,8 @@ module fourlink
     integer(c_long) :: message_line
     character(kind=c_char) :: message(400)  ! for fourlink_text
     character(kind=c_char) :: hint(200)     ! the same
+    integer(c_int) :: tolerance_from
+    real(c_double) :: marks
   end type fourlink_check
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.

@@ -673,6 +673,7 @@ typedef struct fourlink_problem {
     unsigned long design;     /* number of this design, from 0 */
     int has_outputs;          /* 1: the [sweep] names outputs: one line for each design */
     int has_statistics;       /* 1: statistics of the outputs are requested */
+    int is_graded;            /* 1: [grading] has tolerances for all values */
     int mode;         /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
     int by_time;      /* 1: rows by time; their angles come from fourlink_results_row */
@@ -782,6 +783,14 @@ typedef enum fourlink_verdict {
     FOURLINK_NO_VALUE = 4     /* nothing to compare; the message says why */
 } fourlink_verdict;
 
+/* Where the tolerance of a comparison is from. */
+enum {
+    FOURLINK_FROM_DIGIT = 1,   /* half of the last digit */
+    FOURLINK_FROM_SECTION = 2, /* `tolerance` beside the value */
+    FOURLINK_FROM_GRADING = 3, /* [grading] in the deck's text */
+    FOURLINK_FROM_CHANGE = 4   /* [grading] by a change, such as an option */
+};
+
 /* The comparison of a value of [expect] or [misprint]. */
 typedef struct fourlink_check {
     fourlink_verdict verdict;
@@ -795,9 +804,11 @@ typedef struct fourlink_check {
     int has_angle;                       /* 1: a column, at the crank angle `angle` */
     double angle;                        /* in the deck's unit of angle */
     fourlink_branch branch;
-    long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
-    char message[400]; /* FOURLINK_NO_VALUE: why */
-    char hint[200];    /* FOURLINK_DIFFERS: a possible reason, or "" */
+    long message_line;  /* FOURLINK_NO_VALUE: line of the mistake in `file` */
+    char message[400];  /* FOURLINK_NO_VALUE: why */
+    char hint[200];     /* FOURLINK_DIFFERS: a possible reason, or "" */
+    int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
+    double marks;       /* that it is worth, of [grading]; otherwise 1 */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------

@@ -103,7 +103,12 @@ run 3 '--output=none\new.txt' decks/x.deck
 expect 'a folder that is not there' says 'No such file'
 run 3 --output=decks decks/x.deck
 run 0 --format=csv --output=x.csv decks/x.deck
-expect 'csv has CR LF once' test "$(tr -cd '\r' <x.csv | wc -c)" -eq "$(wc -l <x.csv)"
+expect 'csv has no CR' test "$(tr -cd '\r' <x.csv | wc -c)" -eq 0
+mkdir class
+printf '[expect]\r\nmu_max = 90 deg\r\n' >class/anna.txt
+printf '[expect]\r\nmu_max = 80 deg\r\n' >class/ben.EXPECT
+run 1 '--answers=class\' --scores --format=csv decks/x.deck
+expect 'the answers of a folder' test "$(cut -d, -f1-3 out | tr '\n' ' ')" = 'name,right,of anna,1,1 ben,0,1 '
 expect 'no temporary file is left' test -z "$(find . -name '.fourlink*')"
 
 # streams that the shell of Windows redirects: Wine knows those of this one by no name

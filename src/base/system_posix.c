@@ -10,6 +10,7 @@
 
 #ifndef _WIN32
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -112,6 +113,25 @@ int system_is_open_as(const char *path, FILE *stream)
     struct stat a, b;
 
     return stat(path, &a) == 0 && fstat(fileno(stream), &b) == 0 && is_same(&a, &b);
+}
+
+int system_list(const char *folder, int (*take)(void *host, const char *name), void *host)
+{
+    DIR *names = opendir(folder);
+    struct dirent *entry;
+    int is_wanted = 1, reason;
+
+    if (!names)
+        return 0;
+    errno = 0;
+    while (is_wanted && (entry = readdir(names)) != NULL) {
+        is_wanted = take(host, entry->d_name);
+        errno = is_wanted ? 0 : errno;
+    }
+    reason = errno;
+    closedir(names);
+    errno = reason;
+    return is_wanted && reason == 0;
 }
 
 int system_may_write(const char *path)

@@ -224,6 +224,30 @@ int system_may_write(const char *path)
     return 0;
 }
 
+int system_list(const char *folder, int (*take)(void *host, const char *name), void *host)
+{
+    WIN32_FIND_DATAW entry;
+    char *pattern = malloc(strlen(folder) + sizeof "/*");
+    wchar_t *w = pattern ? wide(strcat(strcpy(pattern, folder), "/*")) : NULL;
+    HANDLE names = w ? FindFirstFileW(w, &entry) : INVALID_HANDLE_VALUE;
+    int is_wanted = 1;
+
+    if (w && names == INVALID_HANDLE_VALUE)
+        fail();
+    free(pattern);
+    free(w);
+    if (names == INVALID_HANDLE_VALUE)
+        return 0;
+    do {
+        char *name = narrow(entry.cFileName);
+
+        is_wanted = name && take(host, name);
+        free(name);
+    } while (is_wanted && FindNextFileW(names, &entry));
+    FindClose(names);
+    return is_wanted;
+}
+
 FILE *system_open(const char *path, const char *mode)
 {
     wchar_t *w = wide(path), *m = wide(mode);

@@ -89,6 +89,13 @@ int flk_text_equal(text t, const char *word)
     return word[i] == '\0';
 }
 
+int flk_text_ends_in(text t, const char *ending)
+{
+    size_t length = strlen(ending);
+
+    return t.length > length && flk_text_equal(flk_text_from(t, t.length - length), ending);
+}
+
 int flk_text_same(text t, const char *word)
 {
     size_t i;

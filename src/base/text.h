@@ -47,6 +47,9 @@ int flk_text_equal(text t, const char *word);
 /* Equal, case included. */
 int flk_text_same(text t, const char *word);
 
+/* 1 if a text ends in this, whatever the case of its letters, and is longer. */
+int flk_text_ends_in(text t, const char *ending);
+
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
 

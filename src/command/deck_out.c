@@ -11,6 +11,7 @@
 #include "deck_out.h"
 #include "files.h"
 #include "output.h"
+#include "variants.h"
 
 /* Write an open deck to a file, or to standard output; returns the exit status. */
 static int print(const fourlink_results *results, const char *path)
@@ -31,37 +32,18 @@ static int print(const fourlink_results *results, const char *path)
     return status;
 }
 
-#define MOST_DIGITS 10 /* of the number of a design */
-
-/* FOLDER/NAME-N.deck, with as many digits as the largest N has: memory to free, or null. */
-static char *path_of(const input *in, unsigned long i)
-{
-    const char *name = strcmp(in->name, "<stdin>") == 0 ? "deck" : files_name(in->name);
-    size_t length = strlen(name), room = strlen(in->o->output) + length + 40;
-    char *path = malloc(room);
-    unsigned long n = in->problem.n_designs;
-    char number[MOST_DIGITS + 20], *start = number + MOST_DIGITS - 1;
-
-    for (; n > 9; n /= 10)
-        start--;
-    sprintf(number, "%0*lu", MOST_DIGITS, i + 1);
-    if (length > 5 && strcmp(name + length - 5, ".deck") == 0)
-        length -= 5;
-    if (path)
-        sprintf(path, "%s%.*s-%s.deck", in->o->output, (int)length, name, start);
-    return path;
-}
-
 /* Write all designs; those with mistakes are left out, and the exit status tells. */
 static int print_all(const input *in)
 {
+    variants v = {NULL, NULL, 0};
     fourlink_results *results;
     fourlink_mistake mistake;
     unsigned long i;
-    int status = 0;
+    int status = variants_open(&v, in);
+    int may_write = status == 0;
 
-    for (i = 0; i < in->problem.n_designs && status != EXIT_FILES; i++) {
-        char *path = path_of(in, i);
+    for (i = 0; i < v.n && may_write && status != EXIT_FILES; i++) {
+        char *path = variants_path(&v, in->o->output, in, i, ".deck");
         int opened = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
 
         if (!path || opened == FOURLINK_NO_MEMORY) {
@@ -75,6 +57,7 @@ static int print_all(const input *in)
         }
         free(path);
     }
+    variants_close(&v);
     return status;
 }
 

@@ -87,7 +87,8 @@ static int run(sheet *s, FILE *out, const input *in, int *signal_number)
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (*signal_number)
-        return command_complain("stopped", in->name, "interrupted; run this part again");
+        return command_complain("stopped", in->name,
+                                in->o->parts ? "interrupted; run this part again" : "interrupted");
     return s->failed ? EXIT_ROWS : 0;
 }
 
@@ -117,11 +118,27 @@ static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_nu
     return status;
 }
 
+/* Say that a `yield` prints statistics, where programs may expect designs. */
+static void tell_statistics(const input *in)
+{
+    const fourlink_value *conditions;
+    unsigned long n;
+
+    fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
+    if (in->problem.has_statistics && n && !in->o->n_statistics && !in->o->parts &&
+        in->o->format != &table_format)
+        command_tell_note(in->name, 0,
+                          "with a yield, statistics are printed, not designs; "
+                          "--set=sweep.statistics=no prints the designs",
+                          NULL);
+}
+
 int designs_write(FILE *out, const input *in, int *signal_number)
 {
     sheet s;
 
     set_up(&s, out, in);
+    tell_statistics(in);
     return in->problem.has_statistics && !in->o->parts
                ? write_statistics(&s, out, in, signal_number)
                : run(&s, out, in, signal_number);

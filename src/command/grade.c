@@ -1,56 +1,147 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** grade.c - the answers that decks are checked against: a file, or one of a folder for each deck.
+** grade.c - the answers that decks are checked against: a file, one of a folder for each deck, or all of a folder for
+** one deck.
 */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 #include "grade.h"
 
-int grade_open(grade_answers *a, const options *o)
+/* FOLDER/NAME: memory to free, or null. */
+static char *path_in(const char *folder, const char *name)
 {
-    memset(a, 0, sizeof *a);
-    if (!o->check_file)
-        return 0;
-    a->is_folder = files_is_folder(o->check_file);
-    if (a->is_folder)
-        return 0;
-    a->text = files_read(o->check_file, &a->length);
-    return a->text ? 0 : command_complain("cannot read", o->check_file, strerror(errno));
-}
-
-/* FOLDER/NAME.expect: memory to free, or null. */
-static char *path_of(const char *folder, const char *deck)
-{
-    const char *name = files_name(deck);
-    size_t length = strlen(name), room = strlen(folder) + length + sizeof "/.expect";
-    char *path = malloc(room);
+    char *path = malloc(strlen(folder) + strlen(name) + sizeof "/");
 
     if (!path)
         return NULL;
     strcpy(path, folder);
     if (*files_name(folder))
         strcat(path, "/");
-    if (length > 5 && strcmp(name + length - 5, ".deck") == 0)
-        length -= 5;
-    return strcat(strncat(path, name, length), ".expect");
+    return strcat(path, name);
 }
 
-int grade_read(grade_answers *a, const options *o, const char *deck, char why[400])
+/* FOLDER/NAME.expect: memory to free, or null. */
+static char *path_of(const char *folder, const char *deck)
+{
+    const char *name = files_name(deck);
+    size_t length = strlen(name) - (flk_text_ends_in(flk_text_of(name), ".deck") ? 5 : 0);
+    char *file = malloc(length + sizeof ".expect"), *path = NULL;
+
+    if (file) {
+        memcpy(file, name, length);
+        strcpy(file + length, ".expect");
+        path = path_in(folder, file);
+    }
+    free(file);
+    return path;
+}
+
+/* A folder that is listed. */
+typedef struct listing {
+    grade_answers *a;
+    const char *folder;
+} listing;
+
+/* Keep a file of answers; 0 if out of memory.  Hidden files are those that systems add to a folder. */
+static int take_file(void *host, const char *name)
+{
+    listing *x = host;
+    char **more;
+
+    if (name[0] == '.' || !(flk_text_ends_in(flk_text_of(name), ".expect") ||
+                            flk_text_ends_in(flk_text_of(name), ".txt")))
+        return 1;
+    more = realloc(x->a->files, (x->a->n_files + 1) * sizeof *more);
+    if (!more)
+        return 0;
+    x->a->files = more;
+    more[x->a->n_files] = path_in(x->folder, name);
+    return more[x->a->n_files++] != NULL;
+}
+
+static int compare_names(const void *x, const void *y)
+{
+    return strcmp(*(char *const *)x, *(char *const *)y);
+}
+
+/* Find all answers in a folder; returns the exit status. */
+static int list_files(grade_answers *a, const char *folder)
+{
+    listing x;
+
+    x.a = a;
+    x.folder = folder;
+    if (!system_list(folder, take_file, &x))
+        return command_complain("cannot read", folder, strerror(errno));
+    if (a->n_files)
+        qsort(a->files, a->n_files, sizeof *a->files, compare_names);
+    return 0;
+}
+
+/* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the deck's name. */
+static int is_class(const options *o)
+{
+    char *path;
+    int has_own;
+
+    if (o->answers || o->n_decks != 1 || strcmp(o->decks[0], "-") == 0)
+        return o->answers != NULL;
+    path = path_of(o->check_file, o->decks[0]);
+    has_own = !path || system_kind_of(path) != SYSTEM_NOTHING;
+    free(path);
+    return !has_own;
+}
+
+int grade_open(grade_answers *a, const options *o)
+{
+    char words[MESSAGE_SIZE];
+    int status;
+    size_t i;
+
+    memset(a, 0, sizeof *a);
+    if (!o->check_file)
+        return 0;
+    a->is_folder = files_is_folder(o->check_file);
+    if (!a->is_folder && !o->answers) {
+        a->text = files_read(o->check_file, &a->length);
+        return a->text ? 0 : command_complain("cannot read", o->check_file, strerror(errno));
+    }
+    if (!is_class(o))
+        return 0;
+    status = list_files(a, o->check_file);
+    if (!status && o->answers && !a->n_files)
+        status = command_complain("cannot read", o->answers,
+                                  "no file in this folder ends in .expect or .txt");
+    for (i = 0; i < a->n_files && !status; i++)
+        if (files_is_output(o, a->files[i]))
+            status = command_complain("cannot write", a->files[i], "it is also read");
+    if (a->n_files && !o->answers) {
+        flk_message(words, sizeof words,
+                    "no file has the name of the deck, so all %ld are answers to it",
+                    (long)a->n_files);
+        command_tell_note(o->check_file, 0, words, NULL);
+    }
+    return status;
+}
+
+int grade_read(grade_answers *a, const options *o, const char *deck, const char *file,
+               char why[400])
 {
     int reason;
 
     memset(a, 0, sizeof *a);
-    if (strcmp(deck, "-") == 0) {
+    if (!file && strcmp(deck, "-") == 0) {
         flk_message(why, 400, "standard input has no name: --check needs a file, not a folder");
         command_tell_mistake("<stdin>", 0, why, NULL);
         return EXIT_USAGE;
     }
-    a->path = path_of(o->check_file, deck);
+    a->path = file ? files_beside("", file) : path_of(o->check_file, deck);
     if (a->path && files_is_output(o, a->path))
         return command_complain("cannot write", a->path, "it is also read");
     a->text = a->path ? files_read_path(a->path, &a->length) : NULL;
@@ -64,6 +155,11 @@ int grade_read(grade_answers *a, const options *o, const char *deck, char why[40
 
 void grade_close(grade_answers *a)
 {
+    size_t i;
+
+    for (i = 0; i < a->n_files; i++)
+        free(a->files[i]);
+    free(a->files);
     free(a->path);
     free(a->text);
 }

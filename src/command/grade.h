@@ -7,9 +7,11 @@
 
 #include "options.h"
 
-/* The answers of --check: a file, or one of a folder for each deck. */
+/* The answers of --check: a file, one of a folder for each deck, or all of a folder for one deck. */
 typedef struct grade_answers {
     int is_folder;
+    char **files; /* null: not many answers to one deck; their paths, in the order of names */
+    size_t n_files;
     char *path; /* of the file that was read */
     char *text; /* null: there is none */
     size_t length;
@@ -18,9 +20,10 @@ typedef struct grade_answers {
 /* Open what --check names, if it names something.  Prints a failure and returns the exit status. */
 int grade_open(grade_answers *a, const options *o);
 
-/* Read FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and why there are no answers in `why`,
-** which stays as it is if reading or memory failed. */
-int grade_read(grade_answers *a, const options *o, const char *deck, char why[400]);
+/* Read a file of answers, or for null FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and why there are no
+** answers in `why`, which stays as it is if reading or memory failed. */
+int grade_read(grade_answers *a, const options *o, const char *deck, const char *file,
+               char why[400]);
 
 void grade_close(grade_answers *a);
 

@@ -115,7 +115,8 @@ static int serves_options(input *in)
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
-        why = "nothing to check: no [expect] or [misprint] section";
+        why = in->deck ? "nothing to check: no values in [expect]"
+                       : "nothing to check: no [expect] or [misprint] section";
         name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
         why = "--matrix needs masses or loads; the deck has none";
@@ -161,7 +162,8 @@ static void tell_all(const input *in, const fourlink_mistake *list, unsigned lon
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
-        tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
+        if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
+            tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
     command_tell_more(n, what);
 }
 
@@ -197,7 +199,8 @@ static int open_results(input *in)
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
-        tell_all(in, list, n, command_tell_note, "note");
+        if (!in->o->is_again)
+            tell_all(in, list, n, command_tell_note, "note");
     }
     free(list);
     return status;
@@ -237,7 +240,7 @@ static int find_answers(input *in, const char *path, const grade_answers *answer
 
     in->source.answers_name = in->o->check_file;
     if (answers->is_folder) {
-        status = grade_read(&in->answers, in->o, path, in->refusal);
+        status = grade_read(&in->answers, in->o, path, NULL, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }
@@ -278,22 +281,20 @@ static int take_design(input *in)
     return open_results(in);
 }
 
-int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+/* Open what has been read; returns the exit status. */
+static int open_input(input *in)
 {
+    const options *o = in->o;
     int status;
 
-    in->o = o;
-    status = read_text(in, path);
-    if (!status)
-        status = find_answers(in, path, answers);
-    if (status)
-        return status;
     in->source.load = load_file;
     in->source.host = in;
-    in->source.changes = o->changes;
     in->source.units = o->units;
-    in->source.n_changes = (unsigned long)o->n_changes;
-    in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+    if (!in->is_design) {
+        in->source.changes = o->changes;
+        in->source.n_changes = (unsigned long)o->n_changes;
+        in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+    }
     status = open_results(in);
     if (status || !in->results)
         return status;
@@ -309,6 +310,34 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
         return 0;
     refuse(in);
     return EXIT_USAGE;
+}
+
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+{
+    int status;
+
+    in->o = o;
+    status = read_text(in, path);
+    if (!status)
+        status = find_answers(in, path, answers);
+    return status ? status : open_input(in);
+}
+
+int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
+                       size_t i)
+{
+    int status;
+
+    in->o = o;
+    in->deck = deck;
+    in->name = deck->name;
+    in->source = deck->source;
+    in->is_design = deck->is_design;
+    status = grade_read(&in->answers, o, in->name, answers->files[i], in->refusal);
+    in->source.answers_name = in->answers.path;
+    in->source.answers = in->answers.text;
+    in->source.answers_length = (unsigned long)in->answers.length;
+    return status ? status : open_input(in);
 }
 
 void input_close(input *in)

@@ -24,6 +24,8 @@ typedef struct input {
     int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers; /* its own, of a folder */
+    const struct input
+        *deck; /* the same deck without answers, whose notes have been told; null: there is none */
     /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so that nothing is
     ** known about it */
     char refusal[MESSAGE_SIZE];
@@ -32,6 +34,10 @@ typedef struct input {
 /* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads
 ** the first design without mistakes. */
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers);
+
+/* The same with the i-th file of answers to a deck that has been read. */
+int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
+                       size_t i);
 
 void input_close(input *in);
 

@@ -16,9 +16,11 @@
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
+#include "marks.h"
 #include "output.h"
 #include "reporting.h"
 #include "terminal.h"
+#include "variants.h"
 #include "tables/content.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -77,40 +79,79 @@ static int status_of(const sheet *s, const input *in)
                                                                                        : 0;
 }
 
-/* Write all decks; returns the exit status. */
-static int write_decks(FILE *out, const options *o, const input *inputs)
+/* Find what is asked, and tell; returns the exit status. */
+static int find_marks(marks *m, const options *o, const input *inputs, size_t n)
+{
+    const input *deck = inputs[0].deck;
+
+    memset(m, 0, sizeof *m);
+    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
+        return 0;
+    if (!marks_find(m, deck, inputs, n))
+        return command_complain("cannot start", "", "not enough memory");
+    marks_tell(m, o->check_file);
+    return 0;
+}
+
+/* Write an input, or its score alone; returns the exit status. */
+static int write_input(sheet *s, const options *o, const input *in, const marks *m)
+{
+    int status;
+    sheet_mark mark;
+
+    s->out_of_memory = 0;
+    if (in->deck || o->scores)
+        marks_give(m, in, &mark);
+    s->mark = in->deck ? &mark : NULL;
+    if (s->content == SHEET_SCORES)
+        content_write_mark(s, &mark);
+    else
+        content_write(s, in->results, in->name, in->refusal);
+    status = status_of(s, in);
+    s->mark = NULL;
+    return in->results && (in->deck || o->scores) && mark.right < mark.of
+               ? command_worse(status, EXIT_ROWS)
+               : status;
+}
+
+/* Write all inputs: decks, or one deck with the answers of many; returns the exit status. */
+static int write_decks(FILE *out, const options *o, const input *inputs, size_t n)
 {
     fourlink_value *header;
     int status = 0;
     size_t i;
+    marks m;
     sheet s;
 
+    status = find_marks(&m, o, inputs, n);
+    if (status)
+        return status;
     memset(&s, 0, sizeof s);
     s.format = o->format;
-    s.content = o->content;
+    s.content = o->scores ? SHEET_SCORES : o->content;
+    s.wrong_first = s.format == &table_format;
     s.at = o->at;
     s.n_decks = (int)o->n_decks;
     s.no_value = tell_no_value;
     s.width = o->wide ? 0 : terminal_width(out);
-    s.header = header = union_of_columns(inputs, o->n_decks, &s.n_header);
-    if (!header)
+    s.header = header = union_of_columns(inputs, n, &s.n_header);
+    if (!header) {
+        marks_free(&m);
         return command_complain("cannot start", "", "not enough memory");
-    content_begin(&s, out, 1);
-    for (i = 0; i < o->n_decks; i++) {
-        if (has_no_score(o, &inputs[i])) { /* already reported */
-            status = EXIT_FILES;
-            continue;
-        }
-        s.out_of_memory = 0;
-        content_write(&s, inputs[i].results, inputs[i].name, inputs[i].refusal);
-        status = command_worse(status, status_of(&s, &inputs[i]));
     }
+    content_begin(&s, out, 1);
+    for (i = 0; i < n; i++)
+        if (has_no_score(o, &inputs[i])) /* already reported */
+            status = EXIT_FILES;
+        else
+            status = command_worse(status, write_input(&s, o, &inputs[i], &m));
     free(header);
+    marks_free(&m);
     return status;
 }
 
 /* Write what the options ask for; returns the exit status. */
-static int write_sheet(const options *o, const input *inputs, int *signal_number)
+static int write_sheet(const options *o, const input *inputs, size_t n, int *signal_number)
 {
     output out;
     int status, written;
@@ -126,13 +167,14 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
-        written = write_decks(out.file, o, inputs);
+        written = write_decks(out.file, o, inputs, n);
     /* incomplete results are not kept */
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
 }
 
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
-static int write_all(const options *o, const input *inputs, int usable, int *signal_number)
+static int write_all(const options *o, const input *inputs, size_t n, int usable,
+                     int *signal_number)
 {
     drawing d;
     int status = 0;
@@ -142,37 +184,118 @@ static int write_all(const options *o, const input *inputs, int usable, int *sig
         status = drawing_begin(&d, &inputs[0]);
     if (status == EXIT_USAGE)
         return status;
-    if (options_want_table(o) && (usable || (o->content == SHEET_CHECK && o->n_decks > 1)))
-        status = command_worse(status, write_sheet(o, inputs, signal_number));
+    if (options_want_table(o) &&
+        (usable || (o->content == SHEET_CHECK && (n > 1 || inputs[0].deck || o->scores))))
+        status = command_worse(status, write_sheet(o, inputs, n, signal_number));
     if (d.script)
         status = command_worse(status, drawing_end(&d, !*signal_number));
     return status;
 }
 
-static int run(const options *o)
+/* Read n inputs, write what is asked for, and close them; returns the exit status.  `deck` is not null for a deck with
+** the answers of many. */
+static int run_inputs(const options *o, const grade_answers *answers, const input *deck,
+                      int *signal_number)
 {
-    input *inputs = calloc(o->n_decks + 1, sizeof *inputs);
-    int status = 0, usable = 0, signal_number = 0;
-    grade_answers answers;
-    size_t i;
+    size_t n = deck ? answers->n_files : o->n_decks, i;
+    input *inputs = calloc(n + 1, sizeof *inputs);
+    int status = 0, usable = 0;
 
     if (!inputs)
         return command_complain("cannot start", "", "not enough memory");
-    status = grade_open(&answers, o);
-    if (status) {
-        free(inputs);
-        return status;
-    }
-    for (i = 0; i < o->n_decks; i++) {
-        status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
+    for (i = 0; i < n; i++) {
+        status = command_worse(status, deck ? input_read_answers(&inputs[i], deck, o, answers, i)
+                                            : input_read(&inputs[i], o->decks[i], o, answers));
         usable += inputs[i].results != NULL;
     }
-    status = command_worse(status, write_all(o, inputs, usable, &signal_number));
-    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !signal_number)
+    status = command_worse(status, write_all(o, inputs, n, usable, signal_number));
+    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !*signal_number)
         status = command_worse(status, reporting_write(&inputs[0]));
-    for (i = 0; i < o->n_decks; i++)
+    for (i = 0; i < n; i++)
         input_close(&inputs[i]);
     free(inputs);
+    return status;
+}
+
+/* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
+static int run_class(const options *o, const grade_answers *answers, int *signal_number)
+{
+    grade_answers none;
+    options of_deck = *o;
+    input deck;
+    int status;
+
+    memset(&none, 0, sizeof none);
+    memset(&deck, 0, sizeof deck);
+    of_deck.content = SHEET_SUMMARY;
+    of_deck.check_file = NULL;
+    status = input_read(&deck, o->decks[0], &of_deck, &none);
+    if (deck.results)
+        status = command_worse(status, run_inputs(o, answers, &deck, signal_number));
+    input_close(&deck);
+    return status;
+}
+
+/* Run one design of a [sweep] for a file of its own; returns the exit status. */
+static int run_variant(const options *o, const char *path, unsigned long i, int *signal_number)
+{
+    grade_answers none;
+    options one = *o;
+    int status;
+
+    memset(&none, 0, sizeof none);
+    one.all_designs = 0;
+    one.design = i + 1;
+    one.is_again = i > 0;
+    *(o->report ? &one.report : &one.output) = path;
+    status = files_tell_clash(&one);
+    return status ? status : run_inputs(&one, &none, NULL, signal_number);
+}
+
+/* Write a file for each design of a [sweep]; returns the exit status. */
+static int run_variants(const options *o, int *signal_number)
+{
+    const char *folder = o->report ? o->report : o->output;
+    grade_answers none;
+    options of_deck = *o;
+    variants v = {NULL, NULL, 0};
+    int status, may_write = 0;
+    unsigned long i;
+    input deck;
+
+    memset(&none, 0, sizeof none);
+    memset(&deck, 0, sizeof deck);
+    of_deck.content = SHEET_ROWS;
+    of_deck.report = NULL;
+    of_deck.is_again = 1;
+    status = input_read(&deck, o->decks[0], &of_deck, &none);
+    if (deck.results) {
+        status = variants_open(&v, &deck);
+        may_write = status == 0;
+    }
+    for (i = 0; i < v.n && may_write && status != EXIT_FILES && !*signal_number; i++) {
+        char *path = variants_path(&v, folder, &deck, i, o->report ? ".html" : ".expect");
+
+        status = command_worse(
+            status, path ? run_variant(o, path, i, signal_number)
+                         : command_complain("cannot write", folder, "not enough memory"));
+        free(path);
+    }
+    variants_close(&v);
+    input_close(&deck);
+    return status;
+}
+
+static int run(const options *o)
+{
+    int status, signal_number = 0;
+    grade_answers answers;
+
+    status = grade_open(&answers, o);
+    if (!status)
+        status = o->all_designs && !o->print_deck ? run_variants(o, &signal_number)
+                 : answers.n_files                ? run_class(o, &answers, &signal_number)
+                                                  : run_inputs(o, &answers, NULL, &signal_number);
     grade_close(&answers);
     if (signal_number) {
         fflush(stdout);

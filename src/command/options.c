@@ -31,6 +31,9 @@ static const char *const help[] = {
     "                                    change the deck: --set 'motion.speed=100 rpm'",
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
     "                                    or FOLDER/NAME.expect for NAME.deck",
+    "      --answers=FOLDER              compare one deck with each file of answers in FOLDER",
+    "      --scores                      print a score for each deck or file, not each value",
+    "      --tolerance=TOLERANCE,...     how far values may differ, such as '1 %, 0.5 deg'",
     "      --expect                      print the values of the deck as answers for --check=FILE",
     "      --at=ANGLE,COLUMN=VALUE,...   the rows at these crank angles, and where columns have",
     "                                    these values, such as --at='theta4 = 120 deg'",
@@ -54,6 +57,7 @@ static const char *const help[] = {
     "      --print-deck                  print the deck as it is computed: with other values, of "
     "one",
     "                                    design; of all: into --output=FOLDER/",
+    "      --names=FILE                  names for the files of --design=all, one a line",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
     "  -V, --version                     print the version",
@@ -70,6 +74,9 @@ enum {
     REPORT,
     PLOT_X,
     EXPECT,
+    ANSWERS,
+    SCORES,
+    TOLERANCE,
     AT,
     STATISTICS,
     BEST,
@@ -77,7 +84,8 @@ enum {
     DESIGN,
     PRINT_DECK,
     UNITS,
-    LAST_WITHOUT_LETTER = UNITS
+    NAMES,
+    LAST_WITHOUT_LETTER = NAMES
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -99,6 +107,9 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {ALLOW_FILES, "--allow-files", 0, NULL},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
+                                    {ANSWERS, "--answers", 1, NULL},
+                                    {SCORES, "--scores", 0, NULL},
+                                    {TOLERANCE, "--tolerance", 1, "grading.tolerance="},
                                     {EXPECT, "--expect", 0, NULL},
                                     {AT, "--at", 1, NULL},
                                     {'S', "--summary", 0, NULL},
@@ -112,6 +123,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {DESIGN, "--design", 1, NULL},
+                                    {NAMES, "--names", 1, NULL},
                                     {PRINT_DECK, "--print-deck", 0, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
@@ -203,18 +215,17 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
-/* 1 if a name ends in this, whatever the case of its letters. */
-static int ends_in(const char *name, const char *ending)
+/* 1 if a name says that it is a folder's: it ends in a slash. */
+static int is_folder(const char *name)
 {
-    size_t n = strlen(name), length = strlen(ending);
-
-    return n > length && flk_text_equal(flk_text_of(name + n - length), ending);
+    return name && *name && name[strlen(name) - 1] == '/';
 }
 
 static int set_report(options *o, const char *value, char message[400])
 {
     o->report = value;
-    return ends_in(value, ".html") || ends_in(value, ".htm") ||
+    return is_folder(value) || flk_text_ends_in(flk_text_of(value), ".html") ||
+           flk_text_ends_in(flk_text_of(value), ".htm") ||
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
 
@@ -280,6 +291,9 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_design(o, value, message);
     case PRINT_DECK:
         return o->print_deck = 1;
+    case NAMES:
+        o->names = value;
+        return 1;
     case PLOT_KIND:
         return set_plot_kind(o, value, message);
     case PLOT_AT:
@@ -297,6 +311,14 @@ static int set(options *o, const option_info *info, const char *value, char mess
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
+        return set_content(o, SHEET_CHECK);
+    case ANSWERS:
+        if (!*value)
+            return say(message, "--answers= needs a folder", "", "");
+        o->answers = value;
+        return set_content(o, SHEET_CHECK);
+    case SCORES:
+        o->scores = 1;
         return set_content(o, SHEET_CHECK);
     case BEST:
         return set_best(o, value, message);
@@ -444,17 +466,28 @@ void options_put_help(FILE *out)
 /* Check what does not go with decks that are printed, or with one design. */
 static int check_designs(const options *o, char message[400])
 {
-    size_t length = o->output ? strlen(o->output) : 0;
+    int is_output = is_folder(o->output);
 
     if (o->print_deck &&
         (o->content != SHEET_ROWS || o->parts || o->best || o->n_statistics || o->plot ||
          o->plot_script || o->report || o->at || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--print-deck prints a deck: it takes one deck and no other output", "",
                    "");
-    if (o->all_designs && (!o->print_deck || !length || o->output[length - 1] != '/'))
+    if (o->all_designs && !((o->print_deck || o->content == SHEET_EXPECT) && is_output) &&
+        !(is_folder(o->report) && !o->output))
         return say(message,
-                   "--design=all needs --print-deck and --output=FOLDER/: it writes one deck each",
+                   "--design=all needs --print-deck or --expect with --output=FOLDER/, or "
+                   "--report=FOLDER/: it writes one file each",
                    "", "");
+    if (o->all_designs && o->content == SHEET_EXPECT && o->report)
+        return say(message, "--design=all writes answers or reports, one of them at a time", "",
+                   "");
+    if (o->all_designs && !o->print_deck && strcmp(o->decks[0], "-") == 0)
+        return say(message, "--design=all reads the deck for each design: it needs a file", "", "");
+    if (!o->all_designs && is_folder(o->report))
+        return say(message, "--report=FOLDER/ needs --design=all", "", "");
+    if (o->names && !o->all_designs)
+        return say(message, "--names needs --design=all", "", "");
     if (o->design && (o->parts || o->best || o->n_statistics))
         return say(message, "--design takes one design, not the whole [sweep]", "", "");
     return 1;
@@ -496,6 +529,14 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || o->report ||
                   o->plot || o->plot_script || o->format == &paper_format))
         return say(message, "--at chooses rows of a table, csv, json or --expect", "", "");
+    if (o->answers && o->n_decks > 1)
+        return say(message,
+                   "--answers takes one deck; for a deck of each student give --check=FOLDER", "",
+                   "");
+    if (o->answers && (o->plot || o->plot_script || o->report))
+        return say(message, "--answers prints scores: it takes no picture and no report", "", "");
+    if (o->answers)
+        o->check_file = o->answers;
     if (o->content == SHEET_EXPECT && o->n_decks > 1)
         return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
@@ -512,10 +553,10 @@ int options_read(int argc, char **argv, options *o, char message[400])
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message, "--statistics needs all designs, not a --part", "", "");
-    if (!check_designs(o, message))
-        return 0;
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
+    if (!check_designs(o, message))
+        return 0;
     return check_plot(o, message);
 }
 

@@ -18,6 +18,8 @@ typedef struct options {
     int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
+    const char *answers;    /* the folder of --answers, which check_file is then too */
+    int scores;             /* 1: a line for each deck, or file of answers, instead of each value */
     const char *at;         /* the crank angles of --expect; null: the rows */
     const char *output;     /* null: standard output */
     const char *units;      /* of results; null: those of the deck */
@@ -27,6 +29,8 @@ typedef struct options {
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     unsigned long design;      /* --design=N, from 1; 0: not given */
     int all_designs;           /* 1: --design=all */
+    const char *names;         /* the list of names for its files; null: numbers */
+    int is_again;              /* 1: the notes on this deck have been told */
     int print_deck;            /* 1: print the deck instead of rows */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */

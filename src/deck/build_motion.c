@@ -381,7 +381,7 @@ void flk_build_expectations(parser *p)
         const setting *at, *branch, *tolerance;
         deck_expectation *e;
 
-        if (use->section == SECTION_SWEEP)
+        if (use->section == SECTION_SWEEP || use->section == SECTION_GRADING)
             continue;
         at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
         branch = flk_setting_of(use, KEY_EXPECT_BRANCH);

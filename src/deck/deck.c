@@ -151,6 +151,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->one_revolution = d->one_revolution;
     problem->digits = d->digits;
     problem->n_expected = (unsigned long)d->n_expectations;
+    problem->is_graded = d->n_rules > 0 && !d->rules[d->n_rules - 1].name.length;
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;

@@ -56,6 +56,13 @@ typedef struct deck_expectation {
     fourlink_branch branch;
 } deck_expectation;
 
+/* How values are graded, whatever their sections say: tolerances and marks, separated by commas. */
+typedef struct deck_rule {
+    text name; /* of a column or fact; empty: all others */
+    text items;
+    text_place place;
+} deck_rule;
+
 /* A quantity of the deck that a sweep varies. */
 typedef struct deck_variable {
     text name; /* crank.length */
@@ -120,6 +127,9 @@ struct fourlink_deck {
     fourlink_approximation approximation;
     deck_expectation *expectations;
     size_t n_expectations;
+    deck_rule *rules; /* of [grading] */
+    size_t n_rules;
+    double fewest_digits;                          /* of a value; 0: any */
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
     deck_drive drive;
     deck_sweep sweep;
@@ -136,6 +146,11 @@ struct fourlink_deck {
     struct parser *settings, *answers; /* the content of its texts; null: not read */
     struct kept *storage;              /* texts that names and places point to */
 };
+
+/* Read an item of a rule: a tolerance in per cent or of this quantity, in SI units; marks, as in "2 marks".  1; 0 if it
+** is something else. */
+int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance);
+int flk_rule_marks(text item, double *marks);
 
 /* Read a deck.
 **

@@ -109,6 +109,7 @@ static void build(parser *p)
     flk_build_curve_ends(p);
     flk_build_doubts(p);
     flk_build_expectations(p);
+    flk_build_grading(p);
 }
 
 /* Read a text of the source; null if out of memory. */

@@ -287,6 +287,7 @@ void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
+void flk_build_grading(parser *p);
 
 /* Note values that are allowed but probably not meant. */
 void flk_build_doubts(parser *p);

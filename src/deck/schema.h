@@ -35,6 +35,7 @@
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
     X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
+    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)         \
     X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
@@ -70,7 +71,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section) \
-    ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP)
+    ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP || \
+     (section) == SECTION_GRADING)
 
 /* In addition to these, any column or fact. */
 #define EXPECT_KEYS(X, S)                               \
@@ -201,6 +203,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \
     X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                                \
     X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
+    X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)                                \
+    X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     EXPECT_KEYS(X, EXPECT)                                                                         \
     EXPECT_KEYS(X, MISPRINT)
 

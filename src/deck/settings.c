@@ -239,6 +239,8 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     size_t *slot;
     named_value *named;
 
+    if (p->is_answers && t->name.length && !value.length)
+        return; /* a form that is not filled in: the value is missing */
     if (!t->name.length || !value.length) {
         flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
         return;

@@ -170,7 +170,8 @@ static const sheet_format html_format = {
     0,                                                       /* is_by_angle */
     1,                                                       /* is_brief */
     NULL,                                                    /* statistic */
-    NULL                                                     /* yield */
+    NULL,                                                    /* yield */
+    NULL                                                     /* mark */
 };
 
 /* ------------------------------------------------------------------------------ sections */

@@ -118,6 +118,68 @@ static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
     return 0;
 }
 
+/* A bare rounding error agrees with 0, whatever its per cent: this much in SI units. */
+#define ROUNDING 1e-9
+
+/* What [grading] says of a value.  `percent` and `tolerance`, in SI units, are below 0 if it says nothing. */
+typedef struct grading {
+    double percent, tolerance;
+} grading;
+
+/* Read the items of a rule. */
+static void apply(const deck *d, const deck_rule *rule, quantity q, fourlink_check *c, grading *g)
+{
+    text rest = rule->items, item;
+    int is_percent;
+    double x;
+
+    while (flk_text_split(&rest, ',', &item)) {
+        item = flk_text_trim(item);
+        if (flk_rule_tolerance(d, item, q, &is_percent, &x)) {
+            *(is_percent ? &g->percent : &g->tolerance) = x;
+            c->tolerance_from = rule->place.line ? FOURLINK_FROM_GRADING : FOURLINK_FROM_CHANGE;
+        } else {
+            flk_rule_marks(item, &c->marks);
+        }
+    }
+}
+
+/* Find what [grading] says of a value: by its name, or else for all values of its quantity. */
+static void find_grading(const deck *d, const deck_expectation *e, quantity q, fourlink_check *c,
+                         grading *g)
+{
+    const deck_rule *general = NULL;
+    size_t i;
+
+    g->percent = g->tolerance = -1;
+    for (i = 0; i < d->n_rules; i++)
+        if (!d->rules[i].name.length)
+            general = &d->rules[i];
+        else if (d->rules[i].name.length == e->name.length &&
+                 memcmp(d->rules[i].name.start, e->name.start, e->name.length) == 0)
+            apply(d, &d->rules[i], q, c, g);
+    if (general && g->percent < 0 && g->tolerance < 0)
+        apply(d, general, q, c, g);
+}
+
+/* The significant digits of a value as it is written. */
+static int digits_of(text value)
+{
+    int n = 0;
+    size_t i;
+
+    for (i = 0; i < value.length && strchr("+-.0123456789", value.start[i]); i++)
+        n += value.start[i] >= (n ? '0' : '1') && value.start[i] <= '9';
+    return n;
+}
+
+/* 1 if a value has fewer digits than [grading] asks for.  Exact values, such as 3 of 3, need no more. */
+static int is_short(const deck *d, const deck_expectation *e, const fourlink_check *c)
+{
+    return digits_of(e->value) < d->fewest_digits &&
+           fabs(c->printed - c->computed) > 1e-9 * fabs(c->computed) + 1e-12;
+}
+
 /* The difference of two values; for angles, whose turn is above 0, it is at most half a turn. */
 static double difference(double x, double y, double turn)
 {
@@ -191,9 +253,10 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     fourlink_value found;
     unsigned long n_facts, i;
     const deck_unit *u;
-    double tolerance, turn;
+    double tolerance = 0, turn;
     int infinite;
     quantity q;
+    grading g;
 
     if (!find_name(o, e, c, n, &n_facts))
         return -1;
@@ -205,6 +268,9 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     q = n_facts ? flk_quantity_find(facts[0].quantity) : flk_column_quantity(&n->c);
     u = &o->d.units[q];
     c->unit = u->name;
+    find_grading(&o->d, e, q, c, &g);
+    if (g.percent < 0 && g.tolerance < 0)
+        c->tolerance_from = e->tolerance.length ? FOURLINK_FROM_SECTION : FOURLINK_FROM_DIGIT;
     infinite = n_facts ? 0 : infinite_sign(e->value, q, o->d.bare[q].unit);
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
@@ -214,7 +280,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
         return flk_expected_agrees(c, c->computed, 0);
     }
     if (!flk_quantity_read(e->value, e->value, q, o->d.bare[q].unit, &printed, c->message) ||
-        !read_tolerance(&o->d, e, q, &printed, &tolerance, c))
+        (g.percent < 0 && g.tolerance < 0 && !read_tolerance(&o->d, e, q, &printed, &tolerance, c)))
         return -1;
     c->message_line = e->place.line;
     if (n_facts)
@@ -227,8 +293,16 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
         if (fabs(difference(facts[i].value, c->printed, turn)) <
             fabs(difference(found.value, c->printed, turn)))
             found = facts[i];
-    c->tolerance = flk_unit_from_si(tolerance, u->unit);
     c->computed = found.value;
+    if (g.tolerance >= 0)
+        tolerance = g.tolerance;
+    else if (g.percent >= 0)
+        tolerance = fabs(flk_unit_to_si(found.value, u->unit)) * (g.percent / 100) + ROUNDING;
+    c->tolerance = flk_unit_from_si(tolerance, u->unit);
+    if (is_short(&o->d, e, c)) {
+        flk_message(c->hint, sizeof c->hint, "it has fewer than %g digits", o->d.fewest_digits);
+        return 0;
+    }
     return flk_expected_agrees(c, c->computed, turn);
 }
 
@@ -242,6 +316,7 @@ void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
     flk_text_copy(e->name, c->name, sizeof c->name);
     flk_text_copy(e->value, c->printed_text, sizeof c->printed_text);
     c->unit = "";
+    c->marks = 1;
     c->angle = e->at;
     c->branch = e->branch;
     agrees = compare(o, e, n, c);

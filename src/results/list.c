@@ -68,7 +68,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
         const deck_variable *x = &d->sweep.variables[i];
         fourlink_value *v = &variables->list[variables->n++];
 
-        flk_list_describe(d, x->q, "", v);
+        flk_list_describe(d, x->q, "varied by [sweep]", v);
         v->handle = FLK_NUMBER_HANDLE(x->number);
         v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;

@@ -98,7 +98,7 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
     s->format->row(s, &row);
 }
 
-static void write_words(sheet *s, const char *name, const char *meaning, fourlink_branch branch,
+static void write_words(sheet *s, const char *name, const char *meaning, int branch,
                         const char *words)
 {
     fourlink_value f;
@@ -108,7 +108,7 @@ static void write_words(sheet *s, const char *name, const char *meaning, fourlin
     f.unit = f.source = "";
     f.quantity = "number";
     f.meaning = meaning;
-    f.branch = (int)branch;
+    f.branch = branch;
     f.words = words;
     s->format->fact(s, &f);
 }
@@ -116,18 +116,22 @@ static void write_words(sheet *s, const char *name, const char *meaning, fourlin
 /* The same in a summary, of a motion that is not given. */
 static void write_ends(sheet *s)
 {
-    int i;
-    char words[SHEET_STOP_SIZE];
-    const char *stop;
+    int i, are_same, n = s->v.problem.mode != FOURLINK_MODE_GIVEN ? s->v.n_branches : 0;
+    char words[2][SHEET_STOP_SIZE];
+    const char *stops[2];
     double angle;
 
-    for (i = 0; i < s->v.n_branches && s->v.problem.mode != FOURLINK_MODE_GIVEN; i++) {
-        stop = sheet_stop(s, s->v.branches[i], words);
-        if (stop)
-            write_words(s, "end", "why the machine goes no further", s->v.branches[i], stop);
+    for (i = 0; i < n; i++) {
+        stops[i] = sheet_stop(s, s->v.branches[i], words[i]);
         s->failed +=
             fourlink_results_end(s->v.results, s->v.branches[i], &angle) == FOURLINK_TOO_LONG;
     }
+    are_same =
+        n == 2 && s->format->is_brief && stops[0] && stops[1] && strcmp(stops[0], stops[1]) == 0;
+    for (i = 0; i < (are_same ? 1 : n); i++)
+        if (stops[i])
+            write_words(s, "end", "why the machine goes no further",
+                        are_same ? 0 : (int)s->v.branches[i], stops[i]);
 }
 
 /* In a summary, why it has no extremes. */
@@ -137,7 +141,7 @@ static void write_missing_extremes(sheet *s)
 
     for (i = 0; i < s->v.n_branches; i++)
         if (sheet_find_extremes(s->v.results, s->v.branches[i]) == FOURLINK_LONG_SEARCH) {
-            write_words(s, "extremes", "why there are none", s->v.branches[i],
+            write_words(s, "extremes", "why there are none", (int)s->v.branches[i],
                         fourlink_status_text(FOURLINK_LONG_SEARCH));
             s->failed++;
         }
@@ -219,19 +223,33 @@ static void write_rows(sheet *s)
         write_block(s, s->v.branches[i]);
 }
 
-static void write_checks(sheet *s)
+/* Write all comparisons, or those whose value is right, or the others. */
+static void write_checks_that_are(sheet *s, int right, int all)
 {
     fourlink_check check;
     unsigned long i;
+    int is_right;
 
     for (i = 0; i < s->v.problem.n_expected; i++) {
         fourlink_results_check(s->v.results, i, &check);
+        is_right = check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT;
+        if (!all && right != is_right)
+            continue;
+        s->right += is_right ? check.marks : 0;
+        s->of += check.marks;
         s->checks[check.verdict]++;
         s->format->check(s, &check);
         if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
             s->checks[FOURLINK_NO_VALUE] <= MOST_MISTAKES)
             s->no_value(&check, s->deck_name);
     }
+}
+
+static void write_checks(sheet *s)
+{
+    write_checks_that_are(s, 0, !s->wrong_first);
+    if (s->wrong_first)
+        write_checks_that_are(s, 1, 0);
 }
 
 /* List all names, each once. */
@@ -295,6 +313,7 @@ static int open_results(sheet *s, fourlink_results *results)
     s->list = NULL;
     s->n_pages = 1;
     memset(s->checks, 0, sizeof s->checks);
+    s->right = s->of = 0;
     return s->values && s->loads && s->layout;
 }
 
@@ -343,7 +362,7 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
 {
     s->deck_name = s->n_decks > 1 ? deck_name : NULL;
     if (!results) {
-        if (s->content == SHEET_CHECK && s->deck_name)
+        if (s->content == SHEET_CHECK && (s->deck_name || s->mark))
             s->format->refuse(s, why);
         line_end(&s->l);
         return;
@@ -353,6 +372,12 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     else
         s->out_of_memory = 1;
     close_results(s);
+}
+
+void content_write_mark(sheet *s, const sheet_mark *mark)
+{
+    s->format->mark(s, mark);
+    line_end(&s->l);
 }
 
 /* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
@@ -368,12 +393,46 @@ static const char *find_output(sheet *s, fourlink_branch branch, int handle, she
                                              : fourlink_status_text(status);
 }
 
+/* 1 if crank angles from `from` to `to`, in rad, are within a range, or whole turns from it. */
+static int is_within(double from, double to, double low, double high)
+{
+    double turns = floor((from - low) / (2 * M_PI) + 1e-9) * (2 * M_PI);
+
+    return high - low > 2 * M_PI - 1e-9 || to - turns <= high + 1e-9;
+}
+
+/* Why a design has no positions at some crank angles of its motion: the angles at which it has; null if it has all. */
+static const char *find_gap(const sheet *s, char words[200])
+{
+    const fourlink_motion *motion = &s->v.problem.motion;
+    double to_si = motion->angle_unit;
+    double from = GSL_MIN(motion->from, motion->to) * to_si;
+    double to = GSL_MAX(motion->from, motion->to) * to_si;
+    fourlink_reach reach;
+    int i;
+
+    fourlink_reach_of(&s->v.problem.mechanism, &reach);
+    for (i = 0; i < reach.n_ranges; i++)
+        if (is_within(from, to, reach.from[i], reach.to[i]))
+            return NULL;
+    if (!reach.n_ranges)
+        return fourlink_status_text(FOURLINK_NOT_REACHED);
+    strcpy(words, "assembled only ");
+    for (i = 0; i < reach.n_ranges; i++)
+        flk_message(words + strlen(words), 200 - strlen(words), "%sfrom %.4g to %.4g %s",
+                    i ? " and " : "", reach.from[i] / to_si, reach.to[i] / to_si,
+                    s->v.units[QUANTITY_ANGLE].name);
+    return words;
+}
+
 /* Write the lines of a design, one for each branch. */
 static void write_lines(sheet *s)
 {
     sheet_output outputs[SHEET_OUTPUTS];
     int i;
     unsigned long k;
+    char words[200];
+    const char *gap = s->statistics ? NULL : find_gap(s, words);
 
     for (i = 0; i < s->v.n_branches; i++) {
         const char *why = NULL;
@@ -387,7 +446,7 @@ static void write_lines(sheet *s)
         if (s->statistics)
             statistics_add(s, s->v.branches[i], outputs);
         else
-            s->format->design(s, s->v.branches[i], outputs, why);
+            s->format->design(s, s->v.branches[i], outputs, why ? why : gap);
     }
 }
 

@@ -14,6 +14,9 @@ void content_begin(sheet *s, FILE *out, int has_head);
 /* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
+/* Write the line of a deck, or of a file of answers, in a sheet of scores. */
+void content_write_mark(sheet *s, const sheet_mark *mark);
+
 /* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
 ** the values of its variables.  If results are null, write the reason on the branches of `first`. */
 void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,

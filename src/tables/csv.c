@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
-** design.  Lines end in CR LF; numbers have 17 digits, what is
+** design.  Lines end in LF; numbers have 17 digits, what is
 ** undefined is empty, what is unbounded inf or -inf.
 */
 #include <float.h>
@@ -58,20 +58,26 @@ static void begin(sheet *s)
 {
     unsigned long i;
 
-    line_put(&s->l, s->n_decks > 1 ? "deck," : s->n_variables ? "design," : "");
+    if (s->n_decks > 1 && s->content != SHEET_SCORES)
+        line_put(&s->l, "deck,");
+    line_put(&s->l, s->n_decks <= 1 && s->n_variables ? "design," : "");
     if (s->content == SHEET_SUMMARY) {
-        line_put(&s->l, "name,value,unit,theta2,branch\r\n");
+        line_put(&s->l, "name,value,unit,theta2,branch\n");
         return;
     }
     if (s->content == SHEET_CHECK) {
         line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,"
-                        "of,note\r\n");
+                        "of,note\n");
+        return;
+    }
+    if (s->content == SHEET_SCORES) {
+        line_put(&s->l, "name,right,of,percent,note\n");
         return;
     }
     if (s->content == SHEET_STATISTICS) {
         line_put(&s->l,
                  "name,unit,branch,count,mean,std_dev,min,5 %s,25 %s,50 %s,75 %s,95 %s,max,"
-                 "yield,low,high\r\n",
+                 "yield,low,high\n",
                  "%", "%", "%", "%", "%");
         return;
     }
@@ -80,7 +86,7 @@ static void begin(sheet *s)
     line_put(&s->l, "branch,");
     for (i = 0; i < s->n_header; i++)
         put_heading(&s->l, &s->header[i]);
-    line_put(&s->l, "status\r\n");
+    line_put(&s->l, "status\n");
 }
 
 /* The first fields of a row: the deck, or the design with its variables. */
@@ -113,7 +119,7 @@ static void put_fact(sheet *s, const fourlink_value *f)
     line_put(&s->l, ",%s,", f->unit);
     if (f->has_angle)
         line_number(&s->l, f->angle, DIGITS);
-    line_put(&s->l, ",%s\r\n", f->branch ? fourlink_branch_text(f->branch) : "");
+    line_put(&s->l, ",%s\n", f->branch ? fourlink_branch_text(f->branch) : "");
 }
 
 static void open_deck(sheet *s)
@@ -144,7 +150,7 @@ static void put_row(sheet *s, const sheet_row *row)
         line_text(&s->l, ",", 1);
     }
     put_words(&s->l, row->status);
-    line_text(&s->l, "\r\n", 2);
+    line_text(&s->l, "\n", 1);
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
@@ -167,7 +173,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     }
     line_put(&s->l, ",,,");
     put_words(&s->l, c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
-    line_text(&s->l, "\r\n", 2);
+    line_text(&s->l, "\n", 1);
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -185,19 +191,22 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
         line_text(&s->l, ",", 1);
     }
     put_words(&s->l, why ? why : fourlink_status_text(FOURLINK_OK));
-    line_text(&s->l, "\r\n", 2);
+    line_text(&s->l, "\n", 1);
 }
 
 /* The last line of a deck's comparisons is its score. */
 static void close_deck(sheet *s)
 {
-    unsigned long score, of;
+    double score, of;
 
     if (s->content != SHEET_CHECK)
         return;
     score = sheet_score(s, &of);
     put_labels(s);
-    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,\r\n", score, of);
+    put_words(&s->l, s->mark ? s->mark->path : "");
+    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", score, of);
+    put_words(&s->l, s->mark ? s->mark->note : "");
+    line_text(&s->l, "\n", 1);
 }
 
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
@@ -207,9 +216,13 @@ static void refuse(sheet *s, const char *why)
 
     if (!s->design) {
         put_labels(s);
-        line_put(&s->l, ",,bad deck,,,,,,,,0,,");
+        put_words(&s->l, s->mark ? s->mark->path : "");
+        line_put(&s->l, ",,%s,,,,,,,,0,", s->mark ? "bad answers" : "bad deck");
+        if (s->mark)
+            line_put(&s->l, "%12g", s->mark->of);
+        line_text(&s->l, ",", 1);
         put_words(&s->l, why);
-        line_text(&s->l, "\r\n", 2);
+        line_text(&s->l, "\n", 1);
     }
     for (i = 0; i < n; i++)
         put_design(s, s->v.branches[i], NULL, why);
@@ -235,7 +248,7 @@ static void put_statistic(sheet *s, const sheet_statistic *x)
     for (i = 0; i < SHEET_QUANTILES; i++)
         put_next(s, x->quantiles[i]);
     put_next(s, x->most);
-    line_put(&s->l, ",,,\r\n");
+    line_put(&s->l, ",,,\n");
 }
 
 static void put_yield(sheet *s, const sheet_yield *y)
@@ -245,27 +258,40 @@ static void put_yield(sheet *s, const sheet_yield *y)
     put_next(s, y->percent);
     put_next(s, y->low);
     put_next(s, y->high);
-    line_text(&s->l, "\r\n", 2);
+    line_text(&s->l, "\n", 1);
+}
+
+static void put_mark(sheet *s, const sheet_mark *m)
+{
+    put_words(&s->l, m->name);
+    line_put(&s->l, ",%12g,%12g", m->right, m->of);
+    if (m->of > 0)
+        line_put(&s->l, ",%12g,", sheet_percent(m));
+    else
+        line_put(&s->l, ",,");
+    put_words(&s->l, m->note);
+    line_text(&s->l, "\n", 1);
 }
 
 const sheet_format csv_format = {
     "csv", /* name */
     1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
-        1 << SHEET_STATISTICS, /* writes */
-    begin,                     /* begin */
-    open_deck,                 /* open */
-    NULL,                      /* column */
-    put_fact,                  /* fact */
-    NULL,                      /* block */
-    put_row,                   /* row */
-    NULL,                      /* end_block */
-    put_check,                 /* check */
-    put_design,                /* design */
-    refuse,                    /* refuse */
-    close_deck,                /* close */
-    sizeof(long),              /* layout_size */
-    0,                         /* is_by_angle */
-    0,                         /* is_brief */
-    put_statistic,             /* statistic */
-    put_yield                  /* yield */
+        1 << SHEET_STATISTICS | 1 << SHEET_SCORES, /* writes */
+    begin,                                         /* begin */
+    open_deck,                                     /* open */
+    NULL,                                          /* column */
+    put_fact,                                      /* fact */
+    NULL,                                          /* block */
+    put_row,                                       /* row */
+    NULL,                                          /* end_block */
+    put_check,                                     /* check */
+    put_design,                                    /* design */
+    refuse,                                        /* refuse */
+    close_deck,                                    /* close */
+    sizeof(long),                                  /* layout_size */
+    0,                                             /* is_by_angle */
+    0,                                             /* is_brief */
+    put_statistic,                                 /* statistic */
+    put_yield,                                     /* yield */
+    put_mark                                       /* mark */
 };

@@ -4,7 +4,7 @@
 **
 ** A value without a tolerance agrees within half of its last digit.  All values of a column have the same last
 ** digit, chosen so that this is 0.05 to 0.5 per cent of the column's largest value: near its zeros a column is
-** not asked for more than elsewhere.
+** not asked for more than elsewhere.  With [grading] the last digit does not matter.
 */
 #include <math.h>
 #include <string.h>
@@ -16,6 +16,9 @@
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */
 #define SOUND 0.17
+
+/* Of a value whose tolerance is that of [grading]. */
+#define GRADED_DIGITS 6
 
 /* Not the crank angle, which is `at`; not the time, which an angle can have twice; not rounding. */
 static int is_asked(const fourlink_value *column)
@@ -44,8 +47,10 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
         return;
     }
     line_put(&s->l, "%s = %s", column->name,
-             format_fixed(value / pow(10, x->exponent), x->decimals, number));
-    if (x->exponent)
+             s->v.problem.is_graded
+                 ? format_general(value, GRADED_DIGITS, number)
+                 : format_fixed(value / pow(10, x->exponent), x->decimals, number));
+    if (x->exponent && !s->v.problem.is_graded)
         line_put(&s->l, "e%s", format_fixed(x->exponent, 0, number));
     line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);
 }
@@ -103,10 +108,14 @@ void expect_write(sheet *s)
     style_find_sizes(&s->v, SOUND, 1, s->values, styles);
     for (j = 0; j < s->v.n_columns; j++)
         find_style(&styles[j]);
-    line_put(&s->l,
-             "# Values agree within half of their last digit.  For another tolerance add a line "
-             "such as\n# 'tolerance = 1 %s' to a section.\n",
-             "%");
+    if (s->v.problem.is_graded)
+        line_put(&s->l, "# Values agree within the tolerances of [grading].\n");
+    else
+        line_put(
+            &s->l,
+            "# Values agree within half of their last digit.  For another tolerance add a line "
+            "such as\n# 'tolerance = 1 %s' to a section.\n",
+            "%");
     for (i = 0; i < s->v.n_branches; i++)
         if (s->at)
             sheet_for_each_at(s, s->v.branches[i], put_at);

@@ -61,7 +61,7 @@ static void put_value(line *l, const fourlink_value *v)
 /* One deck has many lines; several decks, and designs, have one each. */
 static void put_newline(sheet *s)
 {
-    if (!s->deck_name && !s->design)
+    if (!s->deck_name && !s->design && !s->mark)
         line_text(&s->l, "\n", 1);
 }
 
@@ -132,6 +132,8 @@ static void put_labels(sheet *s)
         else
             line_put(&s->l, "null");
     }
+    if (s->mark)
+        put_text(&s->l, "answers", s->mark->path);
     for (i = 0; i < s->n_variables && s->design; i++) {
         put_name(&s->l, s->variables[i].name, 0);
         put_number(&s->l, s->varied[i]);
@@ -277,8 +279,10 @@ static void refuse(sheet *s, const char *why)
     if (s->design) {
         put_text(&s->l, "status", why);
     } else {
-        put_text(&s->l, "status", "bad deck");
+        put_text(&s->l, "status", s->mark ? "bad answers" : "bad deck");
         put_named_number(&s->l, "score", 0);
+        if (s->mark)
+            put_named_number(&s->l, "of", s->mark->of);
         put_text(&s->l, "message", why);
     }
     line_put(&s->l, "}\n");
@@ -287,14 +291,16 @@ static void refuse(sheet *s, const char *why)
 static void close_deck(sheet *s)
 {
     int is_in_rows = s->content == SHEET_ROWS;
-    unsigned long score, of;
+    double score, of;
 
     put_newline(s);
     if (s->content == SHEET_CHECK) {
         end_list(s);
         score = sheet_score(s, &of);
-        put_named_number(&s->l, "score", (double)score);
-        put_named_number(&s->l, "of", (double)of);
+        put_named_number(&s->l, "score", score);
+        put_named_number(&s->l, "of", of);
+        if (s->mark && s->mark->note[0])
+            put_text(&s->l, "note", s->mark->note);
     }
     line_put(&s->l, is_in_rows ? "]}" : "");
     line_put(&s->l, s->list ? "]}\n" : "}\n");
@@ -332,6 +338,16 @@ static void put_yield(sheet *s, const sheet_yield *y)
     line_text(&s->l, "}", 1);
 }
 
+static void put_mark(sheet *s, const sheet_mark *m)
+{
+    begin_object(&s->l, "name", m->name);
+    put_named_number(&s->l, "right", m->right);
+    put_named_number(&s->l, "of", m->of);
+    put_named_number(&s->l, "percent", sheet_percent(m));
+    put_text(&s->l, "note", m->note);
+    line_put(&s->l, "}\n");
+}
+
 const sheet_format json_format = {
     "json",                                                                     /* name */
     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX) - (1 << SHEET_EXPECT), /* writes */
@@ -350,5 +366,6 @@ const sheet_format json_format = {
     0,                                                                          /* is_by_angle */
     0,                                                                          /* is_brief */
     put_statistic,                                                              /* statistic */
-    put_yield                                                                   /* yield */
+    put_yield,                                                                  /* yield */
+    put_mark                                                                    /* mark */
 };

@@ -72,5 +72,6 @@ const sheet_format paper_format = {
     1,               /* is_by_angle */
     0,               /* is_brief */
     NULL,            /* statistic */
-    NULL             /* yield */
+    NULL,            /* yield */
+    NULL             /* mark */
 };

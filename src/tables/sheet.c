@@ -35,6 +35,9 @@ void sheet_write_gap(sheet *s)
     if (s->deck_name)
         line_put(&s->l, "# deck: %s\n",
                  flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
+    if (s->mark)
+        line_put(&s->l, "# answers: %s\n",
+                 flk_text_copy(flk_text_of(s->mark->path), name, sizeof name));
 }
 
 int sheet_is_over(const sheet *s, const fourlink_instant *at)
@@ -148,17 +151,20 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 
     for (i = 0; i < n; i++)
         if (f->branch && facts[i].branch == -f->branch && strcmp(f->name, facts[i].name) == 0)
-            return !f->words && is_near(f->value, facts[i].value) &&
-                   f->has_angle == facts[i].has_angle && is_near(f->angle, facts[i].angle);
+            return f->words
+                       ? facts[i].words && strcmp(f->words, facts[i].words) == 0
+                       : is_near(f->value, facts[i].value) && f->has_angle == facts[i].has_angle &&
+                             is_near(f->angle, facts[i].angle);
     return 0;
 }
 
-unsigned long sheet_score(const sheet *s, unsigned long *of)
+double sheet_score(const sheet *s, double *of)
 {
-    int i;
+    *of = s->mark ? s->mark->of : s->of;
+    return s->mark ? s->mark->right : s->right;
+}
 
-    *of = 0;
-    for (i = 0; i < 5; i++)
-        *of += s->checks[i];
-    return s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT];
+double sheet_percent(const sheet_mark *m)
+{
+    return m->of > 0 ? floor(1000 * m->right / m->of + 0.5) / 10 : GSL_NAN;
 }

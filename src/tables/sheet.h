@@ -23,10 +23,19 @@ typedef enum sheet_content {
     SHEET_DESIGNS,    /* a line for each design of a sweep */
     SHEET_EXPECT,     /* values for --check */
     SHEET_STATISTICS, /* of the outputs of a sweep */
+    SHEET_SCORES,     /* a line for each file of answers */
     SHEET_CONTENT_COUNT
 } sheet_content;
 
 struct sheet_format;
+
+/* What the answers of a file are worth. */
+typedef struct sheet_mark {
+    const char *path; /* of the file, or the deck */
+    char name[256];   /* of the file without its ending */
+    double right, of; /* marks */
+    char note[1000];
+} sheet_mark;
 
 /* Set it to zero, set the members that content_begin needs, and call that. */
 typedef struct sheet {
@@ -41,7 +50,9 @@ typedef struct sheet {
     unsigned long n_header; /* outputs */
 
     /* the deck, or design, that is being written */
-    const char *deck_name; /* null: it is the only one */
+    const char *deck_name;  /* null: it is the only one */
+    int wrong_first;        /* 1: comparisons that differ come before the others */
+    const sheet_mark *mark; /* of the answers, where many are to one deck; null: none */
     view v;
     double *values;       /* of a row */
     fourlink_load *loads; /* of a row */
@@ -57,6 +68,7 @@ typedef struct sheet {
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
+    double right, of;        /* marks of this deck */
     /* called for these, at most MOST_MISTAKES times for a deck */
     void (*no_value)(const fourlink_check *check, const char *deck_name);
     int out_of_memory;
@@ -122,6 +134,7 @@ typedef struct sheet_format {
                            in a summary a fact that is the same on both branches is there once */
     void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
     void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
+    void (*mark)(sheet *s, const sheet_mark *m);           /* of SHEET_SCORES */
 } sheet_format;
 
 /* The formats, each in its own file. */
@@ -142,8 +155,11 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
 /* Give the deck's inputs to a function of the format. */
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
-/* How many values of this deck agree, or are misprints as expected; and of how many. */
-unsigned long sheet_score(const sheet *s, unsigned long *of);
+/* The marks of this deck: of values that agree, or are misprints as expected; and of all. */
+double sheet_score(const sheet *s, double *of);
+
+/* Per cent of a mark, to one decimal; NaN if nothing is asked. */
+double sheet_percent(const sheet_mark *m);
 
 /* 1 if the machine does not come to this row, because its actual motion has ended. */
 int sheet_is_over(const sheet *s, const fourlink_instant *at);

@@ -187,5 +187,6 @@ const sheet_format table_format = {
     0,                              /* is_by_angle */
     1,                              /* is_brief */
     table_put_statistic,            /* statistic */
-    table_put_yield                 /* yield */
+    table_put_yield,                /* yield */
+    table_put_mark                  /* mark */
 };

@@ -77,7 +77,7 @@ void table_close(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
-    unsigned long score, of;
+    double score, of;
     int i;
 
     if (s->content != SHEET_CHECK)
@@ -86,7 +86,20 @@ void table_close(sheet *s)
     for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]]);
-    line_put(&s->l, "\n# score: %lu of %lu\n", score, of);
+    line_put(&s->l, "\n# score: %12g of %12g\n", score, of);
+    if (s->mark && s->mark->note[0])
+        line_put(&s->l, "# note: %s\n", s->mark->note);
+}
+
+void table_put_mark(sheet *s, const sheet_mark *m)
+{
+    char number[FORMAT_SIZE];
+
+    line_put(&s->l, "%-30s", m->name);
+    line_field(&s->l, format_general(m->right, 6, number), 7);
+    line_field(&s->l, format_general(m->of, 6, number), 7);
+    line_field(&s->l, m->of > 0 ? format_fixed(sheet_percent(m), 1, number) : "nan", 10);
+    line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
@@ -148,6 +161,8 @@ static void put_legend(sheet *s)
 
 void table_begin(sheet *s)
 {
+    if (s->content == SHEET_SCORES)
+        line_put(&s->l, "# %-28s  right     of  per cent  note\n", "name");
     if (s->content != SHEET_DESIGNS)
         return;
     head_put_title(s);
@@ -197,7 +212,10 @@ void table_refuse(sheet *s, const char *why)
 {
     if (!s->design) {
         sheet_write_gap(s);
-        line_put(&s->l, "# bad deck: %s\n# score: 0\n", why);
+        if (s->mark)
+            line_put(&s->l, "# bad answers: %s\n# score: 0 of %12g\n", why, s->mark->of);
+        else
+            line_put(&s->l, "# bad deck: %s\n# score: 0\n", why);
         s->n_written++;
         return;
     }

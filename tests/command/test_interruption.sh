@@ -34,6 +34,9 @@ interrupted() {
 sweep 'crank.length = 18 mm to 22 mm in 30000000' 'output = mu_min, swing'
 mkdir files
 interrupted -f csv
+check 'it is no part' none 'this part' err
+interrupted -f csv --part=1/2
+says 'stopped t.deck: interrupted; run this part again'
 check 'no progress where nobody looks' none 'designs,' err
 
 # to a pipe that is read slowly: whole lines
@@ -55,6 +58,7 @@ check 'none is left out' awk -F, 'NR > 1 && ($1 != int(NR / 2) || NF != 6) {bad 
 for option in --statistics "--best=max swing"; do
     interrupted "$option"
     says 'stopped t.deck: interrupted'
+    check 'there is no part to run again' none 'this part' err
 done
 
 finish

@@ -104,7 +104,7 @@ yields=$(tr -d '\r' <designs | awk -F, '
     NR == 1 {for (i = 1; i <= NF; i++) {if ($i ~ /^mu_min/) m = i; if ($i ~ /^max\(Ts\)/) t = i}; next}
     $3 == "open" {a += ($m > 58); b += ($t < 0.688); c += ($m > 58 && $t < 0.688)} END {print a * 2, b * 2, c * 2}')
 run 0 -f csv t.deck
-quiet
+says 'with a yield, statistics are printed, not designs'
 check "yield $yields" test "$(tr -d '\r' <out | awk -F, '$3 == "open" && $14 != "" {printf "%s%s", s, $14; s = " "} END {print ""}')" = "$yields"
 check "neither none nor all: $yields" awk -v y="$yields" 'BEGIN {n = split(y, v, " "); for (i = 1; i <= n; i++) if (v[i] <= 0 || v[i] >= 100) bad = 1; exit bad}'
 check 'all conditions' grep -q '^all conditions,%,open,50,' out
@@ -237,5 +237,17 @@ check 'one head' test "$(grep -c '^#  count  *mean  *std_dev  *min  *5 %  *25 % 
 awk '!/^#/ && NF' out | tr -s ' ' ',' | sed 's/^,//' >rows
 "$fourlink" -f csv $tolerances | tr -d '\r' | sed 1d | cut -d, -f4-13 >expected
 check 'all digits' cmp rows expected
+
+# where a yield prints statistics, programs are told how to get the designs
+sweep 'coupler.length = 66 mm, 67 mm' 'output = mu_min' 'yield = mu_min > 58 deg'
+run 0 -f csv t.deck
+says 't.deck: note: with a yield, statistics are printed, not designs; --set=sweep.statistics=no prints the designs'
+run 0 -f csv --set=sweep.statistics=no t.deck
+quiet
+lines out 5
+for option in --statistics --format=table; do
+    run 0 -f csv $option t.deck
+    quiet
+done
 
 finish

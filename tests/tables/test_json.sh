@@ -42,7 +42,7 @@ same file named
 
 # Each number is the one of csv: the parser reads both.
 csv_rows='def csv_rows: # of a single deck: arrays of branch, values, status
-    ($csv | split("\r\n"))[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
+    ($csv | split("\n"))[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
         if startswith("\"") then .[1:-1] | gsub("\"\""; "\"") elif . == "" then null
         elif test("^-?[0-9.]+(e[-+]?[0-9]+)?$") then tonumber else . end]);'
 same_rows() {
@@ -190,5 +190,10 @@ run 0 -f json "$name" pump.deck
 lines out 2
 every 'the name of a deck' '.[0].deck == "a \"b\"\t\\ \u0001\b\u001b\u001f\u007f \ufffd.deck"'
 check 'no control characters' test "$(tr -d '\n' <out | LC_ALL=C tr -cd '\001-\037\177' | wc -c)" -eq 0
+
+# what a sweep varies has a meaning
+{ cat "$alvi" && printf '[sweep]\ncrank.length = 18 mm, 20 mm\noutput = swing\n'; } >sweep.deck
+run 0 -f json sweep.deck
+check 'its meaning' grep -q '^{.*"columns":\[{"name":"crank.length","unit":"m","meaning":"varied by \[sweep\]"}' out
 
 finish

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** marks.c - what is asked of many answers, and what each is worth.
+**
+** All answers are asked for the same values, so that one who leaves some out is not better off.  What is asked is in
+** the deck's own [expect].  If it has none, it is what a quarter of the answers have: neither a slip of one student
+** nor a value that many leave out changes it.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/message.h"
+#include "command.h"
+#include "files.h"
+#include "marks.h"
+
+#define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
+#define SHARE 4             /* one answer in four makes a question */
+
+/* A value that is asked for. */
+typedef struct question {
+    char name[64];
+    int has_angle;
+    double angle; /* in the deck's unit */
+    fourlink_branch branch;
+    double marks;
+    unsigned long answers; /* how many have it */
+    size_t last;           /* number of the last one that has it, from 1 */
+} question;
+
+static int is_asked(const question *q, const fourlink_check *c)
+{
+    return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
+           q->has_angle == c->has_angle &&
+           (!q->has_angle || fabs(q->angle - c->angle) <= 1e-9 * (1 + fabs(q->angle)));
+}
+
+static question *find(const marks *m, const fourlink_check *c)
+{
+    unsigned long i;
+
+    for (i = 0; i < m->n; i++)
+        if (is_asked(&m->list[i], c))
+            return &m->list[i];
+    return NULL;
+}
+
+/* Add the values of an input. */
+static void add(marks *m, const input *in, size_t number)
+{
+    fourlink_check c;
+    unsigned long i;
+    question *q;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        fourlink_results_check(in->results, i, &c);
+        m->set_tolerances |=
+            c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;
+        q = find(m, &c);
+        if (!q && m->n < MOST_QUESTIONS) {
+            q = &m->list[m->n++];
+            strcpy(q->name, c.name);
+            q->has_angle = c.has_angle;
+            q->angle = c.angle;
+            q->branch = c.branch;
+            q->marks = c.marks;
+            q->answers = 0;
+            q->last = 0;
+        }
+        if (q && q->last != number) {
+            q->answers++;
+            q->last = number;
+        }
+    }
+}
+
+int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
+{
+    unsigned long i, kept = 0, readable = 0, from_deck;
+
+    m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
+    if (!m->list)
+        return 0;
+    m->is_class = deck != NULL;
+    if (deck)
+        add(m, deck, 0);
+    from_deck = m->n;
+    m->set_tolerances = 0;
+    for (i = 0; i < n; i++)
+        if (inputs[i].results) {
+            add(m, &inputs[i], i + 1);
+            readable++;
+        }
+    if (from_deck) {
+        m->n = from_deck;
+        return 1;
+    }
+    for (i = 0; i < m->n; i++) {
+        if (SHARE * m->list[i].answers < readable)
+            continue;
+        m->are_guessed |= m->list[i].answers < readable;
+        m->list[kept++] = m->list[i];
+    }
+    m->are_guessed |= kept < m->n;
+    m->n = kept;
+    return 1;
+}
+
+/* Add words to a note; what does not fit is left out. */
+static void put(char *note, size_t size, const char *words)
+{
+    size_t n = strlen(note);
+
+    strncat(note, words, size - n - 1);
+}
+
+/* Begin another part of a note. */
+static void put_part(char *note, size_t size, const char *words)
+{
+    put(note, size, *note ? "; " : "");
+    put(note, size, words);
+}
+
+/* Add ", Ts (crossed) at 30" to a list that begins with some words. */
+static void put_name(char *note, size_t size, const char *title, int *n, const question *q)
+{
+    char words[200], angle[80] = "";
+
+    if (q->has_angle)
+        flk_message(angle, sizeof angle, " at %g", q->angle);
+    put(note, size, (*n)++ ? ", " : *note ? "; " : "");
+    put(note, size, *n == 1 ? title : "");
+    put(note, size,
+        flk_message(words, sizeof words, "%s%s%s", q->name,
+                    q->branch == FOURLINK_CROSSED ? " (crossed)" : "", angle));
+}
+
+void marks_tell(const marks *m, const char *name)
+{
+    char note[MESSAGE_SIZE] = "", words[MESSAGE_SIZE];
+    unsigned long i;
+    int n = 0;
+
+    if (m->set_tolerances)
+        command_tell_note(name, 0,
+                          "answers set their own tolerance, by 'tolerance' or their last digit; "
+                          "--tolerance='1 %' or a [grading] section sets it for all",
+                          NULL);
+    if (!m->are_guessed)
+        return;
+    for (i = 0; i < m->n; i++)
+        put_name(note, 250, "", &n, &m->list[i]);
+    flk_message(words, sizeof words,
+                "not all answers have the same values; %ld are asked, those that a quarter of them "
+                "have: %s%s",
+                (long)m->n, note,
+                m->is_class ? "; an [expect] in the deck says what is asked" : "");
+    command_tell_note(name, 0, words, NULL);
+}
+
+/* 1 if all answers of an input to a question are right; -1 if there is none. */
+static int answer(const input *in, const question *q)
+{
+    fourlink_check c;
+    unsigned long i;
+    int is_right = -1;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        fourlink_results_check(in->results, i, &c);
+        if (is_asked(q, &c))
+            is_right = is_right != 0 && c.verdict == FOURLINK_AGREES;
+    }
+    return is_right;
+}
+
+/* Note what is odd in an answer: values that are not asked for, without a value, or known to be wrong. */
+static void note_checks(const marks *m, const input *in, sheet_mark *mark)
+{
+    size_t size = sizeof mark->note;
+    char words[MESSAGE_SIZE + 40];
+    int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0, has_grading = 0;
+    fourlink_check c;
+    unsigned long i;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        question q;
+
+        fourlink_results_check(in->results, i, &c);
+        has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
+        sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
+        has_grading |= !in->deck && c.tolerance_from == FOURLINK_FROM_GRADING;
+        if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
+            put_part(mark->note, size,
+                     flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
+        } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !find(m, &c)) {
+            strcpy(q.name, c.name);
+            q.has_angle = c.has_angle;
+            q.angle = c.angle;
+            q.branch = c.branch;
+            put_name(mark->note, size, "not asked: ", &n_extra, &q);
+        }
+    }
+    if (has_misprint && m->list) {
+        put_part(mark->note, size, "a value of [misprint] is no answer");
+    }
+    if (sets_tolerance && m->list) {
+        put_part(mark->note, size, "sets its own tolerance");
+    }
+    if (has_grading && m->list) {
+        put_part(mark->note, size, "by the [grading] of its deck");
+    }
+}
+
+/* The name of a file without its ending, which is that of a student. */
+static text name_of(const char *path)
+{
+    static const char *const endings[] = {".deck", ".expect", ".txt", NULL};
+    text name = flk_text_of(files_name(path));
+    int i;
+
+    for (i = 0; endings[i]; i++)
+        if (flk_text_ends_in(flk_text_of(name.start), endings[i])) {
+            name.length -= strlen(endings[i]);
+            break;
+        }
+    return name;
+}
+
+void marks_give(const marks *m, const input *in, sheet_mark *mark)
+{
+    const char *path = in->deck ? in->source.answers_name : in->name;
+    int n_missing = 0, is_right;
+    fourlink_check c;
+    unsigned long i;
+
+    memset(mark, 0, sizeof *mark);
+    mark->path = path ? path : "";
+    flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
+    for (i = 0; i < m->n; i++)
+        mark->of += m->list[i].marks;
+    if (!in->results) {
+        put(mark->note, sizeof mark->note, in->refusal);
+        return;
+    }
+    for (i = 0; i < m->n; i++) {
+        is_right = answer(in, &m->list[i]);
+        mark->right += is_right == 1 ? m->list[i].marks : 0;
+        if (is_right < 0)
+            put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i]);
+    }
+    for (i = 0; i < in->problem.n_expected && !m->list; i++) {
+        fourlink_results_check(in->results, i, &c);
+        mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT ? c.marks : 0;
+        mark->of += c.marks;
+    }
+    note_checks(m, in, mark);
+}
+
+void marks_free(marks *m)
+{
+    free(m->list);
+}

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_grading.c - builds [grading]: tolerances, marks and digits that hold whatever answers say.
+*/
+#include <string.h>
+
+#include "base/number.h"
+#include "deck.h"
+#include "reader.h"
+
+int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance)
+{
+    char why[MESSAGE_SIZE];
+    quantity_value value;
+
+    *is_percent = item.length > 0 && item.start[item.length - 1] == '%';
+    if (*is_percent) {
+        item.length--;
+        q = QUANTITY_NUMBER;
+    } else if (!flk_quantity_unit_text(item).length) {
+        return 0; /* such as the 1 of "1,5 %" */
+    }
+    item = flk_text_trim(item);
+    if (!flk_quantity_read(item, item, q, d->bare[q].unit, &value, why) || !(value.si >= 0))
+        return 0;
+    *tolerance = value.si;
+    return 1;
+}
+
+/* A tolerance in per cent, or of some quantity. */
+static int is_tolerance(const deck *d, text item)
+{
+    double tolerance;
+    int q, is_percent;
+
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        if (flk_rule_tolerance(d, item, (quantity)q, &is_percent, &tolerance))
+            return 1;
+    return 0;
+}
+
+int flk_rule_marks(text item, double *marks)
+{
+    text words = item;
+    double number;
+
+    if (flk_number_read(&words, &number) != NUMBER_OK || !(number >= 0))
+        return 0;
+    words = flk_text_trim(words);
+    if (!flk_text_equal(words, "marks") && !flk_text_equal(words, "mark"))
+        return 0;
+    *marks = number;
+    return 1;
+}
+
+static void add_rule(parser *p, text name, text items, text_place place)
+{
+    deck_rule *rule = &p->d->rules[p->d->n_rules++];
+    text rest = flk_reader_plain(p, items), item;
+    double marks;
+
+    rule->name = name;
+    rule->items = rest;
+    rule->place = place;
+    while (rest.start) {
+        flk_text_split(&rest, ',', &item);
+        item = flk_text_trim(item);
+        if (is_tolerance(p->d, item) || (name.length && flk_rule_marks(item, &marks)))
+            continue;
+        flk_mistake(p->mistakes, place,
+                    name.length
+                        ? "expected a tolerance or marks, such as 1 %%, 0.5 deg or 2 marks, "
+                          "not '%t'"
+                        : "expected tolerances, such as 1 %% or 1 %%, 0.5 deg, not '%t'",
+                    item);
+        return;
+    }
+}
+
+/* Note a rule for a name that the deck's own [expect] does not have. */
+static void note_unused(parser *p, const deck_rule *rule)
+{
+    const deck *d = p->d;
+    size_t i;
+
+    for (i = 0; i < d->n_expectations; i++)
+        if (d->expectations[i].name.length == rule->name.length &&
+            memcmp(d->expectations[i].name.start, rule->name.start, rule->name.length) == 0)
+            return;
+    flk_mistake(&p->d->notes, rule->place, "no value of [expect] has the name '%t'", rule->name);
+}
+
+void flk_build_grading(parser *p)
+{
+    const setting *tolerance = flk_setting_find(p, KEY_GRADING_TOLERANCE);
+    const setting *digits = flk_setting_find(p, KEY_GRADING_DIGITS);
+    const text none = {"", 0};
+    size_t i;
+
+    p->d->n_rules = 0;
+    p->d->rules = flk_deck_keep(p->d, (p->n_named + 1) * sizeof *p->d->rules);
+    if (!p->d->rules) {
+        p->out_of_memory = 1;
+        return;
+    }
+    for (i = 0; i < p->n_named; i++)
+        if (p->uses[p->named[i].use].section == SECTION_GRADING)
+            add_rule(p, p->named[i].name, p->named[i].value, p->named[i].place);
+    for (i = 0; i < p->d->n_rules && p->d->n_expectations; i++)
+        note_unused(p, &p->d->rules[i]);
+    if (IS_SET(tolerance))
+        add_rule(p, none, tolerance->value, tolerance->place);
+    p->d->fewest_digits = IS_SET(digits) ? digits->si[0] : 0;
+}
