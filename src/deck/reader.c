@@ -107,7 +107,8 @@ static void build(parser *p)
     flk_build_flywheel(p);
     flk_build_table(p);
     flk_build_curve_ends(p);
-    flk_build_doubts(p);
+    if (!p->is_design)
+        flk_build_doubts(p);
     flk_build_expectations(p);
     flk_build_grading(p);
 }
@@ -198,6 +199,7 @@ static parser *share(deck *d, const parser *from)
         return NULL;
     *p = *from;
     p->d = d;
+    p->is_design = 1;
     p->mistakes = &d->mistakes;
     p->uses = uses;
     for (i = 0; i < p->n_uses; i++) {

@@ -99,7 +99,8 @@ typedef struct parser {
     int has_changed_names;        /* 1: some value is not from the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
     double samples;
-    int is_sound;   /* 1: no mistakes before a design is set */
+    int is_sound; /* 1: no mistakes before a design is set */
+    int is_design; /* 1: built from the settings of another deck, whose notes say what is not meant */
     int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
     int has_unknown_section;
     int not_text;      /* 1: the reading ended at a byte that is not text */
