@@ -455,7 +455,7 @@ void flk_build_curve_ends(parser *p)
 {
     size_t i, n = 0;
 
-    if (p->mistakes->count)
+    if (p->mistakes->count || p->out_of_memory)
         return;
     for (i = 0; i < p->n_uses; i++) {
         const setting *over;

@@ -251,7 +251,7 @@ void flk_build_doubts(parser *p)
     size_t i, n = 0;
     int k;
 
-    if (p->mistakes->count)
+    if (p->mistakes->count || p->out_of_memory)
         return;
     check_bare(p, QUANTITY_LENGTH, 10, "mm");
     check_bare(p, QUANTITY_MASS, 500, "g");
