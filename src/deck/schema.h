@@ -35,7 +35,7 @@
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
     X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
-    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)         \
+    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)        \
     X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
@@ -70,7 +70,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
-#define TAKES_NAMES(section) \
+#define TAKES_NAMES(section)                                                                       \
     ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP || \
      (section) == SECTION_GRADING)
 
