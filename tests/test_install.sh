@@ -100,7 +100,6 @@ with_c() {
     answer=named
     caller 'results by name, C90' $CC $CFLAGS -std=c90 $strict "$callers/results.c"
     answer=answer
-    answer=answer
     printf 'mechanism = four-bar\n[ground]\nlength = 80 parsec\n[krank]\n' >x.deck
     ./shared <x.deck >mistakes
     check 'the mistakes of a deck, as the command tells them' grep -qx \
@@ -122,14 +121,9 @@ with_c() {
     caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
     answer=answer
 
-    # As doc/library.md says: the library's folders among a program's own sources, and Python.
-    source=$(dirname "$callers")/..
-    check 'the sources in another program' sh -c "cd '$source' && $CC $CFLAGS -Iinclude -Isrc '$callers/varied.c' \
-        src/base/*.c src/mechanics/*.c src/deck/*.c src/motion/*.c src/results/*.c -lgsl -lgslcblas -lm -o '$work/whole'"
-    answer=$varied
-    check 'it runs' gives ./whole
+    # Python, as doc/library.md says
     if python3 -c 'import numpy' 2>/dev/null && ! echo "$CFLAGS" | grep -q sanitize; then
-        awk '/^```python/ {on = 1; next} /^```/ {on = 0} on' "$source/doc/library.md" >by_ctypes.py
+        awk '/^```python/ {on = 1; next} /^```/ {on = 0} on' "$callers/../../doc/library.md" >by_ctypes.py
         LD_LIBRARY_PATH=$lib python3 by_ctypes.py <usr/share/fourlink/data/me3491-matrix.deck >by_ctypes
         sed '$d' "$varied" >three
         sed '$d' by_ctypes >printed
