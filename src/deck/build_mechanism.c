@@ -75,7 +75,7 @@ static text with_unit(parser *p, const setting *s)
 
     if (flk_quantity_unit_text(s->value).length)
         return s->value;
-    copy = flk_reader_copy(p, s->value, strcat(ending, p->d->units[QUANTITY_LENGTH].name));
+    copy = flk_reader_copy(p, s->value, strcat(ending, p->d->bare[QUANTITY_LENGTH].name));
     return copy ? flk_text_of(copy) : s->value;
 }
 

@@ -150,12 +150,8 @@ static void join_lines(parser *p, text *rest, text *line)
 /* 1 if a word is a key of a section, or may be a name in it, before a number. */
 static int is_key(const section_use *use, text word, text value)
 {
-    key_code k;
-
-    for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++)
-        if (flk_text_equal(word, flk_key_table[k].name))
-            return 1;
-    return TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL;
+    return flk_find_key(use->section, word) != KEY_COUNT ||
+           (TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL);
 }
 
 /* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */

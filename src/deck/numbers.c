@@ -92,7 +92,6 @@ static const setting *setting_of(const parser *p, const target *t)
 int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
                         double *value)
 {
-    static const char *const parts[] = {"x", "y", "size", "angle"};
     const parser *p = d->settings;
     const setting *s;
     target t;
@@ -100,7 +99,7 @@ int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char
     if (!find_target(p, id, &t) || (s = setting_of(p, &t)) == NULL)
         return 0;
     *q = flk_target_quantity(p, &t);
-    *key = t.part == PART_NONE ? flk_key_table[t.key].name : parts[t.part];
+    *key = t.part == PART_NONE ? flk_key_table[t.key].name : flk_part_names[t.part];
     *value = !IS_SET(s)             ? GSL_NAN
              : t.part == PART_SIZE  ? gsl_hypot(s->si[0], s->si[1])
              : t.part == PART_ANGLE ? atan2(s->si[1], s->si[0])

@@ -15,6 +15,9 @@ struct flk_kind;
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
+/* By vector_part. */
+extern const char *const flk_part_names[];
+
 /* Where the value of a key or a name comes from. */
 typedef enum value_giver { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_giver;
 

@@ -132,6 +132,16 @@ const char *flk_list_words(key_code key, const char *const *links, const char *b
     return list;
 }
 
+key_code flk_find_key(section_code section, text name)
+{
+    key_code k;
+
+    for (k = flk_first_key(section); k < flk_first_key(section + 1); k++)
+        if (flk_text_equal(name, flk_key_table[k].name))
+            return k;
+    return KEY_COUNT;
+}
+
 section_code flk_find_section(text name)
 {
     int i;

@@ -262,6 +262,9 @@ int flk_link_of_section(section_code section);
 const char *flk_list_words(key_code key, const char *const *links, const char *before,
                            const char *after, char list[WORDS_SIZE]);
 
+/* The key of a section with this name; KEY_COUNT if there is none. */
+key_code flk_find_key(section_code section, text name);
+
 /* The section with this name; SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);
 

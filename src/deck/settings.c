@@ -268,16 +268,12 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
 /* Find a key of a section; 0 and a mistake if the section cannot have it. */
 static int find_key(parser *p, text_place place, const section_use *use, text key, target *t)
 {
-    key_code end = flk_first_key(use->section + 1), i = flk_first_key(use->section);
-
-    while (i < end && !flk_text_equal(key, flk_key_table[i].name))
-        i++;
     t->use = (size_t)(use - p->uses);
-    if (i == end && !TAKES_NAMES(use->section)) {
+    t->key = flk_find_key(use->section, key);
+    if (t->key == KEY_COUNT && !TAKES_NAMES(use->section)) {
         p->uses[t->use].is_mistaken = 1;
         return refuse_key(p, place, use->section, key);
     }
-    t->key = i < end ? i : KEY_COUNT;
     t->part = PART_NONE;
     t->name = key;
     return 1;
@@ -370,17 +366,18 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
         set_target(p, place, &t, value, GIVEN_BY_TEXT);
 }
 
+const char *const flk_part_names[] = {"x", "y", "size", "angle"};
+
 /* Remove the part of SECTION.KEY.PART and return it. */
 static vector_part take_part(text *key)
 {
-    static const char *const parts[] = {"x", "y", "size", "angle"};
     text before, part, section, rest;
     int i;
 
     if (flk_text_cut_last(*key, ".", &before, &part) &&
         flk_text_cut_last(before, ".", &section, &rest))
         for (i = 0; i < PART_NONE; i++)
-            if (flk_text_equal(part, parts[i])) {
+            if (flk_text_equal(part, flk_part_names[i])) {
                 *key = before;
                 return (vector_part)i;
             }
@@ -457,29 +454,38 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
     return part == PART_NONE || has_parts(p, place, t, key);
 }
 
+/* The only section of a kind; null if there are several. */
+static const section_use *find_only(const parser *p, section_code code)
+{
+    const section_use *use = flk_section_find(p, code, NULL), *other;
+
+    for (other = use; use && other < p->uses + p->n_uses; other++)
+        if (other != use && other->section == code)
+            return NULL;
+    return use;
+}
+
 int flk_setting_look(const parser *p, text key, target *t)
 {
     vector_part part = take_part(&key);
     text section, name, last;
     const section_use *use;
     section_code code;
-    key_code end;
 
     if (!flk_text_cut_last(key, ".", &section, &last))
         return 0;
     flk_section_split(&section, &name);
     code = flk_find_section(section);
-    use = code < SECTION_COUNT ? flk_section_find(p, code, name.length ? &name : NULL) : NULL;
+    use = code < SECTION_COUNT ? flk_section_find(p, code, &name) : NULL;
+    if (!use && code < SECTION_COUNT && !name.length)
+        use = find_only(p, code);
     if (!use)
         return 0;
     t->use = (size_t)(use - p->uses);
     t->part = part;
     t->name = last;
-    end = flk_first_key(use->section + 1);
-    for (t->key = flk_first_key(use->section); t->key < end; t->key++)
-        if (flk_text_equal(last, flk_key_table[t->key].name))
-            return part == PART_NONE || is_vector(t->key);
-    return 0;
+    t->key = flk_find_key(code, last);
+    return t->key != KEY_COUNT && (part == PART_NONE || is_vector(t->key));
 }
 
 void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,

@@ -54,6 +54,10 @@ check '20 mm are 2 cm' awk -F, 'NR == 2 {ok = $2 == 2} END {exit !ok}' out
 run 0 --units=cm --print-deck t.deck
 check 'the deck is not changed' cmp out t.deck
 
+sed 's/^length = 80/length = 900/' t.deck >long.deck
+run 2 --units=m long.deck
+check 'a mistake has the unit of the deck' grep -qF 'the ground, 900 mm, is longer' err
+
 run 2 --units='mm, foo' t.deck
 check 'a word that is no unit' grep -qxF "fourlink: --units: error: 'foo' is not a unit of results, such as mm, kg or rpm" err
 run 2 --units='1/m' t.deck

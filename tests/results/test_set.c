@@ -237,6 +237,7 @@ TEST(test_refused_numbers)
         {"gas.bore", 20, FOURLINK_NO_SUCH_NAME, ""},
         {"load Q.torque", 20, FOURLINK_NO_SUCH_NAME, ""},
         {"Ts", 20, FOURLINK_NO_SUCH_NAME, ""},
+        {"load.torque", 20, FOURLINK_NO_SUCH_NAME, ""}, /* there are two */
         {"load P.at.x", 20, FOURLINK_NOT_A_NUMBER, ""}, /* per cent */
         {"load P.force", 20, FOURLINK_NOT_A_NUMBER, ""},
         {"load P.link", 20, FOURLINK_NOT_A_NUMBER, ""},
