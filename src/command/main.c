@@ -94,7 +94,7 @@ static int find_marks(marks *m, const options *o, const input *inputs, size_t n)
 }
 
 /* Write an input, or its score alone; returns the exit status. */
-static int write_input(sheet *s, const options *o, const input *in, const marks *m)
+static int write_input(sheet *s, const options *o, const input *in, marks *m)
 {
     int status;
     sheet_mark mark;

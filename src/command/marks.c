@@ -16,7 +16,8 @@
 #include "marks.h"
 
 #define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
-#define SHARE 4             /* one answer in four makes a question */
+#define NO_ANSWER (-1)
+#define SHARE 4 /* one answer in four makes a question */
 
 /* A value that is asked for. */
 typedef struct question {
@@ -27,6 +28,7 @@ typedef struct question {
     double marks;
     unsigned long answers; /* how many have it */
     size_t last;           /* number of the last one that has it, from 1 */
+    int is_right;          /* of the one that is marked: 1, 0 or NO_ANSWER */
 } question;
 
 static int is_asked(const question *q, const fourlink_check *c)
@@ -159,19 +161,21 @@ void marks_tell(const marks *m, const char *name)
     command_tell_note(name, 0, words, NULL);
 }
 
-/* 1 if all answers of an input to a question are right; -1 if there is none. */
-static int answer(const input *in, const question *q)
+/* Find which questions an input answers, and whether all its answers to one are right. */
+static void find_answers(marks *m, const input *in)
 {
     fourlink_check c;
     unsigned long i;
-    int is_right = -1;
+    question *q;
 
+    for (i = 0; i < m->n; i++)
+        m->list[i].is_right = NO_ANSWER;
     for (i = 0; i < in->problem.n_expected; i++) {
         fourlink_results_check(in->results, i, &c);
-        if (is_asked(q, &c))
-            is_right = is_right != 0 && c.verdict == FOURLINK_AGREES;
+        q = find(m, &c);
+        if (q)
+            q->is_right = q->is_right != 0 && c.verdict == FOURLINK_AGREES;
     }
-    return is_right;
 }
 
 /* Note what is odd in an answer: values that are not asked for, without a value, or known to be wrong. */
@@ -201,15 +205,12 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
             put_name(mark->note, size, "not asked: ", &n_extra, &q);
         }
     }
-    if (has_misprint && m->list) {
+    if (has_misprint && m->list)
         put_part(mark->note, size, "a value of [misprint] is no answer");
-    }
-    if (sets_tolerance && m->list) {
+    if (sets_tolerance && m->list)
         put_part(mark->note, size, "sets its own tolerance");
-    }
-    if (has_grading && m->list) {
+    if (has_grading && m->list)
         put_part(mark->note, size, "by the [grading] of its deck");
-    }
 }
 
 /* The name of a file without its ending, which is that of a student. */
@@ -227,10 +228,10 @@ static text name_of(const char *path)
     return name;
 }
 
-void marks_give(const marks *m, const input *in, sheet_mark *mark)
+void marks_give(marks *m, const input *in, sheet_mark *mark)
 {
     const char *path = in->deck ? in->source.answers_name : in->name;
-    int n_missing = 0, is_right;
+    int n_missing = 0;
     fourlink_check c;
     unsigned long i;
 
@@ -243,10 +244,10 @@ void marks_give(const marks *m, const input *in, sheet_mark *mark)
         put(mark->note, sizeof mark->note, in->refusal);
         return;
     }
+    find_answers(m, in);
     for (i = 0; i < m->n; i++) {
-        is_right = answer(in, &m->list[i]);
-        mark->right += is_right == 1 ? m->list[i].marks : 0;
-        if (is_right < 0)
+        mark->right += m->list[i].is_right == 1 ? m->list[i].marks : 0;
+        if (m->list[i].is_right == NO_ANSWER)
             put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i]);
     }
     for (i = 0; i < in->problem.n_expected && !m->list; i++) {

@@ -24,7 +24,7 @@ int marks_find(marks *m, const input *deck, const input *inputs, size_t n);
 void marks_tell(const marks *m, const char *name);
 
 /* What an input is worth. */
-void marks_give(const marks *m, const input *in, sheet_mark *mark);
+void marks_give(marks *m, const input *in, sheet_mark *mark);
 
 void marks_free(marks *m);
 

@@ -155,7 +155,7 @@ static int is_key(const section_use *use, text word, text value)
 }
 
 /* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */
-static void refuse_line(parser *p, const section_use *use, text line, text_place place)
+static void refuse_line(parser *p, section_use *use, text line, text_place place)
 {
     char meant[MESSAGE_SIZE] = "";
     text word = line, rest;
@@ -163,10 +163,12 @@ static void refuse_line(parser *p, const section_use *use, text line, text_place
     flk_section_split(&word, &rest);
     if (rest.length && rest.start[0] == ':')
         rest = flk_text_trim(flk_text_from(rest, 1));
-    if (use && word.length && rest.length && is_key(use, word, rest))
+    if (use && word.length && rest.length && is_key(use, word, rest)) {
+        use->is_mistaken = 1; /* the value is there */
         flk_message(meant, sizeof meant, "%t = %t", word, rest);
-    else if (flk_find_section(word) != SECTION_COUNT)
+    } else if (flk_find_section(word) != SECTION_COUNT) {
         flk_message(meant, sizeof meant, "[%t%s%t]", word, rest.length ? " " : "", rest);
+    }
     flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'%h", line,
                 *meant ? meant : NULL);
 }

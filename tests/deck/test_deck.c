@@ -1488,6 +1488,22 @@ TEST(test_no_text)
     free(line);
 }
 
+/* A value on a line without = is not missing too. */
+TEST(test_line_without_sign)
+{
+    deck d;
+
+    assert_int_equal(
+        read_text(flk_text_of("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\n"
+                              "length = 20 mm\n[coupler]\nlength = 66 mm\n[rocker]\n"
+                              "length : 56 mm\n[motion]\nspeed = 1 rad/s\n"),
+                  NULL, 0, &d),
+        0);
+    assert_int_equal(d.mistakes.count, 1);
+    assert_int_equal(d.mistakes.list[0].place.line, 9);
+    flk_deck_free(&d);
+}
+
 /* Every beginning of a deck, as of a file cut short. */
 TEST(test_cut_short)
 {
