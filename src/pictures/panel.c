@@ -204,19 +204,22 @@ static void put_extremes(const picture *p, panel *q, int y, int branch, int i)
     double turn = is_angle ? view_value(&p->v, QUANTITY_ANGLE, 2 * M_PI) : 0, value,
            first = GSL_NAN;
     double size = GSL_MAX_DBL(fabs(q->e.low), fabs(q->e.high));
-    fourlink_value found;
+    const fourlink_value *found;
+    view_extremes extremes;
 
-    for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
-        if (!view_find_extreme(&p->v, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
-                               p->v.branches[branch], &found) ||
-            !gsl_finite(found.value) ||
-            (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
+    if (!picture_is_over_angle(p, q->x_column))
+        return;
+    view_find_extremes(&p->v, p->v.branches[branch], &extremes);
+    for (k = 0; k < 2; k++) {
+        found = view_extreme(&extremes, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX));
+        if (!found || !gsl_finite(found->value) ||
+            (is_cut && (found->value < q->e.sound_low || found->value > q->e.sound_high)))
             continue;
-        value = on_curve(&q->line[i], found, turn);
+        value = on_curve(&q->line[i], *found, turn);
         if (fabs(value) <= 1e-6 * size)
             value = 0;
         if (k == 0 || !(fabs(value - first) <= 1e-9 * size)) /* not a constant's minimum */
-            put_extreme(p, q, value, found.angle, k, i + 1);
+            put_extreme(p, q, value, found->angle, k, i + 1);
         first = value;
     }
 }
@@ -234,15 +237,14 @@ static int is_coordinate(const fourlink_value *column)
 
 static int is_unbounded(const picture *p, int column, int i)
 {
-    fourlink_value found;
-    int which;
+    int handle = p->v.columns[column].handle;
+    const fourlink_value *most, *least;
+    view_extremes extremes;
 
-    for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++)
-        if (view_find_extreme(&p->v, p->v.columns[column].handle + which, p->v.branches[i],
-                              &found) &&
-            gsl_isinf(found.value))
-            return 1;
-    return 0;
+    view_find_extremes(&p->v, p->v.branches[i], &extremes);
+    most = view_extreme(&extremes, handle + FOURLINK_MAX);
+    least = view_extreme(&extremes, handle + FOURLINK_MIN);
+    return (most && gsl_isinf(most->value)) || (least && gsl_isinf(least->value));
 }
 
 /* Cut an axis where its values are unbounded. */

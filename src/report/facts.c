@@ -74,27 +74,24 @@ static void put_facts(report *r, const char *heading, int group)
     cell_end(&r->page);
 }
 
-/* Write the smallest value of a column, or the largest, and its angle. */
-static void put_extreme(report *r, int handle, fourlink_branch branch)
+/* Write the smallest value of a column, or the largest, and its angle; null: it has none. */
+static void put_extreme(report *r, const fourlink_value *v)
 {
-    fourlink_value v;
-
-    if (!view_find_extreme(&r->v, handle, branch, &v)) {
+    if (!v) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    cell_put(&r->page, v.value, r->v.problem.digits);
-    put_angle(r, &v);
+    cell_put(&r->page, v->value, r->v.problem.digits);
+    put_angle(r, v);
 }
 
 static void put_extremes(report *r, fourlink_branch branch)
 {
-    const fourlink_value *columns;
-    unsigned long n, i;
-    int status;
+    const fourlink_value *columns = r->v.columns;
+    view_extremes extremes;
+    int status = view_find_extremes(&r->v, branch, &extremes);
+    unsigned long i;
 
-    fourlink_results_list(r->v.results, FOURLINK_COLUMNS, &columns, &n);
-    status = sheet_find_extremes(r->v.results, branch);
     if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) {
         page_print(&r->page, "<p class=\"missing\">No smallest and largest values, %s: %s.</p>\n",
                    branch == FOURLINK_OPEN ? "open branch" : "crossed branch",
@@ -107,13 +104,13 @@ static void put_extremes(report *r, fourlink_branch branch)
                                        : "Smallest and largest values, crossed branch",
                CELL_HEAD("Column") CELL_HEAD("Unit") CELL_HEAD("Smallest")
                    CELL_AT CELL_HEAD("Largest") CELL_AT);
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < r->v.n_columns; i++) {
         if (columns[i].flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING))
             continue;
         page_print(&r->page, "<tr><th scope=\"row\">%s</th><td>%s</td>", columns[i].name,
                    cell_unit(columns[i].unit));
-        put_extreme(r, columns[i].handle + FOURLINK_MIN, branch);
-        put_extreme(r, columns[i].handle + FOURLINK_MAX, branch);
+        put_extreme(r, view_extreme(&extremes, columns[i].handle + FOURLINK_MIN));
+        put_extreme(r, view_extreme(&extremes, columns[i].handle + FOURLINK_MAX));
         page_print(&r->page, "</tr>\n");
     }
     cell_end(&r->page);

@@ -137,10 +137,11 @@ static void write_ends(sheet *s)
 /* In a summary, why it has no extremes. */
 static void write_missing_extremes(sheet *s)
 {
+    view_extremes extremes;
     int i;
 
     for (i = 0; i < s->v.n_branches; i++)
-        if (sheet_find_extremes(s->v.results, s->v.branches[i]) == FOURLINK_LONG_SEARCH) {
+        if (view_find_extremes(&s->v, s->v.branches[i], &extremes) == FOURLINK_LONG_SEARCH) {
             write_words(s, "extremes", "why there are none", (int)s->v.branches[i],
                         fourlink_status_text(FOURLINK_LONG_SEARCH));
             s->failed++;

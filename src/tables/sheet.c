@@ -117,19 +117,6 @@ void sheet_write_stop(sheet *s, fourlink_branch branch)
     s->format->row(s, &row);
 }
 
-int sheet_find_extremes(fourlink_results *results, fourlink_branch branch)
-{
-    const fourlink_value *columns;
-    unsigned long n, i;
-    fourlink_value v;
-
-    fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n);
-    for (i = 0; i < n && (columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
-        ;
-    return i == n ? FOURLINK_OK
-                  : fourlink_results_get(results, columns[i].handle + FOURLINK_MAX, branch, 0, &v);
-}
-
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
 {
     const fourlink_value *inputs;

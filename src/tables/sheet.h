@@ -164,9 +164,6 @@ double sheet_percent(const sheet_mark *m);
 /* 1 if the machine does not come to this row, because its actual motion has ended. */
 int sheet_is_over(const sheet *s, const fourlink_instant *at);
 
-/* Find the extremes of a branch: FOURLINK_OK, or why there are none. */
-int sheet_find_extremes(fourlink_results *results, fourlink_branch branch);
-
 /* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all
 ** rows. */
 #define SHEET_STOP_SIZE (FORMAT_SIZE + 100)

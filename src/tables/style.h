@@ -12,11 +12,10 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
-    double limit; /* numbers below it fit the width, with a sign and a blank */
-    double size;  /* the largest finite magnitude of the column */
-    int page;     /* from fit_columns */
-    int has_extreme;
-    fourlink_value extreme; /* the last one found */
+    double limit;                  /* numbers below it fit the width, with a sign and a blank */
+    double size;                   /* the largest finite magnitude of the column */
+    int page;                      /* from fit_columns */
+    const fourlink_value *extreme; /* that is being written; null: none */
 } style;
 
 /* Find the size of each column, in rows spread evenly over the motion that have at least this transmission

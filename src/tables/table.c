@@ -50,22 +50,15 @@ static void block_begins(sheet *s, fourlink_branch branch)
     put_names(s, 1);
 }
 
-static void find_extreme(sheet *s, fourlink_branch branch, int which, const fourlink_value *c,
-                         style *x)
-{
-    x->has_extreme = !(c->flags & FOURLINK_CRANK_ANGLE) &&
-                     view_find_extreme(&s->v, c->handle + which, branch, &x->extreme);
-}
-
 /* The field of an extreme, or of its crank angle. */
 static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 {
-    static const style angle = {3, 0, 0, 0, 0, 0, 0, {0}};
+    static const style angle = {3, 0, 0, 0, 0, 0, NULL};
 
-    if (x->has_extreme && at_angle && x->extreme.has_angle)
-        style_put(&s->l, x->extreme.angle, &angle, width);
-    else if (x->has_extreme && !at_angle)
-        style_put(&s->l, x->extreme.value, x, width);
+    if (x->extreme && at_angle && x->extreme->has_angle)
+        style_put(&s->l, x->extreme->angle, &angle, width);
+    else if (x->extreme && !at_angle)
+        style_put(&s->l, x->extreme->value, x, width);
     else
         line_field(&s->l, "", width);
 }
@@ -97,12 +90,13 @@ static void put_extremes(sheet *s, const char *label, int at_angle)
 static void block_ends(sheet *s, fourlink_branch branch)
 {
     style *styles = s->layout;
+    view_extremes extremes;
     unsigned long j;
     int which, status;
 
     if (s->v.problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
         return;
-    status = sheet_find_extremes(s->v.results, branch);
+    status = view_find_extremes(&s->v, branch, &extremes);
     if (status == FOURLINK_LONG_SEARCH) {
         line_put(&s->l, "# max, min: %s\n", fourlink_status_text(status));
         s->failed++;
@@ -111,8 +105,7 @@ static void block_ends(sheet *s, fourlink_branch branch)
         return;
     for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++) {
         for (j = 0; j < s->v.n_columns; j++)
-            if (fit_has(s, styles, j))
-                find_extreme(s, branch, which, &s->v.columns[j], &styles[j]);
+            styles[j].extreme = view_extreme(&extremes, s->v.columns[j].handle + which);
         put_extremes(s, which == FOURLINK_MAX ? "max" : "min", 0);
         put_extremes(s, "", 1);
     }

@@ -48,17 +48,31 @@ void view_take(view *v, fourlink_results *results)
     view_take_design(v, results);
 }
 
-int view_find_extreme(const view *v, int handle, fourlink_branch branch, fourlink_value *extreme)
+/* If the search for all is too long, the list is empty, though that for one column may end. */
+int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *found)
 {
-    const fourlink_value *list;
-    unsigned long n, i;
+    fourlink_value one;
+    unsigned long i;
+    int status;
 
-    fourlink_results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &list, &n);
-    for (i = 0; i < n && list[i].handle != handle; i++)
+    fourlink_results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list,
+                           &found->n);
+    for (i = 0; i < v->n_columns && (v->columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
         ;
-    if (i < n)
-        *extreme = list[i];
-    return i < n;
+    if (found->n || i == v->n_columns)
+        return FOURLINK_OK;
+    status = fourlink_results_get(v->results, v->columns[i].handle + FOURLINK_MAX, branch, 0, &one);
+    return status == FOURLINK_OK ? FOURLINK_LONG_SEARCH : status;
+}
+
+const fourlink_value *view_extreme(const view_extremes *x, int handle)
+{
+    unsigned long i;
+
+    for (i = 0; i < x->n; i++)
+        if (x->list[i].handle == handle)
+            return &x->list[i];
+    return NULL;
 }
 
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,

@@ -33,9 +33,17 @@ void view_take(view *v, fourlink_results *results);
 /* Take another design of the same deck, which has the same units. */
 void view_take_design(view *v, fourlink_results *results);
 
-/* The extreme of a column of the deck's table, by the column's handle + FOURLINK_MAX or FOURLINK_MIN: those of
-** all columns are found in one search.  0 if there is none.  Facts that were listed before are not valid then. */
-int view_find_extreme(const view *v, int handle, fourlink_branch branch, fourlink_value *extreme);
+/* The extremes of the columns of the deck's table on a branch; valid until facts are asked for again. */
+typedef struct view_extremes {
+    const fourlink_value *list;
+    unsigned long n;
+} view_extremes;
+
+/* Find them all in one search: FOURLINK_OK, or why there are none. */
+int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *found);
+
+/* One of them, by the column's handle + FOURLINK_MAX or FOURLINK_MIN; null if the column has none. */
+const fourlink_value *view_extreme(const view_extremes *x, int handle);
 
 /* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
 ** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
