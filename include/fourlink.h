@@ -614,6 +614,8 @@ typedef struct fourlink_source {
     const char
         *units; /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
                              bare numbers keep theirs; null: the deck's */
+    int is_drawn; /* 1: for pictures; lengths are in the unit in which that of the crank is written,
+                             unless the deck or `units` gives one */
     int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over a
                              cycle from 0, with the same speed and acceleration at every row */
 } fourlink_source;
@@ -1571,7 +1573,8 @@ FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsig
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
 **               angular_acceleration, inertia, force, torque, pressure, power, energy, stiffness, damping,
-**               torsional_stiffness, torsional_damping, mass_moment or number
+**               torsional_stiffness, torsional_damping, mass_moment or number; drawn_length, for lengths in
+**               pictures: see `is_drawn` of fourlink_source
 ** Returned:
 **    unit       its name and size
 ** Returned (function value):

@@ -50,6 +50,16 @@ def crossing(p, u, q, v):
     return p + u * cross(q - p, v) / cross(u, v)
 
 
+def drawn_units(path):
+    """The option that gives results the unit of length that pictures of a deck have: that in which the crank is written."""
+    with open(path, encoding='utf-8', errors='replace') as deck:
+        text = re.sub('[#;].*', '', deck.read())
+    sections = dict(re.findall(r'^\[(\w+)\] *\n([^[]*)', text, re.M))
+    own = re.search(r'^length *=', sections.get('units', ''), re.M)
+    crank = re.search(r'^(?:length|stroke) *= *[-+\d.,e]+ *([a-z]+) *$', sections.get('crank', ''), re.M)
+    return ['--units=' + crank.group(1)] if crank and not own else []
+
+
 class Program:
     """The program under test, without gnuplot."""
 
@@ -64,7 +74,9 @@ class Program:
         self.environment = dict(os.environ, PATH=stand_in + os.pathsep + os.environ['PATH'], LC_ALL='C')
 
     def run(self, *arguments, statuses=(0, 1)):
-        done = subprocess.run([self.fourlink] + list(arguments), env=self.environment, stdin=subprocess.DEVNULL,
+        """Run with arguments, the last a deck; its rows and facts have the units of pictures."""
+        units = drawn_units(arguments[-1]) if '-f' in arguments else []
+        done = subprocess.run([self.fourlink] + units + list(arguments), env=self.environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         if done.returncode not in statuses:
             raise RuntimeError('fourlink %s: %d: %s' % (' '.join(arguments), done.returncode, done.stderr))

@@ -335,16 +335,20 @@ CALLED(web_sheet) int web_sheet(int format, int content)
 /* Answer with the report; the room has the crank angle of its sample calculation, or nothing. */
 CALLED(web_report) int web_report(void)
 {
+    fourlink_source drawn = source;
     report_outcome outcome;
     fourlink_mistake mistake;
     report_request request;
-    int done;
+    int done = -1;
 
-    if (!begin_answer())
-        return 0;
-    request.opened = v.results;
+    drawn.is_drawn = 1;
+    request.opened = NULL;
     request.at = *input ? input : NULL;
-    done = report_write(out, &source, &request, &outcome, &mistake);
+    if ((v.results && fourlink_results_open(&drawn, 0, &request.opened, NULL, NULL) != FOURLINK_OK) ||
+        !begin_answer())
+        return 0;
+    done = report_write(out, &drawn, &request, &outcome, &mistake);
+    fourlink_results_free(request.opened);
     return end_answer() && done > 0;
 }
 

@@ -46,10 +46,14 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     plot_request request = in->o->drawing;
     fourlink_mistake mistake;
-    int written;
+    input_drawn drawn;
+    int written = -1;
 
-    request.opened = in->results;
-    written = plot_write(script, &in->source, &request, caption, &mistake);
+    if (input_open_drawn(in, &drawn) == FOURLINK_OK) {
+        request.opened = drawn.results;
+        written = plot_write(script, &drawn.source, &request, caption, &mistake);
+    }
+    input_close_drawn(&drawn);
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
     if (written > 0)

@@ -13,6 +13,7 @@
 #include "files.h"
 #include "input.h"
 #include "tables/formats.h"
+#include "view/view.h"
 
 #define MOST_ROWS_SHOWN 20000 /* in a report or a picture */
 
@@ -338,6 +339,30 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->source.answers = in->answers.text;
     in->source.answers_length = (unsigned long)in->answers.length;
     return status ? status : open_input(in);
+}
+
+int input_open_drawn(const input *in, input_drawn *drawn)
+{
+    view v;
+    int status;
+
+    drawn->source = in->source;
+    drawn->source.is_drawn = 1;
+    drawn->results = in->results;
+    drawn->own = NULL;
+    if (!in->results)
+        return FOURLINK_OK;
+    view_take(&v, in->results);
+    if (strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0)
+        return FOURLINK_OK;
+    status = fourlink_results_open(&drawn->source, 0, &drawn->own, NULL, NULL);
+    drawn->results = drawn->own;
+    return status;
+}
+
+void input_close_drawn(input_drawn *drawn)
+{
+    fourlink_results_free(drawn->own);
 }
 
 void input_close(input *in)

@@ -15,14 +15,18 @@ int reporting_write(const input *in)
     report_outcome outcome;
     fourlink_mistake mistake;
     report_request request;
+    input_drawn drawn;
     output file;
-    int status = output_begin(&file, path), written;
+    int status = output_begin(&file, path), written = -1;
 
     if (status)
         return status;
-    request.opened = in->results;
     request.at = in->o->drawing.at;
-    written = report_write(file.file, &in->source, &request, &outcome, &mistake);
+    if (input_open_drawn(in, &drawn) == FOURLINK_OK) {
+        request.opened = drawn.results;
+        written = report_write(file.file, &drawn.source, &request, &outcome, &mistake);
+    }
+    input_close_drawn(&drawn);
     if (written < 0) {
         output_end(&file, path, 0);
         return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));

@@ -165,16 +165,18 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
 
 int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *u)
 {
+    const deck_unit *own;
     int q;
 
     if (!d || !name || !u)
         return FOURLINK_NULL;
     q = (int)flk_quantity_find(name);
-    if (q == QUANTITY_COUNT)
+    own = q < QUANTITY_COUNT ? &d->units[q] : strcmp(name, "drawn_length") == 0 ? &d->drawn : NULL;
+    if (!own)
         return FOURLINK_NO_SUCH_NAME;
-    u->name = d->units[q].name;
-    u->up = d->units[q].unit.up;
-    u->down = d->units[q].unit.down;
+    u->name = own->name;
+    u->up = own->unit.up;
+    u->down = own->unit.down;
     return FOURLINK_OK;
 }
 

@@ -16,6 +16,7 @@
 typedef struct deck_unit {
     char name[DECK_NAME_SIZE];
     unit unit;
+    int is_given; /* 1: by the deck or the host; 0: it is SI */
 } deck_unit;
 
 /* A list of names in a deck, such as columns, with its place. */
@@ -140,6 +141,7 @@ struct fourlink_deck {
     int digits;
     deck_unit units[QUANTITY_COUNT]; /* of results */
     deck_unit bare[QUANTITY_COUNT];  /* of bare numbers in the text */
+    deck_unit drawn;                 /* of lengths in pictures */
 
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes notes;                    /* on what is allowed but probably not meant */

@@ -147,6 +147,8 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
         flk_sweep_read(p);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
+    if (!p->out_of_memory && !p->not_text && !is_answers)
+        flk_values_drawn_unit(p, source);
     p->is_sound = !flk_mistakes_count(p->mistakes);
     return p->out_of_memory ? NULL : p;
 }
@@ -220,6 +222,7 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
     memcpy(d->bare, from->bare, sizeof d->bare);
+    d->drawn = from->drawn;
     d->sweep = from->sweep;
     d->settings = share(d, from->settings);
     status = build_from(d, d->settings, design, set, n_set);

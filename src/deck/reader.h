@@ -212,6 +212,10 @@ void flk_lines_read(parser *p);
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
+/* The unit of lengths in pictures, and in all results if these are drawn: that in which the crank is written,
+** unless the deck or the host gives a unit of results. */
+void flk_values_drawn_unit(parser *p, const fourlink_source *source);
+
 /* The units of results that a host asks for, such as "mm, kg, rpm", in place of the deck's. */
 void flk_values_result_units(parser *p, const char *list);
 

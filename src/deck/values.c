@@ -136,6 +136,7 @@ static void set_unit(deck_unit *units, quantity q, text name, unit u)
 {
     name_unit(name, units[q].name);
     units[q].unit = u;
+    units[q].is_given = 1;
     if (q == QUANTITY_LENGTH)
         set_area(units);
 }
@@ -163,6 +164,27 @@ void flk_values_result_units(parser *p, const char *list)
             flk_mistake(p->mistakes, place, "'%t' is not a unit of results, such as mm, kg or rpm",
                         item);
     }
+}
+
+void flk_values_drawn_unit(parser *p, const fourlink_source *source)
+{
+    static const key_code lengths[] = {KEY_CRANK_LENGTH, KEY_CRANK_STROKE, KEY_COUPLER_LENGTH,
+                                       KEY_ROD_LENGTH, KEY_GROUND_LENGTH};
+    const size_t n = sizeof lengths / sizeof *lengths;
+    const setting *s = NULL;
+    text name;
+    size_t i;
+
+    p->d->drawn = p->d->units[QUANTITY_LENGTH];
+    for (i = 0; i < n && !(s && IS_SET(s) && !s->is_pending); i++)
+        s = flk_setting_find(p, lengths[i]);
+    name = flk_quantity_unit_text(s->value);
+    if (p->d->drawn.is_given || !name.length)
+        return;
+    name_unit(name, p->d->drawn.name);
+    p->d->drawn.unit = s->unit;
+    if (source->is_drawn)
+        set_unit(p->d->units, QUANTITY_LENGTH, name, s->unit);
 }
 
 /* A whole number. */

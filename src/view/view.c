@@ -45,6 +45,7 @@ void view_take(view *v, fourlink_results *results)
     memset(v, 0, sizeof *v);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(fourlink_results_deck(results), flk_quantities[q].name, &v->units[q]);
+    fourlink_deck_unit(fourlink_results_deck(results), "drawn_length", &v->drawn_length);
     view_take_design(v, results);
 }
 

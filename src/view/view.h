@@ -23,6 +23,7 @@ typedef struct view {
     fourlink_range range; /* by time, with the number of its rows */
     double end;           /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
+    fourlink_unit drawn_length; /* in which pictures and heads have lengths */
     const fourlink_value *columns; /* of its table */
     unsigned long n_columns;
 } view;

@@ -62,4 +62,28 @@ run 2 --units='mm, foo' t.deck
 check 'a word that is no unit' grep -qxF "fourlink: --units: error: 'foo' is not a unit of results, such as mm, kg or rpm" err
 run 2 --units='1/m' t.deck
 check 'a unit of no quantity' grep -qF "'1/m' is not a unit of results" err
+
+# Without a unit of results, lengths are in that of the crank in heads, pictures and reports, and in m in tables.
+cat >drawn.deck <<'END'
+mechanism = slider-crank
+[crank]
+length = 2.5 in
+[rod]
+length = 203.2 mm
+[motion]
+speed = 100 rpm
+END
+run 0 -b open -c theta2,x drawn.deck
+prints '# crank 2.5 in, rod 8 in'
+prints '# slider-crank, the crank turns fully; --units=in gives in'
+check 'the stroke in m' grep -qx '# *max *0.127000' out
+run 0 -b open -c theta2,mu drawn.deck
+prints '# slider-crank, the crank turns fully'
+check 'an offer without a length' none -e '--units' out
+for case in '::x (in)' ':--set=units.length=cm:x (cm)' ':--units=mm:x (mm)' ':--units=m:x (m)' ':--set=crank.length=0.1:x (m)'; do
+    option=${case#*:}
+    option=${option%:*}
+    run 0 --plot-script=x.gp --plot-kind=columns -c x ${option:+"$option"} drawn.deck
+    check "$option: no ${case##*:}" grep -qxF "set ylabel \"${case##*:}\"" x.gp
+done
 finish

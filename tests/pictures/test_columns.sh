@@ -71,7 +71,7 @@ block c1_open >curve
 check 'an angle is followed' awk 'NR == 1 {first = $1} NR > 1 && ($1 - last) ^ 2 > 100 {bad = 1} {last = $1} END {exit bad || (last - first) ^ 2 < 129000}' curve
 # an indicator diagram: the four strokes
 columns -c gas_force --plot-x=x "$decks/gas-engine.deck"
-has 'set xlabel "x (m)"'
+has 'set xlabel "x (mm)"'
 block c1_open >curve
 check 'four strokes' awk 'NR > 1 {s = $1 > last ? 1 : -1; if (s != way) turns++; way = s} {last = $1} END {exit turns != 4}' curve
 
@@ -87,7 +87,7 @@ check 'the frame has no pole' awk -F'\\[|:|\\]' '/^set yrange/ {exit !($2 > -100
 check 'two poles' test "$(block c1_open | grep -c '^$')" -eq 2
 check 'they are explained' grep -q 'beyond the frame where a value is unbounded' x.gp
 columns -b open -c I13y --plot-x=I13x "$alvi"
-check 'an unbounded x has a frame' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($3 - $2 < 10)}' x.gp
+check 'an unbounded x has a frame' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($3 - $2 < 10000)}' x.gp
 sed 's/^from .*/from = 0 deg/; s/^to .*/to = 360 deg/' "$data/me3491-exercise-1.deck" >turning.deck
 run 1 --plot-script=x.gp --plot-kind=columns -b open -c theta4,F12 turning.deck
 check 'no position, no curve' test "$(block c1_open | grep -c '^$')" -gt 200

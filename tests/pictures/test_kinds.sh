@@ -132,7 +132,7 @@ fi
 
 # --- a line of stroke that is not level
 run 0 --plot=x.svg "$data/dfa-example-2-vertical.deck"
-shows x.svg 'x rises at 90°' 'horizontal (m)' 'vertical (m)' g x 'F₁₂ = 131.13 kN' '100 kN'
+shows x.svg 'x rises at 90°' 'horizontal (mm)' 'vertical (mm)' g x 'F₁₂ = 131.13 kN' '100 kN'
 check 'a level line of stroke' none 'x rises' engine-mechanism.svg
 check 'axes of a level line of stroke' none 'horizontal' engine-mechanism.svg
 # turned TAN SCRIPT: the pins A, B and C as in the level engine, turned by an angle with this tangent

@@ -27,7 +27,7 @@ check 'words have no histogram' none 'o2_' t.gp
 
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm, 22 mm & 70 mm' \
     'output = mu_min, max(Ts)'
-run 0 -f csv -b open t.deck
+run 0 -f csv -b open --units=mm t.deck
 tr -d '\r' <out >designs
 run 0 --plot-script=t.gp --plot-kind=columns -b open t.deck
 quiet
@@ -39,7 +39,7 @@ for k in 0 1; do
         FNR > 1 {split($0, w, ","); m++; if ((w[3] - x[m]) ^ 2 > 1e-20 || (w[c] - y[m]) ^ 2 > 1e-16) bad = 1}
         END {exit bad || n != m || n != 6}' points designs
 done
-check 'over the crank' grep -q 'set xlabel "crank.length (m)"' t.gp
+check 'over the crank' grep -q 'set xlabel "crank.length (mm)"' t.gp
 check 'lines' grep -q 'with linespoints' t.gp
 # designs in no order are points; a design without a value is a gap
 sweep 'coupler.length = 66 mm, 62 mm, 70 mm' 'output = mu_min'

@@ -11,7 +11,7 @@ import tempfile
 import xml.etree.ElementTree as xml
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
-from linkage import Checks  # noqa: E402
+from linkage import Checks, drawn_units  # noqa: E402
 
 H = '{http://www.w3.org/1999/xhtml}'
 checks = Checks()
@@ -167,7 +167,8 @@ phi = 19.47 deg
 def main(fourlink, expectations, *decks):
     def run(*words):
         without_gnuplot = {'PATH': ''}  # whose pictures take most of the time
-        return subprocess.run([fourlink] + list(words), capture_output=True, encoding='utf-8', env=without_gnuplot).stdout
+        units = [] if words[0].startswith('--report') else drawn_units(words[-1])
+        return subprocess.run([fourlink] + units + list(words), capture_output=True, encoding='utf-8', env=without_gnuplot).stdout
     folder = tempfile.TemporaryDirectory()
     wrong = os.path.join(folder.name, 'wrong.deck')
     with open(expectations, encoding='utf-8') as given, open(wrong, 'w', encoding='utf-8') as out:

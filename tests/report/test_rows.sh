@@ -22,12 +22,12 @@ true_of_rows() { jq -e "$1" rows >/dev/null; }
 rows "$alvi"
 that '.branches | map(.name) == ["open", "crossed"]'
 that '(.steps | length) == 181 and .steps[20] == 40 and .steps[.start] == 60 and .turn == 0'
-that '.units.length == "m" and .forces == [] and .torques == []'
-that '.branches[0].reasons == {} and .branches[0].tracks.A == [0, 0] and .branches[0].tracks.D == [0.08, 0]'
+that '.units.length == "mm" and .forces == [] and .torques == []'
+that '.branches[0].reasons == {} and .branches[0].tracks.A == [0, 0] and .branches[0].tracks.D == [80, 0]'
 that '[.branches[].table | length] == [181, 181]'
 
 # Numbers and the table are those of the program.
-run 0 -f csv -c theta2,C.x,C.y,theta4 "$alvi"
+run 0 -f csv --units=mm -c theta2,C.x,C.y,theta4 "$alvi"
 awk -F, 'NR > 1 {printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' out >wanted
 jq -r '. as $all | .branches[] | . as $b | range(0; 361; 40) | . as $angle | ($all.steps | index($angle)) as $i |
     "\($b.name) \($angle) \($b.tracks.C[0][$i]) \($b.tracks.C[1][$i])"' rows | awk '{printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' >found
@@ -48,7 +48,7 @@ that '.steps[-1] == 720 and (.steps | length) == 361'
 # Rows by time: each row of the deck, and steps between them; every so many of more than 361.
 pump=$data/../doc/motor-pump.deck
 sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 0.1 s\nduration = 0.75 s/' "$pump" >time.deck
-rows -b open time.deck
+rows -b open --units=m time.deck
 that '.over == "time" and .units.time == "s" and (.steps | length) == 151 and .steps[20] == 0.1 and .steps[-1] == 0.75'
 that '.steps[.start] == 0.1'
 run 0 -b open -f csv -c time,C.x,omega2 time.deck
@@ -75,7 +75,7 @@ that '.links[2].points == ["P0"] and .points[0].label[0] == "E"'
 # Rows without a position have a reason, and the crank.
 rows --set coupler.length='20 mm' "$alvi"
 that '.steps as $a | .branches[0].reasons | keys | map($a[tonumber]) | (min > 0 and max < 360 and length > 10)'
-that '(.steps | index(180)) as $i | .branches[0].tracks.B[0][$i] == -0.02 and .branches[0].tracks.C[0][$i] == null'
+that '(.steps | index(180)) as $i | .branches[0].tracks.B[0][$i] == -20 and .branches[0].tracks.C[0][$i] == null'
 that '(.steps | index(180)) as $i | .branches[0].reasons["\($i)"] | test("too far apart")'
 that '(.steps | index(180)) as $i | .branches[0].table[$i][1] == null'
 
@@ -109,7 +109,7 @@ END
 rows --branch=open springs.deck
 that '[.springs[] | [.label[0], .coil, .damper, .pin, .ends, .on]] ==
     [["S", true, false, null, ["K0P", "K0Q"], [4, 1]], ["T", false, true, "C", null, null]]'
-that '.branches[0].tracks.K0Q == [0.1, 0.09]'
+that '.branches[0].tracks.K0Q == [100, 90]'
 that '[.torques[] | select(.label[0] == "M") | [.at, .on]] == [["B", 3], ["B", 2], ["C", 4], ["C", 3], ["D", 4], ["A", 2]]'
 that '[.torques[], .forces[] | select(.label[0] == "M" or .label[0] == "S" or .label[0] == "T") | select(.label[1] != "s") | .inner] | all'
 
@@ -128,7 +128,7 @@ friction='[friction]\nA = 0.1\nradius_A = 15 mm\nB = 0.1\nradius_B = 10 mm\nguid
 { cat free-slot.deck; printf "$friction"'D = 0.1\nradius_D = 12 mm\n'; } >slot.deck
 { sed '/^\[table\]/,$d' "$decks/pump.deck"; printf "[load L]\nlink = piston\nforce = -900 N\n$friction"; } >guide.deck
 for deck in free-slot.deck slot.deck guide.deck; do
-    rows --branch=open --set='motion.interval=30 deg' $deck
+    rows --branch=open --units=m --set='motion.interval=30 deg' $deck
     that '. as $all | .branches[0].tracks as $t |
         def at($i): if type == "array" then .[$i] else . end;
         def vector($i): [$t[.][0] // 0, $t[.][1] // 0 | at($i)];

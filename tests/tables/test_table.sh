@@ -12,7 +12,7 @@ prints '# Crank-rocker of Alvi et al., section 5.1'
 holds 'four lines of head, then the branch' '
     NR == 1 && $0 != "# Crank-rocker of Alvi et al., section 5.1" {bad = 1}
     NR == 2 && $0 != "# four-bar linkage: crank-rocker" {bad = 1}
-    NR == 3 && $0 != "# crank 0.02 m, coupler 0.066 m, rocker 0.056 m, ground 0.08 m" {bad = 1}
+    NR == 3 && $0 != "# crank 20 mm, coupler 66 mm, rocker 56 mm, ground 80 mm" {bad = 1}
     NR == 4 && $0 != "# crank at 10.5 rad/s" {bad = 1}
     NR == 5 && $0 != "# branch: open" {bad = 1}
     NR == 6 && $2 != "theta2" {bad = 1}
@@ -86,7 +86,7 @@ check 'csv has a row for each angle' test "$(grep -c 'the rod does not reach' ou
 run 1 -f json -b open -s 'crank.length=300 mm' -s 'rod.length=150 mm' -s motion.interval=15 engine.deck
 check 'and so has json' test "$(grep -c 'the rod does not reach' out)" -eq 14
 run 0 -b open -s 'ground.offset=20 mm' -s 'motion.acceleration=-0.1 rad/s2' engine.deck
-prints '# crank 0.3 m, rod 1.2 m, offset 0.02 m'
+prints '# crank 300 mm, rod 1200 mm, offset 20 mm'
 prints '# crank at 12.5664 rad/s, acceleration -0.1 rad/s2; masses of rod and piston'
 run 0 -b open "$matrix"
 prints '# crank at 10.5 rad/s; masses of all links; load Tl'
