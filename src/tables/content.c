@@ -168,6 +168,40 @@ static void write_facts(sheet *s, int branch, int groups)
     }
 }
 
+static const fourlink_value *find_extreme(const fourlink_value *facts, unsigned long n, int branch,
+                                          int handle)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (facts[i].handle == handle && facts[i].branch == branch)
+            return &facts[i];
+    return NULL;
+}
+
+/* Write the extremes of each column together, once if they are the same on both branches. */
+static void write_extremes(sheet *s)
+{
+    const fourlink_value *facts, *c, *least, *most;
+    unsigned long n, j;
+    int i, are_same;
+
+    fourlink_results_facts(s->v.results, 0, FOURLINK_FACTS_EXTREMES, &facts, &n);
+    for (i = 0; i < s->v.n_branches; i++)
+        for (j = 0; j < s->v.n_columns; j++) {
+            int branch = (int)s->v.branches[i];
+
+            c = &s->v.columns[j];
+            least = find_extreme(facts, n, branch, c->handle + FOURLINK_MIN);
+            most = find_extreme(facts, n, branch, c->handle + FOURLINK_MAX);
+            if (!least || !most)
+                continue;
+            are_same = sheet_is_on_both(least, facts, n) && sheet_is_on_both(most, facts, n);
+            if (i == 0 || !are_same)
+                s->format->extremes(s, c, least, most, are_same ? 0 : branch);
+        }
+}
+
 /* Write all rows of the motion on a branch, and why it ends before. */
 static void write_all_rows(sheet *s, fourlink_branch branch)
 {
@@ -334,10 +368,12 @@ static void write_content(sheet *s)
     switch (s->content) {
     case SHEET_SUMMARY:
         write_facts(s, 0,
-                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
-                        FOURLINK_FACTS_MOTION);
+                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION |
+                        (s->format->extremes ? 0 : FOURLINK_FACTS_EXTREMES));
         write_missing_extremes(s);
         write_ends(s);
+        if (s->format->extremes)
+            write_extremes(s);
         break;
     case SHEET_CHECK:
         write_checks(s);

@@ -293,5 +293,6 @@ const sheet_format csv_format = {
     0,                                             /* is_brief */
     put_statistic,                                 /* statistic */
     put_yield,                                     /* yield */
-    put_mark                                       /* mark */
+    put_mark,                                      /* mark */
+    NULL                                           /* extremes */
 };

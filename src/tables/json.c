@@ -367,5 +367,6 @@ const sheet_format json_format = {
     0,                                                                          /* is_brief */
     put_statistic,                                                              /* statistic */
     put_yield,                                                                  /* yield */
-    put_mark                                                                    /* mark */
+    put_mark,                                                                   /* mark */
+    NULL                                                                        /* extremes */
 };

@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "line.h"
 
+#define FOLDED 2048 /* bytes of a line that is broken, at most */
+
 void line_start(line *l, FILE *out)
 {
     l->out = out;
@@ -143,4 +145,54 @@ void line_put(line *l, const char *format, ...)
         format++;
     }
     va_end(values);
+}
+
+size_t line_here(line *l)
+{
+    if (l->length > sizeof l->bytes - FOLDED)
+        line_end(l);
+    return l->length;
+}
+
+/* The words that fit this width, at least one. */
+static text words_within(text words, size_t width)
+{
+    text fitting = words;
+    size_t letters = 0, i;
+    int is_word = 0;
+
+    for (i = 0; i < words.length; i++) {
+        if (words.start[i] == ' ' && is_word)
+            fitting.length = i;
+        is_word = words.start[i] != ' ';
+        letters += ((unsigned char)words.start[i] & 0xc0) != 0x80;
+        if (letters > width && fitting.length < words.length)
+            return fitting;
+    }
+    return words;
+}
+
+void line_finish(line *l, size_t start, size_t width, size_t indent)
+{
+    char copy[FOLDED];
+    text rest, words;
+
+    while (l->length > start && l->bytes[l->length - 1] == ' ')
+        l->length--;
+    rest.start = copy;
+    rest.length = start < l->length ? l->length - start : 0;
+    if (width && rest.length <= FOLDED) {
+        memcpy(copy, l->bytes + start, rest.length);
+        l->length -= rest.length;
+        words = words_within(rest, width);
+        while (words.length < rest.length) {
+            line_text(l, words.start, words.length);
+            line_text(l, "\n", 1);
+            put_padded(l, "", 1, indent);
+            rest = flk_text_trim(flk_text_from(rest, words.length));
+            words = words_within(rest, width > indent ? width - indent : 1);
+        }
+        line_text(l, words.start, words.length);
+    }
+    line_text(l, "\n", 1);
 }

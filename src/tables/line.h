@@ -32,6 +32,11 @@ void line_field(line *l, const char *s, size_t width);
 ** nothing if line_right has to do it. */
 int line_fixed(line *l, double value, int decimals, size_t width);
 
+/* End a line that began at `start`, which line_here gave, without blanks at its end: on a terminal of this width in
+** letters it is broken at blanks, and goes on below the column `indent`.  Width 0: it stays whole. */
+size_t line_here(line *l);
+void line_finish(line *l, size_t start, size_t width, size_t indent);
+
 /* Formatted text: %s a string, %-8s and %8s one in a field; %12g a number with so many significant digits, -0
 ** as 0; %lu a whole number. */
 void line_put(line *l, const char *format, ...);

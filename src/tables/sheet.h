@@ -135,6 +135,9 @@ typedef struct sheet_format {
     void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
     void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
     void (*mark)(sheet *s, const sheet_mark *m);           /* of SHEET_SCORES */
+    /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */
+    void (*extremes)(sheet *s, const fourlink_value *column, const fourlink_value *least,
+                     const fourlink_value *most, int branch);
 } sheet_format;
 
 /* The formats, each in its own file. */

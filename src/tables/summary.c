@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** summary.c - a summary in the format table: inputs, then results, a line each, 100 columns wide.
+** summary.c - a summary in the format table: inputs, results, extremes of columns, a line each.
+**
+** Lines are 100 columns wide, or as a terminal: there meanings are broken, or left out where it is narrow.
 */
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
+#include "base/text.h"
 #include "head.h"
 #include "summary.h"
 
@@ -14,6 +17,12 @@
 #define UNIT 7
 #define ANGLE 9
 #define BRANCH 8
+#define LEAST_MEANING 20 /* letters of it in a line */
+
+/* Of extremes, so that those with 17 digits fit the line. */
+#define EXTREME_NAME 15
+#define EXTREME_ANGLE 10
+#define EXTREME_DIGITS 7 /* of an angle, at most */
 
 /* The columns that a number may take: sign, point and exponent beside its digits. */
 static size_t width_of_value(const sheet *s)
@@ -21,53 +30,70 @@ static size_t width_of_value(const sheet *s)
     return (size_t)s->v.problem.digits + 7;
 }
 
-static void put_left(sheet *s, const char *words, size_t width)
+/* Returns how much longer the words are than the width. */
+static size_t put_left(sheet *s, const char *words, size_t width)
 {
     size_t n = strlen(words);
 
     line_put(&s->l, "%s", words);
     if (n < width)
         line_right(&s->l, "", 0, width - n);
+    return n > width ? n - width : 0;
 }
 
-/* Write name, value and unit; returns the columns used.  A long name takes room of the value. */
+/* Write a number in a field, of which the name before it has taken some; returns the columns used. */
+static size_t put_number(sheet *s, double value, int digits, size_t taken)
+{
+    size_t width = width_of_value(s) - GSL_MIN(taken, width_of_value(s));
+    char number[FORMAT_SIZE];
+
+    line_field(&s->l, format_general(value, digits, number), width);
+    return GSL_MAX(width, strlen(number) + 1);
+}
+
+/* Write name, value and unit; returns the columns used. */
 static size_t put_value(sheet *s, const fourlink_value *f)
 {
-    char number[FORMAT_SIZE];
-    size_t name = strlen(f->name), width = width_of_value(s), unit_name = strlen(f->unit);
-    size_t excess = name > NAME ? name - NAME : 0;
+    size_t excess = put_left(s, f->name, NAME);
+    size_t used = NAME + excess + put_number(s, f->value, s->v.problem.digits, excess);
 
-    format_general(f->value, s->v.problem.digits, number);
-    put_left(s, f->name, NAME);
-    width = GSL_MAX(width > excess ? width - excess : 0, strlen(number) + 1);
-    line_field(&s->l, number, width);
     line_put(&s->l, " ");
-    put_left(s, f->unit, UNIT);
-    return NAME + excess + width + 1 + GSL_MAX(unit_name, UNIT);
+    return used + 1 + UNIT + put_left(s, f->unit, UNIT);
+}
+
+static const char *name_of_branch(int branch)
+{
+    return branch ? fourlink_branch_text(branch) : "";
 }
 
 /* Words follow the name, and end the line. */
 static void put_words(sheet *s, const fourlink_value *f)
 {
+    size_t start = line_here(&s->l);
+
     put_left(s, f->name, NAME);
-    line_put(&s->l, "  %s%s%s\n", f->words, f->branch ? ", " : "",
-             f->branch ? fourlink_branch_text(f->branch) : "");
+    line_put(&s->l, "  %s%s%s", f->words, f->branch ? ", " : "", name_of_branch(f->branch));
+    line_finish(&s->l, start, s->width, NAME + 2);
 }
 
 /* A meaning for which the line has no room is left out: --list has it. */
-static void put_meaning(sheet *s, size_t used, const char *meaning)
+static void put_meaning(sheet *s, size_t start, size_t used, const char *meaning)
 {
-    if (used + 1 + strlen(meaning) <= LINE)
+    size_t width = s->width ? s->width : LINE;
+
+    if (used + 1 + (s->width ? LEAST_MEANING : strlen(meaning)) <= width)
         line_put(&s->l, " %s", meaning);
-    line_put(&s->l, "\n");
+    line_finish(&s->l, start, s->width, used + 1);
 }
 
 static void put_input(sheet *s, const fourlink_value *input)
 {
+    size_t start = line_here(&s->l);
+
     if (input->words)
         put_words(s, input);
     else
-        put_meaning(s, put_value(s, input), input->meaning);
+        put_meaning(s, start, put_value(s, input), input->meaning);
 }
 
 static void put_heading(sheet *s, const char *name)
@@ -78,9 +104,15 @@ static void put_heading(sheet *s, const char *name)
     put_left(s, "unit", UNIT);
 }
 
+/* The heading of crank angles: at deg. */
+static const char *at_unit(const sheet *s, char at[FORMAT_SIZE])
+{
+    return flk_text_join(at, FORMAT_SIZE, "at ", s->v.units[QUANTITY_ANGLE].name, (char *)NULL);
+}
+
 void summary_put_inputs(sheet *s)
 {
-    char at[FORMAT_SIZE] = "at ";
+    char at[FORMAT_SIZE];
 
     head_put_title(s);
     head_put_kind(s);
@@ -88,14 +120,14 @@ void summary_put_inputs(sheet *s)
     line_put(&s->l, " meaning\n");
     sheet_write_inputs(s, put_input);
     put_heading(s, "# result");
-    line_field(&s->l, strncat(at, s->v.units[QUANTITY_ANGLE].name, sizeof at - 4), ANGLE);
+    line_field(&s->l, at_unit(s, at), ANGLE);
     line_put(&s->l, " branch  meaning\n");
 }
 
 void summary_put_fact(sheet *s, const fourlink_value *f)
 {
+    size_t start = line_here(&s->l), used;
     char angle[FORMAT_SIZE] = "";
-    size_t used;
 
     if (f->words) {
         put_words(s, f);
@@ -106,6 +138,54 @@ void summary_put_fact(sheet *s, const fourlink_value *f)
         format_general(f->angle, s->v.problem.digits, angle);
     line_field(&s->l, angle, ANGLE);
     line_put(&s->l, " ");
-    put_left(s, f->branch ? fourlink_branch_text(f->branch) : "", BRANCH - 1);
-    put_meaning(s, used, f->meaning);
+    put_left(s, name_of_branch(f->branch), BRANCH - 1);
+    put_meaning(s, start, used, f->meaning);
+}
+
+/* A measure of rounding has no angle, and two digits. */
+static void put_extreme(sheet *s, const fourlink_value *f, int digits, size_t taken)
+{
+    char number[FORMAT_SIZE];
+
+    put_number(s, f->value, digits, taken);
+    format_general(f->angle, GSL_MIN(digits, EXTREME_DIGITS), number);
+    line_field(&s->l, f->has_angle ? number : "", EXTREME_ANGLE);
+}
+
+/* Go on in a second line where a terminal has no room for both extremes; returns the beginning of the line. */
+static size_t put_gap(sheet *s, size_t start)
+{
+    size_t width = EXTREME_NAME + 2 * (width_of_value(s) + EXTREME_ANGLE) + UNIT + BRANCH;
+
+    if (!s->width || s->width >= width)
+        return start;
+    line_put(&s->l, "\n");
+    start = line_here(&s->l);
+    put_left(s, "", EXTREME_NAME);
+    return start;
+}
+
+void summary_put_extremes(sheet *s, const fourlink_value *column, const fourlink_value *least,
+                          const fourlink_value *most, int branch)
+{
+    int digits = column->flags & FOURLINK_OF_ROUNDING ? 2 : s->v.problem.digits;
+    char at[FORMAT_SIZE];
+    size_t start;
+
+    if (!s->list) {
+        put_left(s, "# column", EXTREME_NAME);
+        line_field(&s->l, "min", width_of_value(s));
+        line_field(&s->l, at_unit(s, at), EXTREME_ANGLE);
+        put_gap(s, 0);
+        line_field(&s->l, "max", width_of_value(s));
+        line_field(&s->l, at, EXTREME_ANGLE);
+        line_put(&s->l, " unit   branch\n");
+        s->list = "extremes";
+    }
+    start = line_here(&s->l);
+    put_extreme(s, least, digits, put_left(s, column->name, EXTREME_NAME));
+    start = put_gap(s, start);
+    put_extreme(s, most, digits, 0);
+    line_put(&s->l, " %-6s %s", column->unit, name_of_branch(branch));
+    line_finish(&s->l, start, s->width, 4);
 }

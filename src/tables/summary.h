@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** summary.h - a summary in the format table: inputs, then results, a line each, 100 columns wide.
+** summary.h - a summary in the format table: inputs, results, extremes of columns, a line each.
 */
 #ifndef FOURLINK_SUMMARY_H
 #define FOURLINK_SUMMARY_H
@@ -10,5 +10,9 @@
 /* Write the head and the inputs; a fact. */
 void summary_put_inputs(sheet *s);
 void summary_put_fact(sheet *s, const fourlink_value *fact);
+
+/* Write the extremes of a column, as in sheet_format. */
+void summary_put_extremes(sheet *s, const fourlink_value *column, const fourlink_value *least,
+                          const fourlink_value *most, int branch);
 
 #endif

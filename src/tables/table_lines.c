@@ -20,10 +20,21 @@ static const char *unit_after(const char *name)
     return strcmp(name, "1") == 0 ? "" : name;
 }
 
+/* A line of a list; on a terminal its meaning goes on below itself. */
+static void put_entry(sheet *s, const char *name, const char *unit_name, const char *meaning,
+                      const char *source)
+{
+    size_t start = line_here(&s->l);
+
+    line_put(&s->l, *source ? "%-18s %-8s %-60s %s" : "%-18s %-8s %s%s", name, unit_name, meaning,
+             source);
+    line_finish(&s->l, start, s->width, 28);
+}
+
 void table_put_head(sheet *s)
 {
     if (s->content == SHEET_LIST)
-        line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
+        put_entry(s, "column", "unit", "meaning", "in the sources");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
     if (s->content == SHEET_STATISTICS) {
@@ -43,10 +54,12 @@ void table_put_fact(sheet *s, const fourlink_value *f)
     if (s->content == SHEET_SUMMARY) {
         summary_put_fact(s, f);
     } else if (s->content == SHEET_LIST) {
-        if (!s->list)
-            line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
+        if (!s->list) {
+            line_put(&s->l, "\n");
+            put_entry(s, "fact", "unit", "meaning", "");
+        }
         s->list = "facts";
-        line_put(&s->l, "%-18s %-8s %s\n", f->name, f->unit, f->meaning);
+        put_entry(s, f->name, f->unit, f->meaning, "");
     }
 }
 
@@ -54,12 +67,13 @@ void table_put_fact(sheet *s, const fourlink_value *f)
 
 void table_put_column(sheet *s, const fourlink_value *c)
 {
-    line_put(&s->l, *c->source ? "%-18s %-8s %-60s %s\n" : "%-18s %-8s %s%s\n", c->name, c->unit,
-             c->meaning, c->source);
+    put_entry(s, c->name, c->unit, c->meaning, c->source);
 }
 
 void table_put_check(sheet *s, const fourlink_check *c)
 {
+    size_t start = line_here(&s->l);
+
     line_put(&s->l, "%-18s %s:%lu: %s = %s", sheet_verdicts[c->verdict], c->file,
              (unsigned long)c->line, c->name, c->printed_text);
     if (c->words[0])
@@ -68,8 +82,9 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
     if (c->has_angle)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
-    line_put(&s->l, c->hint[0] ? ", %s; hint: %s\n" : ", %s\n",
-             fourlink_branch_text((int)c->branch), c->hint);
+    line_put(&s->l, c->hint[0] ? ", %s; hint: %s" : ", %s", fourlink_branch_text((int)c->branch),
+             c->hint);
+    line_finish(&s->l, start, s->width, 19);
 }
 
 /* Write the counts of this deck's comparisons, and its score. */
@@ -78,15 +93,18 @@ void table_close(sheet *s)
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
     double score, of;
+    size_t start;
     int i;
 
     if (s->content != SHEET_CHECK)
         return;
     score = sheet_score(s, &of);
+    start = line_here(&s->l);
     for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]]);
-    line_put(&s->l, "\n# score: %12g of %12g\n", score, of);
+    line_finish(&s->l, start, s->width, 2);
+    line_put(&s->l, "# score: %12g of %12g\n", score, of);
     if (s->mark && s->mark->note[0])
         line_put(&s->l, "# note: %s\n", s->mark->note);
 }
