@@ -11,60 +11,7 @@
 #include "base/number.h"
 #include "options.h"
 #include "tables/formats.h"
-
-/* @f stands for the formats, @k for the kinds of pictures, a line each. */
-static const char *const help[] = {
-    "Usage: fourlink [OPTION]... [DECK]...",
-    "",
-    "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
-    "Reads standard input if no DECK is given, or for -.",
-    "",
-    "  -f, --format=@f format of the output (default: table)",
-    "  -o, --output=FILE                 write to FILE, replaced only when complete",
-    "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
-    "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
-    "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
-    "      --units=UNIT,UNIT,...         units of results, such as 'mm, kg, rpm'; bare numbers of",
-    "                                    the deck keep theirs",
-    "  -w, --wide                        on a terminal: all columns side by side",
-    "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
-    "                                    change the deck: --set 'motion.speed=100 rpm'",
-    "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
-    "                                    or FOLDER/NAME.expect for NAME.deck",
-    "      --answers=FOLDER              compare one deck with each file of answers in FOLDER",
-    "      --scores                      print a score for each deck or file, not each value",
-    "      --tolerance=TOLERANCE,...     how far values may differ, such as '1 %, 0.5 deg'",
-    "      --expect                      print the values of the deck as answers for --check=FILE",
-    "      --at=ANGLE,COLUMN=VALUE,...   the rows at these crank angles, and where columns have",
-    "                                    these values, such as --at='theta4 = 120 deg'",
-    "      --allow-files                 let a deck name files outside its folder",
-    "  -m, --matrix                      print the nine equations, A x = b, for each row",
-    "  -S, --summary                     print facts, extremes, turning moment instead of rows",
-    "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
-    "                                    is printed too with --format or --output",
-    "      --plot-kind=KIND              what to draw (default: mechanism, for .gif animation):",
-    "@k",
-    "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
-    "      --plot-x=NAME                 draw columns over this one (default: theta2 or time)",
-    "      --plot-script=FILE            write the gnuplot script, to change and run",
-    "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
-    "                                    sample calculation, pictures and tables",
-    "      --statistics                  print statistics of the designs of the deck's [sweep]",
-    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
-    "                                    as a deck",
-    "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
-    "      --design=N|all                take design N of the deck's [sweep], from 1, as a deck",
-    "      --print-deck                  print the deck as it is computed: with other values, of "
-    "one",
-    "                                    design; of all: into --output=FOLDER/",
-    "      --names=FILE                  names for the files of --design=all, one a line",
-    "  -l, --list                        list columns and facts of the deck, with meanings",
-    "  -h, --help                        print this text",
-    "  -V, --version                     print the version",
-    "",
-    "Exit status: 0 success; 1 some rows could not be computed, or a check failed;",
-    "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
-    NULL};
+#include "terminal.h"
 
 /* Stand for the letter of options that have none. */
 enum {
@@ -88,50 +35,79 @@ enum {
     LAST_WITHOUT_LETTER = NAMES
 };
 
-/* How an option is kept: as a flag or text of its own, or as a change to the deck. */
+/* An option: it is kept as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
     char letter;
     const char *name;
-    int takes_value; /* 2: one may follow after '=' */
-    const char *key; /* not null: the key of the deck that it sets, and "=" */
+    const char
+        *value; /* its name in the help; null: it takes none; [=FILE]: one may follow after '=' */
+    const char *key;   /* not null: the key of the deck that it sets, and "=" */
+    const char *words; /* of the help */
 } option_info;
 
-static const option_info table[] = {{'f', "--format", 1, NULL},
-                                    {'o', "--output", 1, NULL},
-                                    {'b', "--branch", 1, "table.branch="},
-                                    {'i', "--interval", 1, "motion.interval="},
-                                    {'c', "--columns", 1, "table.columns="},
-                                    {UNITS, "--units", 1, NULL},
-                                    {'w', "--wide", 0, NULL},
-                                    {'s', "--set", 1, ""},
-                                    {ALLOW_FILES, "--allow-files", 0, NULL},
-                                    {'m', "--matrix", 0, NULL},
-                                    {'C', "--check", 2, NULL},
-                                    {ANSWERS, "--answers", 1, NULL},
-                                    {SCORES, "--scores", 0, NULL},
-                                    {TOLERANCE, "--tolerance", 1, "grading.tolerance="},
-                                    {EXPECT, "--expect", 0, NULL},
-                                    {AT, "--at", 1, NULL},
-                                    {'S', "--summary", 0, NULL},
-                                    {'p', "--plot", 1, NULL},
-                                    {PLOT_KIND, "--plot-kind", 1, NULL},
-                                    {PLOT_AT, "--plot-at", 1, NULL},
-                                    {PLOT_X, "--plot-x", 1, NULL},
-                                    {PLOT_SCRIPT, "--plot-script", 1, NULL},
-                                    {REPORT, "--report", 1, NULL},
-                                    {STATISTICS, "--statistics", 0, NULL},
-                                    {BEST, "--best", 1, NULL},
-                                    {'P', "--part", 1, NULL},
-                                    {DESIGN, "--design", 1, NULL},
-                                    {NAMES, "--names", 1, NULL},
-                                    {PRINT_DECK, "--print-deck", 0, NULL},
-                                    {'l', "--list", 0, NULL},
-                                    {'h', "--help", 0, NULL},
-                                    {'V', "--version", 0, NULL}};
+#define FORMATS "" /* stands for the names of the formats */
+
+static const option_info table[] = {
+    {'f', "--format", FORMATS, NULL, "format of the output (default: table)"},
+    {'o', "--output", "FILE", NULL, "write to FILE, replaced only when complete"},
+    {'b', "--branch", "open|crossed|both",
+     "table.branch=", "assembly mode (default: both; with gas: open)"},
+    {'i', "--interval", "QUANTITY",
+     "motion.interval=", "interval of the crank angle, such as '10 deg'"},
+    {'c', "--columns", "NAME,NAME,...|all",
+     "table.columns=", "columns to print; --list shows their names"},
+    {UNITS, "--units", "UNIT,UNIT,...", NULL,
+     "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs"},
+    {'w', "--wide", NULL, NULL, "on a terminal: all columns side by side"},
+    {'s', "--set", "[SECTION[ NAME].]KEY=VALUE", "",
+     "change the deck: --set 'motion.speed=100 rpm'"},
+    {'C', "--check", "[=FILE]", NULL,
+     "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck"},
+    {ANSWERS, "--answers", "FOLDER", NULL, "compare one deck with each file of answers in FOLDER"},
+    {SCORES, "--scores", NULL, NULL, "print a score for each deck or file, not each value"},
+    {TOLERANCE, "--tolerance", "TOLERANCE,...",
+     "grading.tolerance=", "how far values may differ, such as '1 %, 0.5 deg'"},
+    {EXPECT, "--expect", NULL, NULL, "print the values of the deck as answers for --check=FILE"},
+    {AT, "--at", "ANGLE,COLUMN=VALUE,...", NULL,
+     "the rows at these crank angles, and where columns have these values, such as "
+     "--at='theta4 = 120 deg'"},
+    {ALLOW_FILES, "--allow-files", NULL, NULL, "let a deck name files outside its folder"},
+    {'m', "--matrix", NULL, NULL, "print the nine equations, A x = b, for each row"},
+    {'S', "--summary", NULL, NULL, "print facts, turning moment, extremes instead of rows"},
+    {'p', "--plot", "FILE", NULL,
+     "draw a picture: .svg .png .pdf .txt .gif, or -; the table is printed too with --format or "
+     "--output"},
+    {PLOT_KIND, "--plot-kind", "KIND", NULL,
+     "what to draw (default: mechanism, for .gif animation):"},
+    {PLOT_AT, "--plot-at", "ANGLE,ANGLE,...", NULL, "crank angles to draw, such as '40 deg'"},
+    {PLOT_X, "--plot-x", "NAME", NULL, "draw columns over this one (default: theta2 or time)"},
+    {PLOT_SCRIPT, "--plot-script", "FILE", NULL, "write the gnuplot script, to change and run"},
+    {REPORT, "--report", "FILE", NULL,
+     "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
+     "tables"},
+    {STATISTICS, "--statistics", NULL, NULL,
+     "print statistics of the designs of the deck's [sweep]"},
+    {BEST, "--best", "'max|min NAME'", NULL,
+     "print the best design of the deck's [sweep], refined, as a deck"},
+    {'P', "--part", "K/N", NULL, "compute the K-th of N parts of the deck's [sweep]"},
+    {DESIGN, "--design", "N|all", NULL, "take design N of the deck's [sweep], from 1, as a deck"},
+    {PRINT_DECK, "--print-deck", NULL, NULL,
+     "print the deck as it is computed: with other values, of one design; of all: into "
+     "--output=FOLDER/"},
+    {NAMES, "--names", "FILE", NULL, "names for the files of --design=all, one a line"},
+    {'l', "--list", NULL, NULL, "list columns and facts of the deck, with meanings"},
+    {'h', "--help", NULL, NULL, "print this text"},
+    {'V', "--version", NULL, NULL, "print the version"}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 #define MOST_DESIGNS 4294967295.0
 #define LONGEST_KEY 20 /* bytes, with the "=" */
+
+/* 1 if an option takes the next word, where none follows after '='. */
+static int takes_next(const option_info *info)
+{
+    return info->value && strncmp(info->value, "[=", 2) != 0;
+}
 
 /* Returns 0, for the caller to return. */
 static int say(char message[400], const char *a, const char *b, const char *c)
@@ -362,12 +338,12 @@ static int read_long(options *o, const char *word, const char *next, int *used_n
 
     name.length = length - 2;
     for (i = 0; i < TABLE_COUNT; i++) {
-        const char *value = equals ? equals + 1 : table[i].takes_value == 1 ? next : no_value;
+        const char *value = equals ? equals + 1 : takes_next(&table[i]) ? next : no_value;
 
         known[i] = table[i].name + 2;
         if (!flk_text_same(name, known[i]))
             continue;
-        if (!table[i].takes_value && equals)
+        if (!table[i].value && equals)
             return say(message, table[i].name, " takes no value", "");
         if (!value)
             return say(message, table[i].name, " needs a value", "");
@@ -395,7 +371,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
         letter[1] = *word;
         if (i == TABLE_COUNT)
             return say(message, "unknown option '", letter, "'");
-        if (table[i].takes_value == 1) {
+        if (takes_next(&table[i])) {
             if (!word[1] && !next)
                 return say(message, letter, " needs a value", "");
             *used_next = !word[1];
@@ -444,23 +420,67 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
-void options_put_help(FILE *out)
+#define HELP_WIDTH 80 /* where it is not a terminal */
+#define LARGEST_WIDTH 100
+#define WORDS 36       /* the column where the words begin */
+#define WORDS_BELOW 10 /* the same on a narrow terminal, in a line of their own */
+
+/* Write words from this column on, behind a name or below it. */
+static void put_words(line *l, const char *name, const char *words, size_t column, size_t width)
 {
-    char names[FORMATS_NAMES];
-    const char *const *next, *at;
+    size_t start = line_here(l), n = strlen(name);
+
+    line_put(l, "%s", name);
+    if (n && n >= column) {
+        line_finish(l, start, 0, 0);
+        start = line_here(l);
+        n = 0;
+    }
+    if (column)
+        line_right(l, "", 0, column - n);
+    line_put(l, "%s", words);
+    line_finish(l, start, width, column);
+}
+
+static void put_option(line *l, const option_info *info, size_t column, size_t width)
+{
+    char names[FORMATS_NAMES], letter[] = "  -x, ", option[200];
+    const char *value = info->value ? info->value : "";
     int i;
 
-    for (next = help; *next; next++) {
-        at = strchr(*next, '@');
-        if (!at)
-            fprintf(out, "%s\n", *next);
-        else if (at[1] == 'f')
-            fprintf(out, "%.*s%s%s\n", (int)(at - *next), *next,
-                    formats_of(SHEET_ROWS, "|", "|", names), at + 2);
-        else
-            for (i = 0; i < PLOT_COUNT; i++)
-                fprintf(out, "          %-16s%s\n", plot_names[i], plot_shows[i]);
+    if (!*value && info->value)
+        value = formats_of(SHEET_ROWS, "|", "|", names);
+    letter[3] = info->letter;
+    flk_text_join(option, sizeof option, info->letter > LAST_WITHOUT_LETTER ? letter : "      ",
+                  info->name, takes_next(info) ? "=" : "", value, (char *)NULL);
+    put_words(l, option, info->words, column, width);
+    for (i = 0; i < PLOT_COUNT && info->letter == PLOT_KIND; i++) {
+        flk_text_join(option, sizeof option, "          ", plot_names[i], (char *)NULL);
+        put_words(l, option, plot_shows[i], 26, width);
     }
+}
+
+void options_put_help(FILE *out)
+{
+    size_t width = terminal_width(out), i;
+    line l;
+
+    width = !width ? HELP_WIDTH : width > LARGEST_WIDTH ? LARGEST_WIDTH : width;
+    line_start(&l, out);
+    line_put(&l, "Usage: fourlink [OPTION]... [DECK]...\n\n");
+    put_words(&l, "",
+              "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the "
+              "crank angle. Reads standard input if no DECK is given, or for -.",
+              0, width);
+    line_put(&l, "\n");
+    for (i = 0; i < TABLE_COUNT; i++)
+        put_option(&l, &table[i], width < 2 * WORDS ? WORDS_BELOW : WORDS, width);
+    line_put(&l, "\n");
+    put_words(&l, "",
+              "Exit status: 0 success; 1 some rows could not be computed, or a check failed; "
+              "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
+              0, width);
+    line_end(&l);
 }
 
 /* Check what does not go with decks that are printed, or with one design. */

@@ -154,17 +154,27 @@ size_t line_here(line *l)
     return l->length;
 }
 
+/* 1 if a line may end before a blank: not between a number and its unit, nor beside an equals sign. */
+static int may_break(text words, size_t i)
+{
+    int before = i > 0 ? words.start[i - 1] : ' ', after = ' ';
+
+    if (i + 1 < words.length)
+        after = words.start[i + 1];
+    return before != ' ' && before != '=' && after != '=' &&
+           (before < '0' || before > '9' || !(after == '%' || flk_text_is_word(after)) ||
+            ('0' <= after && after <= '9'));
+}
+
 /* The words that fit this width, at least one. */
 static text words_within(text words, size_t width)
 {
     text fitting = words;
     size_t letters = 0, i;
-    int is_word = 0;
 
     for (i = 0; i < words.length; i++) {
-        if (words.start[i] == ' ' && is_word)
+        if (words.start[i] == ' ' && may_break(words, i))
             fitting.length = i;
-        is_word = words.start[i] != ' ';
         letters += ((unsigned char)words.start[i] & 0xc0) != 0x80;
         if (letters > width && fitting.length < words.length)
             return fitting;

@@ -96,12 +96,14 @@ static void put_input(sheet *s, const fourlink_value *input)
         put_meaning(s, start, put_value(s, input), input->meaning);
 }
 
-static void put_heading(sheet *s, const char *name)
+/* Returns the columns used. */
+static size_t put_heading(sheet *s, const char *name)
 {
     put_left(s, name, NAME);
     line_field(&s->l, "value", width_of_value(s));
     line_put(&s->l, " ");
     put_left(s, "unit", UNIT);
+    return NAME + width_of_value(s) + 1 + UNIT;
 }
 
 /* The heading of crank angles: at deg. */
@@ -113,15 +115,18 @@ static const char *at_unit(const sheet *s, char at[FORMAT_SIZE])
 void summary_put_inputs(sheet *s)
 {
     char at[FORMAT_SIZE];
+    size_t start, used;
 
     head_put_title(s);
     head_put_kind(s);
-    put_heading(s, "# input");
-    line_put(&s->l, " meaning\n");
+    start = line_here(&s->l);
+    put_meaning(s, start, put_heading(s, "# input"), "meaning");
     sheet_write_inputs(s, put_input);
-    put_heading(s, "# result");
+    start = line_here(&s->l);
+    used = put_heading(s, "# result") + ANGLE + BRANCH;
     line_field(&s->l, at_unit(s, at), ANGLE);
-    line_put(&s->l, " branch  meaning\n");
+    line_put(&s->l, " branch ");
+    put_meaning(s, start, used, "meaning");
 }
 
 void summary_put_fact(sheet *s, const fourlink_value *f)
@@ -159,33 +164,40 @@ static size_t put_gap(sheet *s, size_t start)
 
     if (!s->width || s->width >= width)
         return start;
-    line_put(&s->l, "\n");
+    line_finish(&s->l, start, s->width, EXTREME_NAME);
     start = line_here(&s->l);
     put_left(s, "", EXTREME_NAME);
     return start;
+}
+
+static void put_heading_of_extremes(sheet *s)
+{
+    size_t start = line_here(&s->l);
+    char at[FORMAT_SIZE];
+
+    put_left(s, "# column", EXTREME_NAME);
+    line_field(&s->l, "min", width_of_value(s));
+    line_field(&s->l, at_unit(s, at), EXTREME_ANGLE);
+    start = put_gap(s, start);
+    line_field(&s->l, "max", width_of_value(s));
+    line_field(&s->l, at, EXTREME_ANGLE);
+    line_put(&s->l, " unit   branch");
+    line_finish(&s->l, start, s->width, EXTREME_NAME);
 }
 
 void summary_put_extremes(sheet *s, const fourlink_value *column, const fourlink_value *least,
                           const fourlink_value *most, int branch)
 {
     int digits = column->flags & FOURLINK_OF_ROUNDING ? 2 : s->v.problem.digits;
-    char at[FORMAT_SIZE];
     size_t start;
 
-    if (!s->list) {
-        put_left(s, "# column", EXTREME_NAME);
-        line_field(&s->l, "min", width_of_value(s));
-        line_field(&s->l, at_unit(s, at), EXTREME_ANGLE);
-        put_gap(s, 0);
-        line_field(&s->l, "max", width_of_value(s));
-        line_field(&s->l, at, EXTREME_ANGLE);
-        line_put(&s->l, " unit   branch\n");
-        s->list = "extremes";
-    }
+    if (!s->list)
+        put_heading_of_extremes(s);
+    s->list = "extremes";
     start = line_here(&s->l);
     put_extreme(s, least, digits, put_left(s, column->name, EXTREME_NAME));
     start = put_gap(s, start);
     put_extreme(s, most, digits, 0);
     line_put(&s->l, " %-6s %s", column->unit, name_of_branch(branch));
-    line_finish(&s->l, start, s->width, 4);
+    line_finish(&s->l, start, s->width, EXTREME_NAME);
 }

@@ -20,14 +20,17 @@ static const char *unit_after(const char *name)
     return strcmp(name, "1") == 0 ? "" : name;
 }
 
-/* A line of a list; on a terminal its meaning goes on below itself. */
+#define LIST_WIDTH 118
+
+/* A line of a list; on a narrow terminal the sources stand behind the meaning, which goes on below itself. */
 static void put_entry(sheet *s, const char *name, const char *unit_name, const char *meaning,
                       const char *source)
 {
+    int is_narrow = s->width && s->width < LIST_WIDTH;
     size_t start = line_here(&s->l);
 
-    line_put(&s->l, *source ? "%-18s %-8s %-60s %s" : "%-18s %-8s %s%s", name, unit_name, meaning,
-             source);
+    line_put(&s->l, "%-18s %-8s ", name, unit_name);
+    line_put(&s->l, !*source ? "%s" : is_narrow ? "%s; %s" : "%-60s %s", meaning, source);
     line_finish(&s->l, start, s->width, 28);
 }
 
