@@ -17,11 +17,12 @@ static int draw(const options *o, FILE *script, const plot_caption *caption)
 {
     output file;
     const char *path = o->plot, *why;
+    char reason[GNUPLOT_REASON];
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL);
+    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL, reason);
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }

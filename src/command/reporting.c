@@ -35,7 +35,7 @@ int reporting_write(const input *in)
     status = output_end(&file, path, 1);
     if (status)
         return status;
-    if (outcome.gnuplot)
+    if (outcome.gnuplot[0])
         fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
     if (outcome.has_failed)
         fprintf(stderr, "fourlink: %s: rows could not be computed, or expected values differ\n",
