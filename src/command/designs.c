@@ -125,7 +125,7 @@ static void tell_statistics(const input *in)
     unsigned long n;
 
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
-    if (in->problem.has_statistics && n && !in->o->n_statistics && !in->o->parts &&
+    if (in->problem.has_statistics && n && !in->o->statistics && !in->o->parts &&
         in->o->format != &table_format)
         command_tell_note(in->name, 0,
                           "with a yield, statistics are printed, not designs; "
