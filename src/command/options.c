@@ -89,14 +89,15 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 
 static int set_plot(options *o, const char *value, char message[400])
 {
+    char names[100];
+
     o->plot = value;
     o->drawing.file = plot_file_of(value);
     if (o->drawing.file == PLOT_FILE_COUNT)
-        return say(
-            message,
-            "--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -, not '",
-            value, "'");
-    return 1;
+        flk_message(message, 400, "--plot needs a file name that ends in %s, or -, not '%t'",
+                    flk_text_list(plot_endings, ", ", " or ", names, sizeof names),
+                    flk_text_of(value));
+    return o->drawing.file != PLOT_FILE_COUNT;
 }
 
 /* 1 if a name says that it is a folder's: it ends in a slash. */
@@ -243,7 +244,7 @@ static const option_info table[] = {
     {'S', "--summary", NULL, CONTENT(SHEET_SUMMARY),
      "print facts, turning moment, extremes instead of rows"},
     {'p', "--plot", "FILE", OWN(set_plot),
-     "draw a picture: .svg .png .pdf .txt .gif, or -; the table is printed too with --format or "
+     "draw a picture: %s, or -; the table is printed too with --format or "
      "--output"},
     {0, "--plot-kind", "KIND", OWN(set_plot_kind),
      "what to draw (default: mechanism, for .gif animation):"},
@@ -376,7 +377,7 @@ static void put_words(line *l, const char *name, const char *words, size_t colum
 
 static void put_option(line *l, const option_info *info, size_t column, size_t width)
 {
-    char names[FORMATS_NAMES], letter[] = "  -x, ", option[200];
+    char names[FORMATS_NAMES], letter[] = "  -x, ", option[200], words[MESSAGE_SIZE];
     const char *value = info->value ? info->value : "";
     int i;
 
@@ -385,7 +386,11 @@ static void put_option(line *l, const option_info *info, size_t column, size_t w
     letter[3] = info->letter;
     flk_text_join(option, sizeof option, info->letter ? letter : "      ", info->name,
                   takes_next(info) ? "=" : "", value, (char *)NULL);
-    put_words(l, option, info->words, column, width);
+    flk_text_list(plot_endings, " ", " ", names, sizeof names);
+    put_words(l, option,
+              info->set == set_plot ? flk_message(words, sizeof words, info->words, names)
+                                    : info->words,
+              column, width);
     for (i = 0; i < PLOT_COUNT && info->set == set_plot_kind; i++) {
         flk_text_join(option, sizeof option, "          ", plot_names[i], (char *)NULL);
         put_words(l, option, plot_shows[i], 26, width);
