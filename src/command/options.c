@@ -361,16 +361,14 @@ static int read_short(options *o, const char *word, const char *next, int *used_
 /* Write words from this column on, behind a name or below it. */
 static void put_words(line *l, const char *name, const char *words, size_t column, size_t width)
 {
-    size_t start = line_here(l), n = strlen(name);
+    size_t start = line_here(l);
 
-    line_put(l, "%s", name);
-    if (n && n >= column) {
-        line_finish(l, start, 0, 0);
+    if (strlen(name) >= column && *name) {
+        line_put(l, "%s\n", name);
         start = line_here(l);
-        n = 0;
+        name = "";
     }
-    if (column)
-        line_right(l, "", 0, column - n);
+    line_left(l, name, column);
     line_put(l, "%s", words);
     line_finish(l, start, width, column);
 }

@@ -30,35 +30,22 @@ static size_t width_of_value(const sheet *s)
     return (size_t)s->v.problem.digits + 7;
 }
 
-/* Returns how much longer the words are than the width. */
-static size_t put_left(sheet *s, const char *words, size_t width)
-{
-    size_t n = strlen(words);
-
-    line_put(&s->l, "%s", words);
-    if (n < width)
-        line_right(&s->l, "", 0, width - n);
-    return n > width ? n - width : 0;
-}
-
 /* Write a number in a field, of which the name before it has taken some; returns the columns used. */
 static size_t put_number(sheet *s, double value, int digits, size_t taken)
 {
-    size_t width = width_of_value(s) - GSL_MIN(taken, width_of_value(s));
-    char number[FORMAT_SIZE];
+    size_t width = width_of_value(s);
 
-    line_field(&s->l, format_general(value, digits, number), width);
-    return GSL_MAX(width, strlen(number) + 1);
+    return line_value(&s->l, value, digits, width - GSL_MIN(taken, width));
 }
 
 /* Write name, value and unit; returns the columns used. */
 static size_t put_value(sheet *s, const fourlink_value *f)
 {
-    size_t excess = put_left(s, f->name, NAME);
+    size_t excess = line_left(&s->l, f->name, NAME);
     size_t used = NAME + excess + put_number(s, f->value, s->v.problem.digits, excess);
 
     line_put(&s->l, " ");
-    return used + 1 + UNIT + put_left(s, f->unit, UNIT);
+    return used + 1 + UNIT + line_left(&s->l, f->unit, UNIT);
 }
 
 static const char *name_of_branch(int branch)
@@ -71,7 +58,7 @@ static void put_words(sheet *s, const fourlink_value *f)
 {
     size_t start = line_here(&s->l);
 
-    put_left(s, f->name, NAME);
+    line_left(&s->l, f->name, NAME);
     line_put(&s->l, "  %s%s%s", f->words, f->branch ? ", " : "", name_of_branch(f->branch));
     line_finish(&s->l, start, s->width, NAME + 2);
 }
@@ -99,10 +86,10 @@ static void put_input(sheet *s, const fourlink_value *input)
 /* Returns the columns used. */
 static size_t put_heading(sheet *s, const char *name)
 {
-    put_left(s, name, NAME);
+    line_left(&s->l, name, NAME);
     line_field(&s->l, "value", width_of_value(s));
     line_put(&s->l, " ");
-    put_left(s, "unit", UNIT);
+    line_left(&s->l, "unit", UNIT);
     return NAME + width_of_value(s) + 1 + UNIT;
 }
 
@@ -132,7 +119,6 @@ void summary_put_inputs(sheet *s)
 void summary_put_fact(sheet *s, const fourlink_value *f)
 {
     size_t start = line_here(&s->l), used;
-    char angle[FORMAT_SIZE] = "";
 
     if (f->words) {
         put_words(s, f);
@@ -140,21 +126,22 @@ void summary_put_fact(sheet *s, const fourlink_value *f)
     }
     used = put_value(s, f) + ANGLE + BRANCH;
     if (f->has_angle)
-        format_general(f->angle, s->v.problem.digits, angle);
-    line_field(&s->l, angle, ANGLE);
+        line_value(&s->l, f->angle, s->v.problem.digits, ANGLE);
+    else
+        line_field(&s->l, "", ANGLE);
     line_put(&s->l, " ");
-    put_left(s, name_of_branch(f->branch), BRANCH - 1);
+    line_left(&s->l, name_of_branch(f->branch), BRANCH - 1);
     put_meaning(s, start, used, f->meaning);
 }
 
 /* A measure of rounding has no angle, and two digits. */
 static void put_extreme(sheet *s, const fourlink_value *f, int digits, size_t taken)
 {
-    char number[FORMAT_SIZE];
-
     put_number(s, f->value, digits, taken);
-    format_general(f->angle, GSL_MIN(digits, EXTREME_DIGITS), number);
-    line_field(&s->l, f->has_angle ? number : "", EXTREME_ANGLE);
+    if (f->has_angle)
+        line_value(&s->l, f->angle, GSL_MIN(digits, EXTREME_DIGITS), EXTREME_ANGLE);
+    else
+        line_field(&s->l, "", EXTREME_ANGLE);
 }
 
 /* Go on in a second line where a terminal has no room for both extremes; returns the beginning of the line. */
@@ -166,7 +153,7 @@ static size_t put_gap(sheet *s, size_t start)
         return start;
     line_finish(&s->l, start, s->width, EXTREME_NAME);
     start = line_here(&s->l);
-    put_left(s, "", EXTREME_NAME);
+    line_left(&s->l, "", EXTREME_NAME);
     return start;
 }
 
@@ -175,7 +162,7 @@ static void put_heading_of_extremes(sheet *s)
     size_t start = line_here(&s->l);
     char at[FORMAT_SIZE];
 
-    put_left(s, "# column", EXTREME_NAME);
+    line_left(&s->l, "# column", EXTREME_NAME);
     line_field(&s->l, "min", width_of_value(s));
     line_field(&s->l, at_unit(s, at), EXTREME_ANGLE);
     start = put_gap(s, start);
@@ -195,7 +182,7 @@ void summary_put_extremes(sheet *s, const fourlink_value *column, const fourlink
         put_heading_of_extremes(s);
     s->list = "extremes";
     start = line_here(&s->l);
-    put_extreme(s, least, digits, put_left(s, column->name, EXTREME_NAME));
+    put_extreme(s, least, digits, line_left(&s->l, column->name, EXTREME_NAME));
     start = put_gap(s, start);
     put_extreme(s, most, digits, 0);
     line_put(&s->l, " %-6s %s", column->unit, name_of_branch(branch));

@@ -4,6 +4,8 @@
 */
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/text.h"
 #include "head.h"
 #include "summary.h"
@@ -117,15 +119,16 @@ void table_put_mark(sheet *s, const sheet_mark *m)
     char number[FORMAT_SIZE];
 
     line_put(&s->l, "%-30s", m->name);
-    line_field(&s->l, format_general(m->right, 6, number), 7);
-    line_field(&s->l, format_general(m->of, 6, number), 7);
-    line_field(&s->l, m->of > 0 ? format_fixed(sheet_percent(m), 1, number) : "nan", 10);
+    line_value(&s->l, m->right, 6, 7);
+    line_value(&s->l, m->of, 6, 7);
+    line_field(&s->l, format_fixed(sheet_percent(m), 1, number), 10);
     line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
 
 #define WIDTH 16 /* of a column */
+#define ALL 17   /* digits of a whole number */
 
 /* The line of names, or of units. */
 static void put_heading(sheet *s, int units)
@@ -203,29 +206,20 @@ void table_put_design_comment(sheet *s)
     line_put(&s->l, "\n");
 }
 
-static void put_number(sheet *s, double value)
-{
-    char number[FORMAT_SIZE];
-
-    line_field(&s->l, format_general(value, s->v.problem.digits, number), WIDTH);
-}
-
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
-    char number[FORMAT_SIZE];
+    int digits = s->v.problem.digits;
     unsigned long i;
 
     (void)why; /* an output without a value is nan */
-    line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
+    line_value(&s->l, (double)s->design, ALL, 10);
     for (i = 0; i < s->n_variables; i++)
-        put_number(s, s->varied[i]);
-    line_field(&s->l, format_fixed((double)branch, 0, number), 10);
+        line_value(&s->l, s->varied[i], digits, WIDTH);
+    line_value(&s->l, (double)branch, ALL, 10);
     for (i = 0; i < s->n_header; i++)
-        if (outputs[i].has_value)
-            put_number(s, outputs[i].v.value); /* of words, their number */
-        else
-            line_field(&s->l, "nan", WIDTH);
+        line_value(&s->l, outputs[i].has_value ? outputs[i].v.value : GSL_NAN, digits,
+                   WIDTH); /* of words, their number */
     line_put(&s->l, "\n");
 }
 
