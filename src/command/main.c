@@ -274,7 +274,10 @@ static int run_variants(const options *o, int *signal_number)
         may_write = status == 0;
     }
     for (i = 0; i < v.n && may_write && status != EXIT_FILES && !*signal_number; i++) {
-        char *path = variants_path(&v, folder, &deck, i, o->report ? ".html" : ".expect");
+        char *path = variants_path(&v, folder, &deck, i,
+                                   o->report       ? ".html"
+                                   : o->print_deck ? ".deck"
+                                                   : ".expect");
 
         status = command_worse(
             status, path ? run_variant(o, path, i, signal_number)
@@ -293,9 +296,9 @@ static int run(const options *o)
 
     status = grade_open(&answers, o);
     if (!status)
-        status = o->all_designs && !o->print_deck ? run_variants(o, &signal_number)
-                 : answers.n_files                ? run_class(o, &answers, &signal_number)
-                                                  : run_inputs(o, &answers, NULL, &signal_number);
+        status = o->all_designs    ? run_variants(o, &signal_number)
+                 : answers.n_files ? run_class(o, &answers, &signal_number)
+                                   : run_inputs(o, &answers, NULL, &signal_number);
     grade_close(&answers);
     if (signal_number) {
         fflush(stdout);

@@ -465,7 +465,7 @@ static const char *find_further_conflict(const options *o)
                "--report=FOLDER/: it writes one file each";
     if (o->all_designs && o->content == SHEET_EXPECT && o->report)
         return "--design=all writes answers or reports, one of them at a time";
-    if (o->all_designs && !o->print_deck && strcmp(o->decks[0], "-") == 0)
+    if (o->all_designs && strcmp(o->decks[0], "-") == 0)
         return "--design=all reads the deck for each design: it needs a file";
     if (!o->all_designs && is_folder(o->report))
         return "--report=FOLDER/ needs --design=all";
