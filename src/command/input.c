@@ -159,11 +159,12 @@ static int serves_options(input *in)
 static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
                      void tell(const char *, long, const char *, const char *), const char *what)
 {
+    const char *name = in->o->n_decks > 1 ? in->name : in->o->variant;
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
-            tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
+            tell(list[i].file, list[i].line, list[i].message, name);
     command_tell_more(n, what);
 }
 

@@ -247,6 +247,7 @@ static int run_variant(const options *o, const char *path, unsigned long i, int 
     one.all_designs = 0;
     one.design = i + 1;
     one.is_again = i > 0;
+    one.variant = path;
     *(o->report ? &one.report : &one.output) = path;
     status = files_tell_clash(&one);
     return status ? status : run_inputs(&one, &none, NULL, signal_number);

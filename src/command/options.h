@@ -31,6 +31,7 @@ typedef struct options {
     int all_designs;           /* 1: --design=all */
     const char *names;         /* the list of names for its files; null: numbers */
     int is_again;              /* 1: the notes on this deck have been told */
+    const char *variant;       /* the file of the one design of all that is computed; null: none */
     int print_deck;            /* 1: print the deck instead of rows */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */
