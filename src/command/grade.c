@@ -13,33 +13,10 @@
 #include "files.h"
 #include "grade.h"
 
-/* FOLDER/NAME: memory to free, or null. */
-static char *path_in(const char *folder, const char *name)
-{
-    char *path = malloc(strlen(folder) + strlen(name) + sizeof "/");
-
-    if (!path)
-        return NULL;
-    strcpy(path, folder);
-    if (*files_name(folder))
-        strcat(path, "/");
-    return strcat(path, name);
-}
-
-/* FOLDER/NAME.expect: memory to free, or null. */
+/* FOLDER/NAME.expect of a deck: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    const char *name = files_name(deck);
-    size_t length = strlen(name) - (flk_text_ends_in(flk_text_of(name), ".deck") ? 5 : 0);
-    char *file = malloc(length + sizeof ".expect"), *path = NULL;
-
-    if (file) {
-        memcpy(file, name, length);
-        strcpy(file + length, ".expect");
-        path = path_in(folder, file);
-    }
-    free(file);
-    return path;
+    return files_within(folder, files_stem(deck), ".expect");
 }
 
 /* A folder that is listed. */
@@ -61,7 +38,7 @@ static int take_file(void *host, const char *name)
     if (!more)
         return 0;
     x->a->files = more;
-    more[x->a->n_files] = path_in(x->folder, name);
+    more[x->a->n_files] = files_within(x->folder, flk_text_of(name), "");
     return more[x->a->n_files++] != NULL;
 }
 
