@@ -293,10 +293,9 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 
     for (i = 0; i < r->drawn.n_torques; i++) {
         const scene_force *f = &r->drawn.torques[i];
-        double value = f->sign * tracks_vector(&r->numbers, f->of).x;
+        double value = format_settled(f->sign * tracks_vector(&r->numbers, f->of).x, size);
 
-        if (f->on == b->link && !f->load &&
-            (f->sort != SCENE_PIN || format_settled(value, size) != 0))
+        if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
             arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
                               scene_words(f, words, sizeof words), figure_track(p, r, f->at),
                               value);
