@@ -282,6 +282,10 @@ static void write_checks(sheet *s)
     write_checks_that_are(s, 0, !s->wrong_first);
     if (s->wrong_first)
         write_checks_that_are(s, 1, 0);
+    if (s->mark) {
+        s->right = s->mark->right;
+        s->of = s->mark->of;
+    }
 }
 
 /* List all names, each once. */

@@ -197,14 +197,12 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
 /* The last line of a deck's comparisons is its score. */
 static void close_deck(sheet *s)
 {
-    double score, of;
 
     if (s->content != SHEET_CHECK)
         return;
-    score = sheet_score(s, &of);
     put_labels(s);
     put_words(&s->l, s->mark ? s->mark->path : "");
-    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", score, of);
+    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", s->right, s->of);
     put_words(&s->l, s->mark ? s->mark->note : "");
     line_text(&s->l, "\n", 1);
 }

@@ -97,19 +97,17 @@ void table_close(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
-    double score, of;
     size_t start;
     int i;
 
     if (s->content != SHEET_CHECK)
         return;
-    score = sheet_score(s, &of);
     start = line_here(&s->l);
     for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]]);
     line_finish(&s->l, start, s->width, 2);
-    line_put(&s->l, "# score: %12g of %12g\n", score, of);
+    line_put(&s->l, "# score: %12g of %12g\n", s->right, s->of);
     if (s->mark && s->mark->note[0])
         line_put(&s->l, "# note: %s\n", s->mark->note);
 }
