@@ -243,16 +243,18 @@ static void write_deck(FILE *out, const char *contents, unsigned long length)
 static int write_result(FILE *out, const search *s)
 {
     fourlink_value v;
-    char number[FORMAT_SIZE], *deck = NULL;
+    char *deck = NULL;
+    line l;
     unsigned long length;
 
     if (fourlink_results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
         (deck = input_deck_text(s->trial, &length)) == NULL)
         return command_complain("cannot analyse", s->in->name, "not enough memory");
-    fprintf(out, "# The best design of %s: %s %s = %s%s%s, %s branch.\n", s->in->name,
-            s->sign > 0 ? "min" : "max", s->name, format_general(v.value, 6, number),
-            strcmp(v.unit, "1") ? " " : "", strcmp(v.unit, "1") ? v.unit : "",
-            fourlink_branch_text((int)s->branch));
+    line_start(&l, out);
+    line_put(&l, "# The best design of %s: %s %s = %6g%s%s, %s branch.\n", s->in->name,
+             s->sign > 0 ? "min" : "max", s->name, v.value, strcmp(v.unit, "1") ? " " : "",
+             strcmp(v.unit, "1") ? v.unit : "", fourlink_branch_text((int)s->branch));
+    line_end(&l);
     write_deck(out, deck, length);
     free(deck);
     return 0;

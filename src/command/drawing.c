@@ -66,9 +66,12 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
 static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
                         const char *why)
 {
+    char numbers[80];
+
     if (missing)
-        fprintf(stderr, "fourlink: %s: %lu of %lu %s could not be computed%s%s\n", in->name,
-                missing, all, what, *why ? ": " : "", why);
+        command_say("fourlink: ", in->name, ": ",
+                    flk_message(numbers, sizeof numbers, "%ld of %ld ", (long)missing, (long)all),
+                    what, " could not be computed", *why ? ": " : "", why, (char *)NULL);
     return missing ? EXIT_ROWS : 0;
 }
 

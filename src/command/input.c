@@ -216,7 +216,8 @@ static int read_text(input *in, const char *path)
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && system_is_terminal(stdin))
-        fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
+        command_say("fourlink: reading a deck from the keyboard; see fourlink --help",
+                    (char *)NULL);
     in->text = files_read(path, &length);
     in->source.name = in->name;
     in->source.text = in->text;

@@ -332,9 +332,8 @@ int main(int argc, char **argv)
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
     } else if (status == 0) {
-        fputs("fourlink: ", stderr);
-        command_print(message);
-        fputs("\nTry 'fourlink --help'.\n", stderr);
+        command_say("fourlink: ", message, (char *)NULL);
+        command_say("Try 'fourlink --help'.", (char *)NULL);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
         status = write_text(o.help);

@@ -36,9 +36,9 @@ int reporting_write(const input *in)
     if (status)
         return status;
     if (outcome.gnuplot[0])
-        fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
+        command_say("fourlink: ", path, " has no pictures: ", outcome.gnuplot, (char *)NULL);
     if (outcome.has_failed)
-        fprintf(stderr, "fourlink: %s: rows could not be computed, or expected values differ\n",
-                path);
+        command_say("fourlink: ", path, ": rows could not be computed, or expected values differ",
+                    (char *)NULL);
     return outcome.has_failed ? EXIT_ROWS : 0;
 }
