@@ -16,10 +16,10 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "base/system.h"
-#include "best.h"
 #include "command.h"
 #include "progress.h"
 #include "tables/statistics.h"
+#include "writers.h"
 
 #define DIGITS 10      /* of a refined value */
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */

@@ -10,11 +10,11 @@
 
 #include "base/system.h"
 #include "command.h"
-#include "designs.h"
 #include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
 #include "tables/content.h"
+#include "writers.h"
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)

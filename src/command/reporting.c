@@ -7,7 +7,7 @@
 #include "command.h"
 #include "output.h"
 #include "report/report.h"
-#include "reporting.h"
+#include "writers.h"
 
 int reporting_write(const input *in)
 {

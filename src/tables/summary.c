@@ -9,8 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "head.h"
-#include "summary.h"
+#include "table.h"
 
 #define LINE 100
 #define NAME 20

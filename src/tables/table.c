@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "fit.h"
-#include "summary.h"
 #include "table.h"
 
 static void open_deck(sheet *s)

@@ -7,8 +7,6 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "head.h"
-#include "summary.h"
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
