@@ -10,8 +10,6 @@
 
 #include "base/message.h"
 #include "content.h"
-#include "expect.h"
-#include "matrix.h"
 #include "statistics.h"
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57

@@ -2,7 +2,7 @@
 **
 ** matrix.c - the nine equations of each row, as text.
 */
-#include "matrix.h"
+#include "content.h"
 
 /* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
