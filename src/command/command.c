@@ -14,8 +14,8 @@ int command_worse(int status, int other)
     return other > status ? other : status;
 }
 
-/* Print words; what is not printable becomes a question mark, so that no name can command the terminal or pretend to
-** be another line. */
+/* Print words; what is not printable becomes a question mark, so that no name can command the terminal or
+** pretend to be another line. */
 static void print(const char *words)
 {
     text rest = flk_text_of(words), run = rest;

@@ -194,8 +194,8 @@ static int set_statistics(options *o, const char *value, char message[400])
     return set_change(o, "--statistics", "sweep.statistics=", "yes");
 }
 
-/* An option.  It has a key, a function, a content, or a member of the options: a text, or a flag if it takes no
-** value. */
+/* An option.  It has a key, a function, a content, or a member of the options: a text, or a flag if it takes
+** no value. */
 typedef struct option_info {
     char letter; /* 0: it has none */
     const char *name;

@@ -9,10 +9,13 @@
 
 #include "input.h"
 
-/* Each returns the exit status.  If a signal stops it, after a whole line, its number is `signal_number`, otherwise 0. */
+/* Each returns the exit status.  If a signal stops it, after a whole line, its number is `signal_number`,
+** otherwise 0. */
 
-/* In designs.c: the designs of a [sweep] that are asked for.  In best.c: the design that --best asks for, as a deck. */
+/* In designs.c: the designs of a [sweep] that are asked for. */
 int designs_write(FILE *out, const input *in, int *signal_number);
+
+/* In best.c: the design that --best asks for, as a deck. */
 int best_write(FILE *out, const input *in, int *signal_number);
 
 /* In reporting.c: the report that the options ask for. */

@@ -143,7 +143,7 @@ static void put_extreme(sheet *s, const fourlink_value *f, int digits, size_t ta
         line_field(&s->l, "", EXTREME_ANGLE);
 }
 
-/* Go on in a second line where a terminal has no room for both extremes; returns the beginning of the line. */
+/* Go on in a second line where a terminal has no room for both extremes; returns the line's beginning. */
 static size_t put_gap(sheet *s, size_t start)
 {
     size_t width = EXTREME_NAME + 2 * (width_of_value(s) + EXTREME_ANGLE) + UNIT + BRANCH;
