@@ -241,7 +241,7 @@ static int find_answers(input *in, const char *path, const grade_answers *answer
     int status = 0;
 
     in->source.answers_name = in->o->check_file;
-    if (answers->is_folder) {
+    if (answers->folder) {
         status = grade_read(&in->answers, in->o, path, NULL, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;

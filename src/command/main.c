@@ -225,7 +225,7 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
     return status;
 }
 
-static const grade_answers no_answers = {0, NULL, 0, NULL, NULL, 0};
+static const grade_answers no_answers = {NULL, NULL, 0, NULL, NULL, 0};
 
 /* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
 static int run_class(const options *o, const grade_answers *answers, int *signal_number)
