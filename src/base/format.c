@@ -6,6 +6,7 @@
 #define __USE_MINGW_ANSI_STDIO 1 /* on Windows: all digits, and exponents of two */
 
 #include <locale.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -62,6 +63,11 @@ char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE])
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE])
 {
     return finish(flk_digits_general(value, digits, out), out, "%.*g", value, digits);
+}
+
+double format_settled(double value, double size)
+{
+    return fabs(value) <= FORMAT_ROUNDING * fabs(size) ? 0 : value;
 }
 
 char *format_fixed(double value, int decimals, char out[FORMAT_SIZE])

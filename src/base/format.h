@@ -18,4 +18,10 @@ char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);
 
+/* What is rounding error: a value of at most this fraction of those that it is compared with. */
+#define FORMAT_ROUNDING 1e-12
+
+/* A value beside others of this size: 0 if it is rounding error. */
+double format_settled(double value, double size);
+
 #endif

@@ -84,10 +84,13 @@ int system_caught(void);
 /* ---- programs */
 
 typedef struct system_outcome {
-    int is_found;
+    int is_found; /* 0: there is no such program */
     int status;  /* exit status; -1: ended by a signal */
     long copied; /* bytes of its output */
 } system_outcome;
+
+/* Take a variable out of the environment, also that of programs. */
+void system_forget(const char *variable);
 
 /* Run a program from PATH without a shell; `arguments` begin with its name and end with null.  It reads
 ** `input` from its beginning; its standard output is copied to `output`.  Returns 1, or 0 with errno set. */

@@ -288,6 +288,11 @@ int system_caught(void)
 
 /* ---------------------------------------------------------------------------------------------- programs */
 
+void system_forget(const char *variable)
+{
+    unsetenv(variable);
+}
+
 /* Replace this process by the program, with only the three standard files open. */
 static void become(const char *const *arguments, FILE *complaints)
 {
@@ -299,8 +304,10 @@ static void become(const char *const *arguments, FILE *complaints)
     fcntl(fileno(complaints), F_SETFD, FD_CLOEXEC);
     execvp(arguments[0], (char *const *)arguments);
     reason = errno;
-    fprintf(complaints, "fourlink: %s: %s\n", arguments[0], strerror(reason));
-    fflush(complaints);
+    if (reason != ENOENT) {
+        fprintf(complaints, "%s: %s\n", arguments[0], strerror(reason));
+        fflush(complaints);
+    }
     errno = reason;
 }
 
@@ -367,7 +374,8 @@ int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *co
     if (ended < 0)
         return 0;
     outcome->status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    outcome->is_found = outcome->status != NOT_FOUND;
+    /* a program that lacks a library, or a script that lacks a program, has this status too, and says so */
+    outcome->is_found = outcome->status != NOT_FOUND || lseek(fileno(complaints), 0, SEEK_END) > 0;
     errno = reason;
     return outcome->copied >= 0;
 }

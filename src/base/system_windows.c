@@ -525,6 +525,11 @@ static long copy(HANDLE from, FILE *to)
     return copied;
 }
 
+void system_forget(const char *variable)
+{
+    SetEnvironmentVariableA(variable, NULL);
+}
+
 int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *complaints,
                system_outcome *outcome)
 {

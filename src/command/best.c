@@ -16,10 +16,10 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "base/system.h"
-#include "best.h"
 #include "command.h"
 #include "progress.h"
 #include "tables/statistics.h"
+#include "writers.h"
 
 #define DIGITS 10      /* of a refined value */
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */
@@ -32,7 +32,7 @@ typedef struct search {
     double sign;      /* 1: the smallest, -1: the largest */
     const fourlink_value *conditions, *variables;
     unsigned long n_conditions, n; /* values of variables are in the deck's units */
-    double *best, *low, *high;     /* the best design of the grid, and its neighbours */
+    double *best, *low, *high;     /* of the grid, with its neighbours; then of the free ones */
     fourlink_results *trial;       /* the best design, in which values between these are set */
     int *handles;                  /* of the variables that have neighbours: the free ones */
     unsigned long n_free;
@@ -111,9 +111,14 @@ static int search_grid(search *s, FILE *out)
     fourlink_results_variables(s->in->results, best, s->n, s->best, s->low, s->high);
     s->out_of_memory =
         fourlink_results_design(s->in->results, best, 0, &s->trial, NULL, NULL) != FOURLINK_OK;
-    for (i = 0; i < s->n; i++)
-        if (s->low[i] != s->high[i])
-            s->handles[s->n_free++] = s->variables[i].handle;
+    for (i = 0; i < s->n; i++) {
+        if (s->low[i] == s->high[i])
+            continue;
+        s->handles[s->n_free] = s->variables[i].handle;
+        s->low[s->n_free] = s->low[i];
+        s->high[s->n_free] = s->high[i];
+        s->refined[s->n_free++] = s->best[i];
+    }
     return !s->out_of_memory;
 }
 
@@ -143,18 +148,13 @@ static double value_at(const gsl_vector *x, void *data)
 {
     search *s = data;
     fourlink_branch branch;
-    unsigned long i;
-    size_t k = 0;
+    size_t k;
     double value;
 
-    for (i = 0; i < s->n; i++) {
-        double share;
+    for (k = 0; k < s->n_free; k++) {
+        double share = GSL_MAX_DBL(0, GSL_MIN_DBL(1, gsl_vector_get(x, k)));
 
-        if (s->low[i] == s->high[i])
-            continue;
-        share = gsl_vector_get(x, k);
-        share = share < 0 ? 0 : share > 1 ? 1 : share;
-        s->values[k++] = rounded(s->low[i] + share * (s->high[i] - s->low[i]));
+        s->values[k] = rounded(s->low[k] + share * (s->high[k] - s->low[k]));
     }
     value = set_values(s, s->values) ? value_of(s, s->trial, &branch) : WORST;
     if (value < s->found) {
@@ -171,18 +171,14 @@ static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vect
                     gsl_vector *steps)
 {
     gsl_multimin_function f;
-    unsigned long i;
-    size_t k = 0;
+    size_t k;
     int step;
 
-    for (i = 0; i < s->n; i++) {
-        double share;
+    for (k = 0; k < s->n_free; k++) {
+        double share = (s->refined[k] - s->low[k]) / (s->high[k] - s->low[k]);
 
-        if (s->low[i] == s->high[i])
-            continue;
-        share = (s->refined[k] - s->low[i]) / (s->high[i] - s->low[i]);
         gsl_vector_set(x, k, share);
-        gsl_vector_set(steps, k++, share > 0.5 ? -size : size);
+        gsl_vector_set(steps, k, share > 0.5 ? -size : size);
     }
     f.n = s->n_free;
     f.f = value_at;
@@ -216,13 +212,8 @@ static void go_down(search *s, double size)
 static void refine(search *s)
 {
     double on_grid = s->found;
-    unsigned long i;
-    size_t k = 0;
 
-    for (i = 0; i < s->n; i++)
-        if (s->low[i] != s->high[i])
-            s->refined[k++] = s->best[i];
-    if (!k)
+    if (!s->n_free)
         return;
     go_down(s, 0.3);
     go_down(s, 0.05);
@@ -252,16 +243,18 @@ static void write_deck(FILE *out, const char *contents, unsigned long length)
 static int write_result(FILE *out, const search *s)
 {
     fourlink_value v;
-    char number[FORMAT_SIZE], *deck = NULL;
+    char *deck = NULL;
+    line l;
     unsigned long length;
 
     if (fourlink_results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
         (deck = input_deck_text(s->trial, &length)) == NULL)
         return command_complain("cannot analyse", s->in->name, "not enough memory");
-    fprintf(out, "# The best design of %s: %s %s = %s%s%s, %s branch.\n", s->in->name,
-            s->sign > 0 ? "min" : "max", s->name, format_general(v.value, 6, number),
-            strcmp(v.unit, "1") ? " " : "", strcmp(v.unit, "1") ? v.unit : "",
-            fourlink_branch_text((int)s->branch));
+    line_start(&l, out);
+    line_put(&l, "# The best design of %s: %s %s = %6g%s%s, %s branch.\n", s->in->name,
+             s->sign > 0 ? "min" : "max", s->name, v.value, strcmp(v.unit, "1") ? " " : "",
+             strcmp(v.unit, "1") ? v.unit : "", fourlink_branch_text((int)s->branch));
+    line_end(&l);
     write_deck(out, deck, length);
     free(deck);
     return 0;

@@ -2,6 +2,7 @@
 **
 ** command.c - exit status and messages of the command.
 */
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -13,7 +14,9 @@ int command_worse(int status, int other)
     return other > status ? other : status;
 }
 
-void command_print(const char *words)
+/* Print words; what is not printable becomes a question mark, so that no name can command the terminal or
+** pretend to be another line. */
+static void print(const char *words)
 {
     text rest = flk_text_of(words), run = rest;
 
@@ -31,34 +34,35 @@ void command_print(const char *words)
     }
 }
 
+void command_say(const char *first, ...)
+{
+    const char *words;
+    va_list more;
+
+    va_start(more, first);
+    for (words = first; words; words = va_arg(more, const char *))
+        print(words);
+    va_end(more);
+    putc('\n', stderr);
+}
+
 int command_complain(const char *what, const char *name, const char *why)
 {
-    fputs("fourlink: ", stderr);
-    command_print(what);
-    putc(' ', stderr);
-    command_print(name);
-    fputs(": ", stderr);
-    command_print(why);
-    putc('\n', stderr);
+    command_say("fourlink: ", what, " ", name, ": ", why, (char *)NULL);
     return EXIT_FILES;
 }
 
 static void tell(const char *what, const char *file, long line, const char *message,
                  const char *deck_name)
 {
-    if (!line)
-        fputs("fourlink: ", stderr);
-    command_print(file);
+    int is_elsewhere = deck_name && strcmp(file, deck_name) != 0;
+    char where[40] = "";
+
     if (line)
-        fprintf(stderr, ":%ld", line);
-    fprintf(stderr, ": %s: ", what);
-    command_print(message);
-    if (deck_name && strcmp(file, deck_name) != 0) {
-        fputs(" (", stderr);
-        command_print(deck_name);
-        putc(')', stderr);
-    }
-    putc('\n', stderr);
+        flk_message(where, sizeof where, ":%ld", line);
+    command_say(line ? "" : "fourlink: ", file, where, ": ", what, ": ", message,
+                is_elsewhere ? " (" : "", is_elsewhere ? deck_name : "", is_elsewhere ? ")" : "",
+                (char *)NULL);
 }
 
 void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
@@ -66,14 +70,17 @@ void command_tell_mistake(const char *file, long line, const char *message, cons
     tell("error", file, line, message, deck_name);
 }
 
-void command_tell_more(unsigned long n, const char *what)
-{
-    if (n > MOST_MISTAKES)
-        fprintf(stderr, "fourlink: and %lu more %s%s\n", n - MOST_MISTAKES, what,
-                n - MOST_MISTAKES > 1 ? "s" : "");
-}
-
 void command_tell_note(const char *file, long line, const char *message, const char *deck_name)
 {
     tell("note", file, line, message, deck_name);
+}
+
+void command_tell_more(unsigned long n, const char *what)
+{
+    char number[40];
+
+    if (n > MOST_MISTAKES)
+        command_say("fourlink: and ",
+                    flk_message(number, sizeof number, "%ld", (long)n - MOST_MISTAKES), " more ",
+                    what, n - MOST_MISTAKES > 1 ? "s" : "", (char *)NULL);
 }

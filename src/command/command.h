@@ -10,9 +10,8 @@ enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
 /* The worse of two exit statuses. */
 int command_worse(int status, int other);
 
-/* Print words as a part of a message; what is not printable becomes a question mark, so that no name can
-** command the terminal or pretend to be another line. */
-void command_print(const char *words);
+/* Print strings, up to a null pointer, as a line of messages. */
+void command_say(const char *first, ...);
 
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);

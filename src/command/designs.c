@@ -10,11 +10,11 @@
 
 #include "base/system.h"
 #include "command.h"
-#include "designs.h"
 #include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
 #include "tables/content.h"
+#include "writers.h"
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
@@ -125,7 +125,7 @@ static void tell_statistics(const input *in)
     unsigned long n;
 
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
-    if (in->problem.has_statistics && n && !in->o->n_statistics && !in->o->parts &&
+    if (in->problem.has_statistics && n && !in->o->statistics && !in->o->parts &&
         in->o->format != &table_format)
         command_tell_note(in->name, 0,
                           "with a yield, statistics are printed, not designs; "

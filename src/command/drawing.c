@@ -17,11 +17,12 @@ static int draw(const options *o, FILE *script, const plot_caption *caption)
 {
     output file;
     const char *path = o->plot, *why;
+    char reason[GNUPLOT_REASON];
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL);
+    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL, reason);
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
@@ -69,9 +70,12 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
 static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
                         const char *why)
 {
+    char numbers[80];
+
     if (missing)
-        fprintf(stderr, "fourlink: %s: %lu of %lu %s could not be computed%s%s\n", in->name,
-                missing, all, what, *why ? ": " : "", why);
+        command_say("fourlink: ", in->name, ": ",
+                    flk_message(numbers, sizeof numbers, "%ld of %ld ", (long)missing, (long)all),
+                    what, " could not be computed", *why ? ": " : "", why, (char *)NULL);
     return missing ? EXIT_ROWS : 0;
 }
 

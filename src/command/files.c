@@ -120,6 +120,25 @@ const char *files_name(const char *path)
     return name;
 }
 
+text files_stem(const char *path)
+{
+    text name = flk_text_of(files_name(path));
+
+    if (flk_text_ends_in(name, ".deck"))
+        name.length -= strlen(".deck");
+    return name;
+}
+
+char *files_within(const char *folder, text name, const char *ending)
+{
+    char *path = malloc(strlen(folder) + name.length + strlen(ending) + sizeof "/");
+
+    if (path)
+        sprintf(path, "%s%s%.*s%s", folder, *files_name(folder) ? "/" : "", (int)name.length,
+                name.start, ending);
+    return path;
+}
+
 char *files_beside(const char *path, const char *name)
 {
     size_t folder = system_is_absolute(name) ? 0 : (size_t)(files_name(path) - path);

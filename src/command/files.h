@@ -28,6 +28,12 @@ int files_is_folder(const char *path);
 /* The name of a file in a path, after its folders. */
 const char *files_name(const char *path);
 
+/* The same without the ending of a deck. */
+text files_stem(const char *path);
+
+/* The path of a file in a folder, its name and an ending: memory to free, or null. */
+char *files_within(const char *folder, text name, const char *ending);
+
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);
 

@@ -13,56 +13,27 @@
 #include "files.h"
 #include "grade.h"
 
-/* FOLDER/NAME: memory to free, or null. */
-static char *path_in(const char *folder, const char *name)
-{
-    char *path = malloc(strlen(folder) + strlen(name) + sizeof "/");
-
-    if (!path)
-        return NULL;
-    strcpy(path, folder);
-    if (*files_name(folder))
-        strcat(path, "/");
-    return strcat(path, name);
-}
-
-/* FOLDER/NAME.expect: memory to free, or null. */
+/* FOLDER/NAME.expect of a deck: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    const char *name = files_name(deck);
-    size_t length = strlen(name) - (flk_text_ends_in(flk_text_of(name), ".deck") ? 5 : 0);
-    char *file = malloc(length + sizeof ".expect"), *path = NULL;
-
-    if (file) {
-        memcpy(file, name, length);
-        strcpy(file + length, ".expect");
-        path = path_in(folder, file);
-    }
-    free(file);
-    return path;
+    return files_within(folder, files_stem(deck), ".expect");
 }
-
-/* A folder that is listed. */
-typedef struct listing {
-    grade_answers *a;
-    const char *folder;
-} listing;
 
 /* Keep a file of answers; 0 if out of memory.  Hidden files are those that systems add to a folder. */
 static int take_file(void *host, const char *name)
 {
-    listing *x = host;
+    grade_answers *a = host;
     char **more;
 
     if (name[0] == '.' || !(flk_text_ends_in(flk_text_of(name), ".expect") ||
                             flk_text_ends_in(flk_text_of(name), ".txt")))
         return 1;
-    more = realloc(x->a->files, (x->a->n_files + 1) * sizeof *more);
+    more = realloc(a->files, (a->n_files + 1) * sizeof *more);
     if (!more)
         return 0;
-    x->a->files = more;
-    more[x->a->n_files] = path_in(x->folder, name);
-    return more[x->a->n_files++] != NULL;
+    a->files = more;
+    more[a->n_files] = files_within(a->folder, flk_text_of(name), "");
+    return more[a->n_files++] != NULL;
 }
 
 static int compare_names(const void *x, const void *y)
@@ -71,14 +42,10 @@ static int compare_names(const void *x, const void *y)
 }
 
 /* Find all answers in a folder; returns the exit status. */
-static int list_files(grade_answers *a, const char *folder)
+static int list_files(grade_answers *a)
 {
-    listing x;
-
-    x.a = a;
-    x.folder = folder;
-    if (!system_list(folder, take_file, &x))
-        return command_complain("cannot read", folder, strerror(errno));
+    if (!system_list(a->folder, take_file, a))
+        return command_complain("cannot read", a->folder, strerror(errno));
     if (a->n_files)
         qsort(a->files, a->n_files, sizeof *a->files, compare_names);
     return 0;
@@ -107,14 +74,14 @@ int grade_open(grade_answers *a, const options *o)
     memset(a, 0, sizeof *a);
     if (!o->check_file)
         return 0;
-    a->is_folder = files_is_folder(o->check_file);
-    if (!a->is_folder && !o->answers) {
+    if (!files_is_folder(o->check_file) && !o->answers) {
         a->text = files_read(o->check_file, &a->length);
         return a->text ? 0 : command_complain("cannot read", o->check_file, strerror(errno));
     }
+    a->folder = o->check_file;
     if (!is_class(o))
         return 0;
-    status = list_files(a, o->check_file);
+    status = list_files(a);
     if (!status && o->answers && !a->n_files)
         status = command_complain("cannot read", o->answers,
                                   "no file in this folder ends in .expect or .txt");

@@ -9,8 +9,8 @@
 
 /* The answers of --check: a file, one of a folder for each deck, or all of a folder for one deck. */
 typedef struct grade_answers {
-    int is_folder;
-    char **files; /* null: not many answers to one deck; their paths, in the order of names */
+    const char *folder; /* null: it is a file */
+    char **files;       /* null: not many answers to one deck; their paths, in the order of names */
     size_t n_files;
     char *path; /* of the file that was read */
     char *text; /* null: there is none */

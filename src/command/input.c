@@ -160,11 +160,12 @@ static int serves_options(input *in)
 static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
                      void tell(const char *, long, const char *, const char *), const char *what)
 {
+    const char *name = in->o->n_decks > 1 ? in->name : in->o->variant;
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
-            tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
+            tell(list[i].file, list[i].line, list[i].message, name);
     command_tell_more(n, what);
 }
 
@@ -216,7 +217,8 @@ static int read_text(input *in, const char *path)
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && system_is_terminal(stdin))
-        fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
+        command_say("fourlink: reading a deck from the keyboard; see fourlink --help",
+                    (char *)NULL);
     in->text = files_read(path, &length);
     in->source.name = in->name;
     in->source.text = in->text;
@@ -240,7 +242,7 @@ static int find_answers(input *in, const char *path, const grade_answers *answer
     int status = 0;
 
     in->source.answers_name = in->o->check_file;
-    if (answers->is_folder) {
+    if (answers->folder) {
         status = grade_read(&in->answers, in->o, path, NULL, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;

@@ -9,18 +9,15 @@
 #include <string.h>
 
 #include "base/system.h"
-#include "best.h"
 #include "command.h"
-#include "deck_out.h"
-#include "designs.h"
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
 #include "marks.h"
 #include "output.h"
-#include "reporting.h"
 #include "terminal.h"
 #include "variants.h"
+#include "writers.h"
 #include "tables/content.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -150,19 +147,30 @@ static int write_decks(FILE *out, const options *o, const input *inputs, size_t 
     return status;
 }
 
+/* Write the text of a deck with the values that are computed; returns the exit status. */
+static int write_deck(FILE *out, const input *in)
+{
+    unsigned long length = 0;
+    char *contents = input_deck_text(in->results, &length);
+
+    if (!contents)
+        return command_complain("cannot write", in->name, "not enough memory");
+    fwrite(contents, 1, length, out);
+    free(contents);
+    return 0;
+}
+
 /* Write what the options ask for; returns the exit status. */
 static int write_sheet(const options *o, const input *inputs, size_t n, int *signal_number)
 {
     output out;
-    int status, written;
-
-    if (o->print_deck)
-        return deck_out_print(&inputs[0]);
-    status = output_begin(&out, o->output);
+    int status = output_begin(&out, o->output), written;
 
     if (status)
         return status;
-    if (o->best)
+    if (o->print_deck)
+        written = write_deck(out.file, &inputs[0]);
+    else if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
@@ -217,19 +225,19 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
     return status;
 }
 
+static const grade_answers no_answers = {NULL, NULL, 0, NULL, NULL, 0};
+
 /* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
 static int run_class(const options *o, const grade_answers *answers, int *signal_number)
 {
-    grade_answers none;
     options of_deck = *o;
     input deck;
     int status;
 
-    memset(&none, 0, sizeof none);
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_SUMMARY;
     of_deck.check_file = NULL;
-    status = input_read(&deck, o->decks[0], &of_deck, &none);
+    status = input_read(&deck, o->decks[0], &of_deck, &no_answers);
     if (deck.results)
         status = command_worse(status, run_inputs(o, answers, &deck, signal_number));
     input_close(&deck);
@@ -239,42 +247,42 @@ static int run_class(const options *o, const grade_answers *answers, int *signal
 /* Run one design of a [sweep] for a file of its own; returns the exit status. */
 static int run_variant(const options *o, const char *path, unsigned long i, int *signal_number)
 {
-    grade_answers none;
     options one = *o;
     int status;
 
-    memset(&none, 0, sizeof none);
     one.all_designs = 0;
     one.design = i + 1;
     one.is_again = i > 0;
+    one.variant = path;
     *(o->report ? &one.report : &one.output) = path;
     status = files_tell_clash(&one);
-    return status ? status : run_inputs(&one, &none, NULL, signal_number);
+    return status ? status : run_inputs(&one, &no_answers, NULL, signal_number);
 }
 
 /* Write a file for each design of a [sweep]; returns the exit status. */
 static int run_variants(const options *o, int *signal_number)
 {
     const char *folder = o->report ? o->report : o->output;
-    grade_answers none;
     options of_deck = *o;
     variants v = {NULL, NULL, 0};
     int status, may_write = 0;
     unsigned long i;
     input deck;
 
-    memset(&none, 0, sizeof none);
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_ROWS;
     of_deck.report = NULL;
     of_deck.is_again = 1;
-    status = input_read(&deck, o->decks[0], &of_deck, &none);
+    status = input_read(&deck, o->decks[0], &of_deck, &no_answers);
     if (deck.results) {
         status = variants_open(&v, &deck);
         may_write = status == 0;
     }
     for (i = 0; i < v.n && may_write && status != EXIT_FILES && !*signal_number; i++) {
-        char *path = variants_path(&v, folder, &deck, i, o->report ? ".html" : ".expect");
+        char *path = variants_path(&v, folder, &deck, i,
+                                   o->report       ? ".html"
+                                   : o->print_deck ? ".deck"
+                                                   : ".expect");
 
         status = command_worse(
             status, path ? run_variant(o, path, i, signal_number)
@@ -293,9 +301,9 @@ static int run(const options *o)
 
     status = grade_open(&answers, o);
     if (!status)
-        status = o->all_designs && !o->print_deck ? run_variants(o, &signal_number)
-                 : answers.n_files                ? run_class(o, &answers, &signal_number)
-                                                  : run_inputs(o, &answers, NULL, &signal_number);
+        status = o->all_designs    ? run_variants(o, &signal_number)
+                 : answers.n_files ? run_class(o, &answers, &signal_number)
+                                   : run_inputs(o, &answers, NULL, &signal_number);
     grade_close(&answers);
     if (signal_number) {
         fflush(stdout);
@@ -328,9 +336,8 @@ int main(int argc, char **argv)
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
     } else if (status == 0) {
-        fputs("fourlink: ", stderr);
-        command_print(message);
-        fputs("\nTry 'fourlink --help'.\n", stderr);
+        command_say("fourlink: ", message, (char *)NULL);
+        command_say("Try 'fourlink --help'.", (char *)NULL);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
         status = write_text(o.help);

@@ -21,17 +21,13 @@
 
 /* A value that is asked for. */
 typedef struct question {
-    char name[64];
-    int has_angle;
-    double angle; /* in the deck's unit */
-    fourlink_branch branch;
-    double marks;
+    fourlink_check value;  /* the first that was found */
     unsigned long answers; /* how many have it */
     size_t last;           /* number of the last one that has it, from 1 */
     int is_right;          /* of the one that is marked: 1, 0 or NO_ANSWER */
 } question;
 
-static int is_asked(const question *q, const fourlink_check *c)
+static int is_asked(const fourlink_check *q, const fourlink_check *c)
 {
     return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
            q->has_angle == c->has_angle &&
@@ -43,7 +39,7 @@ static question *find(const marks *m, const fourlink_check *c)
     unsigned long i;
 
     for (i = 0; i < m->n; i++)
-        if (is_asked(&m->list[i], c))
+        if (is_asked(&m->list[i].value, c))
             return &m->list[i];
     return NULL;
 }
@@ -62,11 +58,7 @@ static void add(marks *m, const input *in, size_t number)
         q = find(m, &c);
         if (!q && m->n < MOST_QUESTIONS) {
             q = &m->list[m->n++];
-            strcpy(q->name, c.name);
-            q->has_angle = c.has_angle;
-            q->angle = c.angle;
-            q->branch = c.branch;
-            q->marks = c.marks;
+            q->value = c;
             q->answers = 0;
             q->last = 0;
         }
@@ -125,7 +117,7 @@ static void put_part(char *note, size_t size, const char *words)
 }
 
 /* Add ", Ts (crossed) at 30" to a list that begins with some words. */
-static void put_name(char *note, size_t size, const char *title, int *n, const question *q)
+static void put_name(char *note, size_t size, const char *title, int *n, const fourlink_check *q)
 {
     char words[200], angle[80] = "";
 
@@ -152,7 +144,7 @@ void marks_tell(const marks *m, const char *name)
     if (!m->are_guessed)
         return;
     for (i = 0; i < m->n; i++)
-        put_name(note, 250, "", &n, &m->list[i]);
+        put_name(note, 250, "", &n, &m->list[i].value);
     flk_message(words, sizeof words,
                 "not all answers have the same values; %ld are asked, those that a quarter of them "
                 "have: %s%s",
@@ -188,8 +180,6 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
     unsigned long i;
 
     for (i = 0; i < in->problem.n_expected; i++) {
-        question q;
-
         fourlink_results_check(in->results, i, &c);
         has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
         sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
@@ -198,11 +188,7 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
             put_part(mark->note, size,
                      flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
         } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !find(m, &c)) {
-            strcpy(q.name, c.name);
-            q.has_angle = c.has_angle;
-            q.angle = c.angle;
-            q.branch = c.branch;
-            put_name(mark->note, size, "not asked: ", &n_extra, &q);
+            put_name(mark->note, size, "not asked: ", &n_extra, &c);
         }
     }
     if (has_misprint && m->list)
@@ -239,16 +225,16 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
     mark->path = path ? path : "";
     flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
     for (i = 0; i < m->n; i++)
-        mark->of += m->list[i].marks;
+        mark->of += m->list[i].value.marks;
     if (!in->results) {
         put(mark->note, sizeof mark->note, in->refusal);
         return;
     }
     find_answers(m, in);
     for (i = 0; i < m->n; i++) {
-        mark->right += m->list[i].is_right == 1 ? m->list[i].marks : 0;
+        mark->right += m->list[i].is_right == 1 ? m->list[i].value.marks : 0;
         if (m->list[i].is_right == NO_ANSWER)
-            put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i]);
+            put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i].value);
     }
     for (i = 0; i < in->problem.n_expected && !m->list; i++) {
         fourlink_results_check(in->results, i, &c);

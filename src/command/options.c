@@ -3,6 +3,7 @@
 ** options.c - the command line.
 */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,125 +12,8 @@
 #include "base/number.h"
 #include "options.h"
 #include "tables/formats.h"
+#include "terminal.h"
 
-/* @f stands for the formats, @k for the kinds of pictures, a line each. */
-static const char *const help[] = {
-    "Usage: fourlink [OPTION]... [DECK]...",
-    "",
-    "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
-    "Reads standard input if no DECK is given, or for -.",
-    "",
-    "  -f, --format=@f format of the output (default: table)",
-    "  -o, --output=FILE                 write to FILE, replaced only when complete",
-    "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
-    "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
-    "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
-    "      --units=UNIT,UNIT,...         units of results, such as 'mm, kg, rpm'; bare numbers of",
-    "                                    the deck keep theirs",
-    "  -w, --wide                        on a terminal: all columns side by side",
-    "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
-    "                                    change the deck: --set 'motion.speed=100 rpm'",
-    "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
-    "                                    or FOLDER/NAME.expect for NAME.deck",
-    "      --answers=FOLDER              compare one deck with each file of answers in FOLDER",
-    "      --scores                      print a score for each deck or file, not each value",
-    "      --tolerance=TOLERANCE,...     how far values may differ, such as '1 %, 0.5 deg'",
-    "      --expect                      print the values of the deck as answers for --check=FILE",
-    "      --at=ANGLE,COLUMN=VALUE,...   the rows at these crank angles, and where columns have",
-    "                                    these values, such as --at='theta4 = 120 deg'",
-    "      --allow-files                 let a deck name files outside its folder",
-    "  -m, --matrix                      print the nine equations, A x = b, for each row",
-    "  -S, --summary                     print facts, extremes, turning moment instead of rows",
-    "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
-    "                                    is printed too with --format or --output",
-    "      --plot-kind=KIND              what to draw (default: mechanism, for .gif animation):",
-    "@k",
-    "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
-    "      --plot-x=NAME                 draw columns over this one (default: theta2 or time)",
-    "      --plot-script=FILE            write the gnuplot script, to change and run",
-    "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
-    "                                    sample calculation, pictures and tables",
-    "      --statistics                  print statistics of the designs of the deck's [sweep]",
-    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
-    "                                    as a deck",
-    "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
-    "      --design=N|all                take design N of the deck's [sweep], from 1, as a deck",
-    "      --print-deck                  print the deck as it is computed: with other values, of "
-    "one",
-    "                                    design; of all: into --output=FOLDER/",
-    "      --names=FILE                  names for the files of --design=all, one a line",
-    "  -l, --list                        list columns and facts of the deck, with meanings",
-    "  -h, --help                        print this text",
-    "  -V, --version                     print the version",
-    "",
-    "Exit status: 0 success; 1 some rows could not be computed, or a check failed;",
-    "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
-    NULL};
-
-/* Stand for the letter of options that have none. */
-enum {
-    PLOT_KIND = 1,
-    PLOT_AT,
-    PLOT_SCRIPT,
-    REPORT,
-    PLOT_X,
-    EXPECT,
-    ANSWERS,
-    SCORES,
-    TOLERANCE,
-    AT,
-    STATISTICS,
-    BEST,
-    ALLOW_FILES,
-    DESIGN,
-    PRINT_DECK,
-    UNITS,
-    NAMES,
-    LAST_WITHOUT_LETTER = NAMES
-};
-
-/* How an option is kept: as a flag or text of its own, or as a change to the deck. */
-typedef struct option_info {
-    char letter;
-    const char *name;
-    int takes_value; /* 2: one may follow after '=' */
-    const char *key; /* not null: the key of the deck that it sets, and "=" */
-} option_info;
-
-static const option_info table[] = {{'f', "--format", 1, NULL},
-                                    {'o', "--output", 1, NULL},
-                                    {'b', "--branch", 1, "table.branch="},
-                                    {'i', "--interval", 1, "motion.interval="},
-                                    {'c', "--columns", 1, "table.columns="},
-                                    {UNITS, "--units", 1, NULL},
-                                    {'w', "--wide", 0, NULL},
-                                    {'s', "--set", 1, ""},
-                                    {ALLOW_FILES, "--allow-files", 0, NULL},
-                                    {'m', "--matrix", 0, NULL},
-                                    {'C', "--check", 2, NULL},
-                                    {ANSWERS, "--answers", 1, NULL},
-                                    {SCORES, "--scores", 0, NULL},
-                                    {TOLERANCE, "--tolerance", 1, "grading.tolerance="},
-                                    {EXPECT, "--expect", 0, NULL},
-                                    {AT, "--at", 1, NULL},
-                                    {'S', "--summary", 0, NULL},
-                                    {'p', "--plot", 1, NULL},
-                                    {PLOT_KIND, "--plot-kind", 1, NULL},
-                                    {PLOT_AT, "--plot-at", 1, NULL},
-                                    {PLOT_X, "--plot-x", 1, NULL},
-                                    {PLOT_SCRIPT, "--plot-script", 1, NULL},
-                                    {REPORT, "--report", 1, NULL},
-                                    {STATISTICS, "--statistics", 0, NULL},
-                                    {BEST, "--best", 1, NULL},
-                                    {'P', "--part", 1, NULL},
-                                    {DESIGN, "--design", 1, NULL},
-                                    {NAMES, "--names", 1, NULL},
-                                    {PRINT_DECK, "--print-deck", 0, NULL},
-                                    {'l', "--list", 0, NULL},
-                                    {'h', "--help", 0, NULL},
-                                    {'V', "--version", 0, NULL}};
-
-#define TABLE_COUNT (sizeof table / sizeof table[0])
 #define MOST_DESIGNS 4294967295.0
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
@@ -205,14 +89,15 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 
 static int set_plot(options *o, const char *value, char message[400])
 {
+    char names[100];
+
     o->plot = value;
     o->drawing.file = plot_file_of(value);
     if (o->drawing.file == PLOT_FILE_COUNT)
-        return say(
-            message,
-            "--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -, not '",
-            value, "'");
-    return 1;
+        flk_message(message, 400, "--plot needs a file name that ends in %s, or -, not '%t'",
+                    flk_text_list(plot_endings, ", ", " or ", names, sizeof names),
+                    flk_text_of(value));
+    return o->drawing.file != PLOT_FILE_COUNT;
 }
 
 /* 1 if a name says that it is a folder's: it ends in a slash. */
@@ -272,83 +157,145 @@ static int set_design(options *o, const char *value, char message[400])
     return 1;
 }
 
+static int set_output(options *o, const char *value, char message[400])
+{
+    (void)message;
+    o->output = strcmp(value, "-") == 0 ? NULL : value;
+    return o->asks_for_table = 1;
+}
+
+static int set_check(options *o, const char *value, char message[400])
+{
+    if (!*value && value != no_value)
+        return say(message, "--check= needs a file name", "", "");
+    o->check_file = *value ? value : NULL;
+    return set_content(o, SHEET_CHECK);
+}
+
+static int set_answers(options *o, const char *value, char message[400])
+{
+    o->answers = value;
+    return *value ? set_content(o, SHEET_CHECK) : say(message, "--answers= needs a folder", "", "");
+}
+
+static int set_scores(options *o, const char *value, char message[400])
+{
+    (void)value;
+    (void)message;
+    o->scores = 1;
+    return set_content(o, SHEET_CHECK);
+}
+
+static int set_statistics(options *o, const char *value, char message[400])
+{
+    (void)value;
+    (void)message;
+    o->statistics = 1;
+    return set_change(o, "--statistics", "sweep.statistics=", "yes");
+}
+
+/* An option.  It has a key, a function, a content, or a member of the options: a text, or a flag if it takes
+** no value. */
+typedef struct option_info {
+    char letter; /* 0: it has none */
+    const char *name;
+    const char *value; /* its name; null: it takes none; [=FILE]: one may follow after '=' */
+    const char *key;   /* of the deck, and "=" */
+    int (*set)(options *o, const char *value, char message[400]);
+    sheet_content content;
+    size_t member;
+    const char *words; /* of the help */
+} option_info;
+
+#define KEY(key) key, NULL, SHEET_ROWS, 0
+#define OWN(function) NULL, function, SHEET_ROWS, 0
+#define CONTENT(content) NULL, NULL, content, 0
+#define MEMBER(member) NULL, NULL, SHEET_ROWS, offsetof(options, member)
+
+static const option_info table[] = {
+    {'f', "--format", "", OWN(set_format), "format of the output (default: table)"},
+    {'o', "--output", "FILE", OWN(set_output), "write to FILE, replaced only when complete"},
+    {'b', "--branch", "open|crossed|both", KEY("table.branch="),
+     "assembly mode (default: both; with gas: open)"},
+    {'i', "--interval", "QUANTITY", KEY("motion.interval="),
+     "interval of the crank angle, such as '10 deg'"},
+    {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
+     "columns to print; --list shows their names"},
+    {0, "--units", "UNIT,UNIT,...", MEMBER(units),
+     "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs"},
+    {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side"},
+    {'s', "--set", "[SECTION[ NAME].]KEY=VALUE", KEY(""),
+     "change the deck: --set 'motion.speed=100 rpm'"},
+    {'C', "--check", "[=FILE]", OWN(set_check),
+     "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck"},
+    {0, "--answers", "FOLDER", OWN(set_answers),
+     "compare one deck with each file of answers in FOLDER"},
+    {0, "--scores", NULL, OWN(set_scores), "print a score for each deck or file, not each value"},
+    {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
+     "how far values may differ, such as '1 %, 0.5 deg'"},
+    {0, "--expect", NULL, CONTENT(SHEET_EXPECT),
+     "print the values of the deck as answers for --check=FILE"},
+    {0, "--at", "ANGLE,COLUMN=VALUE,...", MEMBER(at),
+     "the rows at these crank angles, and where columns have these values, such as "
+     "--at='theta4 = 120 deg'"},
+    {0, "--allow-files", NULL, MEMBER(allow_files), "let a deck name files outside its folder"},
+    {'m', "--matrix", NULL, CONTENT(SHEET_MATRIX),
+     "print the nine equations, A x = b, for each row"},
+    {'S', "--summary", NULL, CONTENT(SHEET_SUMMARY),
+     "print facts, turning moment, extremes instead of rows"},
+    {'p', "--plot", "FILE", OWN(set_plot),
+     "draw a picture: %s, or -; the table is printed too with --format or "
+     "--output"},
+    {0, "--plot-kind", "KIND", OWN(set_plot_kind),
+     "what to draw (default: mechanism, for .gif animation):"},
+    {0, "--plot-at", "ANGLE,ANGLE,...", MEMBER(drawing.at),
+     "crank angles to draw, such as '40 deg'"},
+    {0, "--plot-x", "NAME", MEMBER(drawing.x),
+     "draw columns over this one (default: theta2 or time)"},
+    {0, "--plot-script", "FILE", MEMBER(plot_script),
+     "write the gnuplot script, to change and run"},
+    {0, "--report", "FILE", OWN(set_report),
+     "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
+     "tables"},
+    {0, "--statistics", NULL, OWN(set_statistics),
+     "print statistics of the designs of the deck's [sweep]"},
+    {0, "--best", "'max|min NAME'", OWN(set_best),
+     "print the best design of the deck's [sweep], refined, as a deck"},
+    {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]"},
+    {0, "--design", "N|all", OWN(set_design),
+     "take design N of the deck's [sweep], from 1, as a deck"},
+    {0, "--print-deck", NULL, MEMBER(print_deck),
+     "print the deck as it is computed: with other values, of one design; of all: into "
+     "--output=FOLDER/"},
+    {0, "--names", "FILE", MEMBER(names), "names for the files of --design=all, one a line"},
+    {'l', "--list", NULL, CONTENT(SHEET_LIST), "list columns and facts of the deck, with meanings"},
+    {'h', "--help", NULL, MEMBER(help), "print this text"},
+    {'V', "--version", NULL, MEMBER(version), "print the version"}};
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+/* 1 if an option takes the next word, where none follows after '='. */
+static int takes_next(const option_info *info)
+{
+    return info->value && strncmp(info->value, "[=", 2) != 0;
+}
+
 /* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
+    void *member = (char *)o + info->member;
+
     if (info->key)
         return set_change(o, info->name, info->key, value);
-    switch (info->letter) {
-    case 'f':
-        return set_format(o, value, message);
-    case 'o':
-        o->output = strcmp(value, "-") == 0 ? NULL : value;
-        return o->asks_for_table = 1;
-    case 'P':
-        return set_part(o, value, message);
-    case 'p':
-        return set_plot(o, value, message);
-    case DESIGN:
-        return set_design(o, value, message);
-    case PRINT_DECK:
-        return o->print_deck = 1;
-    case NAMES:
-        o->names = value;
-        return 1;
-    case PLOT_KIND:
-        return set_plot_kind(o, value, message);
-    case PLOT_AT:
-        o->drawing.at = value;
-        return 1;
-    case PLOT_X:
-        o->drawing.x = value;
-        return 1;
-    case PLOT_SCRIPT:
-        o->plot_script = value;
-        return 1;
-    case REPORT:
-        return set_report(o, value, message);
-    case 'C':
-        if (value[0] == '\0' && value != no_value)
-            return say(message, "--check= needs a file name", "", "");
-        o->check_file = *value ? value : NULL;
-        return set_content(o, SHEET_CHECK);
-    case ANSWERS:
-        if (!*value)
-            return say(message, "--answers= needs a folder", "", "");
-        o->answers = value;
-        return set_content(o, SHEET_CHECK);
-    case SCORES:
-        o->scores = 1;
-        return set_content(o, SHEET_CHECK);
-    case BEST:
-        return set_best(o, value, message);
-    case STATISTICS:
-        o->n_statistics++;
-        return set_change(o, "--statistics", "sweep.statistics=", "yes");
-    case EXPECT:
-        return set_content(o, SHEET_EXPECT);
-    case ALLOW_FILES:
-        return o->allow_files = 1;
-    case AT:
-        o->at = value;
-        return 1;
-    case UNITS:
-        o->units = value;
-        return 1;
-    case 'm':
-        return set_content(o, SHEET_MATRIX);
-    case 'S':
-        return set_content(o, SHEET_SUMMARY);
-    case 'l':
-        return set_content(o, SHEET_LIST);
-    case 'w':
-        return o->wide = 1;
-    case 'h':
-        return o->help = 1;
-    case 'V':
-    default:
-        return o->version = 1;
-    }
+    if (info->set)
+        return info->set(o, value, message);
+    if (info->content != SHEET_ROWS)
+        return set_content(o, info->content);
+    if (info->value)
+        *(const char **)member = value;
+    else
+        *(int *)member = 1;
+    return 1;
 }
 
 /* --name, --name=value, --name value */
@@ -362,12 +309,12 @@ static int read_long(options *o, const char *word, const char *next, int *used_n
 
     name.length = length - 2;
     for (i = 0; i < TABLE_COUNT; i++) {
-        const char *value = equals ? equals + 1 : table[i].takes_value == 1 ? next : no_value;
+        const char *value = equals ? equals + 1 : takes_next(&table[i]) ? next : no_value;
 
         known[i] = table[i].name + 2;
         if (!flk_text_same(name, known[i]))
             continue;
-        if (!table[i].takes_value && equals)
+        if (!table[i].value && equals)
             return say(message, table[i].name, " takes no value", "");
         if (!value)
             return say(message, table[i].name, " needs a value", "");
@@ -390,12 +337,12 @@ static int read_short(options *o, const char *word, const char *next, int *used_
 
     while (*++word) {
         for (i = 0; i < TABLE_COUNT; i++)
-            if (table[i].letter == *word && *word > LAST_WITHOUT_LETTER)
+            if (table[i].letter == *word)
                 break;
         letter[1] = *word;
         if (i == TABLE_COUNT)
             return say(message, "unknown option '", letter, "'");
-        if (table[i].takes_value == 1) {
+        if (takes_next(&table[i])) {
             if (!word[1] && !next)
                 return say(message, letter, " needs a value", "");
             *used_next = !word[1];
@@ -406,90 +353,164 @@ static int read_short(options *o, const char *word, const char *next, int *used_
     return 1;
 }
 
-/* Check the options that belong to --plot. */
-static int check_plot(options *o, char message[400])
-{
-    int wanted = o->plot || o->plot_script;
+#define HELP_WIDTH 80 /* where it is not a terminal */
+#define LARGEST_WIDTH 100
+#define WORDS 36       /* the column where the words begin */
+#define WORDS_BELOW 10 /* the same on a narrow terminal, in a line of their own */
 
-    if (!wanted && o->drawing.at && !o->report)
-        return say(message, "--plot-at needs --plot, --plot-script or --report", "", "");
-    if (!wanted && (o->drawing.x || o->drawing.kind != PLOT_COUNT))
-        return say(message, o->drawing.x ? "--plot-x" : "--plot-kind",
-                   " needs --plot or --plot-script", "");
-    if (o->report && o->n_decks > 1)
-        return say(message, "--report takes one deck, not several", "", "");
-    if (!wanted)
-        return 1;
-    if (o->n_decks > 1)
-        return say(message, "--plot takes one deck, not several", "", "");
-    if (!o->plot)
-        o->drawing.file = PLOT_SVG;
-    if (o->drawing.kind == PLOT_COUNT)
-        o->drawing.kind = o->drawing.file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
-    if (o->drawing.at && o->drawing.kind != PLOT_MECHANISM && o->drawing.kind != PLOT_VECTORS &&
-        o->drawing.kind != PLOT_KLEIN)
-        return say(message,
-                   "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
-                   plot_names[o->drawing.kind], "");
-    if (o->drawing.x && o->drawing.kind != PLOT_COLUMNS)
-        return say(message, "--plot-x works with --plot-kind=columns, not with ",
-                   plot_names[o->drawing.kind], "");
-    if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
-        return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
-                   "'");
-    if (o->drawing.kind == PLOT_ANIMATION)
-        o->drawing.file = PLOT_GIF;
-    if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
-        o->drawing.picture = o->plot;
-    return 1;
+/* Write words from this column on, behind a name or below it. */
+static void put_words(line *l, const char *name, const char *words, size_t column, size_t width)
+{
+    size_t start = line_here(l);
+
+    if (strlen(name) >= column && *name) {
+        line_put(l, "%s\n", name);
+        start = line_here(l);
+        name = "";
+    }
+    line_left(l, name, column);
+    line_put(l, "%s", words);
+    line_finish(l, start, width, column);
+}
+
+static void put_option(line *l, const option_info *info, size_t column, size_t width)
+{
+    char names[FORMATS_NAMES], letter[] = "  -x, ", option[200], words[MESSAGE_SIZE];
+    const char *value = info->value ? info->value : "";
+    int i;
+
+    if (info->set == set_format)
+        value = formats_of(SHEET_ROWS, "|", "|", names);
+    letter[3] = info->letter;
+    flk_text_join(option, sizeof option, info->letter ? letter : "      ", info->name,
+                  takes_next(info) ? "=" : "", value, (char *)NULL);
+    flk_text_list(plot_endings, " ", " ", names, sizeof names);
+    put_words(l, option,
+              info->set == set_plot ? flk_message(words, sizeof words, info->words, names)
+                                    : info->words,
+              column, width);
+    for (i = 0; i < PLOT_COUNT && info->set == set_plot_kind; i++) {
+        flk_text_join(option, sizeof option, "          ", plot_names[i], (char *)NULL);
+        put_words(l, option, plot_shows[i], 26, width);
+    }
 }
 
 void options_put_help(FILE *out)
 {
-    char names[FORMATS_NAMES];
-    const char *const *next, *at;
-    int i;
+    size_t width = terminal_width(out), i;
+    line l;
 
-    for (next = help; *next; next++) {
-        at = strchr(*next, '@');
-        if (!at)
-            fprintf(out, "%s\n", *next);
-        else if (at[1] == 'f')
-            fprintf(out, "%.*s%s%s\n", (int)(at - *next), *next,
-                    formats_of(SHEET_ROWS, "|", "|", names), at + 2);
-        else
-            for (i = 0; i < PLOT_COUNT; i++)
-                fprintf(out, "          %-16s%s\n", plot_names[i], plot_shows[i]);
-    }
+    width = !width ? HELP_WIDTH : width > LARGEST_WIDTH ? LARGEST_WIDTH : width;
+    line_start(&l, out);
+    line_put(&l, "Usage: fourlink [OPTION]... [DECK]...\n\n");
+    put_words(&l, "",
+              "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the "
+              "crank angle. Reads standard input if no DECK is given, or for -.",
+              0, width);
+    line_put(&l, "\n");
+    for (i = 0; i < TABLE_COUNT; i++)
+        put_option(&l, &table[i], width < 2 * WORDS ? WORDS_BELOW : WORDS, width);
+    line_put(&l, "\n");
+    put_words(&l, "",
+              "Exit status: 0 success; 1 some rows could not be computed, or a check failed; "
+              "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
+              0, width);
+    line_end(&l);
 }
 
-/* Check what does not go with decks that are printed, or with one design. */
-static int check_designs(const options *o, char message[400])
+/* 1 if a picture or a report is asked for. */
+static int has_picture(const options *o)
 {
-    int is_output = is_folder(o->output);
+    return o->plot || o->plot_script || o->report;
+}
 
-    if (o->print_deck &&
-        (o->content != SHEET_ROWS || o->parts || o->best || o->n_statistics || o->plot ||
-         o->plot_script || o->report || o->at || o->n_decks > 1 || o->format != &table_format))
-        return say(message, "--print-deck prints a deck: it takes one deck and no other output", "",
-                   "");
+/* 1 if a deck, which is printed, is asked for together with something else. */
+static int has_other_output(const options *o)
+{
+    return o->content != SHEET_ROWS || o->parts || o->statistics || has_picture(o) ||
+           o->n_decks > 1 || o->format != &table_format;
+}
+
+/* What does not go together, or null. */
+static const char *find_conflict(const options *o)
+{
+    if (o->n_contents > 1)
+        return "use only one of --check, --expect, --summary, --matrix and --list";
+    if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || has_picture(o) ||
+                  o->format == &paper_format))
+        return "--at chooses rows of a table, csv, json or --expect";
+    if (o->answers && o->n_decks > 1)
+        return "--answers takes one deck; for a deck of each student give --check=FOLDER";
+    if (o->answers && has_picture(o))
+        return "--answers prints scores: it takes no picture and no report";
+    if (o->content == SHEET_EXPECT && o->n_decks > 1)
+        return "--expect takes one deck, not several";
+    if (o->best && has_other_output(o))
+        return "--best prints a deck: it takes one deck and no other output";
+    if (o->statistics && o->parts)
+        return "--statistics needs all designs, not a --part";
+    if (o->print_deck && (has_other_output(o) || o->best || o->at))
+        return "--print-deck prints a deck: it takes one deck and no other output";
+    return NULL;
+}
+
+/* The same of designs and of pictures. */
+static const char *find_further_conflict(const options *o)
+{
+    int is_output = is_folder(o->output), wanted = o->plot || o->plot_script;
+
     if (o->all_designs && !((o->print_deck || o->content == SHEET_EXPECT) && is_output) &&
         !(is_folder(o->report) && !o->output))
-        return say(message,
-                   "--design=all needs --print-deck or --expect with --output=FOLDER/, or "
-                   "--report=FOLDER/: it writes one file each",
-                   "", "");
+        return "--design=all needs --print-deck or --expect with --output=FOLDER/, or "
+               "--report=FOLDER/: it writes one file each";
     if (o->all_designs && o->content == SHEET_EXPECT && o->report)
-        return say(message, "--design=all writes answers or reports, one of them at a time", "",
-                   "");
-    if (o->all_designs && !o->print_deck && strcmp(o->decks[0], "-") == 0)
-        return say(message, "--design=all reads the deck for each design: it needs a file", "", "");
+        return "--design=all writes answers or reports, one of them at a time";
+    if (o->all_designs && strcmp(o->decks[0], "-") == 0)
+        return "--design=all reads the deck for each design: it needs a file";
     if (!o->all_designs && is_folder(o->report))
-        return say(message, "--report=FOLDER/ needs --design=all", "", "");
+        return "--report=FOLDER/ needs --design=all";
     if (o->names && !o->all_designs)
-        return say(message, "--names needs --design=all", "", "");
-    if (o->design && (o->parts || o->best || o->n_statistics))
-        return say(message, "--design takes one design, not the whole [sweep]", "", "");
+        return "--names needs --design=all";
+    if (o->design && (o->parts || o->best || o->statistics))
+        return "--design takes one design, not the whole [sweep]";
+    if (!wanted && o->drawing.at && !o->report)
+        return "--plot-at needs --plot, --plot-script or --report";
+    if (!wanted && o->drawing.x)
+        return "--plot-x needs --plot or --plot-script";
+    if (!wanted && o->drawing.kind != PLOT_COUNT)
+        return "--plot-kind needs --plot or --plot-script";
+    if (o->report && o->n_decks > 1)
+        return "--report takes one deck, not several";
+    if (wanted && o->n_decks > 1)
+        return "--plot takes one deck, not several";
+    return NULL;
+}
+
+/* Complete what is asked of a picture; 1, or 0 and the reason why it cannot be. */
+static int complete_plot(options *o, char message[400])
+{
+    plot_request *d = &o->drawing;
+
+    if (!o->plot && !o->plot_script)
+        return 1;
+    if (!o->plot)
+        d->file = PLOT_SVG;
+    if (d->kind == PLOT_COUNT)
+        d->kind = d->file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
+    if (d->at && d->kind != PLOT_MECHANISM && d->kind != PLOT_VECTORS && d->kind != PLOT_KLEIN)
+        return say(message,
+                   "--plot-at works with the kinds mechanism, vectors and klein, not with ",
+                   plot_names[d->kind], "");
+    if (d->x && d->kind != PLOT_COLUMNS)
+        return say(message, "--plot-x works with --plot-kind=columns, not with ",
+                   plot_names[d->kind], "");
+    if (d->kind == PLOT_ANIMATION && o->plot && d->file != PLOT_GIF)
+        return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
+                   "'");
+    if (d->kind == PLOT_ANIMATION)
+        d->file = PLOT_GIF;
+    if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
+        d->picture = o->plot;
     return 1;
 }
 
@@ -497,6 +518,8 @@ int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
     size_t room = (size_t)argc + 1, length = 1;
+    char names[FORMATS_NAMES];
+    const char *why;
 
     memset(o, 0, sizeof *o);
     o->format = &table_format;
@@ -523,48 +546,27 @@ int options_read(int argc, char **argv, options *o, char message[400])
             i += used_next;
         }
     }
-    if (o->n_contents > 1)
-        return say(message, "use only one of --check, --expect, --summary, --matrix and --list", "",
-                   "");
-    if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || o->report ||
-                  o->plot || o->plot_script || o->format == &paper_format))
-        return say(message, "--at chooses rows of a table, csv, json or --expect", "", "");
-    if (o->answers && o->n_decks > 1)
-        return say(message,
-                   "--answers takes one deck; for a deck of each student give --check=FOLDER", "",
-                   "");
-    if (o->answers && (o->plot || o->plot_script || o->report))
-        return say(message, "--answers prints scores: it takes no picture and no report", "", "");
+    why = find_conflict(o);
+    if (why)
+        return say(message, why, "", "");
     if (o->answers)
         o->check_file = o->answers;
-    if (o->content == SHEET_EXPECT && o->n_decks > 1)
-        return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
         o->format = &table_format;
     if (!(o->format->writes & 1 << o->content)) {
-        char names[FORMATS_NAMES];
-
         flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
                     formats_of(o->content, ", ", " or ", names));
         return 0;
     }
-    if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||
-                    o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
-        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
-    if (o->n_statistics && o->parts)
-        return say(message, "--statistics needs all designs, not a --part", "", "");
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
-    if (!check_designs(o, message))
-        return 0;
-    return check_plot(o, message);
+    why = find_further_conflict(o);
+    return why ? say(message, why, "", "") : complete_plot(o, message);
 }
 
 int options_want_table(const options *o)
 {
-    int comes_alone = o->plot || o->plot_script || o->report;
-
-    return !comes_alone || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+    return !has_picture(o) || o->asks_for_table || o->content != SHEET_ROWS || o->statistics ||
            o->parts;
 }
 

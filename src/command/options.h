@@ -25,12 +25,13 @@ typedef struct options {
     const char *units;      /* of results; null: those of the deck */
     const char *best;       /* the name that --best asks for; null: it was not given */
     int best_is_largest;
-    int n_statistics;          /* how often --statistics was given */
+    int statistics;            /* 1: --statistics was given */
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     unsigned long design;      /* --design=N, from 1; 0: not given */
     int all_designs;           /* 1: --design=all */
     const char *names;         /* the list of names for its files; null: numbers */
     int is_again;              /* 1: the notes on this deck have been told */
+    const char *variant;       /* the file of the one design of all that is computed; null: none */
     int print_deck;            /* 1: print the deck instead of rows */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */

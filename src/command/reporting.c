@@ -7,7 +7,7 @@
 #include "command.h"
 #include "output.h"
 #include "report/report.h"
-#include "reporting.h"
+#include "writers.h"
 
 int reporting_write(const input *in)
 {
@@ -39,10 +39,10 @@ int reporting_write(const input *in)
     status = output_end(&file, path, 1);
     if (status)
         return status;
-    if (outcome.gnuplot)
-        fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
+    if (outcome.gnuplot[0])
+        command_say("fourlink: ", path, " has no pictures: ", outcome.gnuplot, (char *)NULL);
     if (outcome.has_failed)
-        fprintf(stderr, "fourlink: %s: rows could not be computed, or expected values differ\n",
-                path);
+        command_say("fourlink: ", path, ": rows could not be computed, or expected values differ",
+                    (char *)NULL);
     return outcome.has_failed ? EXIT_ROWS : 0;
 }

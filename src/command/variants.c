@@ -13,7 +13,6 @@
 #include "files.h"
 #include "variants.h"
 
-#define MOST_DIGITS 10   /* of the number of a design */
 #define LONGEST_NAME 200 /* bytes */
 
 /* Print a mistake in the list of names; returns the exit status. */
@@ -106,20 +105,14 @@ void variants_close(variants *v)
 char *variants_path(const variants *v, const char *folder, const input *deck, unsigned long i,
                     const char *ending)
 {
-    const char *name = strcmp(deck->name, "<stdin>") == 0 ? "deck" : files_name(deck->name);
-    size_t length = strlen(name);
-    char *path = malloc(strlen(folder) + length + LONGEST_NAME + 40);
-    char number[MOST_DIGITS + 20], *start = number + MOST_DIGITS - 1;
     unsigned long n = deck->problem.n_designs;
+    char end[100];
+    int digits = 1;
 
+    if (v->names)
+        return files_within(folder, flk_text_of(v->names[i]), ending);
     for (; n > 9; n /= 10)
-        start--;
-    sprintf(number, "%0*lu", MOST_DIGITS, i + 1);
-    if (flk_text_ends_in(flk_text_of(name), ".deck"))
-        length -= 5;
-    if (path && v->names)
-        sprintf(path, "%s%s%s", folder, v->names[i], ending);
-    else if (path)
-        sprintf(path, "%s%.*s-%s%s", folder, (int)length, name, start, ending);
-    return path;
+        digits++;
+    sprintf(end, "-%0*lu%s", digits, i + 1, ending);
+    return files_within(folder, files_stem(deck->name), end);
 }

@@ -8,40 +8,54 @@
 #include <string.h>
 
 #include "base/system.h"
+#include "base/text.h"
 #include "gnuplot.h"
 #include "svg.h"
 
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
-static void show(FILE *complaints)
+/* The first line of gnuplot's messages that names a line of the script, or else their first line. */
+static void find_complaint(FILE *complaints, char words[GNUPLOT_REASON])
 {
-    int c;
+    char one[GNUPLOT_REASON / 2];
+    text t;
 
+    words[0] = '\0';
     rewind(complaints);
-    while ((c = getc(complaints)) != EOF)
-        putc(c, stderr);
+    while (fgets(one, sizeof one, complaints)) {
+        one[strcspn(one, "\n")] = '\0';
+        t = flk_text_trim(flk_text_of(one));
+        if (t.length && (!words[0] || strstr(one, "line ")))
+            flk_text_copy(t, words, GNUPLOT_REASON);
+        if (strstr(one, "line "))
+            return;
+    }
 }
 
 /* Null, or the reason why there is no picture. */
-static const char *reason_of(const system_outcome *o, FILE *complaints)
+static const char *reason_of(const system_outcome *o, FILE *complaints, char why[GNUPLOT_REASON])
 {
+    char words[GNUPLOT_REASON];
+
     if (!o->is_found)
         return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or gnuplot; "
                "--plot-script writes its script";
-    if (o->status != 0)
-        show(complaints);
-    else if (o->copied > 0)
+    if (o->status == 0 && o->copied > 0)
         return NULL;
-    return "gnuplot failed";
+    find_complaint(complaints, words);
+    return flk_text_join(why, GNUPLOT_REASON, "gnuplot failed", words[0] ? ": " : "", words,
+                         (char *)NULL);
 }
 
-static const char *draw(FILE *script, FILE *out, FILE *complaints)
+static const char *draw(FILE *script, FILE *out, FILE *complaints, char why[GNUPLOT_REASON])
 {
     static const char *const gnuplot[] = {"gnuplot", "--default-settings", "-", NULL};
     system_outcome outcome;
 
-    return system_run(gnuplot, script, out, complaints, &outcome) ? reason_of(&outcome, complaints)
-                                                                  : strerror(errno);
+    system_forget("GNUTERM"); /* the script sets the terminal */
+    return system_run(gnuplot, script, out, complaints, &outcome)
+               ? reason_of(&outcome, complaints, why)
+               : strerror(errno);
 }
 
 /* Copy an SVG, with this caption; null, or the reason why not. */
@@ -60,10 +74,11 @@ static const char *copy_svg(FILE *svg, FILE *out, const plot_caption *caption)
     return ferror(svg) || ferror(out) ? strerror(errno) : NULL;
 }
 
-static const char *draw_svg(FILE *script, FILE *out, const plot_caption *caption, FILE *complaints)
+static const char *draw_svg(FILE *script, FILE *out, const plot_caption *caption, FILE *complaints,
+                            char reason[GNUPLOT_REASON])
 {
     FILE *svg = system_scratch();
-    const char *why = svg ? draw(script, svg, complaints) : strerror(errno);
+    const char *why = svg ? draw(script, svg, complaints, reason) : strerror(errno);
 
     if (!why)
         why = copy_svg(svg, out, caption);
@@ -72,12 +87,13 @@ static const char *draw_svg(FILE *script, FILE *out, const plot_caption *caption
     return why;
 }
 
-const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption)
+const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
+                        char reason[GNUPLOT_REASON])
 {
     FILE *complaints = system_scratch();
     const char *why = !complaints ? strerror(errno)
-                      : caption   ? draw_svg(script, out, caption, complaints)
-                                  : draw(script, out, complaints);
+                      : caption   ? draw_svg(script, out, caption, complaints, reason)
+                                  : draw(script, out, complaints, reason);
 
     if (complaints)
         fclose(complaints);

@@ -161,7 +161,7 @@ static double rounding_of(const picture *p, fourlink_branch branch, int y)
         size = view_value(&p->v, QUANTITY_ACCELERATION, omega * omega * length);
     else
         return 0;
-    return 1e-12 * fabs(size);
+    return FORMAT_ROUNDING * fabs(size);
 }
 
 /* A full turn of an angle that is followed, in its unit; 0 for another column. */

@@ -88,12 +88,12 @@ static void construct_moments(const picture *p, const fourlink_state *state,
     k->Z = foot(k->G, k->Y, gO);
 }
 
-/* Note a length of the drawing; rounding, compared with the rod's length, is 0. */
+/* Note a length of the drawing; rounding error, compared with the rod's length, is 0. */
 static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
-    int is_rounding = fabs(length) < 1e-12 * p->v.design->link[FOURLINK_COUPLER].length;
+    double rod = p->v.design->link[FOURLINK_COUPLER].length;
 
-    figure_note(s, p, name, is_rounding ? 0 : length, QUANTITY_LENGTH);
+    figure_note(s, p, name, format_settled(length, rod), QUANTITY_LENGTH);
 }
 
 /* An angle, less whole turns: from -pi to pi. */
@@ -197,12 +197,14 @@ static void put_readings(sketch *s, const picture *p, const fourlink_state *stat
     double omega = state->link[FOURLINK_CRANK].omega, square = omega * omega;
     double rod = p->v.design->link[FOURLINK_COUPLER].length;
 
-    figure_note(s, p, "v = " OMEGA SUB_2 " OM", omega * lengths->OM, QUANTITY_SPEED);
-    figure_note(s, p, OMEGA SUB_3 " = " OMEGA SUB_2 " BM / BC", omega * lengths->BM / rod,
-                QUANTITY_ANGULAR_SPEED);
-    figure_note(s, p, "a = " OMEGA SUB_2 SQUARE " ON", square * lengths->ON, QUANTITY_ACCELERATION);
-    figure_note(s, p, ALPHA SUB_3 " = " OMEGA SUB_2 SQUARE " QN / BC", square * lengths->QN / rod,
-                QUANTITY_ANGULAR_ACCELERATION);
+    figure_note(s, p, "v = " OMEGA SUB_2 " OM", omega * format_settled(lengths->OM, rod),
+                QUANTITY_SPEED);
+    figure_note(s, p, OMEGA SUB_3 " = " OMEGA SUB_2 " BM / BC",
+                omega * format_settled(lengths->BM / rod, 1), QUANTITY_ANGULAR_SPEED);
+    figure_note(s, p, "a = " OMEGA SUB_2 SQUARE " ON", square * format_settled(lengths->ON, rod),
+                QUANTITY_ACCELERATION);
+    figure_note(s, p, ALPHA SUB_3 " = " OMEGA SUB_2 SQUARE " QN / BC",
+                square * format_settled(lengths->QN / rod, 1), QUANTITY_ANGULAR_ACCELERATION);
     if (state->link[FOURLINK_CRANK].alpha != 0)
         sketch_note(s, "a and " ALPHA SUB_3 " for " ALPHA SUB_2 " = 0");
     sketch_note(s, "v and a are positive away");

@@ -31,15 +31,14 @@ static const struct plot_info {
 /* Free bodies with friction circles or springs are so many times larger. */
 #define CROWDED 1.3
 
+const char *const plot_endings[] = {".svg", ".png", ".pdf", ".txt", ".gif", NULL};
+
 /* By plot_file, with width and height. */
-static const struct {
-    const char *ending, *terminal;
-} file_table[] = {
-    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
-    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
-    {".txt", "dumb nofeed size %d,%d noenhanced"},
-    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
+static const char *const terminals[] = {
+    "svg size %d,%d font 'sans,14' noenhanced background 'white'",
+    "pngcairo size %d,%d font 'sans,11' noenhanced",
+    "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced",
+    "dumb nofeed size %d,%d noenhanced", "gif %s size %d,%d font 'sans,11' noenhanced"};
 
 plot_file plot_file_of(const char *name)
 {
@@ -49,7 +48,7 @@ plot_file plot_file_of(const char *name)
     if (strcmp(name, "-") == 0)
         return PLOT_TXT;
     for (i = 0; i < PLOT_FILE_COUNT; i++)
-        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), file_table[i].ending))
+        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), plot_endings[i]))
             break;
     return (plot_file)i;
 }
@@ -100,7 +99,7 @@ static void lay_out(picture *p, FILE *out)
 
 static void put_terminal(const canvas *c, const plot_request *request)
 {
-    const char *terminal = file_table[request->file].terminal;
+    const char *terminal = terminals[request->file];
     int width = (int)c->width, height = (int)c->height;
 
     fputs("set terminal ", c->out);

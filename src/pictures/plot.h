@@ -10,6 +10,9 @@
 /* By plot_kind, with a null pointer at the end: its name, and what it shows. */
 extern const char *const plot_names[], *const plot_shows[];
 
+/* By plot_file, with a null pointer at the end: how the name of a file ends. */
+extern const char *const plot_endings[];
+
 /* PLOT_FILE_COUNT for another name. */
 plot_file plot_file_of(const char *name);
 

@@ -217,7 +217,7 @@ static void put_coefficients(const diagram *d)
     for (i = 0; i < 2; i++) {
         value = i ? d->t.fluctuation : d->t.energy_coefficient;
         if (i ? value <= 0 : !d->t.has_coefficient)
-            flk_text_join(words, sizeof words, names[i], i ? ": no flywheel" : ": mean 0",
+            flk_text_join(words, sizeof words, names[i], i ? ": no flywheel" : ": none, mean is 0",
                           (char *)NULL);
         else
             flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),

@@ -18,9 +18,6 @@
 /* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
 
-/* The couple of a guide is rounding if it is this fraction of the largest force times the crank's length. */
-#define ROUNDING 1e-12
-
 #define NO_FORCES "all forces are zero"
 
 static const fourlink_vector zero = {0, 0};
@@ -91,7 +88,7 @@ static void draw_sides(polygon *g)
         fourlink_vector to = end_of(x);
         double dx = to.x - x->at.x, dy = to.y - x->at.y, length = gsl_hypot(dx, dy), nx, ny, out;
 
-        if (length <= 1e-12 * g->s.size)
+        if (format_settled(length, g->s.size) == 0)
             continue; /* rounding */
         figure_note(&g->s, g->p, x->name, view_si(&g->p->v, g->q, length), g->q);
         if (length < SHORTEST * g->s.size) {
@@ -290,16 +287,15 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 /* Draw the torques of the pins, but for rounding, and of inertia. */
 static void put_torques(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    double rounding =
-        ROUNDING * arrow_largest(&b->forces) * p->v.design->link[FOURLINK_CRANK].length;
+    double size = arrow_largest(&b->forces) * p->v.design->link[FOURLINK_CRANK].length;
     char words[80];
     int i;
 
     for (i = 0; i < r->drawn.n_torques; i++) {
         const scene_force *f = &r->drawn.torques[i];
-        double value = f->sign * tracks_vector(&r->numbers, f->of).x;
+        double value = format_settled(f->sign * tracks_vector(&r->numbers, f->of).x, size);
 
-        if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || fabs(value) > rounding))
+        if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
             arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
                               scene_words(f, words, sizeof words), figure_track(p, r, f->at),
                               value);

@@ -38,7 +38,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
         miss(r, strerror(errno));
     } else if ((is_written = plot_write(script, r->source, &request, &caption, &mistake)) > 0) {
         errno = 0;
-        why = gnuplot_run(script, drawing, &caption);
+        why = gnuplot_run(script, drawing, &caption, r->reason);
         is_drawn = !why;
         if (why)
             miss(r, why);

@@ -129,6 +129,22 @@ void math_set_angle(math *m, const char *name, double value)
     set(m, name, value, 1);
 }
 
+void math_size(math *m, const char *unit, double size)
+{
+    m->units[m->n_units].name = unit;
+    m->units[m->n_units++].size = size;
+}
+
+double math_settled(const math *m, double value, const char *unit)
+{
+    int i;
+
+    for (i = 0; i < m->n_units; i++)
+        if (strcmp(m->units[i].name, unit) == 0)
+            return format_settled(value, m->units[i].size);
+    return value;
+}
+
 /* ------------------------------------------------------------------------------ equations */
 
 /* An equation on its way to the page. */
@@ -292,7 +308,7 @@ static void let(math *m, const char *name, const char *equation, double value, i
 
 void math_let(math *m, const char *name, const char *equation, double value, const char *unit)
 {
-    let(m, name, equation, value, 0, unit);
+    let(m, name, equation, math_settled(m, value, unit), 0, unit);
 }
 
 void math_let_angle(math *m, const char *name, const char *equation, double value)
@@ -327,6 +343,7 @@ void math_given(math *m, const char *name, const char *unit)
 {
     int i = find(m, flk_text_of(name));
 
+    m->symbol[i].value = math_settled(m, m->symbol[i].value, unit);
     page_print(m->p, "<li><math xmlns=\"" NAMESPACE "\"><mrow>");
     math_symbol(m->p, name);
     put_value(m, m->symbol[i].value, m->symbol[i].is_angle, unit);

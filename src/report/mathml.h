@@ -18,6 +18,7 @@
 #include "page.h"
 
 #define MATH_SYMBOLS 64
+#define MATH_UNITS 8
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
 
 /* Set it to zero, then set `p`. */
@@ -29,7 +30,18 @@ typedef struct math {
         double value;
         int is_angle; /* 1: the value is in radians, and written in degrees */
     } symbol[MATH_SYMBOLS];
+    int n_units;
+    struct {
+        const char *name;
+        double size;
+    } units[MATH_UNITS];
 } math;
+
+/* Say how large values in a unit are: beside them rounding error is 0 from then on. */
+void math_size(math *m, const char *unit, double size);
+
+/* A value in a unit; 0 if it is rounding error. */
+double math_settled(const math *m, double value, const char *unit);
 
 /* Give a symbol its value. */
 void math_set(math *m, const char *name, double value);

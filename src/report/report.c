@@ -151,7 +151,8 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
         put_page(&r);
     if (r.out_of_memory)
         opened = -1;
-    outcome->gnuplot = r.gnuplot;
+    flk_text_join(outcome->gnuplot, sizeof outcome->gnuplot, r.gnuplot ? r.gnuplot : "",
+                  (char *)NULL);
     outcome->has_failed = r.failed > 0;
     fourlink_results_free(r.drawn);
     free(r.loads);

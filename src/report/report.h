@@ -9,6 +9,7 @@
 
 #include "base/format.h"
 #include "page.h"
+#include "pictures/gnuplot.h"
 #include "view/view.h"
 
 /* What the caller knows beside the deck. */
@@ -31,7 +32,8 @@ typedef struct report {
     view v;                   /* its results are null if the deck has mistakes */
     fourlink_load *row_loads; /* room for the loads of a row */
     int out_of_memory;
-    const char *gnuplot;  /* null; or the reason why there are no pictures */
+    const char *gnuplot; /* null; or the reason why there are no pictures */
+    char reason[GNUPLOT_REASON];
     unsigned long failed; /* rows that could not be computed, values that differ */
 
     /* the sample calculation */
@@ -44,8 +46,8 @@ typedef struct report {
 
 /* What became of a report that was written. */
 typedef struct report_outcome {
-    const char *gnuplot; /* the reason why there are no pictures, or null */
-    int has_failed;      /* 1: rows could not be computed, or expected values differ */
+    char gnuplot[GNUPLOT_REASON]; /* the reason why there are no pictures, or empty */
+    int has_failed;               /* 1: rows could not be computed, or expected values differ */
 } report_outcome;
 
 /* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the

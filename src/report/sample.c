@@ -2,9 +2,32 @@
 **
 ** sample.c - the sample calculation of a report, as a textbook writes it.
 */
+#include <math.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "sample.h"
+
+/* The sizes of values: what the crank alone would have, and the largest pin force. */
+static void set_sizes(const report *r, math *m)
+{
+    const fourlink_crank *crank = &r->now.row.crank;
+    double a = r->v.design->link[FOURLINK_CRANK].length, omega = fabs(crank->omega2), force = 0;
+    double alpha = GSL_MAX_DBL(omega * omega, fabs(crank->alpha2)), x[9];
+    int i;
+
+    fourlink_unknowns(r->v.mechanism, &r->now.forces, x);
+    for (i = 0; i < 8; i++)
+        force = GSL_MAX_DBL(force, fabs(x[i]));
+    math_size(m, SAMPLE_M, a);
+    math_size(m, SAMPLE_RAD_S, omega);
+    math_size(m, SAMPLE_RAD_S2, alpha);
+    math_size(m, SAMPLE_M_S, omega * a);
+    math_size(m, SAMPLE_M_S2, alpha * a);
+    math_size(m, SAMPLE_N, r->v.problem.has_forces ? force : 0);
+    math_size(m, SAMPLE_NM, r->v.problem.has_forces ? force * a : 0);
+}
 
 void report_put_sample(report *r)
 {
@@ -19,6 +42,7 @@ void report_put_sample(report *r)
     }
     memset(&m, 0, sizeof m);
     m.p = p;
+    set_sizes(r, &m);
     page_print(p,
                "<p>At \316\270\342\202\202 = %s, %s branch, in SI units; angles and torques are "
                "positive counter-clockwise.  Numbers are computed with 16 digits and printed with "

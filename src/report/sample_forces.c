@@ -118,8 +118,8 @@ static void put_centre(report *r, math *m, const body *b, int link)
     math_set(m, names[link][0], b->rho.x);
     math_set(m, names[link][1], b->rho.y);
     page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->v.kind.link[link]);
-    math_given(m, names[link][0], "m");
-    math_given(m, names[link][1], "m");
+    math_given(m, names[link][0], SAMPLE_M);
+    math_given(m, names[link][1], SAMPLE_M);
     page_print(m->p, "</ul>\n");
     math_let(m, names[link][2], of_centre[link][0], b->a.x, SAMPLE_M_S2);
     math_let(m, names[link][3], of_centre[link][1], b->a.y, SAMPLE_M_S2);
@@ -148,8 +148,8 @@ static void put_centres(report *r, math *m, const body bodies[5])
 
     page_print(m->p, "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector "
                      "from a link's pin (A, B, D) to its centre of mass G.</p>\n");
-    math_set(m, "omega4", r->now.state.link[4].omega);
-    math_set(m, "alpha4", r->now.state.link[4].alpha);
+    math_set(m, "omega4", math_settled(m, r->now.state.link[4].omega, SAMPLE_RAD_S));
+    math_set(m, "alpha4", math_settled(m, r->now.state.link[4].alpha, SAMPLE_RAD_S2));
     for (link = 2; link <= 4; link++) {
         if (!(bodies[link].data->mass > 0))
             continue;
@@ -164,27 +164,27 @@ static void put_centres(report *r, math *m, const body bodies[5])
 
 /* ------------------------------------------------------------------------------ nine equations */
 
-static void put_cell(page *p, double value)
+static void put_cell(math *m, double value, const char *of)
 {
-    page_print(p, "<td>%.6g</td>", value);
+    page_print(m->p, "<td>%.6g</td>", math_settled(m, value, of));
 }
 
 /* Write an equation's right-hand side and its parts: inertia, weight, loads. */
-static void put_side(page *p, const char *link, const char *what, double inertia, double weight,
-                     double load, double b)
+static void put_side(math *m, const char *link, const char *what, double inertia, double weight,
+                     double load, double b, const char *of)
 {
-    page_print(p, "<tr><th scope=\"row\">%s, %s</th>", link, what);
-    put_cell(p, inertia);
-    put_cell(p, -weight);
-    put_cell(p, -load);
-    put_cell(p, b);
-    page_print(p, "</tr>\n");
+    page_print(m->p, "<tr><th scope=\"row\">%s, %s</th>", link, what);
+    put_cell(m, inertia, of);
+    put_cell(m, -weight, of);
+    put_cell(m, -load, of);
+    put_cell(m, b, of);
+    page_print(m->p, "</tr>\n");
 }
 
-static void put_sides(report *r, const body bodies[5], const double b[9])
+static void put_sides(report *r, math *m, const body bodies[5], const double b[9])
 {
     const fourlink_vector *g = &r->v.design->gravity;
-    page *p = &r->page;
+    page *p = m->p;
     int link;
 
     page_print(
@@ -200,27 +200,28 @@ static void put_sides(report *r, const body bodies[5], const double b[9])
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
         const char *name = r->v.kind.link[link];
-        double m = x->data->mass;
+        double mass = x->data->mass;
         const double *side = b + 3 * (link - 2);
 
-        put_side(p, name, "x", m * x->a.x, m * g->x, x->force.x, side[0]);
-        put_side(p, name, "y", m * x->a.y, m * g->y, x->force.y, side[1]);
-        put_side(p, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2]);
+        put_side(m, name, "x", mass * x->a.x, mass * g->x, x->force.x, side[0], SAMPLE_N);
+        put_side(m, name, "y", mass * x->a.y, mass * g->y, x->force.y, side[1], SAMPLE_N);
+        put_side(m, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2],
+                 SAMPLE_NM);
     }
     page_print(p, "</tbody>\n</table></div>\n");
 }
 
-static void put_entry(page *p, double value)
+static void put_entry(math *m, double value, const char *of)
 {
-    page_print(p, "<mtd>");
-    math_number(p, value);
-    page_print(p, "</mtd>");
+    page_print(m->p, "<mtd>");
+    math_number(m->p, math_settled(m, value, of));
+    page_print(m->p, "</mtd>");
 }
 
 /* A x = b as one table, so that rows stand side by side; the style puts the brackets. */
-static void put_matrix(report *r, double A[9][9], const double b[9])
+static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
 {
-    page *p = &r->page;
+    page *p = m->p;
     int i, j;
 
     page_print(p, "<div class=\"equation wide\">\n");
@@ -229,11 +230,11 @@ static void put_matrix(report *r, double A[9][9], const double b[9])
     for (i = 0; i < 9; i++) {
         page_print(p, "<mtr>");
         for (j = 0; j < 9; j++)
-            put_entry(p, A[i][j]);
+            put_entry(m, A[i][j], SAMPLE_M);
         page_print(p, "<mtd>");
         math_symbol(p, fourlink_unknown_text((int)r->v.design->kind, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
-        put_entry(p, b[i]);
+        put_entry(m, b[i], i % 3 == 2 ? SAMPLE_NM : SAMPLE_N);
         page_print(p, "</mtr>\n");
     }
     page_print(p, "</mtable>");
@@ -244,7 +245,7 @@ static void put_matrix(report *r, double A[9][9], const double b[9])
 /* Torques and couples have N m. */
 static const char *unit_of(const char *unknown)
 {
-    return unknown[0] == 'M' || unknown[0] == 'T' ? SAMPLE_NM : "N";
+    return unknown[0] == 'M' || unknown[0] == 'T' ? SAMPLE_NM : SAMPLE_N;
 }
 
 static void put_solution(report *r, math *m)
@@ -261,28 +262,28 @@ static void put_solution(report *r, math *m)
         math_given(m, name, unit_of(name));
     }
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
-    math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), "N");
-    math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), "N");
+    math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), SAMPLE_N);
+    math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), SAMPLE_N);
     if (!r->v.kind.has_slot)
-        math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), "N");
+        math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), SAMPLE_N);
     if (!r->v.kind.has_stroke)
-        math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), "N");
+        math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), SAMPLE_N);
 }
 
 /* ------------------------------------------------------------------------------ virtual work */
 
 /* Write the terms of a link, or their sum, and add them up. */
-static void put_works(page *p, const char *name, const double work[3], double sum[3])
+static void put_works(math *m, const char *name, const double work[3], double sum[3])
 {
     int i;
 
-    page_print(p, "<tr><th scope=\"row\">%s</th>", name);
+    page_print(m->p, "<tr><th scope=\"row\">%s</th>", name);
     for (i = 0; i < 3; i++) {
-        put_cell(p, work[i]);
+        put_cell(m, work[i], SAMPLE_NM);
         if (sum)
             sum[i] += work[i];
     }
-    page_print(p, "</tr>\n");
+    page_print(m->p, "</tr>\n");
 }
 
 /* Virtual work: with the velocities of a unit crank speed,
@@ -309,13 +310,13 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
         work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
         work[1] = -b->data->mass * dot(r->v.design->gravity, b->v);
         work[2] = -b->work;
-        put_works(p, r->v.kind.link[link], work, sum);
+        put_works(m, r->v.kind.link[link], work, sum);
     }
-    put_works(p, "sum", sum, NULL);
+    put_works(m, "sum", sum, NULL);
     page_print(p, "</tbody>\n</table></div>\n");
-    math_set(m, "Tinertia", sum[0]);
-    math_set(m, "Tweight", sum[1]);
-    math_set(m, "Tloads", sum[2]);
+    math_set(m, "Tinertia", math_settled(m, sum[0], SAMPLE_NM));
+    math_set(m, "Tweight", math_settled(m, sum[1], SAMPLE_NM));
+    math_set(m, "Tloads", math_settled(m, sum[2], SAMPLE_NM));
     math_let(m, "Ts", "Tinertia + Tweight + Tloads", r->now.forces.Ts_work, SAMPLE_NM);
     page_print(p,
                "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
@@ -334,8 +335,8 @@ void sample_put_forces(report *r, math *m)
     add_loads(r, bodies);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
     put_centres(r, m, bodies);
-    put_sides(r, bodies, b);
-    put_matrix(r, A, b);
+    put_sides(r, m, bodies, b);
+    put_matrix(r, m, A, b);
     put_solution(r, m);
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);

@@ -75,9 +75,9 @@ static void put_four_bar_position(report *r, math *m)
     double beta3 = fabs(principal(theta3 - psi)), beta4 = fabs(principal(psi + M_PI - theta4));
 
     put_words(m, "Pin B, then the diagonal BD of the loop, its length f and its angle \317\210:");
-    math_let(m, "xB", "a * cos theta2", B->x, "m");
-    math_let(m, "yB", "a * sin theta2", B->y, "m");
-    math_let(m, "f", "[ ( d - xB )^2 + yB ^2 ]", f, "m");
+    math_let(m, "xB", "a * cos theta2", B->x, SAMPLE_M);
+    math_let(m, "yB", "a * sin theta2", B->y, SAMPLE_M);
+    math_let(m, "f", "[ ( d - xB )^2 + yB ^2 ]", f, SAMPLE_M);
     math_let_angle(m, "psi", "atan2 ( - yB , d - xB )", psi);
     put_words(m, side > 0 ? "The triangle BCD by the law of cosines; C lies to the left of BD:"
                           : "The triangle BCD by the law of cosines; C lies to the right of BD:");
@@ -89,7 +89,7 @@ static void put_four_bar_position(report *r, math *m)
     put_words(m, "The loop A, B, C, D closes along x and along y:");
     math_zero(m, "a * cos theta2 + b * cos theta3 - c * cos theta4 - d",
               a * cos(r->now.row.crank.theta2) + b * cos(theta3) - c * cos(theta4) - d,
-              a + b + c + d, "m");
+              a + b + c + d, SAMPLE_M);
     math_zero(m, "a * sin theta2 + b * sin theta3 - c * sin theta4",
               a * sin(r->now.row.crank.theta2) + b * sin(theta3) - c * sin(theta4), a + b + c + d,
               "m");
@@ -101,10 +101,10 @@ static void put_four_bar(report *r, math *m)
     const fourlink_link_state *link = r->now.state.link;
 
     page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "a", r->v.design->link[2].length, "m");
-    give(m, "b", r->v.design->link[3].length, "m");
-    give(m, "c", r->v.design->link[4].length, "m");
-    give(m, "d", r->v.design->link[1].length, "m");
+    give(m, "a", r->v.design->link[2].length, SAMPLE_M);
+    give(m, "b", r->v.design->link[3].length, SAMPLE_M);
+    give(m, "c", r->v.design->link[4].length, SAMPLE_M);
+    give(m, "d", r->v.design->link[1].length, SAMPLE_M);
     give_crank(r, m);
     page_print(m->p, "</ul>\n");
     put_heading(m, "Position");
@@ -147,10 +147,10 @@ static void put_slider_crank_position(report *r, math *m)
     else
         let_turned(m, "theta3", "180deg - asin { <e e > - r * sin theta2 | l }", M_PI - phi,
                    theta3);
-    math_let(m, "xC", "r * cos theta2 + l * cos theta3", now->link[4].origin.x, "m");
+    math_let(m, "xC", "r * cos theta2 + l * cos theta3", now->link[4].origin.x, SAMPLE_M);
     put_words(m, "The loop closes at right angles to the line of stroke:");
     math_zero(m, "r * sin theta2 + l * sin theta3 <e - e >", a * sin(theta2) + l * sin(theta3) - e,
-              a + l + fabs(e), "m");
+              a + l + fabs(e), SAMPLE_M);
 }
 
 /* DFA, eq. 1, and its derivatives; see slider_crank.c. */
@@ -159,9 +159,9 @@ static void put_slider_crank(report *r, math *m)
     const fourlink_link_state *link = r->now.state.link;
 
     page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "r", r->v.design->link[2].length, "m");
-    give(m, "l", r->v.design->link[3].length, "m");
-    give(m, "e", r->v.design->offset, "m");
+    give(m, "r", r->v.design->link[2].length, SAMPLE_M);
+    give(m, "l", r->v.design->link[3].length, SAMPLE_M);
+    give(m, "e", r->v.design->offset, SAMPLE_M);
     give_crank(r, m);
     page_print(m->p, "</ul>\n");
     put_heading(m, "Position");
@@ -188,7 +188,9 @@ static void put_slider_crank(report *r, math *m)
     page_print(m->p,
                "<p>In the tables the piston is counted from its inner dead centre: x = %.6g m, "
                "v = %.6g m/s, a = %.6g m/s\302\262.</p>\n",
-               r->now.state.x, r->now.state.v, r->now.state.a);
+               math_settled(m, r->now.state.x, SAMPLE_M),
+               math_settled(m, r->now.state.v, SAMPLE_M_S),
+               math_settled(m, r->now.state.a, SAMPLE_M_S2));
 }
 
 /* ------------------------------------------------------------------------------ inverted */
@@ -202,34 +204,34 @@ static void put_inverted_position(report *r, math *m)
     const fourlink_vector *B = &now->link[3].origin;
 
     put_words(m, "From D to pin B:");
-    math_let(m, "rx", "a * cos theta2 - d", B->x - d, "m");
-    math_let(m, "ry", "a * sin theta2", B->y, "m");
-    math_let(m, "f", "[ rx ^2 + ry ^2 ]", gsl_hypot(B->x - d, B->y), "m");
+    math_let(m, "rx", "a * cos theta2 - d", B->x - d, SAMPLE_M);
+    math_let(m, "ry", "a * sin theta2", B->y, SAMPLE_M);
+    math_let(m, "f", "[ rx ^2 + ry ^2 ]", gsl_hypot(B->x - d, B->y), SAMPLE_M);
     put_words(m, "s runs along the slide from the foot of the perpendicular from D, whose length "
                  "is h; \316\270\342\202\203 is the angle of the slide:");
-    math_let(m, "s", s > 0 ? "[ f ^2 - h ^2 ]" : "- [ f ^2 - h ^2 ]", s, "m");
+    math_let(m, "s", s > 0 ? "[ f ^2 - h ^2 ]" : "- [ f ^2 - h ^2 ]", s, SAMPLE_M);
     math_let_angle(m, "theta3", "atan2 ( s * ry <h - h * rx > , s * rx <h + h * ry > )", theta3);
     let_turned(m, "theta4", "theta3 <gamma - gamma >", theta3 - r->v.design->angle,
                now->link[4].theta);
     put_words(m, "The loop A, B, D closes along x and along y:");
     math_zero(m, "a * cos theta2 - d - s * cos theta3 <h + h * sin theta3 >",
-              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, "m");
+              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, SAMPLE_M);
     math_zero(m, "a * sin theta2 - s * sin theta3 <h - h * cos theta3 >",
-              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, "m");
+              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, SAMPLE_M);
 }
 
 static void give_slide(report *r, math *m)
 {
     double c = r->v.design->link[4].length, h = r->v.problem.mechanism.h;
 
-    give(m, "a", r->v.design->link[2].length, "m");
-    give(m, "d", r->v.design->link[1].length, "m");
+    give(m, "a", r->v.design->link[2].length, SAMPLE_M);
+    give(m, "d", r->v.design->link[1].length, SAMPLE_M);
     math_set_angle(m, "gamma", c > 0 ? r->v.design->angle : 0);
     if (c > 0) {
-        give(m, "c", c, "m");
+        give(m, "c", c, SAMPLE_M);
         math_given(m, "gamma", "");
     }
-    give(m, "h", h, "m");
+    give(m, "h", h, SAMPLE_M);
 }
 
 /* See inverted.c. */

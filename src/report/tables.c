@@ -171,7 +171,8 @@ static const sheet_format html_format = {
     1,                                                       /* is_brief */
     NULL,                                                    /* statistic */
     NULL,                                                    /* yield */
-    NULL                                                     /* mark */
+    NULL,                                                    /* mark */
+    NULL                                                     /* extremes */
 };
 
 /* ------------------------------------------------------------------------------ sections */

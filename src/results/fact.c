@@ -355,7 +355,7 @@ static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
     if (status != FOURLINK_OK)
         return status;
     f->value = found.value;
-    f->has_angle = gsl_finite(found.value);
+    f->has_angle = gsl_finite(found.value) && !(flk_column_flags(c) & FOURLINK_OF_ROUNDING);
     f->angle = found.angle;
     return FOURLINK_OK;
 }

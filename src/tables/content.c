@@ -10,8 +10,6 @@
 
 #include "base/message.h"
 #include "content.h"
-#include "expect.h"
-#include "matrix.h"
 #include "statistics.h"
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
@@ -98,65 +96,12 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
     s->format->row(s, &row);
 }
 
-static void write_words(sheet *s, const char *name, const char *meaning, int branch,
-                        const char *words)
+/* Write facts; one that is the same on both branches once, where the format is brief. */
+static void put_facts(sheet *s, const fourlink_value *facts, unsigned long n)
 {
-    fourlink_value f;
+    unsigned long i;
 
-    memset(&f, 0, sizeof f);
-    f.name = name;
-    f.unit = f.source = "";
-    f.quantity = "number";
-    f.meaning = meaning;
-    f.branch = branch;
-    f.words = words;
-    s->format->fact(s, &f);
-}
-
-/* The same in a summary, of a motion that is not given. */
-static void write_ends(sheet *s)
-{
-    int i, are_same, n = s->v.problem.mode != FOURLINK_MODE_GIVEN ? s->v.n_branches : 0;
-    char words[2][SHEET_STOP_SIZE];
-    const char *stops[2];
-    double angle;
-
-    for (i = 0; i < n; i++) {
-        stops[i] = sheet_stop(s, s->v.branches[i], words[i]);
-        s->failed +=
-            fourlink_results_end(s->v.results, s->v.branches[i], &angle) == FOURLINK_TOO_LONG;
-    }
-    are_same =
-        n == 2 && s->format->is_brief && stops[0] && stops[1] && strcmp(stops[0], stops[1]) == 0;
-    for (i = 0; i < (are_same ? 1 : n); i++)
-        if (stops[i])
-            write_words(s, "end", "why the machine goes no further",
-                        are_same ? 0 : (int)s->v.branches[i], stops[i]);
-}
-
-/* In a summary, why it has no extremes. */
-static void write_missing_extremes(sheet *s)
-{
-    view_extremes extremes;
-    int i;
-
-    for (i = 0; i < s->v.n_branches; i++)
-        if (view_find_extremes(&s->v, s->v.branches[i], &extremes) == FOURLINK_LONG_SEARCH) {
-            write_words(s, "extremes", "why there are none", (int)s->v.branches[i],
-                        fourlink_status_text(FOURLINK_LONG_SEARCH));
-            s->failed++;
-        }
-}
-
-static void write_facts(sheet *s, int branch, int groups)
-{
-    const fourlink_value *facts;
-    unsigned long n, i;
-
-    if (!s->format->fact)
-        return;
-    fourlink_results_facts(s->v.results, branch, groups, &facts, &n);
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < n && s->format->fact; i++) {
         fourlink_value f = facts[i];
 
         if (s->format->is_brief && sheet_is_on_both(&f, facts, n)) {
@@ -166,6 +111,90 @@ static void write_facts(sheet *s, int branch, int groups)
         }
         s->format->fact(s, &f);
     }
+}
+
+static void write_facts(sheet *s, int groups)
+{
+    const fourlink_value *facts;
+    unsigned long n;
+
+    fourlink_results_facts(s->v.results, 0, groups, &facts, &n);
+    put_facts(s, facts, n);
+}
+
+static void set_words(fourlink_value *f, const char *name, const char *meaning,
+                      fourlink_branch branch, const char *words)
+{
+    memset(f, 0, sizeof *f);
+    f->name = name;
+    f->unit = f->source = "";
+    f->quantity = "number";
+    f->meaning = meaning;
+    f->branch = (int)branch;
+    f->words = words;
+}
+
+/* In a summary, why it has no extremes, and why a motion that is not given goes no further. */
+static void write_reasons(sheet *s)
+{
+    fourlink_value missing[2], ends[2];
+    unsigned long n_missing = 0, n_ends = 0;
+    char words[2][SHEET_STOP_SIZE];
+    view_extremes extremes;
+    const char *stop;
+    double angle;
+    int i;
+
+    for (i = 0; i < s->v.n_branches; i++) {
+        fourlink_branch branch = s->v.branches[i];
+
+        if (view_find_extremes(&s->v, branch, &extremes) == FOURLINK_LONG_SEARCH)
+            set_words(&missing[n_missing++], "extremes", "why there are none", branch,
+                      fourlink_status_text(FOURLINK_LONG_SEARCH));
+        if (s->v.problem.mode == FOURLINK_MODE_GIVEN)
+            continue;
+        stop = sheet_stop(s, branch, words[i]);
+        s->failed += fourlink_results_end(s->v.results, branch, &angle) == FOURLINK_TOO_LONG;
+        if (stop)
+            set_words(&ends[n_ends++], "end", "why the machine goes no further", branch, stop);
+    }
+    s->failed += n_missing;
+    put_facts(s, missing, n_missing);
+    put_facts(s, ends, n_ends);
+}
+
+static const fourlink_value *find_extreme(const fourlink_value *facts, unsigned long n, int branch,
+                                          int handle)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (facts[i].handle == handle && facts[i].branch == branch)
+            return &facts[i];
+    return NULL;
+}
+
+/* Write the extremes of each column together, once if they are the same on both branches. */
+static void write_extremes(sheet *s)
+{
+    const fourlink_value *facts, *c, *least, *most;
+    unsigned long n, j;
+    int i, are_same;
+
+    fourlink_results_facts(s->v.results, 0, FOURLINK_FACTS_EXTREMES, &facts, &n);
+    for (i = 0; i < s->v.n_branches; i++)
+        for (j = 0; j < s->v.n_columns; j++) {
+            int branch = (int)s->v.branches[i];
+
+            c = &s->v.columns[j];
+            least = find_extreme(facts, n, branch, c->handle + FOURLINK_MIN);
+            most = find_extreme(facts, n, branch, c->handle + FOURLINK_MAX);
+            if (!least || !most)
+                continue;
+            are_same = sheet_is_on_both(least, facts, n) && sheet_is_on_both(most, facts, n);
+            if (i == 0 || !are_same)
+                s->format->extremes(s, c, least, most, are_same ? 0 : branch);
+        }
 }
 
 /* Write all rows of the motion on a branch, and why it ends before. */
@@ -217,7 +246,7 @@ static void write_rows(sheet *s)
 {
     int i;
 
-    write_facts(s, 0, FOURLINK_FACTS_LIMITS);
+    write_facts(s, FOURLINK_FACTS_LIMITS);
     if (s->format->is_by_angle)
         write_by_angle(s);
     for (i = 0; i < s->v.n_branches && !s->format->is_by_angle; i++)
@@ -251,6 +280,10 @@ static void write_checks(sheet *s)
     write_checks_that_are(s, 0, !s->wrong_first);
     if (s->wrong_first)
         write_checks_that_are(s, 1, 0);
+    if (s->mark) {
+        s->right = s->mark->right;
+        s->of = s->mark->of;
+    }
 }
 
 /* List all names, each once. */
@@ -333,11 +366,11 @@ static void write_content(sheet *s)
         s->format->open(s);
     switch (s->content) {
     case SHEET_SUMMARY:
-        write_facts(s, 0,
-                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
-                        FOURLINK_FACTS_MOTION);
-        write_missing_extremes(s);
-        write_ends(s);
+        write_facts(s, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION |
+                           (s->format->extremes ? 0 : FOURLINK_FACTS_EXTREMES));
+        write_reasons(s);
+        if (s->format->extremes)
+            write_extremes(s);
         break;
     case SHEET_CHECK:
         write_checks(s);

@@ -22,4 +22,9 @@ void content_write_mark(sheet *s, const sheet_mark *mark);
 void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
                           unsigned long i, const double *varied, const char *why);
 
+/* Contents with files of their own: the nine equations for each row; the deck's values as [expect] sections,
+** for each row, or for the crank angles of s->at. */
+void matrix_write(sheet *s);
+void expect_write(sheet *s);
+
 #endif

@@ -54,6 +54,18 @@ static void put_heading(line *l, const fourlink_value *column)
     line_text(l, ",", 1);
 }
 
+/* By content; null: it depends on the deck. */
+static const char *const heads[SHEET_CONTENT_COUNT] = {
+    NULL,
+    "name,value,unit,theta2,branch",
+    "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,of,note",
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    "name,unit,branch,count,mean,std_dev,min,5 %,25 %,50 %,75 %,95 %,max,yield,low,high",
+    "name,right,of,percent,note"};
+
 static void begin(sheet *s)
 {
     unsigned long i;
@@ -61,24 +73,8 @@ static void begin(sheet *s)
     if (s->n_decks > 1 && s->content != SHEET_SCORES)
         line_put(&s->l, "deck,");
     line_put(&s->l, s->n_decks <= 1 && s->n_variables ? "design," : "");
-    if (s->content == SHEET_SUMMARY) {
-        line_put(&s->l, "name,value,unit,theta2,branch\n");
-        return;
-    }
-    if (s->content == SHEET_CHECK) {
-        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,"
-                        "of,note\n");
-        return;
-    }
-    if (s->content == SHEET_SCORES) {
-        line_put(&s->l, "name,right,of,percent,note\n");
-        return;
-    }
-    if (s->content == SHEET_STATISTICS) {
-        line_put(&s->l,
-                 "name,unit,branch,count,mean,std_dev,min,5 %s,25 %s,50 %s,75 %s,95 %s,max,"
-                 "yield,low,high\n",
-                 "%", "%", "%", "%", "%");
+    if (heads[s->content]) {
+        line_put(&s->l, "%s\n", heads[s->content]);
         return;
     }
     for (i = 0; i < s->n_variables; i++)
@@ -197,14 +193,12 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
 /* The last line of a deck's comparisons is its score. */
 static void close_deck(sheet *s)
 {
-    double score, of;
 
     if (s->content != SHEET_CHECK)
         return;
-    score = sheet_score(s, &of);
     put_labels(s);
     put_words(&s->l, s->mark ? s->mark->path : "");
-    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", score, of);
+    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", s->right, s->of);
     put_words(&s->l, s->mark ? s->mark->note : "");
     line_text(&s->l, "\n", 1);
 }
@@ -293,5 +287,6 @@ const sheet_format csv_format = {
     0,                                             /* is_brief */
     put_statistic,                                 /* statistic */
     put_yield,                                     /* yield */
-    put_mark                                       /* mark */
+    put_mark,                                      /* mark */
+    NULL                                           /* extremes */
 };

@@ -11,7 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "expect.h"
+#include "content.h"
 #include "style.h"
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */

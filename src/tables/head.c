@@ -4,7 +4,7 @@
 */
 #include <string.h>
 
-#include "head.h"
+#include "table.h"
 
 void head_put_title(sheet *s)
 {

@@ -291,14 +291,12 @@ static void refuse(sheet *s, const char *why)
 static void close_deck(sheet *s)
 {
     int is_in_rows = s->content == SHEET_ROWS;
-    double score, of;
 
     put_newline(s);
     if (s->content == SHEET_CHECK) {
         end_list(s);
-        score = sheet_score(s, &of);
-        put_named_number(&s->l, "score", score);
-        put_named_number(&s->l, "of", of);
+        put_named_number(&s->l, "score", s->right);
+        put_named_number(&s->l, "of", s->of);
         if (s->mark && s->mark->note[0])
             put_text(&s->l, "note", s->mark->note);
     }
@@ -367,5 +365,6 @@ const sheet_format json_format = {
     0,                                                                          /* is_brief */
     put_statistic,                                                              /* statistic */
     put_yield,                                                                  /* yield */
-    put_mark                                                                    /* mark */
+    put_mark,                                                                   /* mark */
+    NULL                                                                        /* extremes */
 };

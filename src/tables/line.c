@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "line.h"
 
+#define FOLDED 2048 /* bytes of a line that is broken, at most */
+
 void line_start(line *l, FILE *out)
 {
     l->out = out;
@@ -105,17 +107,23 @@ void line_number(line *l, double value, int digits)
     line_text(l, number, (size_t)(format_general_end(value, digits, number) - number));
 }
 
-/* Write a string padded with blanks. */
-static void put_padded(line *l, const char *s, int is_left, size_t width)
+size_t line_value(line *l, double value, int digits, size_t width)
 {
-    size_t n = strlen(s), i;
+    char number[FORMAT_SIZE];
+    size_t length = (size_t)(format_general_end(value, digits, number) - number);
 
-    if (is_left)
-        line_words(l, s, n);
-    for (i = n; i < width; i++)
-        line_text(l, " ", 1);
-    if (!is_left)
-        line_words(l, s, n);
+    line_right(l, number, length, width);
+    return length < width ? width : length + 1;
+}
+
+size_t line_left(line *l, const char *s, size_t width)
+{
+    size_t n = strlen(s);
+
+    line_words(l, s, n);
+    if (n < width)
+        put_blanks(l, n, width);
+    return n > width ? n - width : 0;
 }
 
 void line_put(line *l, const char *format, ...)
@@ -125,22 +133,80 @@ void line_put(line *l, const char *format, ...)
     va_start(values, format);
     while (*format) {
         size_t n = strcspn(format, "%"), width = 0;
-        int is_left;
 
         line_text(l, format, n);
         format += n;
         if (!*format)
             break;
-        is_left = *++format == '-';
-        for (format += is_left; '0' <= *format && *format <= '9'; format++)
+        for (format += format[1] == '-' ? 2 : 1; '0' <= *format && *format <= '9'; format++)
             width = 10 * width + (size_t)(*format - '0');
         if (*format == 'g')
             line_number(l, va_arg(values, double), (int)width);
         else if (*format == 's')
-            put_padded(l, va_arg(values, const char *), is_left, width);
+            line_left(l, va_arg(values, const char *), width);
         else if (*format++ == 'l')
             line_number(l, (double)va_arg(values, unsigned long), 17);
         format++;
     }
     va_end(values);
+}
+
+size_t line_here(line *l)
+{
+    if (l->length > sizeof l->bytes - FOLDED)
+        line_end(l);
+    return l->length;
+}
+
+/* 1 if a line may end before a blank: not between a number and its unit, nor beside an equals sign. */
+static int may_break(text words, size_t i)
+{
+    int before = i > 0 ? words.start[i - 1] : ' ', after = ' ';
+
+    if (i + 1 < words.length)
+        after = words.start[i + 1];
+    return before != ' ' && before != '=' && after != '=' &&
+           (before < '0' || before > '9' || !(after == '%' || flk_text_is_word(after)) ||
+            ('0' <= after && after <= '9'));
+}
+
+/* The words that fit this width, at least one. */
+static text words_within(text words, size_t width)
+{
+    text fitting = words;
+    size_t letters = 0, i;
+
+    for (i = 0; i < words.length; i++) {
+        if (words.start[i] == ' ' && may_break(words, i))
+            fitting.length = i;
+        letters += ((unsigned char)words.start[i] & 0xc0) != 0x80;
+        if (letters > width && fitting.length < words.length)
+            return fitting;
+    }
+    return words;
+}
+
+void line_finish(line *l, size_t start, size_t width, size_t indent)
+{
+    char copy[FOLDED];
+    text rest, words;
+
+    while (l->length > start && l->bytes[l->length - 1] == ' ')
+        l->length--;
+    rest.start = copy;
+    rest.length = start < l->length ? l->length - start : 0;
+    if (width && rest.length <= FOLDED) {
+        memcpy(copy, l->bytes + start, rest.length);
+        l->length -= rest.length;
+        words = words_within(rest, width);
+        while (words.length < rest.length) {
+            line_text(l, words.start, words.length);
+            line_text(l, "\n", 1);
+            line_left(l, "", indent);
+            rest = flk_text_trim(flk_text_from(rest, words.length));
+            words = words_within(rest, width > indent ? width - indent : 1);
+        }
+        line_text(l, words.start, words.length);
+    }
+    line_text(l, "\n", 1);
 }

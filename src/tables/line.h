@@ -28,11 +28,22 @@ void line_words(line *l, const char *s, size_t length);
 void line_right(line *l, const char *s, size_t length, size_t width);
 void line_field(line *l, const char *s, size_t width);
 
+/* The same for a number with so many significant digits; returns the columns used. */
+size_t line_value(line *l, double value, int digits, size_t width);
+
+/* Left-aligned text; returns how much longer it is than the field. */
+size_t line_left(line *l, const char *s, size_t width);
+
 /* A right-aligned number.  The caller checks that it leaves a blank in the field.  Returns 0 and writes
 ** nothing if line_right has to do it. */
 int line_fixed(line *l, double value, int decimals, size_t width);
 
-/* Formatted text: %s a string, %-8s and %8s one in a field; %12g a number with so many significant digits, -0
+/* End a line that began at `start`, which line_here gave, without blanks at its end: on a terminal of this
+** width in letters it is broken at blanks, and goes on below the column `indent`.  Width 0: it stays whole. */
+size_t line_here(line *l);
+void line_finish(line *l, size_t start, size_t width, size_t indent);
+
+/* Formatted text: %s a string, %-8s one in a field; %12g a number with so many significant digits, -0
 ** as 0; %lu a whole number. */
 void line_put(line *l, const char *format, ...);
 void line_number(line *l, double value, int digits);

@@ -2,14 +2,7 @@
 **
 ** matrix.c - the nine equations of each row, as text.
 */
-#include "matrix.h"
-
-static void put_number(line *l, double x, int digits, size_t width)
-{
-    char number[FORMAT_SIZE];
-
-    line_field(l, format_general(x, digits, number), width);
-}
+#include "content.h"
 
 /* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
@@ -31,12 +24,14 @@ static void put_system(sheet *s, const fourlink_instant *at)
     line_put(&s->l, "# ");
     for (j = 0; j < 9; j++)
         line_field(&s->l, fourlink_unknown_text((int)mechanism->design.kind, j), j ? 13 : 11);
-    line_put(&s->l, "%17s%17s\n", "x", "b");
+    line_field(&s->l, "x", 17);
+    line_field(&s->l, "b", 17);
+    line_put(&s->l, "\n");
     for (i = 0; i < 9; i++) {
         for (j = 0; j < 9; j++)
-            put_number(&s->l, A[i][j], 6, 13);
-        put_number(&s->l, x[i], 9, 17);
-        put_number(&s->l, b[i], 9, 17);
+            line_value(&s->l, A[i][j], 6, 13);
+        line_value(&s->l, x[i], 9, 17);
+        line_value(&s->l, b[i], 9, 17);
         line_put(&s->l, "\n");
     }
 }

@@ -73,5 +73,6 @@ const sheet_format paper_format = {
     0,               /* is_brief */
     NULL,            /* statistic */
     NULL,            /* yield */
-    NULL             /* mark */
+    NULL,            /* mark */
+    NULL             /* extremes */
 };

@@ -145,12 +145,6 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
     return 0;
 }
 
-double sheet_score(const sheet *s, double *of)
-{
-    *of = s->mark ? s->mark->of : s->of;
-    return s->mark ? s->mark->right : s->right;
-}
-
 double sheet_percent(const sheet_mark *m)
 {
     return m->of > 0 ? floor(1000 * m->right / m->of + 0.5) / 10 : GSL_NAN;

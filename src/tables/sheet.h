@@ -68,7 +68,7 @@ typedef struct sheet {
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
-    double right, of;        /* marks of this deck */
+    double right, of;        /* marks of this deck, or of the answers */
     /* called for these, at most MOST_MISTAKES times for a deck */
     void (*no_value)(const fourlink_check *check, const char *deck_name);
     int out_of_memory;
@@ -135,6 +135,9 @@ typedef struct sheet_format {
     void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
     void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
     void (*mark)(sheet *s, const sheet_mark *m);           /* of SHEET_SCORES */
+    /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */
+    void (*extremes)(sheet *s, const fourlink_value *column, const fourlink_value *least,
+                     const fourlink_value *most, int branch);
 } sheet_format;
 
 /* The formats, each in its own file. */
@@ -149,14 +152,11 @@ long sheet_column_under(const sheet *s, unsigned long i);
 /* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);
 
-/* 1 if a fact of a list is the same on the other branch. */
-int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n);
-
 /* Give the deck's inputs to a function of the format. */
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
-/* The marks of this deck: of values that agree, or are misprints as expected; and of all. */
-double sheet_score(const sheet *s, double *of);
+/* 1 if a fact of a list is the same on the other branch. */
+int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n);
 
 /* Per cent of a mark, to one decimal; NaN if nothing is asked. */
 double sheet_percent(const sheet_mark *m);

@@ -42,7 +42,7 @@ void style_find_sizes(const view *v, double sound, int has_all, double *values, 
     for (j = 0; j < v->n_columns; j++) {
         double largest = of_quantity[flk_quantity_find(v->columns[j].quantity)];
 
-        if (styles[j].size <= 1e-12 * largest)
+        if (format_settled(styles[j].size, largest) == 0)
             styles[j].size = has_all ? largest : 0;
     }
 }

@@ -181,5 +181,6 @@ const sheet_format table_format = {
     1,                              /* is_brief */
     table_put_statistic,            /* statistic */
     table_put_yield,                /* yield */
-    table_put_mark                  /* mark */
+    table_put_mark,                 /* mark */
+    summary_put_extremes            /* extremes */
 };

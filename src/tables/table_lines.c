@@ -4,9 +4,9 @@
 */
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/text.h"
-#include "head.h"
-#include "summary.h"
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
@@ -20,10 +20,24 @@ static const char *unit_after(const char *name)
     return strcmp(name, "1") == 0 ? "" : name;
 }
 
+#define LIST_WIDTH 118
+
+/* A line of a list; on a narrow terminal the sources stand behind the meaning, which goes on below itself. */
+static void put_entry(sheet *s, const char *name, const char *unit_name, const char *meaning,
+                      const char *source)
+{
+    int is_narrow = s->width && s->width < LIST_WIDTH;
+    size_t start = line_here(&s->l);
+
+    line_put(&s->l, "%-18s %-8s ", name, unit_name);
+    line_put(&s->l, !*source ? "%s" : is_narrow ? "%s; %s" : "%-60s %s", meaning, source);
+    line_finish(&s->l, start, s->width, 28);
+}
+
 void table_put_head(sheet *s)
 {
     if (s->content == SHEET_LIST)
-        line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
+        put_entry(s, "column", "unit", "meaning", "in the sources");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
     if (s->content == SHEET_STATISTICS) {
@@ -43,10 +57,12 @@ void table_put_fact(sheet *s, const fourlink_value *f)
     if (s->content == SHEET_SUMMARY) {
         summary_put_fact(s, f);
     } else if (s->content == SHEET_LIST) {
-        if (!s->list)
-            line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
+        if (!s->list) {
+            line_put(&s->l, "\n");
+            put_entry(s, "fact", "unit", "meaning", "");
+        }
         s->list = "facts";
-        line_put(&s->l, "%-18s %-8s %s\n", f->name, f->unit, f->meaning);
+        put_entry(s, f->name, f->unit, f->meaning, "");
     }
 }
 
@@ -54,12 +70,13 @@ void table_put_fact(sheet *s, const fourlink_value *f)
 
 void table_put_column(sheet *s, const fourlink_value *c)
 {
-    line_put(&s->l, *c->source ? "%-18s %-8s %-60s %s\n" : "%-18s %-8s %s%s\n", c->name, c->unit,
-             c->meaning, c->source);
+    put_entry(s, c->name, c->unit, c->meaning, c->source);
 }
 
 void table_put_check(sheet *s, const fourlink_check *c)
 {
+    size_t start = line_here(&s->l);
+
     line_put(&s->l, "%-18s %s:%lu: %s = %s", sheet_verdicts[c->verdict], c->file,
              (unsigned long)c->line, c->name, c->printed_text);
     if (c->words[0])
@@ -68,8 +85,9 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
     if (c->has_angle)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
-    line_put(&s->l, c->hint[0] ? ", %s; hint: %s\n" : ", %s\n",
-             fourlink_branch_text((int)c->branch), c->hint);
+    line_put(&s->l, c->hint[0] ? ", %s; hint: %s" : ", %s", fourlink_branch_text((int)c->branch),
+             c->hint);
+    line_finish(&s->l, start, s->width, 19);
 }
 
 /* Write the counts of this deck's comparisons, and its score. */
@@ -77,16 +95,17 @@ void table_close(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
-    double score, of;
+    size_t start;
     int i;
 
     if (s->content != SHEET_CHECK)
         return;
-    score = sheet_score(s, &of);
+    start = line_here(&s->l);
     for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]]);
-    line_put(&s->l, "\n# score: %12g of %12g\n", score, of);
+    line_finish(&s->l, start, s->width, 2);
+    line_put(&s->l, "# score: %12g of %12g\n", s->right, s->of);
     if (s->mark && s->mark->note[0])
         line_put(&s->l, "# note: %s\n", s->mark->note);
 }
@@ -96,15 +115,16 @@ void table_put_mark(sheet *s, const sheet_mark *m)
     char number[FORMAT_SIZE];
 
     line_put(&s->l, "%-30s", m->name);
-    line_field(&s->l, format_general(m->right, 6, number), 7);
-    line_field(&s->l, format_general(m->of, 6, number), 7);
-    line_field(&s->l, m->of > 0 ? format_fixed(sheet_percent(m), 1, number) : "nan", 10);
+    line_value(&s->l, m->right, 6, 7);
+    line_value(&s->l, m->of, 6, 7);
+    line_field(&s->l, format_fixed(sheet_percent(m), 1, number), 10);
     line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
 
 #define WIDTH 16 /* of a column */
+#define ALL 17   /* digits of a whole number */
 
 /* The line of names, or of units. */
 static void put_heading(sheet *s, int units)
@@ -182,29 +202,20 @@ void table_put_design_comment(sheet *s)
     line_put(&s->l, "\n");
 }
 
-static void put_number(sheet *s, double value)
-{
-    char number[FORMAT_SIZE];
-
-    line_field(&s->l, format_general(value, s->v.problem.digits, number), WIDTH);
-}
-
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
-    char number[FORMAT_SIZE];
+    int digits = s->v.problem.digits;
     unsigned long i;
 
     (void)why; /* an output without a value is nan */
-    line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
+    line_value(&s->l, (double)s->design, ALL, 10);
     for (i = 0; i < s->n_variables; i++)
-        put_number(s, s->varied[i]);
-    line_field(&s->l, format_fixed((double)branch, 0, number), 10);
+        line_value(&s->l, s->varied[i], digits, WIDTH);
+    line_value(&s->l, (double)branch, ALL, 10);
     for (i = 0; i < s->n_header; i++)
-        if (outputs[i].has_value)
-            put_number(s, outputs[i].v.value); /* of words, their number */
-        else
-            line_field(&s->l, "nan", WIDTH);
+        line_value(&s->l, outputs[i].has_value ? outputs[i].v.value : GSL_NAN, digits,
+                   WIDTH); /* of words, their number */
     line_put(&s->l, "\n");
 }
 

@@ -5,8 +5,6 @@
 */
 #include <string.h>
 
-#include <gsl/gsl_math.h>
-
 #include "table.h"
 
 #define USUAL_DIGITS 6
@@ -31,7 +29,7 @@ static void put_number(sheet *s, double value)
         format_general(value, digits, number);
     if (digits < LEAST_DIGITS)
         format_general(value, all, number);
-    line_field(&s->l, gsl_isnan(value) ? "nan" : number, width_of(s));
+    line_field(&s->l, number, width_of(s));
 }
 
 static void put_heading(sheet *s)
@@ -49,14 +47,13 @@ static void put_heading(sheet *s)
 
 void table_put_statistic(sheet *s, const sheet_statistic *x)
 {
-    char number[FORMAT_SIZE];
     int i;
 
     if (!s->list)
         put_heading(s);
     line_put(&s->l, "# %s%s%s%s, %s branch\n", x->output->name, x->output->unit[0] ? " (" : "",
              x->output->unit, x->output->unit[0] ? ")" : "", fourlink_branch_text((int)x->branch));
-    line_field(&s->l, format_fixed((double)x->count, 0, number), 8);
+    line_value(&s->l, (double)x->count, 17, 8);
     put_number(s, x->mean);
     put_number(s, x->deviation);
     put_number(s, x->least);

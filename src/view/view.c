@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/format.h"
 #include "view.h"
 
 /* The last crank angle of a motion, in its unit. */
@@ -168,7 +169,8 @@ double view_torque_rounding(const view *v, const fourlink_forces *forces)
 {
     if (v->problem.mode == FOURLINK_MODE_GIVEN)
         return 0;
-    return 1e-12 * v->design->link[FOURLINK_CRANK].length * gsl_hypot(forces->F12x, forces->F12y);
+    return FORMAT_ROUNDING * v->design->link[FOURLINK_CRANK].length *
+           gsl_hypot(forces->F12x, forces->F12y);
 }
 
 double view_driving_torque(const view *v, const fourlink_forces *forces)

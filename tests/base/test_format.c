@@ -281,9 +281,14 @@ static void test_lines(void **unused)
                 line_right(&l, s, (size_t)length, (size_t)width);
             else
                 line_field(&l, s, (size_t)width);
-            fprintf(expected, "%s|%-9s|%9s|%.12g|%.17g|%lu%%\n", s, s, s, value, -value, n);
-            line_put(&l, "%s|%-9s|%9s|%12g|%17g|%lu", s, s, s, value, -value, n);
+            fprintf(expected, "%s|%-9s|%.12g|%.17g|%lu%%\n", s, s, value, -value, n);
+            line_put(&l, "%s|%-9s|%12g|%17g|%lu", s, s, value, -value, n);
             line_text(&l, "%\n", 2);
+            fprintf(expected, "%-*s|%20.12g|", width, s, value);
+            assert_int_equal(line_left(&l, s, (size_t)width), length > width ? length - width : 0);
+            line_put(&l, "|");
+            assert_int_equal(line_value(&l, value, 12, 20), 20);
+            line_put(&l, "|");
             fprintf(expected, "%25.3f|%.6g", value, -value);
             if (!line_fixed(&l, value, 3, 25)) {
                 assert_int_not_equal(FLT_EVAL_METHOD | 1, 1);

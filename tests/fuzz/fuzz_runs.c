@@ -48,12 +48,14 @@ unsigned long __wrap_terminal_width(FILE *out)
 }
 
 /* The script as the picture, with the caption that an SVG gets. */
-const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *caption)
+const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
+                               char reason[GNUPLOT_REASON])
 {
     static const char head[] = "<svg xmlns=\"http://www.w3.org/2000/svg\">\n"
                                "<title>Gnuplot</title>\n<desc>Produced by GNUPLOT</desc>\n";
     int c;
 
+    (void)reason;
     if (caption)
         svg_put_head(out, head, sizeof head - 1, caption);
     rewind(script);

@@ -45,6 +45,13 @@ fake 'echo half of a picture' 'kill -9 $$'
 broken 'gnuplot is killed' "$work/bin" 'gnuplot failed'
 fake 'exec 0<&-' 'exit 2'
 broken 'gnuplot reads nothing' "$work/bin" 'gnuplot failed'
+one_line() { check "$1: one line" test "$(wc -l <err)" -eq 1; }
+fake 'for i in 1 2 3 4 5; do echo "gnuplot> x"; echo "line $i: invalid command"; done >&2' 'exit 1'
+broken 'gnuplot says a lot' "$work/bin" 'gnuplot failed: line 1: invalid command'
+one_line 'gnuplot says a lot'
+fake 'echo "gnuplot: error while loading shared libraries: libgd.so.3" >&2' 'exit 127'
+broken 'gnuplot lacks a library' "$work/bin" 'gnuplot failed: gnuplot: error while loading'
+one_line 'gnuplot lacks a library'
 chmod -x bin/gnuplot
 broken 'gnuplot cannot be run' "$work/bin" 'gnuplot'
 
@@ -58,6 +65,11 @@ nothing
 run 0 --plot-script=x.gp "$fourbar"
 same x.svg x.gp
 check 'the head of the script' grep -q '^# mechanism, made by fourlink [0-9.]* for gnuplot 5 or later$' x.gp
+
+# GNUTERM does not count, because the script sets the terminal.
+fake 'echo "terminal: $GNUTERM"'
+env GNUTERM=xx PATH="$work/bin:$PATH" "$fourlink" --plot=x.svg "$fourbar" >out 2>err
+check 'no GNUTERM' grep -qx 'terminal: ' x.svg
 
 # gnuplot ends with the program, whatever signal ends that
 fake 'echo $$ >gnuplot.pid' 'exec sleep 60'

@@ -126,7 +126,7 @@ for point in '0 (3, 4) N' '90 50 N at 20 deg' '200 (-1, 2) N' '360 (3, 4) N'; do
 done
 run 0 --list curve.deck
 run 0 --summary curve.deck
-prints 'max(Ts)'
+holds 'the extremes of Ts' '$1 == "Ts" && $6 == "N.m" {ok = 1} END {exit !ok}'
 
 # An indicator card in the deck and in a file beside it.
 mkdir engines

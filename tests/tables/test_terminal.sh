@@ -88,6 +88,32 @@ cp out shown
 shows '' -b open -i '60 deg' "$matrix" # the terminal of script has no size
 same out shown
 
+# The help, lists, summaries and comparisons are broken at blanks, and go on below their last column.
+cp "$matrix" m.deck
+for width in 60 80 100 120; do
+    for option in --help --list --summary --check; do
+        shows $width $option m.deck
+        fits $width
+        check "no blanks at the end of a line of $option" none ' $' out
+    done
+done
+shows 80 --list "$matrix"
+holds 'meanings go on below themselves' '/^ /{n++; if (substr($0, 1, 28) ~ /[^ ]/ || substr($0, 29, 1) == " ") bad = 1} END {exit bad || n < 5}'
+for option in --list --summary --check; do
+    run 0 $option "$matrix"
+    cp out whole
+    shows 300 $option "$matrix"
+    same out whole
+    shows 60 --wide $option "$matrix"
+    same out whole
+done
+run 0 --help
+cp out eighty
+shows 80 --help
+same out eighty
+shows 60 --help
+holds 'a number and its unit stay together' "/'10\$/ {bad = 1} END {exit bad}"
+
 # In a pipe or a file COLUMNS does not count.
 COLUMNS=40
 export COLUMNS
