@@ -646,6 +646,31 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
     return n;
 }
 
+/* 1 if two designs of a deck have the same columns. */
+static int have_same(const flk_analysis *a, const flk_analysis *b)
+{
+    size_t i;
+    flk_column c;
+
+    for (i = 0; i < OWN_COUNT; i += DECK_POINT_COLUMNS)
+        if (!make_of_own_point(a->d, i, &c) != !make_of_own_point(b->d, i, &c))
+            return 0;
+    return a->possible == b->possible && a->d->design.kind == b->d->design.kind &&
+           has_time(a->d) == has_time(b->d);
+}
+
+size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
+                       size_t n, flk_column *list)
+{
+    size_t i;
+
+    if (!have_same(a, of))
+        return 0;
+    for (i = 0; i < n; i++)
+        flk_column_number(a, from[i].number, &list[i]);
+    return n;
+}
+
 quantity flk_column_quantity(const flk_column *c)
 {
     return c->info->q;

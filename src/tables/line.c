@@ -113,6 +113,13 @@ void line_number(line *l, double value, int digits)
     l->length += (size_t)(format_general_end(value, digits, begin) - begin);
 }
 
+void line_general(line *l, double value, int digits, size_t width)
+{
+    char number[FORMAT_SIZE];
+
+    line_right(l, number, (size_t)(format_general_end(value, digits, number) - number), width);
+}
+
 /* Write a string padded with blanks. */
 static void put_padded(line *l, const char *s, int is_left, size_t width)
 {

@@ -28,6 +28,7 @@ void line_words(line *l, const char *s, size_t length);
 /* Right-aligned text; if it is wider than the field, a blank is still put before it. */
 void line_right(line *l, const char *s, size_t length, size_t width);
 void line_field(line *l, const char *s, size_t width);
+void line_general(line *l, double value, int digits, size_t width);
 
 /* A right-aligned number.  The caller checks that it leaves a blank in the field.  Returns 0 and writes
 ** nothing if line_right has to do it. */

@@ -4,13 +4,6 @@
 */
 #include "matrix.h"
 
-static void put_number(line *l, double x, int digits, size_t width)
-{
-    char number[FORMAT_SIZE];
-
-    line_field(l, format_general(x, digits, number), width);
-}
-
 /* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
@@ -34,9 +27,9 @@ static void put_system(sheet *s, const fourlink_instant *at)
     line_put(&s->l, "%17s%17s\n", "x", "b");
     for (i = 0; i < 9; i++) {
         for (j = 0; j < 9; j++)
-            put_number(&s->l, A[i][j], 6, 13);
-        put_number(&s->l, x[i], 9, 17);
-        put_number(&s->l, b[i], 9, 17);
+            line_general(&s->l, A[i][j], 6, 13);
+        line_general(&s->l, x[i], 9, 17);
+        line_general(&s->l, b[i], 9, 17);
         line_put(&s->l, "\n");
     }
 }

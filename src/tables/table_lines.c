@@ -2,7 +2,10 @@
 **
 ** table_lines.c - the parts of the format table that are lines of text: facts, lists, comparisons, designs.
 */
+#include <float.h>
 #include <string.h>
+
+#include <gsl/gsl_math.h>
 
 #include "base/text.h"
 #include "head.h"
@@ -96,8 +99,8 @@ void table_put_mark(sheet *s, const sheet_mark *m)
     char number[FORMAT_SIZE];
 
     line_put(&s->l, "%-30s", m->name);
-    line_field(&s->l, format_general(m->right, 6, number), 7);
-    line_field(&s->l, format_general(m->of, 6, number), 7);
+    line_general(&s->l, m->right, 6, 7);
+    line_general(&s->l, m->of, 6, 7);
     line_field(&s->l, m->of > 0 ? format_fixed(sheet_percent(m), 1, number) : "nan", 10);
     line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
@@ -182,29 +185,19 @@ void table_put_design_comment(sheet *s)
     line_put(&s->l, "\n");
 }
 
-static void put_number(sheet *s, double value)
-{
-    char number[FORMAT_SIZE];
-
-    line_field(&s->l, format_general(value, s->v.problem.digits, number), WIDTH);
-}
-
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
-    char number[FORMAT_SIZE];
+    int digits = s->v.problem.digits;
     unsigned long i;
 
     (void)why; /* an output without a value is nan */
-    line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
+    line_general(&s->l, (double)s->design, DBL_DIG, 10);
     for (i = 0; i < s->n_variables; i++)
-        put_number(s, s->varied[i]);
-    line_field(&s->l, format_fixed((double)branch, 0, number), 10);
-    for (i = 0; i < s->n_header; i++)
-        if (outputs[i].has_value)
-            put_number(s, outputs[i].v.value); /* of words, their number */
-        else
-            line_field(&s->l, "nan", WIDTH);
+        line_general(&s->l, s->varied[i], digits, WIDTH);
+    line_general(&s->l, (double)branch, DBL_DIG, 10);
+    for (i = 0; i < s->n_header; i++) /* of words, their number */
+        line_general(&s->l, outputs[i].has_value ? outputs[i].v.value : GSL_NAN, digits, WIDTH);
     line_put(&s->l, "\n");
 }
 
