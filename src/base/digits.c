@@ -177,25 +177,33 @@ static int least_power(binary b)
     return ((1000 << 18) + 1233 * log2_by_64) / (1 << 18) - 1000;
 }
 
-/* The first n digits of x >= 0, and the power of ten of the first; 0 if x is out of range. */
-static int significant(double x, int n, word *digits, int *power)
-{
-    binary b = binary_of(x);
+/* Digits, and the power of ten of the first. */
+typedef struct decimal {
+    word digits;
+    int power;
+} decimal;
 
-    *digits = 0;
-    *power = 0;
-    if (n < 1 || n > MOST_DIGITS || !(x < 1e40))
-        return 0;
+#define UNKNOWN 10000 /* power */
+
+/* The first n digits of |x|. */
+static decimal significant(double x, int n)
+{
+    static const decimal zero = {0, 0}, unknown = {0, UNKNOWN};
+    binary b = binary_of(x);
+    decimal d;
+
+    if (n < 1 || n > MOST_DIGITS || !(fabs(x) < 1e40))
+        return unknown;
     if (x == 0)
-        return 1;
-    for (*power = least_power(b);; ++*power) {
-        int k = n - 1 - *power;
+        return zero;
+    for (d.power = least_power(b);; d.power++) {
+        int k = n - 1 - d.power;
 
         if (k < -LARGEST_POWER || k > 2 * LARGEST_POWER)
-            return 0;
-        *digits = nearest(b, k);
-        if (*digits < power_of_five[n] << n)
-            return 1;
+            return unknown;
+        d.digits = nearest(b, k);
+        if (d.digits < power_of_five[n] << n)
+            return d;
     }
 }
 
@@ -315,29 +323,27 @@ char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE])
 char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE])
 {
     char *start = put_sign(value, out), *end;
-    word digits;
-    int power;
+    decimal d = significant(value, decimals + 1);
 
-    if (!significant(fabs(value), decimals + 1, &digits, &power))
+    if (d.power == UNKNOWN)
         return NULL;
-    end = put_last(digits, decimals + 1, start + 1);
+    end = put_last(d.digits, decimals + 1, start + 1);
     start[0] = start[1]; /* the first digit, to make room for the point */
     start[1] = '.';
-    end = put_power(power, decimals > 0 ? end : start + 1);
+    end = put_power(d.power, decimals > 0 ? end : start + 1);
     *end = '\0';
     return end;
 }
 
 /* The n digits of a number without trailing zeros, as in printf's %g. */
-static char *put_general(word digits, int n, int power, char *(*put_exponent)(int, char *),
-                         char *start)
+static char *put_general(decimal d, int n, char *(*put_exponent)(int, char *), char *start)
 {
     char *first = start + 1, *end;
-    int i;
+    int power = d.power, i;
 
     if (power < 0 && power >= -4)
         first = start + 1 - power;
-    end = put_last(digits, n, first);
+    end = put_last(d.digits, n, first);
     while (end > first + 1 && end[-1] == '0')
         end--;
     if (power < -4 || power >= n) {
@@ -359,44 +365,41 @@ static char *put_general(word digits, int n, int power, char *(*put_exponent)(in
 
 char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
 {
-    word digits;
-    int power;
+    decimal d = significant(value, n);
 
-    if (!significant(fabs(value), n, &digits, &power))
-        return NULL;
-    return put_general(digits, n, power, put_power, put_sign(value, out));
+    return d.power == UNKNOWN ? NULL : put_general(d, n, put_power, put_sign(value, out));
 }
 
 /* Like `significant`, for any number, but the last digits may be wrong. */
-static void approximate(double x, int n, word *digits, int *power)
+static decimal approximate(double x, int n)
 {
+    decimal d;
     double whole;
     int k, half;
 
-    *power = (int)floor(log10(x));
-    k = n - 1 - *power;
+    d.power = (int)floor(log10(x));
+    k = n - 1 - d.power;
     half = k / 2; /* 10^k may be too large */
     whole = floor(x * pow(10, half) * pow(10, k - half) + 0.5);
     if (whole >= pow(10, n)) {
         whole = floor(whole / 10);
-        ++*power;
+        d.power++;
     }
-    *digits = (word)whole;
+    d.digits = (word)whole;
+    return d;
 }
 
 char *flk_digits_short(double value, int n, char out[DIGITS_SIZE])
 {
     double x = fabs(value);
-    word digits;
-    int power;
+    decimal d = significant(x, n);
 
     if (!(x <= DBL_MAX))
         return strcpy(out, "inf");
-    if (!significant(x, n, &digits, &power)) {
-        if (x < DBL_MIN)
-            return strcpy(out, "0");
-        approximate(x, n, &digits, &power);
-    }
-    put_general(digits, n, power, put_short_power, put_sign(value, out));
+    if (d.power == UNKNOWN && x < DBL_MIN)
+        return strcpy(out, "0");
+    if (d.power == UNKNOWN)
+        d = approximate(x, n);
+    put_general(d, n, put_short_power, put_sign(value, out));
     return out;
 }

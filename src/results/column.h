@@ -79,6 +79,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name);
 
 /* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
+void flk_column_values(const flk_column *list, size_t n, const flk_row *row, double *values);
 
 /* 1 if a column depends on positions, velocities and accelerations alone: loads have no corners in it. */
 int flk_column_is_of_motion(const flk_column *c);

@@ -237,10 +237,8 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
 static int give_row(const flk_opened *o, const flk_row *row, double *values,
                     fourlink_instant *instant, fourlink_load *loads)
 {
-    size_t i;
-
-    for (i = 0; values && i < o->n_columns; i++)
-        values[i] = flk_column_value(&o->columns[i], row);
+    if (values)
+        flk_column_values(o->columns, o->n_columns, row, values);
     if (instant) {
         *instant = row->at;
         if (!(o->a.possible & NEED_FORCES)) {

@@ -145,7 +145,7 @@ static void put_row(sheet *s, const sheet_row *row)
     for (i = 0; i < s->n_header; i++) {
         double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
 
-        if (!gsl_isnan(x))
+        if (x == x) /* not NaN */
             line_number(&s->l, x, DIGITS);
         line_byte(&s->l, ',');
     }
