@@ -258,7 +258,8 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
                     const fourlink_load *loads)
 {
     return (values ? o->needs : 0) |
-           (instant || (loads && o->d.machine.needs_motion) ? o->a.possible & NEED_FORCES : 0);
+           (instant || (loads && o->d.machine.needs_motion) ? o->a.possible & NEED_FORCES : 0) |
+           (instant ? NEED_ANGLES : 0);
 }
 
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,

@@ -2,6 +2,7 @@
 **
 ** samples.c - samples of columns along the motion of a branch, piece by piece.
 */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,7 +108,7 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
         value = by_limit;
     else if (is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
         value = GSL_NAN;
-    return gsl_isinf(value) ? GSL_NAN : value;
+    return fabs(value) <= DBL_MAX ? value : GSL_NAN;
 }
 
 /* A crank angle closer than this to an end without a row is given as that of the end. */
