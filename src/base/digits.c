@@ -83,8 +83,8 @@ static word shifted(product p, int n, int more)
     return whole + ((rest > HALF) | ((rest == HALF) & (more | (int)(whole & 1))));
 }
 
-/* A positive double m 2^e, with the highest bit of m set.  Numbers too small for that are taken for others that
-** are too small for their digits to matter. */
+/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken for
+** another, whose digits do not matter either. */
 typedef struct binary {
     word m;
     int e;
@@ -168,8 +168,8 @@ static char *put_last(word n, int count, char *to)
     return to + count;
 }
 
-/* The power of ten of the first digit, or rarely one less: log10(2) is little more than 1233 / 4096, and log2(m)
-** at least 62 + m / 2^63.  The sum is positive. */
+/* The power of ten of the first digit, or rarely one less: log10(2) is little more than 1233 / 4096, and
+** log2(m) at least 62 + m / 2^63.  The sum is positive. */
 static int least_power(binary b)
 {
     int log2_by_64 = 64 * (b.e + 63) + (int)(b.m >> 57 & 63);

@@ -29,8 +29,8 @@ size_t flk_column_limit(const deck *d);
 ** does not have is a mistake.  `list` has room for flk_column_limit. */
 size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list);
 
-/* The same for another design of a deck whose columns are known, without looking up their names; 0 if this design
-** has others. */
+/* The same for another design of a deck whose columns are known, without looking up their names; 0 if this
+** design has others. */
 size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
                        size_t n, flk_column *list);
 
