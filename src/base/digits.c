@@ -2,17 +2,15 @@
 **
 ** digits.c - numbers to text by exact products.
 **
-** printf uses integers of any length.  For numbers of common size a few operations in double are enough.  A
-** product of two doubles is exactly high + low, where high is the rounded product and low its rounding error;
-** Dekker's method finds low with doubles alone (T. J. Dekker, A floating-point technique for extending the
-** available precision, Numer. Math. 18, 224, 1971, 5.1 and 5.2).  The powers of ten up to 10^22 are doubles,
-** so x 10^k is known exactly for k up to 22; its integer part has the wanted digits, and its fraction,
-** compared with 1/2, rounds them, halves to even, as glibc does.  Two steps, or a division, cover a wider
-** range with a relative error below 2^-102; there a fraction near 1/2 is left to the caller, as are very
-** large and very small numbers, more than 17 digits, and infinities.
+** printf uses integers of any length.  Three words of 64 bits are enough for numbers of common size: a double
+** is m 2^e, with m an integer of 64 bits, so
 **
-** This requires IEEE double arithmetic that rounds to nearest.  The compiler may fuse products with sums:
-** where that would matter, the product is exact, or is stored first.
+**    x 10^k = m 5^k 2^(e + k)
+**
+** is known exactly for k up to 54, where 5^k is one power of five that fits into a word or the product of two;
+** for negative k it is a quotient and a rest.  Its integer part has the wanted digits, and what is behind
+** rounds them, halves to even, as glibc does.  Very large and very small numbers, more than 17 digits, and
+** infinities are left to the caller.
 */
 #include <float.h>
 #include <limits.h>
@@ -21,188 +19,198 @@
 
 #include "digits.h"
 
-/* Only if the compiler evaluates doubles as doubles, no wider (FLT_EVAL_METHOD 0, or 1: floats as doubles
-** too). */
-#if FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && !defined(__FAST_MATH__) && \
-    !defined(__ASSOCIATIVE_MATH__) &&                                                         \
-    ((defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ | 1) == 1) ||                      \
-     (defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD | 1) == 1))
-#define EXACT_ARITHMETIC 1
+/* 64 bits: unsigned long, or where that has 32, what C90 compilers have besides. */
+#if ULONG_MAX > 4294967295UL
+typedef unsigned long word;
+#elif defined(__GNUC__)
+__extension__ typedef unsigned long long word;
 #else
-#define EXACT_ARITHMETIC 0
+typedef unsigned long long word;
 #endif
 
-#define LARGEST_POWER 22
+#define WIDE(high, low) ((word)(high) << 32 | (low))
+#define BITS 64
+#define HALF WIDE(0x80000000, 0)
+
 #define MOST_DIGITS 17
-#define LOW_DIGITS 8
 #define DIGITS 18 /* of an integer up to 10^17 */
 
-static const double power_of_ten[LARGEST_POWER + 1] = {
-    1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+#define LARGEST_POWER 27
+static const word power_of_five[LARGEST_POWER + 1] = {
+    WIDE(0x0, 0x00000001),        WIDE(0x0, 0x00000005),       WIDE(0x0, 0x00000019),
+    WIDE(0x0, 0x0000007d),        WIDE(0x0, 0x00000271),       WIDE(0x0, 0x00000c35),
+    WIDE(0x0, 0x00003d09),        WIDE(0x0, 0x0001312d),       WIDE(0x0, 0x0005f5e1),
+    WIDE(0x0, 0x001dcd65),        WIDE(0x0, 0x009502f9),       WIDE(0x0, 0x02e90edd),
+    WIDE(0x0, 0x0e8d4a51),        WIDE(0x0, 0x48c27395),       WIDE(0x1, 0x6bcc41e9),
+    WIDE(0x7, 0x1afd498d),        WIDE(0x23, 0x86f26fc1),      WIDE(0xb1, 0xa2bc2ec5),
+    WIDE(0x378, 0x2dace9d9),      WIDE(0x1158, 0xe460913d),    WIDE(0x56bc, 0x75e2d631),
+    WIDE(0x1b1ae, 0x4d6e2ef5),    WIDE(0x87867, 0x8326eac9),   WIDE(0x2a5a05, 0x8fc295ed),
+    WIDE(0xd3c21b, 0xcecceda1),   WIDE(0x422ca8b, 0x0a00a425), WIDE(0x14adf4b7, 0x320334b9),
+    WIDE(0x6765c793, 0xfa10079d),
+};
 
-/* The sum of two doubles, the second much smaller than the first. */
-typedef struct pair {
-    double high, low;
-} pair;
+/* high 2^64 + low */
+typedef struct product {
+    word high, low;
+} product;
 
-/* The upper 26 bits of x; x - upper_half(x) has at most 26 too. */
-static double upper_half(double x)
+static product multiply(word x, word y)
 {
-    double c = 134217728 * x + x; /* 2^27 + 1 */
+    word x1 = x >> 32, x0 = x & 0xffffffff, y1 = y >> 32, y0 = y & 0xffffffff;
+    word low = x0 * y0, a = x1 * y0 + (low >> 32), b = x0 * y1 + (a & 0xffffffff);
+    product p;
 
-    return c - (c - x);
-}
-
-/* x y, exactly; y is an integer here, so nothing underflows. */
-static pair product(double x, double y)
-{
-    volatile double rounded = x * y; /* stored, so that it is not fused with the differences */
-    double x1 = upper_half(x), x2 = x - x1, y1 = upper_half(y), y2 = y - y1;
-    pair p;
-
-    p.high = rounded;
-    p.low = x2 * y2 - (((p.high - x1 * y1) - x2 * y1) - x1 * y2);
+    p.high = x1 * y1 + (a >> 32) + (b >> 32);
+    p.low = b << 32 | (low & 0xffffffff);
     return p;
 }
 
-/* x 10^k, -22 <= k <= 44, and a margin: 0 for k from 0 to 22, where the product is exact; otherwise a bound
-** on its error for products below 10^17. */
-static pair scaled(double x, int k, double *margin)
+/* The integer nearest to p / 2^n, n > 0; halves are rounded to even.  With `more`, p is a little more. */
+static word shifted(product p, int n, int more)
 {
-    pair p, q;
+    word whole, rest;
 
-    *margin = k >= 0 && k <= LARGEST_POWER ? 0 : 1e-9;
-    if (k < 0) {
-        double divisor = power_of_ten[-k];
-
-        p.high = x / divisor;
-        q = product(p.high, divisor);
-        p.low = ((x - q.high) - q.low) / divisor;
-    } else if (k <= LARGEST_POWER) {
-        p = product(x, power_of_ten[k]);
-    } else {
-        q = product(x, power_of_ten[LARGEST_POWER]);
-        p = product(q.high, power_of_ten[k - LARGEST_POWER]);
-        p.low += q.low * power_of_ten[k - LARGEST_POWER];
+    if (n > BITS) {
+        more |= p.low != 0;
+        p.low = p.high;
+        p.high = 0;
+        n -= BITS;
     }
-    return p;
+    if (n > BITS)
+        return 0;
+    whole = n < BITS ? p.high << (BITS - n) | p.low >> n : p.high;
+    rest = p.low << (BITS - n);
+    return whole + ((rest > HALF) | ((rest == HALF) & (more | (int)(whole & 1))));
 }
 
-/* 32 bits are enough here, and faster to divide than 64. */
-#if UINT_MAX >= 4294967295UL
-typedef unsigned int word;
-#else
-typedef unsigned long word;
-#endif
+/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken for
+** another, whose digits do not matter either. */
+typedef struct binary {
+    word m;
+    int e;
+} binary;
+
+static binary binary_of(double x)
+{
+    word bits;
+    binary b;
+
+    memcpy(&bits, &x, sizeof bits);
+    b.m = bits << 11 | HALF;
+    b.e = (int)(bits >> 52 & 0x7ff) - 1086;
+    return b;
+}
+
+/* The integer nearest to b 10^k, if that is below 10^18; -27 <= k <= 54. */
+static word nearest(binary b, int k)
+{
+    word divisor, rest;
+    int e = b.e + k;
+    product p, q;
+
+    if (k >= 0 && k <= LARGEST_POWER)
+        return shifted(multiply(b.m, power_of_five[k]), -e, 0);
+    if (k > 0) {
+        p = multiply(b.m, power_of_five[LARGEST_POWER]);
+        q = multiply(p.low, power_of_five[k - LARGEST_POWER]);
+        p = multiply(p.high, power_of_five[k - LARGEST_POWER]);
+        p.low += q.high;
+        p.high += p.low < q.high;
+        return shifted(p, -e - BITS, q.low != 0);
+    }
+    divisor = power_of_five[-k];
+    p.high = 0;
+    p.low = b.m / divisor;
+    for (rest = b.m % divisor; e > -1; e--) {
+        rest *= 2;
+        p.low = 2 * p.low + (rest >= divisor);
+        rest -= rest >= divisor ? divisor : 0;
+    }
+    return shifted(p, -e, rest != 0);
+}
 
 static const char pairs[] = "00010203040506070809101112131415161718192021222324"
                             "25262728293031323334353637383940414243444546474849"
                             "50515253545556575859606162636465666768697071727374"
                             "75767778798081828384858687888990919293949596979899";
 
-/* Write an integer with `count` digits.  Like the functions below, it returns the end of what it wrote. */
-static char *put_integer(word n, int count, char *to)
+static void put_pair(unsigned int n, char *to)
 {
-    char *end = to + count;
-    word quotient, rest;
-
-    /* four digits at a time: few divisions depend on each other */
-    for (to = end; count >= 4; count -= 4, n = quotient) {
-        quotient = n / 10000;
-        rest = n - 10000 * quotient;
-        memcpy(to -= 2, pairs + 2 * (rest % 100), 2);
-        memcpy(to -= 2, pairs + 2 * (rest / 100), 2);
-    }
-    if (count >= 2)
-        memcpy(to -= 2, pairs + 2 * (n % 100), 2);
-    if (count % 2 == 1)
-        to[-1] = (char)('0' + (count == 3 ? n / 100 : n));
-    return end;
+    memcpy(to, pairs + 2 * n, 2);
 }
 
-/* An integer up to 10^17 as top 10^8 + bottom, each within 32 bits. */
-typedef struct integer {
-    long top, bottom;
-} integer;
-
-static char *put_long_integer(integer n, int count, char *to)
+static void put_eight(word n, char *to)
 {
-    if (count > LOW_DIGITS) {
-        to = put_integer((word)n.top, count - LOW_DIGITS, to);
-        count = LOW_DIGITS;
-    }
-    return put_integer((word)n.bottom, count, to);
+    unsigned int high = (unsigned int)n / 10000, low = (unsigned int)n % 10000;
+
+    put_pair(high / 100, to);
+    put_pair(high % 100, to + 2);
+    put_pair(low / 100, to + 4);
+    put_pair(low % 100, to + 6);
 }
 
-/* The integer nearest to p, 0 <= p <= 10^17.  0 if p is within the margin of a half; with a margin of 0,
-** halves are rounded to even.  All operations but the last sum are exact, because the numbers are multiples
-** of the last bit of p.high, or of 1/2, and have at most 53 bits.  Rounding does not change the sign of the
-** last sum. */
-static int nearest(pair p, double margin, integer *n)
+/* All digits of an integer, leading zeros too. */
+static void put_integer(word n, char to[DIGITS])
 {
-    double rest, above_half;
+    word high = n / 100000000;
 
-    n->top = (long)(p.high * 1e-8);
-    rest = p.high - (double)n->top * 1e8;
-    if (rest + p.low < 0) {
-        n->top--;
-        rest += 1e8;
-    }
-    n->bottom = (long)(rest + p.low);
-    above_half = rest - (double)n->bottom - 0.5 + p.low;
-    if (fabs(above_half) < margin)
-        return 0;
-    n->bottom += (above_half > 0) | ((above_half == 0) & (n->bottom % 2 == 1));
-    if (n->bottom >= 100000000) {
-        n->bottom -= 100000000;
-        n->top++;
-    }
-    return 1;
+    put_pair((unsigned int)(high / 100000000), to);
+    put_eight(high % 100000000, to + 2);
+    put_eight(n % 100000000, to + 10);
 }
 
-/* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain.  With `either`,
-** either of two neighbours is accepted, and 0 means out of range. */
-static int significant(double x, int n, int either, integer *digits, int *power)
+/* Its last digits; returns their end.  There is room for one more before them. */
+static char *put_last(word n, int count, char *to)
 {
-    int binary;
-    double fraction = frexp(x, &binary), margin;
-    pair p;
+    put_integer(n, to - 1);
+    if (count < MOST_DIGITS)
+        memmove(to, to - 1 + DIGITS - count, (size_t)count);
+    return to + count;
+}
 
-    if (!EXACT_ARITHMETIC || n < 1 || n > MOST_DIGITS || !(x < 1e40))
-        return 0;
-    if (x == 0) {
-        digits->top = digits->bottom = *power = 0;
-        return 1;
-    }
-    /* log2 of the fraction is at least 2 (fraction - 1), so the power is this or, rarely, one more. */
-    *power = (int)((binary + 2 * (fraction - 1)) * 0.30103 - 1e-5 + 1000) - 1000;
-    for (;; ++*power) {
-        int k = n - 1 - *power;
+/* The power of ten of the first digit, or rarely one less: log10(2) is little more than 1233 / 4096, and
+** log2(m) at least 62 + m / 2^63.  The sum is positive. */
+static int least_power(binary b)
+{
+    int log2_by_64 = 64 * (b.e + 63) + (int)(b.m >> 57 & 63);
+
+    return ((1000 << 18) + 1233 * log2_by_64) / (1 << 18) - 1000;
+}
+
+/* Digits, and the power of ten of the first. */
+typedef struct decimal {
+    word digits;
+    int power;
+} decimal;
+
+#define UNKNOWN 10000 /* power */
+
+/* The first n digits of |x|. */
+static decimal significant(double x, int n)
+{
+    static const decimal zero = {0, 0}, unknown = {0, UNKNOWN};
+    binary b = binary_of(x);
+    decimal d;
+
+    if (n < 1 || n > MOST_DIGITS || !(fabs(x) < 1e40))
+        return unknown;
+    if (x == 0)
+        return zero;
+    for (d.power = least_power(b);; d.power++) {
+        int k = n - 1 - d.power;
 
         if (k < -LARGEST_POWER || k > 2 * LARGEST_POWER)
-            return 0;
-        p = scaled(x, k, &margin);
-        if (p.high < power_of_ten[n] || (p.high == power_of_ten[n] && p.low < 0))
-            break;
+            return unknown;
+        d.digits = nearest(b, k);
+        if (d.digits < power_of_five[n] << n)
+            return d;
     }
-    if (!nearest(p, either ? 0 : margin, digits))
-        return 0;
-    if (n < LOW_DIGITS ? digits->bottom == (long)power_of_ten[n]
-                       : digits->top == (long)power_of_ten[n - LOW_DIGITS]) {
-        ++*power; /* rounded up to 10^n */
-        digits->top = n > LOW_DIGITS ? (long)power_of_ten[n - LOW_DIGITS - 1] : 0;
-        digits->bottom = n > LOW_DIGITS ? 0 : (long)power_of_ten[n - 1];
-    }
-    return 1;
 }
 
 static char *put_sign(double value, char *to)
 {
-    static const double zero = 0;
-
     *to = '-';
-    return to + ((value < 0) | (value == 0 && memcmp(&value, &zero, sizeof value) != 0));
+    return to + (value < 0);
 }
 
 static char *put_power(int power, char *to)
@@ -223,31 +231,31 @@ static char *put_short_power(int power, char *to)
     *to++ = 'e';
     if (power < 0)
         *to++ = '-';
-    return put_integer((word)size, size < 10 ? 1 : size < 100 ? 2 : 3, to);
-}
-
-/* Write two digits before `to`; returns their beginning. */
-static char *put_pair(word n, char *to)
-{
-    to -= 2;
-    memcpy(to, pairs + 2 * n, 2);
+    if (size >= 100)
+        *to++ = (char)('0' + size / 100);
+    if (size >= 10)
+        *to++ = (char)('0' + size / 10 % 10);
+    *to++ = (char)('0' + size % 10);
     return to;
 }
+
+static const double power_of_ten[DIGITS] = {1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,
+                                            1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17};
 
 /* The rounded product x 10^k is good enough if it is not too near a half: below 4 10^9, which fits into 32
 ** bits, its error is less than 5 10^-7. */
 char *flk_digits_fixed_before(double value, int decimals, char *end)
 {
     double x = fabs(value), fraction;
-    word n;
+    unsigned int n;
     int is_zero;
 
-    if (!EXACT_ARITHMETIC || decimals < 0 || decimals > 9)
+    if (decimals < 0 || decimals > 9)
         return NULL;
     x *= power_of_ten[decimals];
     if (!(x < 4e9))
         return NULL;
-    n = (word)x;
+    n = (unsigned int)x;
     fraction = x - (double)n - 0.5;
     if (fabs(fraction) < 1e-6)
         return NULL;
@@ -259,13 +267,13 @@ char *flk_digits_fixed_before(double value, int decimals, char *end)
             n /= 10;
         }
         for (; decimals > 1; decimals -= 2, n /= 100)
-            end = put_pair(n % 100, end);
+            put_pair(n % 100, end -= 2);
         *--end = '.';
     }
     for (; n >= 100; n /= 100)
-        end = put_pair(n % 100, end);
+        put_pair(n % 100, end -= 2);
     if (n >= 10)
-        end = put_pair(n, end);
+        put_pair(n, end -= 2);
     else
         *--end = (char)('0' + n);
     if (value < 0 && !is_zero)
@@ -274,18 +282,17 @@ char *flk_digits_fixed_before(double value, int decimals, char *end)
 }
 
 /* The same by the exact product. */
-static char *put_fixed(double x, int decimals, char *to)
+static char *put_fixed(double value, int decimals, char *to)
 {
     char digits[DIGITS];
-    double margin;
-    integer n;
+    word n;
     int first = 0, whole = DIGITS - decimals;
 
-    if (!EXACT_ARITHMETIC || decimals < 0 || decimals > MOST_DIGITS ||
-        !(x * power_of_ten[decimals] < 1e17))
+    if (decimals < 0 || decimals > MOST_DIGITS || !(fabs(value) * power_of_ten[decimals] < 1e17))
         return NULL;
-    nearest(scaled(x, decimals, &margin), 0, &n);
-    put_long_integer(n, DIGITS, digits);
+    n = nearest(binary_of(value), decimals);
+    put_integer(n, digits);
+    to = n ? put_sign(value, to) : to;
     while (first < whole - 1 && digits[first] == '0')
         first++;
     while (first < whole)
@@ -299,14 +306,14 @@ static char *put_fixed(double x, int decimals, char *to)
 
 char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE])
 {
-    char common[24], *start = put_sign(value, out), *end = common + sizeof common, *first;
+    char common[24], *end = common + sizeof common, *first;
 
-    first = flk_digits_fixed_before(fabs(value), decimals, end);
+    first = flk_digits_fixed_before(value, decimals, end);
     if (first) {
-        memcpy(start, first, (size_t)(end - first));
-        end = start + (end - first);
+        memcpy(out, first, (size_t)(end - first));
+        end = out + (end - first);
     } else {
-        end = put_fixed(fabs(value), decimals, start);
+        end = put_fixed(value, decimals, out);
     }
     if (end)
         *end = '\0';
@@ -316,29 +323,27 @@ char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE])
 char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE])
 {
     char *start = put_sign(value, out), *end;
-    integer digits;
-    int power;
+    decimal d = significant(value, decimals + 1);
 
-    if (!significant(fabs(value), decimals + 1, 0, &digits, &power))
+    if (d.power == UNKNOWN)
         return NULL;
-    end = put_long_integer(digits, decimals + 1, start + 1);
+    end = put_last(d.digits, decimals + 1, start + 1);
     start[0] = start[1]; /* the first digit, to make room for the point */
     start[1] = '.';
-    end = put_power(power, decimals > 0 ? end : start + 1);
+    end = put_power(d.power, decimals > 0 ? end : start + 1);
     *end = '\0';
     return end;
 }
 
 /* The n digits of a number without trailing zeros, as in printf's %g. */
-static char *put_general(integer digits, int n, int power, char *(*put_exponent)(int, char *),
-                         char *start)
+static char *put_general(decimal d, int n, char *(*put_exponent)(int, char *), char *start)
 {
     char *first = start + 1, *end;
-    int i;
+    int power = d.power, i;
 
     if (power < 0 && power >= -4)
         first = start + 1 - power;
-    end = put_long_integer(digits, n, first);
+    end = put_last(d.digits, n, first);
     while (end > first + 1 && end[-1] == '0')
         end--;
     if (power < -4 || power >= n) {
@@ -360,49 +365,41 @@ static char *put_general(integer digits, int n, int power, char *(*put_exponent)
 
 char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
 {
-    integer digits;
-    int power;
+    decimal d = significant(value, n);
 
-    if (!significant(fabs(value), n, 0, &digits, &power))
-        return NULL;
-    return put_general(digits, n, power, put_power, put_sign(value, out));
+    return d.power == UNKNOWN ? NULL : put_general(d, n, put_power, put_sign(value, out));
 }
 
 /* Like `significant`, for any number, but the last digits may be wrong. */
-static void approximate(double x, int n, integer *digits, int *power)
+static decimal approximate(double x, int n)
 {
+    decimal d;
     double whole;
     int k, half;
 
-    *power = (int)floor(log10(x));
-    k = n - 1 - *power;
+    d.power = (int)floor(log10(x));
+    k = n - 1 - d.power;
     half = k / 2; /* 10^k may be too large */
     whole = floor(x * pow(10, half) * pow(10, k - half) + 0.5);
     if (whole >= pow(10, n)) {
         whole = floor(whole / 10);
-        ++*power;
+        d.power++;
     }
-    digits->top = (long)floor(whole / 1e8);
-    digits->bottom = (long)(whole - (double)digits->top * 1e8);
-    if (digits->bottom < 0) {
-        digits->top--;
-        digits->bottom += 100000000;
-    }
+    d.digits = (word)whole;
+    return d;
 }
 
 char *flk_digits_short(double value, int n, char out[DIGITS_SIZE])
 {
     double x = fabs(value);
-    integer digits;
-    int power;
+    decimal d = significant(x, n);
 
     if (!(x <= DBL_MAX))
         return strcpy(out, "inf");
-    if (!significant(x, n, 1, &digits, &power)) {
-        if (x < DBL_MIN)
-            return strcpy(out, "0");
-        approximate(x, n, &digits, &power);
-    }
-    put_general(digits, n, power, put_short_power, value < 0 ? put_sign(value, out) : out);
+    if (d.power == UNKNOWN && x < DBL_MIN)
+        return strcpy(out, "0");
+    if (d.power == UNKNOWN)
+        d = approximate(x, n);
+    put_general(d, n, put_short_power, put_sign(value, out));
     return out;
 }

@@ -28,15 +28,12 @@ static char *take_sign_off(char *out, char *end)
     return end - 1;
 }
 
-/* The end of the number that digits.c has written.  If it has not (`end` is null), printf writes it, and a
-** point replaces the locale's decimal mark. */
-static char *finish(char *end, char *out, const char *format, double value, int digits)
+/* What digits.c does not write is written by printf, with a point in place of the locale's decimal mark. */
+static char *print(const char *format, double value, int digits, char *out)
 {
     const char *decimal;
     char *mark;
 
-    if (end)
-        return take_sign_off(out, end);
     if (value != value) /* whatever its sign */
         return strcpy(out, "nan") + 3;
     if (value - value != 0)
@@ -52,17 +49,23 @@ static char *finish(char *end, char *out, const char *format, double value, int 
 
 char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE])
 {
-    return finish(flk_digits_fixed(value, decimals, out), out, "%.*f", value, decimals);
+    char *end = flk_digits_fixed(value, decimals, out);
+
+    return end ? end : print("%.*f", value, decimals, out);
 }
 
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE])
 {
-    return finish(flk_digits_exponent(value, decimals, out), out, "%.*e", value, decimals);
+    char *end = flk_digits_exponent(value, decimals, out);
+
+    return end ? end : print("%.*e", value, decimals, out);
 }
 
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE])
 {
-    return finish(flk_digits_general(value, digits, out), out, "%.*g", value, digits);
+    char *end = flk_digits_general(value, digits, out);
+
+    return end ? end : print("%.*g", value, digits, out);
 }
 
 double format_settled(double value, double size)

@@ -390,7 +390,7 @@ void flk_build_expectations(parser *p)
         memset(e, 0, sizeof *e);
         e->place = named->place;
         e->name = named->name;
-        e->value = flk_reader_plain(p, named->value);
+        e->value = named->value;
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
         e->misprint = use->section == SECTION_MISPRINT;

@@ -86,9 +86,9 @@ const setting *flk_setting_find(parser *p, key_code key)
 
 const setting *flk_setting_by_name(parser *p, section_code section, const char *key)
 {
-    key_code i;
+    key_code i, end = flk_first_key(section + 1);
 
-    for (i = flk_first_key(section); i < flk_first_key(section + 1); i++)
+    for (i = flk_first_key(section); i < end; i++)
         if (flk_key_table[i].name[0] == key[0] && strcmp(flk_key_table[i].name, key) == 0)
             return flk_setting_find(p, i);
     return &unset;
@@ -258,7 +258,7 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     named->use = t->use;
     named->name = t->name;
     named->place = place;
-    named->value = value;
+    named->value = flk_reader_plain(p, value);
     named->giver = giver;
     p->has_changed_names |= giver != GIVEN_BY_TEXT;
     if (giver == GIVEN_BY_TEXT)

@@ -425,7 +425,6 @@ static void leave_out(parser *p, const variation *v)
 static double read_line(parser *p, variation *list, const named_value *named)
 {
     deck_sweep *sweep = &p->d->sweep;
-    text value = flk_reader_plain(p, named->value);
     int n = count_pieces(named->name), i;
     double count = 0;
 
@@ -434,7 +433,7 @@ static double read_line(parser *p, variation *list, const named_value *named)
 
         memset(v, 0, sizeof *v);
         v->name = piece_of(named->name, i);
-        v->value = value;
+        v->value = named->value;
         v->place = named->place;
         v->piece = i;
         v->n_pieces = n;

@@ -14,7 +14,8 @@
 /* What can be computed for a deck. */
 static int possible(const deck *d)
 {
-    int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
+    int needs = NEED_DERIVED | NEED_ANGLES |
+                (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (d->machine.first_gas < d->machine.n_loads ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES : 0) |
                 (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0);
@@ -51,8 +52,8 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
 {
     const flk_machine *machine = &a->d->machine;
     int closed_form = a->is_fast || a->d->solver == SOLVER_DYAD;
-    int status =
-        fourlink_analyse_dyad(&machine->mechanism, at->branch, crank, NULL, 0, &at->state, NULL);
+    int angles = machine->needs_angles || (needs & NEED_ANGLES);
+    int status = flk_mechanism_move(&machine->mechanism, at->branch, crank, angles, &at->state);
 
     if (status != FOURLINK_OK)
         return status;

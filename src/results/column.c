@@ -28,6 +28,7 @@
 /* need, form, x, y */
 #define OF_ROW(member) 0, VALUE, ROW(member), 0
 #define OF_STATE(member) 0, VALUE, STATE(member), 0
+#define OF_ANGLE(member) NEED_ANGLES, VALUE, STATE(member), 0
 #define OF_FORCES(member) NEED_FORCES, VALUE, FORCE(member), 0
 #define SIZE_OF(F) NEED_FORCES, SIZE, FORCE(F##x), FORCE(F##y)
 #define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
@@ -39,7 +40,8 @@
     NEED_DERIVED | NEED_FORCES, form, DERIVED(inertia[i].x), DERIVED(inertia[i].y)
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
-#define DIFFERENCE_OF(member, exact) NEED_SERIES, DIFFERENCE, SERIES(member), STATE(exact)
+#define DIFFERENCE_OF(member, exact) \
+    NEED_SERIES | NEED_ANGLES, DIFFERENCE, SERIES(member), STATE(exact)
 #define OF_GAS NEED_GAS, VALUE, offsetof(flk_row, at.gas_force), 0
 #define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
 #define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
@@ -105,19 +107,19 @@
       "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
     X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_ROW(crank.alpha2),                      \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
-    X(theta3, ANGLE, ALL | USUAL, OF_STATE(link[3].theta), "angle of the coupler, rod or slide",   \
+    X(theta3, ANGLE, ALL | USUAL, OF_ANGLE(link[3].theta), "angle of the coupler, rod or slide",   \
       "beta (Alvi), thetab (ME3491)")                                                              \
     X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                 \
       "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
     X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                          \
       "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
-    X(theta4, ANGLE, PINNED | USUAL, OF_STATE(link[4].theta), "angle of the rocker or lever",      \
+    X(theta4, ANGLE, PINNED | USUAL, OF_ANGLE(link[4].theta), "angle of the rocker or lever",      \
       "phi (Alvi), thetac (ME3491)")                                                               \
     X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
       "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                      \
     X(alpha4, ANGULAR_ACCELERATION, PINNED | USUAL, OF_STATE(link[4].alpha),                       \
       "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")               \
-    X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",       \
+    X(phi, ANGLE, SLIDER_CRANK, OF_ANGLE(phi), "obliquity of the rod to the line of stroke",       \
       "beta (ME3491), phi (DFA)")                                                                  \
     X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
       "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
@@ -133,7 +135,7 @@
       "acceleration of B relative to the lever, along the slide", "")                              \
     X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
       "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
-    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
+    X(mu, ANGLE, ALL | USUAL, OF_ANGLE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
     X(gamma, ANGLE, FOUR_BAR, OF_MOTION(gamma), "angle between coupler and rocker, 0 to 180 deg",  \
       "")                                                                                          \
     COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
@@ -500,7 +502,7 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
 {
     if (info->x == ROW(time))
         return "needs a moving crank";
-    if (info->need == NEED_SERIES)
+    if (info->need & NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
     if ((info->need & NEED_LOSSES) && !d->machine.has_friction)
         return "needs a [friction] section; the deck has none";
@@ -643,6 +645,31 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
     }
     if (!n && !m->count)
         flk_mistake(m, a->d->columns.place, "no columns");
+    return n;
+}
+
+/* 1 if two designs of a deck have the same columns. */
+static int have_same(const flk_analysis *a, const flk_analysis *b)
+{
+    size_t i;
+    flk_column c;
+
+    for (i = 0; i < OWN_COUNT; i += DECK_POINT_COLUMNS)
+        if (!make_of_own_point(a->d, i, &c) != !make_of_own_point(b->d, i, &c))
+            return 0;
+    return a->possible == b->possible && a->d->design.kind == b->d->design.kind &&
+           has_time(a->d) == has_time(b->d);
+}
+
+size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
+                       size_t n, flk_column *list)
+{
+    size_t i;
+
+    if (!have_same(a, of))
+        return 0;
+    for (i = 0; i < n; i++)
+        flk_column_number(a, from[i].number, &list[i]);
     return n;
 }
 

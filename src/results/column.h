@@ -29,6 +29,11 @@ size_t flk_column_limit(const deck *d);
 ** does not have is a mistake.  `list` has room for flk_column_limit. */
 size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list);
 
+/* The same for another design of a deck whose columns are known, without looking up their names; 0 if this
+** design has others. */
+size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
+                       size_t n, flk_column *list);
+
 /* Possible column i, 0 ... flk_column_limit - 1; returns 0 if the deck does not have it. */
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c);
 
@@ -74,6 +79,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name);
 
 /* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
+void flk_column_values(const flk_column *list, size_t n, const flk_row *row, double *values);
 
 /* 1 if a column depends on positions, velocities and accelerations alone: loads have no corners in it. */
 int flk_column_is_of_motion(const flk_column *c);

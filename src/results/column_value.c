@@ -53,7 +53,7 @@ int flk_column_is_of_motion(const flk_column *c)
     size_t x = c->info->x;
 
     return !c->spring &&
-           (!(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN)) ||
+           (!(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES)) ||
             (x >= DERIVED(inertia) && x < DERIVED(inertia) + sizeof(((flk_derived *)0)->inertia)));
 }
 
@@ -93,6 +93,22 @@ static double direction_of(double x, double y)
     return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);
 }
 
+/* 1 for nearly all columns: a number of the row. */
+static int is_number(const flk_column *c)
+{
+    return !c->link && !c->spring && c->info->form <= POLAR_DIRECTION;
+}
+
+void flk_column_values(const flk_column *list, size_t n, const flk_row *row, double *values)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        values[i] = row->at.status == FOURLINK_OK && is_number(&list[i])
+                        ? number_at(row, list[i].info->x) * list[i].scale
+                        : flk_column_value(&list[i], row);
+}
+
 double flk_column_value(const flk_column *c, const flk_row *row)
 {
     double x, y;
@@ -104,8 +120,8 @@ double flk_column_value(const flk_column *c, const flk_row *row)
     if (c->spring)
         return c->scale * spring_value(c, &row->at.state);
     x = number_at(row, c->info->x);
-    if (c->info->form <= POLAR_DIRECTION)
-        return x * c->scale; /* nearly all columns */
+    if (is_number(c))
+        return x * c->scale;
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)
         : c->info->form == DIRECTION ? direction_of(x, y)

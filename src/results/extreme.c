@@ -287,14 +287,19 @@ static void refine(sought *k, int which)
     size_t i;
 
     k->which = which;
-    for (i = 0; i < x->n && x->n > 2 && !flk_follow_is_over(&x->f); i++) {
+    for (i = 0; i < x->n && x->n > 2; i++) {
         double here = signed_value(which, v[i]);
         double before = i > 0 ? signed_value(which, v[i - 1]) : GSL_NAN;
         double behind = i + 1 < x->n ? signed_value(which, v[i + 1]) : GSL_NAN;
-        double a = gsl_isnan(before) ? behind : before, b = gsl_isnan(behind) ? before : behind;
+        double a, b;
 
+        if (before > here || behind > here) /* nearly all samples */
+            continue;
+        a = gsl_isnan(before) ? behind : before;
+        b = gsl_isnan(behind) ? before : behind;
         if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)) ||
-            !(here + MARGIN * (2 * here - a - b) >= best_so_far(k, which)))
+            !(here + MARGIN * (2 * here - a - b) >= best_so_far(k, which)) ||
+            flk_follow_is_over(&x->f))
             continue;
         k->near = v[i];
         top = gsl_isnan(before)   ? find_peak_at_end(k, i, i + 1)
@@ -352,8 +357,8 @@ static void resolve_narrow(sought *k, flk_samples *x)
 {
     size_t i, most = x->n + MOST_INSERTED;
 
-    for (i = 2; i + 2 < x->n && x->n < most && !flk_follow_is_over(&x->f); i++) {
-        if (x->s[i + 1] - x->s[i - 1] < NARROWEST || !may_hide(k, i))
+    for (i = 2; i + 2 < x->n && x->n < most; i++) {
+        if (!may_hide(k, i) || x->s[i + 1] - x->s[i - 1] < NARROWEST || flk_follow_is_over(&x->f))
             continue;
         if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
             !flk_samples_insert(x, i, 0.5 * (x->s[i - 1] + x->s[i])))

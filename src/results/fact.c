@@ -144,6 +144,7 @@ void flk_fact_describe(const deck *d, int handle, fourlink_value *f)
 typedef struct listing {
     const deck *d;
     int branch;
+    int only; /* the handle of the facts to list; 0: all */
     fourlink_value *list;
     unsigned long n;
 } listing;
@@ -153,10 +154,19 @@ static double in_unit(const listing *t, double si, quantity q)
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
+static int is_wanted(const listing *t, fact_code first, fact_code last)
+{
+    return !t->only || (t->only <= OTHER(first) && t->only >= OTHER(last));
+}
+
+/* Where a fact is listed, or if it is not wanted, the next one will be. */
 static fourlink_value *add(listing *t, fact_code code, double si)
 {
-    fourlink_value *f = &t->list[t->n++];
+    fourlink_value *f = &t->list[t->n];
 
+    if (!is_wanted(t, code, code))
+        return f;
+    t->n++;
     flk_fact_describe(t->d, OTHER(code), f);
     f->value = in_unit(t, si, fact_table[code].q);
     f->branch = t->branch;
@@ -444,7 +454,7 @@ static void add_actual(listing *t, flk_analysis *a)
         add_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
 }
 
-unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
+unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
                             const flk_column *columns, size_t n_columns, fourlink_value *list,
                             char *names)
 {
@@ -455,6 +465,7 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
     t.d = a->d;
     t.list = list;
     t.n = 0;
+    t.only = handle;
     t.branch = 0;
     if (groups & FOURLINK_FACTS_LIMITS) {
         int has_slide = flk_kind_has_slide(t.d->design.kind);
@@ -463,7 +474,7 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         if (!has_slide)
             add(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
         add_reach(&t);
-        if (!has_slide)
+        if (!has_slide && is_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING))
             add_reach_of_rocker(&t, branch);
         add_rod(&t);
         add_balance(&t);

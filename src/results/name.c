@@ -106,14 +106,8 @@ static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch b
 
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
 {
-    unsigned long n =
-        flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), NULL, 0, o->facts, NULL);
-    unsigned long named = 0, i;
-
-    for (i = 0; i < n; i++)
-        if (o->facts[i].handle == handle)
-            o->facts[named++] = o->facts[i];
-    return named;
+    return flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), handle, NULL, 0,
+                         o->facts, NULL);
 }
 
 int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,

@@ -196,18 +196,18 @@ static int take_memory(flk_opened *o)
 /* Open a deck without mistakes, which may be a design of another; 0 if out of memory. */
 static int open_deck(flk_opened *o, const flk_opened *from)
 {
-    flk_list *list = &o->lists[FOURLINK_COLUMNS];
     size_t i;
 
     if (o->d.sweep.n_variables && !o->d.solver)
         o->d.solver = SOLVER_DYAD;
     if (!flk_analysis_open(&o->a, &o->d) || !take_memory(o))
         return 0;
-    o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
-    for (i = 0; i < o->n_columns; i++) {
-        flk_list_column(&o->d, &o->columns[i], &list->list[list->n++]);
+    if (from)
+        o->n_columns = flk_column_take(&o->a, &from->a, from->columns, from->n_columns, o->columns);
+    if (!o->n_columns)
+        o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
+    for (i = 0; i < o->n_columns; i++)
         o->needs |= flk_column_need(&o->columns[i]);
-    }
     if (!from || !take_outputs(o, from)) {
         list_outputs(o);
         list_conditions(o);

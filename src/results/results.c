@@ -193,10 +193,17 @@ int fourlink_results_notes(const fourlink_results *r, unsigned long max_notes,
 int fourlink_results_list(fourlink_results *r, int which, const fourlink_value **list,
                           unsigned long *n)
 {
+    flk_list *columns;
+
     if (!r || !list || !n)
         return FOURLINK_NULL;
     if (which < FOURLINK_COLUMNS || which > FOURLINK_CONDITIONS)
         return FOURLINK_NO_SUCH_LIST;
+    columns = &r->now->lists[FOURLINK_COLUMNS];
+    while (which == FOURLINK_COLUMNS && columns->n < r->now->n_columns) {
+        flk_list_column(&r->now->d, &r->now->columns[columns->n], &columns->list[columns->n]);
+        columns->n++;
+    }
     if (which == FOURLINK_ALL_COLUMNS)
         flk_list_columns(&r->now->a, &r->now->lists[which]);
     else if (which == FOURLINK_INPUTS)
@@ -218,7 +225,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
         return FOURLINK_NULL;
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
-    *n = flk_fact_list(&r->now->a, &r->now->extremes, branch, groups, r->now->columns,
+    *n = flk_fact_list(&r->now->a, &r->now->extremes, branch, groups, 0, r->now->columns,
                        r->now->n_columns, r->now->facts, r->now->statistic_names);
     *facts = r->now->facts;
     return FOURLINK_OK;
@@ -230,10 +237,8 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
 static int give_row(const flk_opened *o, const flk_row *row, double *values,
                     fourlink_instant *instant, fourlink_load *loads)
 {
-    size_t i;
-
-    for (i = 0; values && i < o->n_columns; i++)
-        values[i] = flk_column_value(&o->columns[i], row);
+    if (values)
+        flk_column_values(o->columns, o->n_columns, row, values);
     if (instant) {
         *instant = row->at;
         if (!(o->a.possible & NEED_FORCES)) {
@@ -253,7 +258,8 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
                     const fourlink_load *loads)
 {
     return (values ? o->needs : 0) |
-           (instant || (loads && o->d.machine.needs_motion) ? o->a.possible & NEED_FORCES : 0);
+           (instant || (loads && o->d.machine.needs_motion) ? o->a.possible & NEED_FORCES : 0) |
+           (instant ? NEED_ANGLES : 0);
 }
 
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,

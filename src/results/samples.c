@@ -2,6 +2,7 @@
 **
 ** samples.c - samples of columns along the motion of a branch, piece by piece.
 */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,6 +100,8 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
 {
     double value = flk_column_value(c->of.c, row), by_limit;
 
+    if (!x->has_limit && !c->of.is_noise) /* nearly all samples */
+        return fabs(value) <= DBL_MAX ? value : GSL_NAN;
     if (c->is_of_crank)
         return is_at_limit(x, s) || !is_rounded(c, passed) ? value : GSL_NAN;
     by_limit = c->limit[0].reach < 0 && c->limit[1].reach < 0 ? GSL_NAN
@@ -107,7 +110,7 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
         value = by_limit;
     else if (is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
         value = GSL_NAN;
-    return gsl_isinf(value) ? GSL_NAN : value;
+    return fabs(value) <= DBL_MAX ? value : GSL_NAN;
 }
 
 /* A crank angle closer than this to an end without a row is given as that of the end. */
@@ -408,6 +411,7 @@ static void sample_part(flk_samples *x)
     flk_piece *part = &x->f.piece;
     double edge, lock = 0;
 
+    x->has_limit = flk_follow_has_limit(part->begin) || flk_follow_has_limit(part->end);
     find_limits(x, 0);
     find_limits(x, 1);
     sample(x);
@@ -421,6 +425,7 @@ static void sample_part(flk_samples *x)
     x->n_parts++;
     part->to = edge;
     part->end = lock < 0 ? FLK_END_PLAIN : FLK_END_DEAD;
+    x->has_limit = 1;
     find_limits(x, 1);
     sample(x);
 }

@@ -45,6 +45,7 @@ typedef struct flk_samples {
     flk_limit_rows *near;
     size_t n;       /* samples of the present piece */
     double *s;      /* their parameters */
+    int has_limit;  /* 1: at an end of it there is no row */
     int is_reached; /* 1: the linkage can be assembled in it */
     int is_whole;   /* 1: it is not a part that ends at an edge of a locked range */
     int has_lock;   /* 1: friction locks the mechanism in a sample */

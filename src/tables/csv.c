@@ -51,7 +51,7 @@ static void put_heading(line *l, const fourlink_value *column)
 
     put_words(
         l, flk_text_join(words, sizeof words, column->name, " (", column->unit, ")", (char *)NULL));
-    line_text(l, ",", 1);
+    line_byte(l, ',');
 }
 
 /* By content; null: it depends on the deck. */
@@ -92,7 +92,7 @@ static void put_labels(sheet *s)
 
     if (s->deck_name) {
         put_words(&s->l, s->deck_name);
-        line_text(&s->l, ",", 1);
+        line_byte(&s->l, ',');
     }
     if (s->design)
         line_put(&s->l, "%lu,", s->design);
@@ -137,16 +137,16 @@ static void put_row(sheet *s, const sheet_row *row)
 
     put_labels(s);
     line_text(&s->l, branch, strlen(branch));
-    line_text(&s->l, ",", 1);
+    line_byte(&s->l, ',');
     for (i = 0; i < s->n_header; i++) {
         double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
 
-        if (!gsl_isnan(x))
+        if (x == x) /* not NaN */
             line_number(&s->l, x, DIGITS);
-        line_text(&s->l, ",", 1);
+        line_byte(&s->l, ',');
     }
     put_words(&s->l, row->status);
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
@@ -155,12 +155,12 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_words(&s->l, c->file);
     line_put(&s->l, ",%lu,%s,", (unsigned long)c->line, sheet_verdicts[c->verdict]);
     put_words(&s->l, c->name);
-    line_text(&s->l, ",", 1);
+    line_byte(&s->l, ',');
     if (c->has_angle)
         line_number(&s->l, c->angle, DIGITS);
     line_put(&s->l, ",%s,%s,", fourlink_branch_text((int)c->branch), c->unit);
     put_words(&s->l, c->printed_text);
-    line_text(&s->l, ",", 1);
+    line_byte(&s->l, ',');
     if (c->words[0] || c->verdict == FOURLINK_NO_VALUE) {
         put_words(&s->l, c->words);
         line_put(&s->l, ",");
@@ -169,7 +169,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     }
     line_put(&s->l, ",,,");
     put_words(&s->l, c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -184,10 +184,10 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
             put_words(&s->l, outputs[i].v.words);
         else if (outputs && outputs[i].has_value)
             line_number(&s->l, outputs[i].v.value, DIGITS);
-        line_text(&s->l, ",", 1);
+        line_byte(&s->l, ',');
     }
     put_words(&s->l, why ? why : fourlink_status_text(FOURLINK_OK));
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 /* The last line of a deck's comparisons is its score. */
@@ -200,7 +200,7 @@ static void close_deck(sheet *s)
     put_words(&s->l, s->mark ? s->mark->path : "");
     line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", s->right, s->of);
     put_words(&s->l, s->mark ? s->mark->note : "");
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
@@ -214,9 +214,9 @@ static void refuse(sheet *s, const char *why)
         line_put(&s->l, ",,%s,,,,,,,,0,", s->mark ? "bad answers" : "bad deck");
         if (s->mark)
             line_put(&s->l, "%12g", s->mark->of);
-        line_text(&s->l, ",", 1);
+        line_byte(&s->l, ',');
         put_words(&s->l, why);
-        line_text(&s->l, "\n", 1);
+        line_byte(&s->l, '\n');
     }
     for (i = 0; i < n; i++)
         put_design(s, s->v.branches[i], NULL, why);
@@ -225,7 +225,7 @@ static void refuse(sheet *s, const char *why)
 /* A comma and a number; nothing after it if it is not defined. */
 static void put_next(sheet *s, double value)
 {
-    line_text(&s->l, ",", 1);
+    line_byte(&s->l, ',');
     if (!gsl_isnan(value))
         line_number(&s->l, value, DIGITS);
 }
@@ -252,7 +252,7 @@ static void put_yield(sheet *s, const sheet_yield *y)
     put_next(s, y->percent);
     put_next(s, y->low);
     put_next(s, y->high);
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 static void put_mark(sheet *s, const sheet_mark *m)
@@ -264,7 +264,7 @@ static void put_mark(sheet *s, const sheet_mark *m)
     else
         line_put(&s->l, ",,");
     put_words(&s->l, m->note);
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 const sheet_format csv_format = {

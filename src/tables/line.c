@@ -41,6 +41,12 @@ void line_text(line *l, const char *s, size_t length)
     }
 }
 
+void line_byte(line *l, char c)
+{
+    room(l, 1);
+    l->bytes[l->length++] = c;
+}
+
 void line_words(line *l, const char *s, size_t length)
 {
     text rest;
@@ -102,9 +108,11 @@ void line_field(line *l, const char *s, size_t width)
 
 void line_number(line *l, double value, int digits)
 {
-    char number[FORMAT_SIZE];
+    char *begin;
 
-    line_text(l, number, (size_t)(format_general_end(value, digits, number) - number));
+    room(l, FORMAT_SIZE);
+    begin = l->bytes + l->length;
+    l->length += (size_t)(format_general_end(value, digits, begin) - begin);
 }
 
 size_t line_value(line *l, double value, int digits, size_t width)

@@ -20,6 +20,7 @@ void line_start(line *l, FILE *out);
 void line_end(line *l);
 
 void line_text(line *l, const char *s, size_t length);
+void line_byte(line *l, char c);
 
 /* The same for text that is not this program's own: bytes that are not printable become question marks. */
 void line_words(line *l, const char *s, size_t length);

@@ -151,7 +151,7 @@ static void put_numbers(sheet *s, const double *values)
         if (!(fabs(values[j]) < x->limit) || !line_fixed(&s->l, values[j], x->decimals, x->width))
             style_put(&s->l, values[j], x, x->width);
     }
-    line_text(&s->l, "\n", 1);
+    line_byte(&s->l, '\n');
 }
 
 static void put_row(sheet *s, const sheet_row *row)

@@ -13,6 +13,13 @@
 #include "base/spelling.h"
 #include "input.h"
 
+/* Ours is theirs, but 0 has no sign. */
+static int is_same(const char *ours, const char *end, const char *theirs)
+{
+    theirs += theirs[0] == '-' && !strpbrk(theirs, "123456789");
+    return (size_t)(end - ours) == strlen(theirs) && !memcmp(ours, theirs, strlen(theirs));
+}
+
 /* A number that is written is read back; what the exact products are certain of, the C library writes too. */
 static void write_number(double value, int digits)
 {
@@ -28,15 +35,15 @@ static void write_number(double value, int digits)
     end = flk_digits_general(value, digits + 1, ours);
     snprintf(theirs, sizeof theirs, "%.*g", digits + 1, value);
     if (end)
-        MUST((size_t)(end - ours) == strlen(theirs) && !memcmp(ours, theirs, strlen(theirs)));
+        MUST(is_same(ours, end, theirs));
     end = flk_digits_exponent(value, digits, ours);
     snprintf(theirs, sizeof theirs, "%.*e", digits, value);
     if (end)
-        MUST((size_t)(end - ours) == strlen(theirs) && !memcmp(ours, theirs, strlen(theirs)));
+        MUST(is_same(ours, end, theirs));
     end = flk_digits_fixed(value, digits, ours);
     snprintf(theirs, sizeof theirs, "%.*f", digits, value);
     if (end)
-        MUST((size_t)(end - ours) == strlen(theirs) && !memcmp(ours, theirs, strlen(theirs)));
+        MUST(is_same(ours, end, theirs));
     flk_digits_short(value, digits + 1, ours);
 }
 
