@@ -410,12 +410,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200 + PICTURE_MARK], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
+    char title[200 + PICTURE_MARK + VIEW_WHY], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
                   ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
-                  time[0] ? ", " : "", time, (char *)NULL);
+                  time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
     sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
 }

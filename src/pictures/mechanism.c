@@ -45,7 +45,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft,
+    arrow_draw_torque(s, p, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)

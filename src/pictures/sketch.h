@@ -7,24 +7,16 @@
 
 #include "canvas.h"
 #include "labels.h"
+#include "view/look.h"
 
-/* Line styles, defined in picture.c at the head of every script. */
+/* Line styles, those of the table of looks, at the head of every script: links by their numbers, 2 to 4. */
+#define PEN_CODE(code, name, colour, width, dashes, use) PEN_##code,
 typedef enum pen {
     PEN_OF_LINK, /* each link has its own */
-    PEN_GROUND = 1,
-    PEN_CRANK = 2, /* 2, 3, 4: the links by their numbers */
-    PEN_COUPLER = 3,
-    PEN_FOLLOWER = 4,
-    PEN_PATH,
-    PEN_GHOST,        /* positions on the way */
-    PEN_FORCE,        /* pin forces */
-    PEN_LOAD,         /* loads and weights */
-    PEN_CONSTRUCTION, /* auxiliary lines */
-    PEN_RESULT,       /* the result of a construction */
-    PEN_OTHER,        /* other positions */
-    PEN_COUNT,        /* from here: the paths of further points */
+    LOOK_LIST(PEN_CODE) PEN_COUNT, /* from here: the paths of further points */
     PEN_PATHS = PEN_COUNT + 23
 } pen;
+#undef PEN_CODE
 
 #define SKETCH_CURVES 32
 #define SKETCH_CORNERS 40
