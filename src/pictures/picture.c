@@ -53,8 +53,7 @@ char *picture_words(const picture *p, const char *name, double si, quantity q,
     name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
     return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " = " : "",
                          format_general(value, 5, number), " ", prefix,
-                         canvas_unit(&p->on, p->v.units[q].name, own),
-                         (char *)NULL);
+                         canvas_unit(&p->on, p->v.units[q].name, own), (char *)NULL);
 }
 
 double picture_speed_of(const picture *p, fourlink_branch branch)

@@ -217,8 +217,8 @@ static void put_coefficients(const diagram *d)
     for (i = 0; i < 2; i++) {
         value = i ? d->t.fluctuation : d->t.energy_coefficient;
         if (i ? value <= 0 : !d->t.has_coefficient)
-            flk_text_join(words, sizeof words, names[i], i ? ": no flywheel" : ": none, its mean is 0",
-                          (char *)NULL);
+            flk_text_join(words, sizeof words, names[i],
+                          i ? ": no flywheel" : ": none, its mean is 0", (char *)NULL);
         else
             flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),
                           (char *)NULL);
@@ -264,15 +264,15 @@ static void plot_moment(const diagram *d)
     if (!on->is_text)
         fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#" LOOK_ABOVE "' "
               "title 'above', \\\n"
-              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#" LOOK_BELOW "' "
+              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#" LOOK_BELOW
+              "' "
               "title 'below', \\\n"
               "     '' using 1:2 ",
               on->out);
     fprintf(on->out,
             "with lines lt %s title '%s%s', \\\n"
             "     mean with lines lt 2 title 'mean'\n",
-            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-" : "",
-            canvas_symbol(on, "Ts", symbol));
+            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-" : "", canvas_symbol(on, "Ts", symbol));
 }
 
 const char *picture_turning(picture *p, fourlink_branch branch)

@@ -225,7 +225,9 @@ char *scene_words(const scene_force *f, char *out, size_t size)
         letter[0] = *c;
         if (f->sort != SCENE_INERTIA || *c > '4')
             flk_text_join(out + strlen(out), size - strlen(out),
-                          *c == 's' ? SUB_S : *c > '4' ? letter : subscripts[*c - '0'],
+                          *c == 's'  ? SUB_S
+                          : *c > '4' ? letter
+                                     : subscripts[*c - '0'],
                           (char *)NULL);
     }
     return out;

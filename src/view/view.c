@@ -21,6 +21,38 @@ static double end_of(const fourlink_motion *motion, const fourlink_range *range)
     return range->stops ? range->stop_angle : last.angle;
 }
 
+static void stretch(view *v, const fourlink_vector *at)
+{
+    if (at->y != 0)
+        return;
+    v->lever_low = GSL_MIN_DBL(v->lever_low, at->x);
+    v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
+}
+
+/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis. */
+static void find_reach(view *v)
+{
+    const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];
+    fourlink_load *loads = malloc((v->problem.n_loads + 1) * sizeof *loads);
+    fourlink_load_info info;
+    fourlink_vector at;
+    unsigned long i;
+    int link;
+
+    if (lever->mass > 0)
+        stretch(v, &lever->cg);
+    for (i = 0; i < v->problem.n_points; i++) {
+        fourlink_deck_point(v->deck, i, NULL, &link, &at);
+        if (link == FOURLINK_FOLLOWER)
+            stretch(v, &at);
+    }
+    if (loads && fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
+        for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++)
+            if (info.sort == FOURLINK_LOAD_OWN && info.link == FOURLINK_FOLLOWER)
+                stretch(v, &loads[i].at);
+    free(loads);
+}
+
 void view_take_design(view *v, fourlink_results *results)
 {
     v->results = results;
@@ -37,6 +69,9 @@ void view_take_design(view *v, fourlink_results *results)
     fourlink_motion_range(&v->problem.motion, &v->range);
     v->end = end_of(&v->problem.motion, &v->range);
     v->range.n_rows = v->problem.n_rows;
+    v->lever_low = v->lever_high = 0;
+    if (v->kind.has_slot)
+        find_reach(v);
     fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
 }
 
@@ -225,9 +260,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 
     if (v->range.n_rows == 1)
         return "the deck's instant";
-    off = v->problem.by_time
-              ? now->row.time - (double)(v->range.n_rows / 6) * v->problem.time_step
-              : now->row.angle - sixth_of(v);
+    off = v->problem.by_time ? now->row.time - (double)(v->range.n_rows / 6) * v->problem.time_step
+                             : now->row.angle - sixth_of(v);
     if (fabs(off) <= 1e-9 * (v->problem.by_time ? v->problem.duration : fabs(v->end)))
         return "a sixth of the way";
     if (n == 0)

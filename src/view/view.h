@@ -23,6 +23,7 @@ typedef struct view {
     fourlink_range range; /* by time, with the number of its rows */
     double end;           /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
+    double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
     unsigned long n_columns;
 } view;
