@@ -293,7 +293,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
-        sketch_text(s, at, 0.8, 0.8, name);
+        sketch_name(s, at, 0.8, 0.8, name);
     }
     if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);

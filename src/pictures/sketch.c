@@ -208,8 +208,17 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     new->dy = side.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
-    new->is_close = 0;
+    new->is_close = new->has_leader = 0;
     s->texts.n++;
+}
+
+void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    int n = s->texts.n;
+
+    sketch_text(s, at, dx, dy, words);
+    if (s->texts.n > n)
+        s->texts.list[n].has_leader = 1;
 }
 
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
@@ -341,6 +350,45 @@ static void put_margin(const sketch *s)
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
+/* The end of a text that is nearest to a place, in pixels from its own place. */
+static fourlink_vector edge_of(const label *x, double px, double py)
+{
+    double h = 0.35 * CANVAS_LINE;
+
+    return place_at(GSL_MAX_DBL(x->middle.x - x->half, GSL_MIN_DBL(x->middle.x + x->half, px)),
+                    GSL_MAX_DBL(x->middle.y - h, GSL_MIN_DBL(x->middle.y + h, py)));
+}
+
+/* The distance of a place from a text, in pixels. */
+static double distance_of(const sketch *s, const label *x, fourlink_vector at)
+{
+    double px = (at.x - x->at.x) / s->texts.scale, py = (at.y - x->at.y) / s->texts.scale;
+    fourlink_vector edge = edge_of(x, px, py);
+
+    return gsl_hypot(edge.x - px, edge.y - py);
+}
+
+#define FAR 14.0 /* pixels: a text so far from its place has a line to it, */
+#define SURE 2.0 /* and one that is not so many times nearer to it than to another */
+
+/* Draw a line from a name to its point, if the text could be that of another. */
+static void put_leader(const sketch *s, const label *x)
+{
+    double own = distance_of(s, x, x->at), other = GSL_POSINF;
+    fourlink_vector from;
+    int i;
+
+    for (i = 0; i < s->texts.n; i++)
+        if (&s->texts.list[i] != x && s->texts.list[i].has_leader)
+            other = GSL_MIN_DBL(other, distance_of(s, x, s->texts.list[i].at));
+    if (own < FAR && SURE * own < other)
+        return;
+    from = edge_of(x, 0, 0);
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n",
+                 x->at.x + s->texts.scale * from.x, x->at.y + s->texts.scale * from.y, x->at.x,
+                 x->at.y, PEN_LEADER);
+}
+
 static void put_labels(const sketch *s)
 {
     int i;
@@ -352,6 +400,8 @@ static void put_labels(const sketch *s)
 
         if (one->is_hidden)
             continue;
+        if (one->has_leader && !s->c->is_text)
+            put_leader(s, one);
         canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", one->words,
                      one->at.x + s->texts.scale * (one->middle.x - side * half),
                      one->at.y + s->texts.scale * one->middle.y, canvas_side(side));

@@ -86,6 +86,9 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 /* Put a text beside a point, in the direction (dx, dy) if there is room. */
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
+/* The same with a line to the point, if the text stands far from it or near another such point. */
+void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+
 /* The same close to it, or not at all. */
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
