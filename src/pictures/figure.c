@@ -8,16 +8,13 @@
 
 #include "figure.h"
 
-#define STEPS 180 /* of a path */
+#define STEPS 180       /* of a path */
+#define LONGEST_NAME 16 /* letters, of a point beside it */
 
-/* Half the length of a piston or a block, as a fraction of the drawing; of a block not more than this fraction of
-** its crank.  Its height is a fraction of its length. */
-#define BLOCK 0.055
+/* Half the length of a block is at most this fraction of its crank. */
 #define OF_CRANK 0.35
-#define HIGH (7. / 11)
 
 /* Greek letters, in UTF-8. */
-#define THETA "\316\270"
 #define OMEGA "\317\211"
 
 double figure_length(const picture *p, double si)
@@ -56,7 +53,7 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
 /* Half the length of a piston or a block. */
 static double figure_block(const sketch *s)
 {
-    return s->block > 0 ? s->block : BLOCK * s->size;
+    return s->block > 0 ? s->block : FIGURE_BLOCK * s->size;
 }
 
 figure_pins figure_place(const picture *p, const fourlink_state *state)
@@ -152,8 +149,9 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (p->v.kind.has_slot)
-        s->block = GSL_MIN_DBL(
-            BLOCK * s->size, OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
+        s->block =
+            GSL_MIN_DBL(FIGURE_BLOCK * s->size,
+                        OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * figure_block(s));
@@ -172,7 +170,8 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double h = HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from, to;
+        double h = FIGURE_HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from,
+               to;
 
         find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
@@ -201,7 +200,7 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
 {
     double half = figure_block(s);
 
-    put_rectangle(s, kind, at, axis, -half, half, HIGH * half);
+    put_rectangle(s, kind, at, axis, -half, half, FIGURE_HIGH * half);
 }
 
 /* Draw the lever on from its arm and its slot to its points, loads and centre of mass. */
@@ -230,7 +229,7 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
 
     find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
     put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
-                  HIGH * figure_block(s));
+                  FIGURE_HIGH * figure_block(s));
     sketch_line(s, kind, D, on_slide(p, state, root));
     if (root < from || root > to)
         sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
@@ -282,6 +281,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
+    char fitting[LABELS_WORDS];
     unsigned long i;
     const char *name;
     int link;
@@ -293,7 +293,8 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
-        sketch_name(s, at, 0.8, 0.8, name);
+        sketch_name(s, at, 0.8, 0.8,
+                    canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);
@@ -364,11 +365,11 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
-    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA SUB_2);
+    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, FIGURE_THETA SUB_2);
     if (!p->v.kind.has_slot || p->v.design->angle != 0)
-        put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA SUB_3);
+        put_angle(s, p, pins.B, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
     if (!p->v.kind.has_stroke)
-        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
+        put_angle(s, p, pins.D, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
 }
 
 /* Put the numbers of the links beside their middles; that of the ground below A. */
@@ -387,7 +388,7 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
         const fourlink_vector *axis = &state->link[link].axis;
         fourlink_vector at =
             place_at((from[link].x + to[link].x) / 2, (from[link].y + to[link].y) / 2);
-        double half = figure_block(s), up = HIGH * half;
+        double half = figure_block(s), up = FIGURE_HIGH * half;
 
         if (p->v.kind.slides_on[link])
             at = place_beside(to[link], half * axis->x - up * axis->y,
@@ -507,7 +508,7 @@ void figure_close(sketch *s, const picture *p, const fourlink_instant *now, cons
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
+                  ", " FIGURE_THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
                   time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
     sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
 }

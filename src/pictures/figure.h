@@ -9,6 +9,12 @@
 #include "sketch.h"
 #include "view/geometry.h"
 
+#define FIGURE_THETA "\316\270" /* the Greek letter, in UTF-8 */
+
+/* Half the length of a piston or a block, as a fraction of the drawing; its height as one of its length. */
+#define FIGURE_BLOCK 0.055
+#define FIGURE_HIGH (7. / 11)
+
 /* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
 ** an inverted slider-crank C, where links 3 and 4 meet, is B. */
 typedef struct figure_pins {

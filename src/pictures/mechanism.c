@@ -12,6 +12,9 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
+/* The side of an inset, in lengths of its link. */
+#define WINDOW 2.6
+
 /* Add the forces of the springs, which have their names and values at the springs. */
 static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
 {
@@ -108,11 +111,29 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
         }
 }
 
+/* Draw what is around a small link, from its pin on the ground, enlarged. */
+static void put_inset(picture *p, const fourlink_state *state, int link)
+{
+    figure_pins pins = figure_place(p, state);
+    double length = figure_length(p, p->v.design->link[link].length);
+    char words[80];
+    sketch s;
+
+    figure_open(&s, p, state->branch, 0);
+    s.size = WINDOW * length;
+    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, WINDOW * length / 2);
+    figure_frame(&s, p, state);
+    figure_draw(&s, p, state, 1);
+    s.n_notes = 0; /* they are beside the whole */
+    flk_text_join(words, sizeof words, "at the ", p->v.kind.link[link], ", enlarged", (char *)NULL);
+    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+}
+
 const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
     picture_row r;
     sketch s;
-    int status = picture_row_find(p, branch, &r);
+    int status = picture_row_find(p, branch, &r), i;
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
@@ -128,6 +149,8 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
         draw_forces(&s, p, &r);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
+    for (i = 0; i < p->n_insets; i++)
+        put_inset(p, &r.now.state, p->insets[i]);
     return NULL;
 }
 

@@ -30,6 +30,8 @@
       "polar diagrams of the pin forces")                                                          \
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
       "polygons of velocity, acceleration and forces")                                             \
+    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING, picture_limits, NULL,                        \
+      "limits, dead positions, transmission angle and instantaneous centres")                      \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL,                     \
       "Klein's construction")                                                                      \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
@@ -109,9 +111,10 @@ typedef struct picture {
     fourlink_results *own; /* opened for this picture; null: none */
     view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    int has_instant;      /* 1: the deck asks for one instant, and the picture shows its cycle */
-    double instant;       /* its crank angle, in the deck's unit */
-    fourlink_load *loads; /* room for the loads at one crank angle */
+    int insets[2], n_insets; /* links that are small beside the mechanism: drawn enlarged as well */
+    int has_instant;         /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;          /* its crank angle, in the deck's unit */
+    fourlink_load *loads;    /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
@@ -166,6 +169,9 @@ int picture_column_panels(const picture *p);
 /* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of
 ** each link. */
 int size_lines_beside(const picture *p, int each_link);
+
+/* The size of the drawing of a mechanism, in m: the larger side of the room of its motion, on any branch. */
+double size_of_motion(const picture *p);
 
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);

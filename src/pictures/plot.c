@@ -26,6 +26,7 @@ static const struct plot_info {
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
+#define SMALL_LINK 0.08 /* of the whole: it is drawn enlarged as well */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* Free bodies with friction circles or springs are so many times larger. */
@@ -52,6 +53,19 @@ plot_file plot_file_of(const char *name)
         if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), file_table[i].ending))
             break;
     return (plot_file)i;
+}
+
+/* Find the links that are small beside the whole: the crank, and a rocker. */
+static void find_insets(picture *p)
+{
+    double size = SMALL_LINK * size_of_motion(p);
+
+    p->n_insets = 0;
+    if (p->v.design->link[FOURLINK_CRANK].length < size)
+        p->insets[p->n_insets++] = FOURLINK_CRANK;
+    if (!p->v.kind.has_slot && !p->v.kind.has_stroke &&
+        p->v.design->link[FOURLINK_FOLLOWER].length < size)
+        p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
 }
 
 static void lay_out(picture *p, FILE *out)
@@ -89,6 +103,10 @@ static void lay_out(picture *p, FILE *out)
                                         : 6) +
                 (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
                3;
+    if (p->request->kind == PLOT_MECHANISM && !is_text) {
+        find_insets(p);
+        rows *= 1 + p->n_insets;
+    }
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
         height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));

@@ -67,6 +67,19 @@ static place_box box_of_motion(const picture *p, fourlink_branch branch)
     return b;
 }
 
+double size_of_motion(const picture *p)
+{
+    double size = 0;
+    int i;
+
+    for (i = 0; i < p->v.n_branches; i++) {
+        place_box b = box_of_motion(p, p->v.branches[i]);
+
+        size = GSL_MAX_DBL(size, GSL_MAX_DBL(b.x_max - b.x_min, b.y_max - b.y_min));
+    }
+    return size;
+}
+
 double size_height(const picture *p, double width)
 {
     double highest = LOWEST, x, y, border;
