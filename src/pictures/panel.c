@@ -156,7 +156,7 @@ static void begin(picture *p, panel *q, int x, int n)
 
     q->x_column = x;
     q->e = q->x = graph_nothing;
-    q->n = q->to_scale = q->is_unbounded = 0;
+    q->n = q->to_scale = q->is_unbounded = q->is_averaged = 0;
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
@@ -326,7 +326,11 @@ static void sample(picture *p, panel *q, const panel_plan *plan)
     for (i = 0; i < plan->n; i++) {
         int branch = plan->branch[i], column = plan->column[i];
 
-        graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+        if (i != plan->by_turn - 1 ||
+            !graph_average(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]))
+            graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+        else
+            q->is_averaged = 1;
         graph_extend_x(&q->x, &q->line[i]);
         q->n = i + 1;
         unbounded = unbounded || (plan->is_free && is_unbounded(p, column, branch));
@@ -350,7 +354,7 @@ void panel_plan_begin(panel_plan *plan, int x)
 
 int panel_draw(picture *p, const panel_plan *plan)
 {
-    char x[200], words[200], name[PANEL_NAME];
+    char x[200], words[200], name[PANEL_NAME], title[240];
     int i;
     panel q;
 
@@ -371,13 +375,19 @@ int panel_draw(picture *p, const panel_plan *plan)
         if (q.line[i].n_points) {
             const char *branch = fourlink_branch_text((int)p->v.branches[plan->branch[i]]);
 
-            canvas_print(&p->on, "%s $%s_%s using 1:2 with lines lt %d title %q",
+            int is_averaged = q.is_averaged && i == plan->by_turn - 1;
+
+            flk_text_join(title, sizeof title,
+                          plan->by_branch ? branch : short_name(p, plan->column[i], words),
+                          is_averaged ? " per turn" : "", (char *)NULL);
+            canvas_print(&p->on, "%s $%s_%s using 1:2 with %s lt %d%s title %q",
                          p->on.curves++ ? "," : "plot", name_of(p, plan, i, name), branch,
-                         plan->line[i] ? plan->line[i] : i + 1,
-                         plan->by_branch ? branch : short_name(p, plan->column[i], words));
+                         is_averaged ? "linespoints" : "lines",
+                         plan->line[i] ? plan->line[i] : i + 1, is_averaged ? " pt 7 ps 0.5" : "",
+                         title);
         }
     if (!gsl_isnan(plan->mean))
-        canvas_print(&p->on, ", %.8g with lines lt 2 title 'mean'", plan->mean);
+        canvas_print(&p->on, ", %.8g with lines lt 2 title '%s'", plan->mean, plan->mean_name);
     canvas_print(&p->on, "\n");
     return p->on.curves > 0;
 }

@@ -116,6 +116,7 @@ typedef struct picture {
     double instant;          /* its crank angle, in the deck's unit */
     fourlink_load *loads;    /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
+    double from;                      /* where its curves begin, in the deck's unit */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
     const char *why; /* the position is shown that nobody asked for; "": it was asked for */
@@ -207,6 +208,9 @@ const char *picture_over(const picture *p);
 
 /* 1 if a column is a crank angle on which the samples lie at equal steps. */
 int picture_is_over_angle(const picture *p, int column);
+
+/* Begin curves anew where the last turn of a motion of several begins, on a branch; 1 if there are several. */
+int picture_take_last_turn(picture *p, fourlink_branch branch);
 
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);

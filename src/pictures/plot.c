@@ -380,6 +380,8 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
                               " s", (char *)NULL);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
+    if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))
+        held = ", the last turn";
     lay_out(p, out);
     put_head(p, p->source->name, held);
     if (p->request->at && !read_angles(p, mistake))

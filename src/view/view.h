@@ -21,7 +21,8 @@ typedef struct view {
     fourlink_branch branches[2]; /* that the deck asks for */
     int n_branches;
     fourlink_range range; /* by time, with the number of its rows */
-    double end;           /* the last crank angle of the motion, in the deck's unit */
+    double
+        end; /* the last crank angle of the motion, in the deck's unit; of a machine that stalls, there */
     fourlink_unit units[QUANTITY_COUNT];
     double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
