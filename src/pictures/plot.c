@@ -27,6 +27,7 @@ static const struct plot_info {
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
 #define SMALL_LINK 0.08 /* of the whole: it is drawn enlarged as well */
+#define LONE_WIDTH 760  /* of a single panel */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* Free bodies with friction circles or springs are so many times larger. */
@@ -91,6 +92,7 @@ static void lay_out(picture *p, FILE *out)
     if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
+        width = n > 1 ? width : LONE_WIDTH; /* its titles need it */
     }
     p->has_inset =
         p->v.kind.has_stroke && p->v.design->link[FOURLINK_CRANK].length <

@@ -168,7 +168,7 @@ def check_extremes(script, panel, deck, name, branches, extremes):
 
 def check_range(panel, name):
     """The y axis has all of the curve, and little more, unless it is cut."""
-    if any('beyond the frame' in words for words, at, side, rest in panel.labels):
+    if 'beyond the frame' in panel.title:
         return
     values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
     low, high = panel.range['y']
