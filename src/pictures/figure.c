@@ -155,7 +155,7 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * figure_block(s));
-        s->is_fixed = 1;
+        s->is_fixed = s->texts.is_steady = 1;
     } else {
         s->drawn = place_nothing;
     }
@@ -323,6 +323,23 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
 }
 
+/* Letters that do not jump from position to position: below the supports, and outward of the crank and of the rocker. */
+#define BESIDE 0.03 /* of the drawing, from a pin to the edge of its support */
+
+static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)
+{
+    figure_pins pins = figure_place(p, state);
+    double beside = BESIDE * s->size;
+
+    sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
+    figure_letter(s, pins.B, pins.A, pins.A, "B");
+    if (!p->v.kind.has_slot)
+        figure_letter(s, pins.C, p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D,
+                      p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D, "C");
+    if (!p->v.kind.has_stroke)
+        sketch_text(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
+}
+
 static void put_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
@@ -455,7 +472,7 @@ void figure_gravity(sketch *s, const picture *p)
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
 {
     put_links(s, p, state);
-    put_letters(s, p, state);
+    (s->texts.is_steady ? put_steady_letters : put_letters)(s, p, state);
     put_sense(s, state, figure_place(p, state).A);
     if (has_angles)
         put_angles(s, p, state);

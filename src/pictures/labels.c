@@ -80,10 +80,10 @@ static void place(labels *l, int k)
     double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
     double w = text->half;
     fourlink_vector best = text->middle;
-    int rings = text->is_close ? 1 : RINGS, ring, i;
+    int rings = text->is_close || l->is_steady ? 1 : RINGS, ring, i;
 
     for (ring = 0; ring < rings; ring++)
-        for (i = 0; i < DIRECTIONS; i++) {
+        for (i = 0; i < (l->is_steady ? 1 : DIRECTIONS); i++) {
             double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
             double gap = GAP * (1 + 1.5 * ring);
 
@@ -98,7 +98,7 @@ static void place(labels *l, int k)
             }
         }
     text->middle = best;
-    text->is_hidden = text->is_close && least > HIDDEN;
+    text->is_hidden = text->is_close && least > HIDDEN && !l->is_steady;
 }
 
 static double scale_for(const labels *l, const place_box *b, double width, double height,

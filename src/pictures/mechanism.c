@@ -43,12 +43,20 @@ static void add_forces(arrow_list *arrows, const picture *p, const picture_row *
     }
 }
 
+static void name_links(sketch *s, const picture *p)
+{
+    char words[80];
+
+    sketch_note(s, "1 ground, 2 crank,");
+    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
+                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
+}
+
 /* Draw loads, weights and pin forces. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
     arrow_list arrows;
-    char words[80];
     double scale;
     int has_springs, link, n, i;
 
@@ -72,9 +80,6 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         ;
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, has_springs ? "load, weight, spring" : "load or weight");
-    sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
-                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
 /* Draw rows spread over the motion in grey. */
@@ -147,6 +152,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
+    name_links(&s, p);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     for (i = 0; i < p->n_insets; i++)

@@ -41,7 +41,9 @@ int size_lines_beside(const picture *p, int each_link)
     }
     if (p->v.problem.has_forces)
         sum += 9; /* pin forces, torque, and what the arrows mean */
-    return each_link ? 7 + most : 8 + sum + (int)p->v.problem.n_points;
+    if (p->request->file == PLOT_TXT)
+        sum += 3; /* the links in the key */
+    return each_link ? 7 + most : 10 + sum + (int)p->v.problem.n_points;
 }
 
 /* The room that the mechanism needs on a branch. */
