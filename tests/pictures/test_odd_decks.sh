@@ -97,7 +97,7 @@ draws 'mechanism turning-moment polar vectors'
 run 0 --plot=x.svg --set=units.length=in --set=units.angle=rad --plot-at='1 rad' "$fourbar"
 shows x.svg 'x (in)' 'y (in)' 'open, θ₂ = 1 rad' 'θ₂ = 1 rad'
 run 0 --plot=x.svg --set=units.angle=rad --plot-kind=motion "$fourbar"
-shows x.svg 'theta2 (rad)' 'theta4 (rad)'
+shows x.svg 'θ₂ (rad)' 'θ₄ (rad)'
 odd 'out of reach' "$all" "$data/me3491-exercise-1.deck" --set='motion.from=150 deg' --set='motion.to=200 deg'
 check "nothing is drawn out of reach:$drawn_kinds" test -z "$drawn_kinds"
 odd 'a crank that cannot turn fully' animation "$data/me3491-exercise-1.deck"

@@ -37,7 +37,7 @@ for kind in speed forces; do
     check "$kind: a torque of 0" awk '$2 != 0 {bad++} END {exit bad || NR < 100}' crank
 done
 run 0 --plot-script=s.gp --plot-kind=mechanism --branch=open free.deck
-check 'mechanism: no torque' none 'Ts' s.gp
+check 'mechanism: no torque' none 'Tₛ' s.gp
 
 run 2 --plot=p.svg --plot-kind=speed "$alvi"
 says 'this picture needs [motion] mode = free, run-up or steady; the motion is given'
