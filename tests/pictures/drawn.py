@@ -14,7 +14,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, SKIPPED, cross, crossing, decks_of, dot, foot, si_of  # noqa: E402
-from script import Script  # noqa: E402
+from script import Script, plain  # noqa: E402
 
 # Styles of lines
 GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6
@@ -28,9 +28,9 @@ checks = Checks()
 def value_of(words, unit):
     """The number of "12.3 kN" in the unit N; None if it is no such quantity."""
     match = re.fullmatch(r'(-?[0-9.e+-]+) (\S+)', words or '')
-    if not match or not match.group(2).endswith(unit):
+    if not match or not plain(match.group(2)).endswith(unit):
         return None
-    prefix = match.group(2)[:len(match.group(2)) - len(unit)]
+    prefix = plain(match.group(2))[:-len(unit)]
     return float(match.group(1)) * PREFIXES[prefix] if prefix in PREFIXES else None
 
 
@@ -486,7 +486,7 @@ def torques_on(deck, position, row, link, acting):
     """(name, place, value, style) of the torques on a link, in the order in which they are drawn."""
     found = [(x.name, x.origin, x.torque, LOAD) for x in acting if x.torque]
     if link == 2:
-        found.append(('Ts', position.A, row['Ts'] if not is_rounding(deck, row) else 0, PIN_FORCE))
+        found.append(('Tₛ', position.A, row['Ts'] if not is_rounding(deck, row) else 0, PIN_FORCE))
     if deck.slot and link == 3:
         found.append(('M₄₃', position.B, -row['M34'], PIN_FORCE))
     if deck.slot and link == 4:
@@ -758,7 +758,7 @@ def check_mechanism(deck, text, row, position, rows):
         has_label(panel, x.name)
     torques = [(x.name, x.origin, x.torque) for x in acting if x.torque]
     if not is_rounding(deck, row) and row['Ts']:
-        torques.append(('Ts', position.A, row['Ts']))
+        torques.append(('Tₛ', position.A, row['Ts']))
     checks.that(len(torques) == len(arcs), 'arcs', len(arcs), torques)
     for (name, at, value), (centre, sense, style, radius) in zip(torques, arcs):
         checks.that(sense == math.copysign(1, value), 'the sense of', name, sense, value)

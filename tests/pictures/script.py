@@ -16,6 +16,21 @@ MARGIN = re.compile(r'([lrtb])margin at screen %s' % NUMBER)
 TITLE = re.compile(r'set (title|xlabel|ylabel) (".*")')
 
 
+LETTERS = {'θ': 'theta', 'ω': 'omega', 'α': 'alpha', 'γ': 'gamma', 'φ': 'phi', 'μ': 'mu', '°': 'deg', '·': '.'}
+SCRIPTS = str.maketrans('₀₁₂₃₄ₛₓᵧ²³', '01234sxy23')
+
+
+def plain(words):
+    """A name or a unit of a book as tables have it: θ₂ is theta2, m/s² is m/s2, F₁₂ along is F12_along."""
+    return ''.join(LETTERS.get(c, c) for c in words.translate(SCRIPTS)).replace(' ', '_')
+
+
+def axis_of(label):
+    """Name and unit of "F₁₂ along (N)", as tables have them."""
+    name, unit = label[:-1].rsplit(' (', 1)
+    return plain(name), plain(unit)
+
+
 def unquoted(words):
     if words[0] == "'":
         return words[1:-1].replace("''", "'")
