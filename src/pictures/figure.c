@@ -8,8 +8,7 @@
 
 #include "figure.h"
 
-#define STEPS 180       /* of a path */
-#define LONGEST_NAME 16 /* letters, of a point beside it */
+#define STEPS 180 /* of a path */
 
 /* Half the length of a block is at most this fraction of its crank. */
 #define OF_CRANK 0.35
@@ -293,8 +292,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
-        sketch_name(s, at, 0.8, 0.8,
-                    canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting));
+        sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);

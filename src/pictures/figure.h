@@ -15,6 +15,8 @@
 #define FIGURE_BLOCK 0.055
 #define FIGURE_HIGH (7. / 11)
 
+#define FIGURE_NAME 16 /* letters, of a name beside its point */
+
 /* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
 ** an inverted slider-crank C, where links 3 and 4 meet, is B. */
 typedef struct figure_pins {

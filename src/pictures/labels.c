@@ -108,6 +108,18 @@ static double scale_for(const labels *l, const place_box *b, double width, doubl
                                   (b->y_max - b->y_min) / (height - 2 * border));
 }
 
+/* Where there is not room for all texts, in a frame with this half side, move it so that the drawing is in it. */
+static void keep_within(double *low, double *high, double drawn_low, double drawn_high, double half)
+{
+    double middle = (*low + *high) / 2;
+
+    if (*high - *low <= 2 * half || drawn_high - drawn_low > 2 * half)
+        return;
+    middle = GSL_MIN_DBL(GSL_MAX_DBL(middle, drawn_high - half), drawn_low + half);
+    *low = middle - half;
+    *high = middle + half;
+}
+
 void labels_place(labels *l, place_box drawn, int is_fixed, double size, double width,
                   double height)
 {
@@ -143,4 +155,6 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
     place_grow(&l->drawn, b.x_max * l->scale, b.y_max * l->scale);
     /* if the texts still move */
     l->scale = GSL_MAX_DBL(l->scale, GSL_MIN_DBL(scale, 3 * first));
+    keep_within(&l->drawn.x_min, &l->drawn.x_max, drawn.x_min, drawn.x_max, l->scale * width / 2);
+    keep_within(&l->drawn.y_min, &l->drawn.y_max, drawn.y_min, drawn.y_max, l->scale * height / 2);
 }

@@ -129,13 +129,14 @@ static void put_image(polygon *g, fourlink_vector v, const char *letter)
 static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 {
     static const char *const subscripts[] = {"", "", SUB_2, SUB_3, SUB_4};
-    char letter[80], of[TRACKS_NAME];
+    char letter[80], of[TRACKS_NAME], fitting[LABELS_WORDS];
     int i;
 
     for (i = 0; i < r->drawn.n_images && arrow_largest(&g->sides) > 0; i++) {
         const scene_image *x = &r->drawn.images[i];
 
-        flk_text_join(letter, sizeof letter, x->name, d->mark,
+        flk_text_join(letter, sizeof letter,
+                      canvas_shorten(x->name, FIGURE_NAME, 0, fitting, sizeof fitting), d->mark,
                       x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
         flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
         put_image(g, tracks_vector(&r->numbers, of), letter);
