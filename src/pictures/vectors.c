@@ -21,6 +21,8 @@
 /* The couple of a guide is rounding if it is this fraction of the largest force times the crank's length. */
 #define ROUNDING 1e-12
 
+#define IMAGE_NAME 9 /* letters, of the image of a point */
+
 #define NO_FORCES "all forces are zero"
 
 static const fourlink_vector zero = {0, 0};
@@ -122,7 +124,7 @@ static void put_image(polygon *g, fourlink_vector v, const char *letter)
 
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
-    put_letter(g, end, letter);
+    sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
 }
 
 /* Put the images of centres of mass and of tracer points. */
@@ -136,7 +138,7 @@ static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
         const scene_image *x = &r->drawn.images[i];
 
         flk_text_join(letter, sizeof letter,
-                      canvas_shorten(x->name, FIGURE_NAME, 0, fitting, sizeof fitting), d->mark,
+                      canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
                       x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
         flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
         put_image(g, tracks_vector(&r->numbers, of), letter);

@@ -12,8 +12,8 @@
 ** LOOK_ARROW */
 #define LOOK_LIST(X)                                                     \
     X(GROUND, "ground", "000000", 1.5, "", LOOK_ARROW)                   \
-    X(CRANK, "crank", "0A2F7A", 6, "", LOOK_ARROW)                       \
-    X(COUPLER, "coupler", "C25000", 4.5, "", LOOK_ARROW)                 \
+    X(CRANK, "crank", "0A2F7A", 5, "", LOOK_ARROW)                       \
+    X(COUPLER, "coupler", "C25000", 4, "", LOOK_ARROW)                 \
     X(FOLLOWER, "follower", "005A40", 3, "", LOOK_ARROW)                 \
     X(PATH, "path", "A6447C", 1.5, "", LOOK_LINE)                        \
     X(GHOST, "ghost", "D0D0D0", 1, "", LOOK_PALE)                        \

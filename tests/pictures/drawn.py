@@ -17,7 +17,7 @@ from linkage import Checks, Deck, Program, SKIPPED, cross, crossing, decks_of, d
 from script import Script, plain  # noqa: E402
 
 # Styles of lines
-GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST, SENSE = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6, 13
+GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST, LEADER, SENSE = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6, 12, 13
 GHOSTS = 12
 ANGLES = 12
 PREFIXES = {'': 1, 'n': 1e-9, '\u00b5': 1e-6, 'm': 1e-3, 'k': 1e3, 'M': 1e6, 'G': 1e9}
@@ -63,9 +63,9 @@ def has_disc(panel, what, at, size, colour=None, quarters=False):
                 what, 'at', at, 'in', panel.title)
 
 
-def short(name):
+def short(name, most=16):
     """A long name as it stands beside its point."""
-    return name if len(name) <= 16 else name[:15] + '…'
+    return name if len(name) <= most else name[:most - 1] + '…'
 
 
 def has_label(panel, words):
@@ -340,7 +340,7 @@ def check_frame(script, panel, drawn=None):
 
 def check_sides(panel, unit, expected, size, is_chain=False):
     """The sides of a polygon: as many as notes, each with its value; `expected` are (name, start, vector) of each."""
-    sides = [line for line in panel.lines if line.style not in (THIN,)]
+    sides = [line for line in panel.lines if line.style not in (THIN, LEADER)]
     notes = entries(panel, unit)
     wanted = [x for x in expected if abs(x[2]) > 1e-12 * size]
     if size == 0:
@@ -366,7 +366,7 @@ def check_sides(panel, unit, expected, size, is_chain=False):
 def check_closing(panel, size, *ways):
     """Ways along sides from one corner to another: (names of a way, names of another)."""
     sums = {}
-    sides = [line for line in panel.lines if line.style != THIN]
+    sides = [line for line in panel.lines if line.style not in (THIN, LEADER)]
     for line, note in zip(sides, panel.notes):
         sums[note.rpartition(' = ')[0]] = line.vector
     for first, second in ways:
@@ -380,7 +380,7 @@ def check_images(panel, deck, row, motion, prime, size):
     places = [('g%s%s' % (prime, '₂₃₄'[link - 2]), motion(link, deck.cg(link))) for link in (2, 3, 4) if deck.mass(link) > 0]
     for name, link in deck.points():
         kind = 'a' if prime else 'v'
-        places.append((short(name) + prime, row.vector('%s.%s' % (name, kind))))
+        places.append((short(name, 9) + prime, row.vector('%s.%s' % (name, kind))))
     for letter, at in places:
         has_line(panel, 'the image ' + letter, 0, at, THIN, max(size, abs(at)))
         has_disc(panel, 'the image ' + letter, at, max(size, abs(at)), 'black')
