@@ -527,7 +527,7 @@ def torques_on(deck, position, row, link, acting):
     """(name, place, value, style) of the torques on a link, in the order in which they are drawn."""
     found = [(x.name, x.origin, x.torque, LOAD) for x in acting if x.torque]
     if link == 2:
-        found.append(('Tₛ', position.A, row['Ts'] if not is_rounding(deck, row) else 0, PIN_FORCE))
+        found.append(('Ts', position.A, row['Ts'] if not is_rounding(deck, row) else 0, PIN_FORCE))
     if deck.slot and link == 3:
         found.append(('M₄₃', position.B, -row['M34'], PIN_FORCE))
     if deck.slot and link == 4:
@@ -647,7 +647,7 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     arcs = [arc for arc, (name, value) in zip(arcs, values) if abs(value) > 1e-12 * big] if len(arcs) == len(values) else arcs
     values = [(name, value) for name, value in values if abs(value) > 1e-12 * big]  # the others are rounding
     torques = [t for t in torques if abs(t[2]) > 1e-12 * big]
-    checks.that([t[0] for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
+    checks.that([{'Ts': 'Tₛ'}.get(t[0], t[0]) for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
     checks.that(len(arcs) == len(values), 'arcs of torques of the', where, len(arcs), values)
     for (name, at, value, style), (own_name, printed), (centre, sense, own_style, radius) in zip(torques, values, arcs):
         checks.near('%s on the %s' % (name, where), printed, value, abs(value), 1e-4)
