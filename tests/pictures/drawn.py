@@ -63,6 +63,11 @@ def has_disc(panel, what, at, size, colour=None, quarters=False):
                 what, 'at', at, 'in', panel.title)
 
 
+def in_book(name):
+    """The driving torque as pictures name it."""
+    return 'Tₛ' if name == 'Ts' else name
+
+
 def short(name, most=16):
     """A long name as it stands beside its point."""
     return name if len(name) <= most else name[:most - 1] + '…'
@@ -647,13 +652,13 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     arcs = [arc for arc, (name, value) in zip(arcs, values) if abs(value) > 1e-12 * big] if len(arcs) == len(values) else arcs
     values = [(name, value) for name, value in values if abs(value) > 1e-12 * big]  # the others are rounding
     torques = [t for t in torques if abs(t[2]) > 1e-12 * big]
-    checks.that([{'Ts': 'Tₛ'}.get(t[0], t[0]) for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
+    checks.that([in_book(t[0]) for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
     checks.that(len(arcs) == len(values), 'arcs of torques of the', where, len(arcs), values)
     for (name, at, value, style), (own_name, printed), (centre, sense, own_style, radius) in zip(torques, values, arcs):
         checks.near('%s on the %s' % (name, where), printed, value, abs(value), 1e-4)
         checks.that(sense == math.copysign(1, value) and style == own_style, 'the sense of', name, 'on the', where, sense, value)
         checks.near('the centre of %s on the %s' % (name, where), centre, at, size, 1e-5)
-        has_label(body, name)
+        has_label(body, in_book(name))
         moment += sense * abs(printed)
         sum_of_sizes += abs(printed)
     slack = 3e-5 + (0.02 if len(shown) < len(wanted) and deck.number('friction.circle_A') else 0)
