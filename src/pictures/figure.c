@@ -235,22 +235,24 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
     put_reach(s, p, state, kind, from, to);
 }
 
+/* The crank is in front: of a block, and of a coupler in line with it. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
+    pen crank = kind ? kind : PEN_CRANK, coupler = kind ? kind : PEN_COUPLER;
+    pen follower = kind ? kind : PEN_FOLLOWER;
     figure_pins pins = figure_place(p, state);
 
-    if (p->v.kind.has_slot) { /* the crank is in front of the block */
-        figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
-        figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
-        sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-        return;
+    if (p->v.kind.has_slot) {
+        figure_lever(s, p, state, follower);
+        figure_piston(s, coupler, pins.B, &state->link[FOURLINK_COUPLER].axis);
+    } else {
+        sketch_line(s, coupler, pins.B, pins.C);
+        if (p->v.kind.has_stroke)
+            figure_piston(s, follower, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
+        else
+            sketch_line(s, follower, pins.D, pins.C);
     }
-    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-    sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
-    if (p->v.kind.has_stroke)
-        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
-    else
-        sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
+    sketch_line(s, crank, pins.A, pins.B);
 }
 
 /* Draw the outline of a link with tracer points. */
@@ -418,7 +420,7 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
 #define AHEAD 0.35
 #define LONG 0.8
 
-static void put_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
+void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
 {
     double omega = state->link[FOURLINK_CRANK].omega, sign = omega < 0 ? -1 : 1;
     double from = state->link[FOURLINK_CRANK].theta + sign * AHEAD, radius = SENSE * s->size;
@@ -451,7 +453,7 @@ void figure_slope(sketch *s, const picture *p)
 
 void figure_gravity(sketch *s, const picture *p)
 {
-    double left = s->drawn.x_min - 0.05 * s->size, top = s->drawn.y_max;
+    double left = s->drawn.x_min - 0.1 * s->size, top = s->drawn.y_max;
     fourlink_vector to = place_at(left, top - 0.12 * s->size), axis;
 
     sketch_turn(s, 0);
@@ -471,7 +473,7 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 {
     put_links(s, p, state);
     (s->texts.is_steady ? put_steady_letters : put_letters)(s, p, state);
-    put_sense(s, state, figure_place(p, state).A);
+    figure_sense(s, state, figure_place(p, state).A);
     if (has_angles)
         put_angles(s, p, state);
     put_numbers(s, p, state);

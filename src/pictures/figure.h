@@ -57,6 +57,9 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 
+/* Draw the sense of rotation about A, ahead of the crank. */
+void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A);
+
 /* Put a letter beside a pin, away from the other pins of its links; `y` is x if there is only one link. */
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);

@@ -30,8 +30,9 @@ static const struct plot_info {
 #define LONE_WIDTH 760  /* of a single panel */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
-/* Free bodies with friction circles or springs are so many times larger. */
+/* Free bodies with friction circles or springs, and polygons with more points, are so many times larger. */
 #define CROWDED 1.3
+#define MANY_POINTS 4
 
 /* By plot_file, with width and height. */
 static const struct {
@@ -81,7 +82,9 @@ static void lay_out(picture *p, FILE *out)
 
     if (is_vectors && !p->v.problem.has_forces)
         rows = 1;
-    if (is_vectors && !is_text && (p->v.problem.has_friction || p->v.problem.n_springs)) {
+    if (is_vectors && !is_text &&
+        (p->v.problem.has_friction || p->v.problem.n_springs ||
+         p->v.problem.n_points > MANY_POINTS)) {
         width *= CROWDED;
         height *= CROWDED;
     }
