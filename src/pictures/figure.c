@@ -323,7 +323,7 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
 }
 
-/* Letters that do not jump from position to position: below the supports, and outward of the crank and of the rocker. */
+/* Letters that do not jump from position to position: beside the supports, outward of crank and rocker. */
 #define BESIDE 0.03 /* of the drawing, from a pin to the edge of its support */
 
 static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)

@@ -49,8 +49,8 @@ void graph_extend_x(graph_extent *e, const graph_line *line);
 void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 
-/* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.  0,
-** and nothing, if there are fewer than three. */
+/* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.
+** 0, and nothing, if there are fewer than three. */
 int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 

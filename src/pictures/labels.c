@@ -108,7 +108,7 @@ static double scale_for(const labels *l, const place_box *b, double width, doubl
                                   (b->y_max - b->y_min) / (height - 2 * border));
 }
 
-/* Where there is not room for all texts, in a frame with this half side, move it so that the drawing is in it. */
+/* A frame with this half side that has no room for all texts is moved so that the drawing is in it. */
 static void keep_within(double *low, double *high, double drawn_low, double drawn_high, double half)
 {
     double middle = (*low + *high) / 2;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** limits.c - what a mechanism can do: its limits with the swing of link 4 or the stroke of the piston, or its dead
-** positions; and at one position the transmission angle and the instantaneous centres.
+** limits.c - what a mechanism can do: its limits with the swing of link 4 or the stroke of the piston, or its
+** dead positions; and at one position the transmission angle and the instantaneous centres.
 **
-** By the theorem of Kennedy the centres of any three links are on one line: I13 is on the lines I12 I23 and I14
-** I34, I24 on I12 I14 and I23 I34.  From the velocities, k = omega / omega2 and k_B = v_B / omega2:
+** By the theorem of Kennedy the centres of any three links are on one line: I13 is on the lines I12 I23 and
+** I14 I34, I24 on I12 I14 and I23 I34.  From the velocities, k = omega / omega2 and k_B = v_B / omega2:
 **
 **    I13 = B + (-k_By, k_Bx) / k3
 **    I24 = (-d k4 / (1 - k4), 0), with D on the x axis;  of a piston (0, -k_C)

@@ -85,8 +85,8 @@ static void find_range(const picture *p, const panel *q, double *low, double *hi
     *high += border;
 }
 
-/* The crank angles from the first to the last at which a curve has a point, with some room: a part of the motion, if
-** the linkage cannot be assembled in the rest. */
+/* The crank angles from the first to the last at which a curve has a point, with some room: a part of the
+** motion, if the linkage cannot be assembled in the rest. */
 static void find_angles(const picture *p, const panel *q, double *from, double *to)
 {
     int first = PICTURE_STEPS, last = 0, beside = (int)(X_BORDER * PICTURE_STEPS), i, k;

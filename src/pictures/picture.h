@@ -209,7 +209,7 @@ const char *picture_over(const picture *p);
 /* 1 if a column is a crank angle on which the samples lie at equal steps. */
 int picture_is_over_angle(const picture *p, int column);
 
-/* Begin curves anew where the last turn of a motion of several begins, on a branch; 1 if there are several. */
+/* Begin curves where the last turn of a motion of several begins, on a branch; 1 if there are several. */
 int picture_take_last_turn(picture *p, fourlink_branch branch);
 
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
@@ -224,8 +224,8 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and why;
-** the same with all that is drawn there.  Returns a status. */
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and
+** why; the same with all that is drawn there.  Returns a status. */
 int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
 int picture_row_find(picture *p, fourlink_branch branch, picture_row *r);

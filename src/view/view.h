@@ -58,9 +58,9 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
 /* The position to show on a branch: at a crank angle; if that is null, a sixth of the way through the motion,
-** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows that
-** nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be assembled.
-** Returns a status. */
+** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
+** the one nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be
+** assembled.  Returns a status. */
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 
