@@ -42,6 +42,12 @@ for kind in forces motion polar; do
     check "$kind: nothing is beyond the frame" none 'beyond the frame' x.gp
 done
 
+# --- a restricted motion is drawn over what it covers
+run 1 --plot-script=x.gp --plot-kind=motion --branch=open --set='crank.length=100 mm' --set='ground.length=120 mm' --set='coupler.length=40 mm' \
+    --set='rocker.length=95 mm' "$alvi"
+check 'from the first to the last position' awk -F'\\[|:|\\]' '/^set xrange/ {from = $2; to = $3; n++} /^plot/ {if (from < 0 || from > 27 || to < 333 || to > 355) bad = 1}
+    END {exit bad || !n}' x.gp
+
 # --- numbers of extremes: a maximum's above it, a minimum's below; the areas' have the digits of the title
 run 0 --plot-script=x.gp --plot-kind=motion "$fourbar"
 check 'extremes' awk '/^set label "" .* pt 7/ {split($5, o, ","); next}
