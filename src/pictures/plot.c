@@ -37,12 +37,11 @@ static const struct plot_info {
 /* By plot_file, with width and height. */
 static const struct {
     const char *ending, *terminal;
-} file_table[] = {
-    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
-    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
-    {".txt", "dumb nofeed size %d,%d noenhanced"},
-    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
+} file_table[] = {{".svg", "svg size %d,%d font 'sans,14' enhanced background 'white'"},
+                  {".png", "pngcairo size %d,%d font 'sans,11' enhanced"},
+                  {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 enhanced"},
+                  {".txt", "dumb nofeed size %d,%d noenhanced"},
+                  {".gif", "gif %s size %d,%d font 'sans,11' enhanced"}};
 
 plot_file plot_file_of(const char *name)
 {
@@ -181,7 +180,8 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
     put_styles(c);
-    fputs("set key noautotitle\n"
+    fputs("set key noautotitle noenhanced; set tics noenhanced\n"
+          "set title noenhanced; set xlabel noenhanced; set ylabel noenhanced\n"
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
     canvas_name(c, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
@@ -293,7 +293,7 @@ static const char *draw(picture *p)
     int i, drawn = 0;
 
     if (p->request->kind != PLOT_ANIMATION)
-        fputs("set multiplot title title . \"\\n\" . source\n", p->on.out);
+        fputs("set multiplot title title . \"\\n\" . source noenhanced\n", p->on.out);
     if (info->needs & PLOT_ANGLE_AXIS)
         fputs("set format '%g'\n", p->on.out);
     for (i = 0; i < (info->rows ? 1 : p->v.n_branches); i++)

@@ -430,9 +430,10 @@ static void put_labels(const sketch *s)
             continue;
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
-        canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", one->words,
+        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words,
                      one->at.x + s->texts.scale * (one->middle.x - side * half),
-                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side));
+                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side),
+                     canvas_mode(one->words));
     }
 }
 

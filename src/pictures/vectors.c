@@ -162,10 +162,17 @@ static fourlink_vector corner_at(const polygon *g, const char *corner)
     return i < g->sides.n ? end_of(&g->sides.list[i]) : zero;
 }
 
+/* Its name, with subscript and superscript. */
+static const char *name_of(const scene_side *x, char out[40])
+{
+    return flk_text_join(out, 40, x->name, NOTATION_SUB, x->sub, x->super[0] ? NOTATION_SUPER : "",
+                         x->super, (char *)NULL);
+}
+
 static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
     const scene_side *x;
-    char title[80];
+    char title[80], name[40];
     polygon g;
     int i;
 
@@ -173,7 +180,7 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     for (x = d->sides; x->name; x++)
         if (tracks_get(&r->numbers, x->of)) {
             g.of[g.sides.n] = x;
-            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, x->column,
+            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
                      corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
         }
     draw_sides(&g);

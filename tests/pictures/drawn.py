@@ -397,8 +397,8 @@ def check_velocities(panel, deck, position, row):
     vB = k * position.velocity(3, 0)
     if deck.slot:
         vB4 = k * 1j * position.omega[4] * (position.B - position.D)
-        sides = [('vB', 0, vB), ('vB4', 0, vB4), ('slide_v', vB4, row['slide_v'] * position.axis[3])]
-        ways, corners = (['vB'], ['vB4', 'slide_v']), ('o', 'b', 'b4')
+        sides = [('vB', 0, vB), ('vB4', 0, vB4), ('vBB4', vB4, row['slide_v'] * position.axis[3])]
+        ways, corners = (['vB'], ['vB4', 'vBB4']), ('o', 'b', 'b4')
     else:
         vC = k * position.velocity(3, deck.length(3))
         sides = [('vB', 0, vB), ('vC', 0, vC), ('vCB', vB, vC - vB)]
@@ -425,8 +425,8 @@ def check_accelerations(panel, deck, position, row):
         cor = 1j * u * row['coriolis']
         checks.near('the acceleration of Coriolis', row['coriolis'],
                     2 * k * position.omega[4] * position.slide_v, abs(aB) + abs(cor), 1e-9)
-        sides += [('aB4n', 0, n), ('aB4t', n, t), ('coriolis', n + t, cor), ('slide_a', n + t + cor, row['slide_a'] * u)]
-        ways, corners = (['aBn', 'aBt'], ['aB4n', 'aB4t', 'coriolis', 'slide_a']), ("o'", "b'", "b4'")
+        sides += [('aB4n', 0, n), ('aB4t', n, t), ('aCor', n + t, cor), ('aBB4', n + t + cor, row['slide_a'] * u)]
+        ways, corners = (['aBn', 'aBt'], ['aB4n', 'aB4t', 'aCor', 'aBB4']), ("o'", "b'", "b4'")
         lines = [(0, aB), (0, n + t)]
     else:
         n, t = parts(3, position.C - position.B)

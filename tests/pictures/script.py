@@ -37,6 +37,12 @@ def unquoted(words):
     return re.sub(r'\\(\d{3})', lambda m: chr(int(m.group(1), 8)), words[1:-1])
 
 
+def shown(line, words):
+    """The text of a label, without the marks of subscripts if it has any."""
+    words = unquoted(words)
+    return re.sub(r'[_^]\{([^}]*)\}', r'\1', words) if line.endswith(' enhanced') else words
+
+
 class Line:
     """A straight line or an arrow, with its style."""
 
@@ -127,9 +133,9 @@ class Script:
             if dot:
                 panel.dots.append((complex(float(dot.group(1)), float(dot.group(2))), int(dot.group(3))))
             elif note:
-                panel.notes.append(unquoted(note.group(1)))
+                panel.notes.append(shown(line, note.group(1)))
             elif label:
-                panel.labels.append((unquoted(label.group(1)), complex(float(label.group(2)), float(label.group(3))),
+                panel.labels.append((shown(line, label.group(1)), complex(float(label.group(2)), float(label.group(3))),
                                      label.group(4), label.group(5)))
             else:
                 panel.labels.append((line, None, '', ''))
