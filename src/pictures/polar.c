@@ -279,7 +279,7 @@ static int put_polar(picture *p, bearing *b, const char *title)
     int i;
 
     fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
+    canvas_panel(&p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
     canvas_key(&p->on);
     fputs("set key samplen 2 width -1\n", p->on.out);
     canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),

@@ -29,10 +29,10 @@
 #define LOOK_CURVES(X)         \
     X("0072B2", "")            \
     X("C04A00", "10,5")        \
-    X("00734F", "3,3")         \
+    X("00734F", "5,3")         \
     X("000000", "12,4,2,4")    \
     X("A6447C", "6,3,2,3,2,3") \
-    X("8A5A00", "2,6")
+    X("8A5A00", "3,5")
 
 /* The areas of the turning moment above and below its mean. */
 #define LOOK_ABOVE "56B4E9"
