@@ -3,6 +3,8 @@
 ** mechanism.c - the mechanism with its loads and pin forces, at one or several positions; and its
 ** motion from first to last.
 */
+#include <math.h>
+
 #include "arrow.h"
 #include "spring.h"
 
@@ -82,12 +84,16 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         sketch_key(s, PEN_LOAD, has_springs ? "load, weight, spring" : "load or weight");
 }
 
-/* Draw rows spread over the motion in grey. */
+/* Draw rows spread over the motion, or over its first turn, in grey. */
 static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
+    double turn = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
+    double turns = fabs(p->v.end - p->v.problem.motion.from) / turn;
     unsigned long n = p->v.range.n_rows, i, row;
     fourlink_instant now;
 
+    if (turns > 1 && !p->v.problem.by_time)
+        n = 1 + (unsigned long)((double)(n - 1) / turns);
     for (i = 0; n > 1 && i < GHOSTS; i++) {
         row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);
         if (fourlink_results_row(p->v.results, branch, row, NULL, &now, NULL) == FOURLINK_OK)

@@ -838,8 +838,10 @@ def check_several(deck, rows):
     panel = Script(deck.program.script(deck, 'mechanism', '--branch=' + picked[0].branch, *deck.options),
                    cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
+    turn = 2 * math.pi / si_of(deck.unit('angle'))
+    first = [row for row in rows if abs(row['theta2'] - rows[0]['theta2']) <= turn * (1 + 1e-9)] if rows[0].is_ok else rows
     for k in range(GHOSTS):
-        row = rows[(len(rows) - 1) * k // GHOSTS]
+        row = first[(len(first) - 1) * k // GHOSTS]
         if row.is_ok:
             position = deck.at(row)
             has_line(panel, 'the crank on its way', position.A, position.B, GHOST, size)
