@@ -31,7 +31,7 @@
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
       "polygons of velocity, acceleration and forces")                                             \
     X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING, picture_limits, NULL,                        \
-      "limits, dead positions, transmission angle and instantaneous centres")                      \
+      "limits, transmission angle, instantaneous centres")                                         \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL,                     \
       "Klein's construction")                                                                      \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
