@@ -487,6 +487,22 @@ static const char *find_further_conflict(const options *o)
 }
 
 /* Complete what is asked of a picture; 1, or 0 and the reason why it cannot be. */
+static int refuse_at(const char *kind, char message[400])
+{
+    const char *known[PLOT_COUNT + 1];
+    char names[PLOT_COUNT * 16];
+    int i, n = 0;
+
+    for (i = 0; i < PLOT_COUNT; i++)
+        if (plot_is_of_position((plot_kind)i))
+            known[n++] = plot_names[i];
+    known[n] = NULL;
+    flk_text_list(known, ", ", " and ", names, sizeof names);
+    flk_text_join(message, 400, "--plot-at works with the kinds ", names, ", not with ", kind,
+                  (char *)NULL);
+    return 0;
+}
+
 static int complete_plot(options *o, char message[400])
 {
     plot_request *d = &o->drawing;
@@ -497,10 +513,8 @@ static int complete_plot(options *o, char message[400])
         d->file = PLOT_SVG;
     if (d->kind == PLOT_COUNT)
         d->kind = d->file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
-    if (d->at && d->kind != PLOT_MECHANISM && d->kind != PLOT_VECTORS && d->kind != PLOT_KLEIN)
-        return say(message,
-                   "--plot-at works with the kinds mechanism, vectors and klein, not with ",
-                   plot_names[d->kind], "");
+    if (d->at && !plot_is_of_position(d->kind))
+        return refuse_at(plot_names[d->kind], message);
     if (d->x && d->kind != PLOT_COLUMNS)
         return say(message, "--plot-x works with --plot-kind=columns, not with ",
                    plot_names[d->kind], "");

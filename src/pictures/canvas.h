@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "view/notation.h"
+
 /* Pixels of a letter and of a line of text.  A text terminal counts as a picture with characters of this
 ** size. */
 #define CANVAS_LETTER 9.0
@@ -37,6 +39,10 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
 /* Put title and source above the only panel. */
 void canvas_heading(const canvas *c);
 
+/* The name of a column and a unit as they are printed in a book, or plain on a text terminal. */
+const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE]);
+const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZE]);
+
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
 void canvas_panel(canvas *c, int lines, double right);
 
@@ -54,8 +60,11 @@ void canvas_note(const canvas *c, int line, const char *words);
 void canvas_grid(const canvas *c);
 
 /* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, %q quotes a
-** text for gnuplot, and %f the name of a file. */
+** text for gnuplot, %f the name of a file, and %w a text with subscripts, as canvas_mode has it drawn. */
 void canvas_print(const canvas *c, const char *format, ...);
+
+/* gnuplot's word for a text with subscripts, or without. */
+const char *canvas_mode(const char *words);
 
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);

@@ -149,6 +149,7 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
     sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     sketch_line(s, PEN_COUPLER, k->B, k->C);
     draw_crank(s, k, rod);
+    figure_sense(s, state, k->O);
     figure_piston(s, PEN_FOLLOWER, k->C, &state->link[FOURLINK_FOLLOWER].axis);
     sketch_pin(s, k->C);
     figure_letter(s, k->C, middle, middle, "C");
@@ -238,7 +239,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     construction k;
     sketch s;
     double rod = figure_length(p, p->v.design->link[FOURLINK_COUPLER].length);
-    int status = picture_position(p, branch, &now, NULL);
+    int status = picture_position(p, branch, &now, p->loads);
 
     if (status == FOURLINK_OK)
         status = fourlink_klein_construction(p->v.mechanism, &now.state, &lengths);

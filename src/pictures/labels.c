@@ -15,6 +15,7 @@
 #define DIRECTIONS 16
 #define RINGS 3
 #define ROUNDS 5
+#define HIDDEN 12  /* the cost above which a close text is left out */
 #define GAP 10.0   /* pixels, from a place to its text */
 #define BORDER 8.0 /* pixels, from what is drawn to the axes */
 
@@ -66,7 +67,7 @@ static double cost_of(const labels *l, int k)
     for (i = 0; i < k; i++) {
         place_box other = box_of(l, &l->list[i]);
 
-        cost += place_overlap(&b, &other) ? 100 : 0;
+        cost += !l->list[i].is_hidden && place_overlap(&b, &other) ? 100 : 0;
     }
     for (i = 0; i < l->n_obstacles; i++)
         cost += covers(l, &b, &l->obstacles[i]) ? l->obstacles[i].weight : 0;
@@ -79,10 +80,10 @@ static void place(labels *l, int k)
     double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
     double w = text->half;
     fourlink_vector best = text->middle;
-    int ring, i;
+    int rings = text->is_close || l->is_steady ? 1 : RINGS, ring, i;
 
-    for (ring = 0; ring < RINGS; ring++)
-        for (i = 0; i < DIRECTIONS; i++) {
+    for (ring = 0; ring < rings; ring++)
+        for (i = 0; i < (l->is_steady ? 1 : DIRECTIONS); i++) {
             double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
             double gap = GAP * (1 + 1.5 * ring);
 
@@ -97,6 +98,7 @@ static void place(labels *l, int k)
             }
         }
     text->middle = best;
+    text->is_hidden = text->is_close && least > HIDDEN && !l->is_steady;
 }
 
 static double scale_for(const labels *l, const place_box *b, double width, double height,
@@ -104,6 +106,18 @@ static double scale_for(const labels *l, const place_box *b, double width, doubl
 {
     return l->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
                                   (b->y_max - b->y_min) / (height - 2 * border));
+}
+
+/* A frame with this half side that has no room for all texts is moved so that the drawing is in it. */
+static void keep_within(double *low, double *high, double drawn_low, double drawn_high, double half)
+{
+    double middle = (*low + *high) / 2;
+
+    if (*high - *low <= 2 * half || drawn_high - drawn_low > 2 * half)
+        return;
+    middle = GSL_MIN_DBL(GSL_MAX_DBL(middle, drawn_high - half), drawn_low + half);
+    *low = middle - half;
+    *high = middle + half;
 }
 
 void labels_place(labels *l, place_box drawn, int is_fixed, double size, double width,
@@ -126,6 +140,8 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
             return;
         b = box_of_drawing(l);
         for (i = 0; i < l->n; i++) {
+            if (l->list[i].is_hidden)
+                continue;
             own = box_of(l, &l->list[i]);
             place_grow(&b, own.x_min, own.y_min);
             place_grow(&b, own.x_max, own.y_max);
@@ -139,4 +155,6 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
     place_grow(&l->drawn, b.x_max * l->scale, b.y_max * l->scale);
     /* if the texts still move */
     l->scale = GSL_MAX_DBL(l->scale, GSL_MIN_DBL(scale, 3 * first));
+    keep_within(&l->drawn.x_min, &l->drawn.x_max, drawn.x_min, drawn.x_max, l->scale * width / 2);
+    keep_within(&l->drawn.y_min, &l->drawn.y_max, drawn.y_min, drawn.y_max, l->scale * height / 2);
 }

@@ -17,6 +17,9 @@ typedef struct label {
     fourlink_vector at;
     double dx, dy;          /* the direction, of any length */
     double half;            /* half its width, in pixels */
+    int has_leader;         /* 1: a line leads to its place, if it stands far from it */
+    int is_close;           /* 1: it stands close to its place or nowhere */
+    int is_hidden;          /* 1, when placed: nowhere */
     fourlink_vector middle; /* of the text, in pixels from the place */
     char words[LABELS_WORDS];
 } label;
@@ -33,7 +36,8 @@ typedef struct labels {
     obstacle obstacles[LABELS_OBSTACLES];
     place_box drawn; /* the drawing; when placed, with its texts */
     int is_fixed;    /* 1: it does not grow */
-    double scale;    /* unit of length for a pixel, when placed */
+    int is_steady; /* 1: all texts stand on the requested side, as in an animation they must not jump */
+    double scale; /* unit of length for a pixel, when placed */
 } labels;
 
 /* Put the texts of a drawing of this size where they cover least, and choose scale and range for a box of

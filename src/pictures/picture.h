@@ -12,33 +12,35 @@
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it draws over the crank angle or over time, if
 ** the deck has them, of A|B the first; what it shows */
-#define PLOT_LIST(X)                                                                               \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL, \
-      "mechanism with its loads and pin forces")                                                   \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_motion,  \
-      "slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",                     \
-      "positions, velocities and accelerations")                                                   \
-    X(FORCES, "forces", 2, 0, 500, 380,                                                            \
-      PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_forces,              \
-      "F12,F23,F34,F14,N,Ts", "pin forces and driving torque")                                     \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,           \
-      picture_turning, NULL, "turning moment over a cycle, with its mean")                         \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_BY_ANGLE,            \
-      picture_polar,                                                                               \
-      "F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"                  \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                    \
-      "polar diagrams of the pin forces")                                                          \
-    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
-      "polygons of velocity, acceleration and forces")                                             \
-    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL,                     \
-      "Klein's construction")                                                                      \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
-      picture_animation, NULL, "mechanism in motion")                                              \
-    X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,   \
-      "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")           \
-    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
-      NULL, "histograms of the outputs of the sweep")                                              \
-    X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
+#define PLOT_LIST(X)                                                                              \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_AT | PLOT_FILLED,               \
+      picture_mechanism, NULL, "mechanism with its loads and pin forces")                         \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_motion, \
+      "slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",                    \
+      "positions, velocities and accelerations")                                                  \
+    X(FORCES, "forces", 2, 0, 500, 380,                                                           \
+      PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_forces,             \
+      "F12,F23,F34,F14,N,Ts", "pin forces and driving torque")                                    \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,          \
+      picture_turning, NULL, "turning moment over a cycle, with its mean")                        \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_BY_ANGLE,           \
+      picture_polar,                                                                              \
+      "F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"                 \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                   \
+      "polar diagrams of the pin forces")                                                         \
+    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING | PLOT_AT, picture_vectors, NULL,          \
+      "polygons of velocity, acceleration and forces")                                            \
+    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT, picture_limits, NULL,             \
+      "limits, transmission angle, instantaneous centres")                                        \
+    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK | PLOT_AT, picture_klein, NULL,          \
+      "Klein's construction")                                                                     \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,            \
+      picture_animation, NULL, "mechanism in motion")                                             \
+    X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,  \
+      "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")          \
+    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,    \
+      NULL, "histograms of the outputs of the sweep")                                             \
+    X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,    \
       "columns of the table, or outputs of the sweep")
 
 enum {
@@ -47,11 +49,12 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32,    /* a panel for each output of the sweep */
-    PLOT_FILLED = 64,   /* as high as its drawing */
-    PLOT_ACTUAL = 128,  /* a motion that is not given */
-    PLOT_OVER = 256,    /* over the crank angle or over time */
-    PLOT_BY_ANGLE = 512 /* not over time */
+    PLOT_SWEEP = 32,     /* a panel for each output of the sweep */
+    PLOT_FILLED = 64,    /* as high as its drawing */
+    PLOT_ACTUAL = 128,   /* a motion that is not given */
+    PLOT_OVER = 256,     /* over the crank angle or over time */
+    PLOT_BY_ANGLE = 512, /* not over time */
+    PLOT_AT = 1024       /* of one position */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
@@ -109,12 +112,17 @@ typedef struct picture {
     fourlink_results *own; /* opened for this picture; null: none */
     view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    int has_instant;      /* 1: the deck asks for one instant, and the picture shows its cycle */
-    double instant;       /* its crank angle, in the deck's unit */
-    fourlink_load *loads; /* room for the loads at one crank angle */
+    int insets[2], n_insets; /* links that are small beside the mechanism: drawn enlarged as well */
+    int has_instant;         /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;          /* its crank angle, in the deck's unit */
+    fourlink_load *loads;    /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
+    double from;                      /* where its curves begin, in the deck's unit */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
+    const char *why; /* the position is shown that nobody asked for; "": it was asked for */
+    char why_words[VIEW_WHY];
+    double shown; /* its crank angle, in the deck's unit */
     int out_of_memory;
 } picture;
 
@@ -164,6 +172,9 @@ int picture_column_panels(const picture *p);
 ** each link. */
 int size_lines_beside(const picture *p, int each_link);
 
+/* The size of the drawing of a mechanism, in m: the larger side of the room of its motion, on any branch. */
+double size_of_motion(const picture *p);
+
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
@@ -180,6 +191,7 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"
+#define SUB_S "\342\202\233"
 
 /* "NAME = VALUE UNIT" or "VALUE UNIT" of a value in SI units. */
 #define PICTURE_WORDS 120
@@ -198,6 +210,9 @@ const char *picture_over(const picture *p);
 /* 1 if a column is a crank angle on which the samples lie at equal steps. */
 int picture_is_over_angle(const picture *p, int column);
 
+/* Begin curves where the last turn of a motion of several begins, on a branch; 1 if there are several. */
+int picture_take_last_turn(picture *p, fourlink_branch branch);
+
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);
 
@@ -210,10 +225,10 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the
-** same with all that is drawn there.  `loads` may be null.  Returns a status. */
-int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and
+** why; the same with all that is drawn there.  Returns a status. */
+int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
-int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);
+int picture_row_find(picture *p, fourlink_branch branch, picture_row *r);
 
 #endif

@@ -13,6 +13,9 @@ extern const char *const plot_names[], *const plot_shows[];
 /* By plot_file, with a null pointer at the end: how the name of a file ends. */
 extern const char *const plot_endings[];
 
+/* 1 if a kind is of one position. */
+int plot_is_of_position(plot_kind kind);
+
 /* PLOT_FILE_COUNT for another name. */
 plot_file plot_file_of(const char *name);
 

@@ -206,8 +206,7 @@ static void put_jumps(bearing *b, const course *c)
 /* The steps of the dots, in degrees. */
 static int step_of_dots(const picture *p)
 {
-    double span =
-        fabs(p->v.end - p->v.problem.motion.from) / view_value(&p->v, QUANTITY_ANGLE, M_PI / 180);
+    double span = fabs(p->v.end - p->from) / view_value(&p->v, QUANTITY_ANGLE, M_PI / 180);
 
     return span > 90.0001 ? 30 : span > 30.0001 ? 10 : 2;
 }
@@ -229,7 +228,7 @@ static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
 static void put_dots(bearing *b, int i)
 {
     const picture *p = b->p;
-    double from = p->v.problem.motion.from, sense = p->v.end < from ? -1 : 1;
+    double from = p->from, sense = p->v.end < from ? -1 : 1;
     double step = sense * view_value(&p->v, QUANTITY_ANGLE, step_of_dots(p) * M_PI / 180);
     double first = step * ceil(from / step - 1e-9), angles[MOST_DOTS];
     fourlink_vector F[MOST_DOTS];
@@ -275,15 +274,17 @@ static void plot(picture *p, const bearing *b, const course *c, int is_last)
 
 static int put_polar(picture *p, bearing *b, const char *title)
 {
+    char x[NOTATION_SIZE], y[NOTATION_SIZE];
     course c[2];
     int i;
 
     fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
+    canvas_panel(&p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
     canvas_key(&p->on);
     fputs("set key samplen 2 width -1\n", p->on.out);
-    canvas_titles(&p->on, title, p->v.columns[b->x].name, p->v.columns[b->x].unit,
-                  p->v.columns[b->y].name, p->v.columns[b->y].unit);
+    canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
+                  p->v.columns[b->x].unit, canvas_symbol(&p->on, p->v.columns[b->y].name, y),
+                  p->v.columns[b->y].unit);
     b->p = p;
     find_box(b);
     put_axes(b);
@@ -323,7 +324,7 @@ static int put_bearing(picture *p, int by, int on)
 {
     int is_piston = p->v.kind.slides_on[on] == FOURLINK_GROUND;
     const char *link = p->v.kind.link[on];
-    char title[120];
+    char title[200], symbol[NOTATION_SIZE];
     bearing b;
     int i;
 
@@ -334,8 +335,8 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, b.name, ", ", p->v.kind.link[by], " on ", link, ", in the ",
-                  link, "'s axes", (char *)NULL);
+    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), ", ",
+                  p->v.kind.link[by], " on ", link, ", in the ", link, "'s axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));
