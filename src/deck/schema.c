@@ -53,6 +53,20 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, ROCKER_UNIFORM)                                              \
     YES_WORDS(X, ROD_UNIFORM)                                                 \
     YES_WORDS(X, LEVER_UNIFORM)                                               \
+    X(SYNTHESIS_TASK, "function", FOURLINK_TASK_FUNCTION)                     \
+    X(SYNTHESIS_TASK, "motion", TASK_MOTION)                                  \
+    X(SYNTHESIS_TASK, "path", TASK_PATH)                                      \
+    X(SYNTHESIS_TASK, "quick-return", TASK_QUICK_RETURN)                      \
+    X(SYNTHESIS_TASK, "cognate", TASK_COGNATE)                                \
+    X(SYNTHESIS_FIT, "equation", 0)                                           \
+    X(SYNTHESIS_FIT, "angle", 1)                                              \
+    X(SYNTHESIS_SLOW, "with", 1)                                              \
+    X(SYNTHESIS_SLOW, "against", -1)                                          \
+    X(SYNTHESIS_TYPE, "slotted-lever", 0)                                     \
+    X(SYNTHESIS_TYPE, "whitworth", 1)                                         \
+    X(SYNTHESIS_CHOOSE, "best", 1)                                            \
+    X(SYNTHESIS_WHICH, "left", 0)                                             \
+    X(SYNTHESIS_WHICH, "right", 1)                                            \
     YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
