@@ -351,6 +351,7 @@ module fourlink
     integer(c_long) :: answers_length = 0
     integer(c_long) :: design = 0
     type(c_ptr) :: units = c_null_ptr ! ends in c_null_char
+    integer(c_long) :: synthesis = 0
     integer(c_int) :: whole_cycle = 0
   end type fourlink_source
 

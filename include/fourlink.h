@@ -626,6 +626,8 @@ typedef struct fourlink_source {
     const char
         *units; /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
                              bare numbers keep theirs; null: the deck's */
+    unsigned long synthesis; /* K: for a deck with [synthesis], the linkage of solution K of its task,
+                                from 1; 0: such a deck has a mistake */
     int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over a
                              cycle from 0, with the same speed and acceleration at every row */
 } fourlink_source;
@@ -1618,7 +1620,8 @@ FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
 **    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, which may exceed max_mistakes;
 **                  may be null
 ** Returned (function value):
-**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY; with [synthesis], as
+**    FOURLINK_BAD_DECK, why there is no linkage: FOURLINK_DEPENDENT to FOURLINK_NONE_FOUND
 ** Notes:
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
@@ -2245,6 +2248,38 @@ FOURLINK_API int fourlink_synthesis_quick_return(const fourlink_quick_return_tas
 */
 FOURLINK_API int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,
                                             fourlink_solution *solutions, unsigned long *n);
+
+/* The linkages found for the task of a deck with [synthesis], opened with fourlink_source.synthesis.
+**
+** Given:
+**    deck       from fourlink_results_deck
+**    max        length of `solutions`
+** Returned:
+**    solutions  best first; a search keeps ten, or as many as `synthesis` asked for
+**    chosen     number of the one that the deck has, from 0
+**    n          how many there are; may be more than `max`, and than are kept
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST: the deck has no [synthesis]
+** Note:
+**    fourlink_deck_write writes the deck of the linkage found.
+*/
+FOURLINK_API int fourlink_deck_solutions(const fourlink_deck *deck, unsigned long max,
+                                         fourlink_solution *solutions, unsigned long *chosen,
+                                         unsigned long *n);
+
+/* The defects of the linkage that such a deck has, in words.
+**
+** Given:
+**    deck       from fourlink_results_deck
+**    max        length of `list`
+** Returned:
+**    list       the first `max`, with the place of [synthesis]
+**    n          how many there are; 0: none, or no [synthesis]
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_deck_defects(const fourlink_deck *deck, unsigned long max,
+                                       fourlink_mistake *list, unsigned long *n);
 
 /* ---------------------------------------------------------------------------------------------
 ** FORTRAN 77

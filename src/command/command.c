@@ -77,3 +77,8 @@ void command_tell_note(const char *file, long line, const char *message, const c
 {
     tell("note", file, line, message, deck_name);
 }
+
+void command_tell(const char *what, const char *file, long line, const char *message)
+{
+    tell(what, file, line, message, NULL);
+}

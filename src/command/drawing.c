@@ -46,7 +46,12 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     plot_request request = in->o->drawing;
     fourlink_mistake mistake;
+    fourlink_value error;
     int written;
+
+    if (in->o->no_kind &&
+        fourlink_results_find(in->results, "structural_error", &error) == FOURLINK_OK)
+        request.kind = PLOT_ERROR;
 
     request.opened = in->results;
     written = plot_write(script, &in->source, &request, caption, &mistake);

@@ -21,6 +21,7 @@ typedef struct input {
     int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
     int is_design;             /* 1: it is a design of a [sweep], in place of the deck */
+    int has_defects;           /* 1: the linkage found by synthesis has some */
     int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers; /* its own, of a folder */

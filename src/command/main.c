@@ -19,6 +19,7 @@
 #include "marks.h"
 #include "output.h"
 #include "reporting.h"
+#include "solutions.h"
 #include "terminal.h"
 #include "variants.h"
 #include "tables/content.h"
@@ -150,13 +151,26 @@ static int write_decks(FILE *out, const options *o, const input *inputs, size_t 
     return status;
 }
 
+/* 1 if nothing but rows is asked for. */
+static int prints_rows(const options *o)
+{
+    return o->content == SHEET_ROWS && !o->at && !o->best;
+}
+
+/* 1 if the deck of a linkage found is printed. */
+static int prints_found(const options *o, const input *in)
+{
+    return o->synthesis && !o->has_format && prints_rows(o) && in->results &&
+           !in->problem.n_designs;
+}
+
 /* Write what the options ask for; returns the exit status. */
 static int write_sheet(const options *o, const input *inputs, size_t n, int *signal_number)
 {
     output out;
     int status, written;
 
-    if (o->print_deck)
+    if (o->print_deck || prints_found(o, &inputs[0]))
         return deck_out_print(&inputs[0]);
     status = output_begin(&out, o->output);
 
@@ -164,6 +178,8 @@ static int write_sheet(const options *o, const input *inputs, size_t n, int *sig
         return status;
     if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
+    else if (o->synthesis && o->has_format && prints_rows(o) && !inputs[0].problem.n_designs)
+        written = solutions_write(out.file, &inputs[0]);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
@@ -207,6 +223,7 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
         status = command_worse(status, deck ? input_read_answers(&inputs[i], deck, o, answers, i)
                                             : input_read(&inputs[i], o->decks[i], o, answers));
         usable += inputs[i].results != NULL;
+        status = command_worse(status, inputs[i].has_defects ? EXIT_ROWS : 0);
     }
     status = command_worse(status, write_all(o, inputs, n, usable, signal_number));
     if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !*signal_number)

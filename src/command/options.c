@@ -57,6 +57,10 @@ static const char *const help[] = {
     "      --print-deck                  print the deck as it is computed: with other values, of "
     "one",
     "                                    design; of all: into --output=FOLDER/",
+    "      --synthesis                   find the linkage of the deck's [synthesis] and print its "
+    "deck;",
+    "                                    with --format, a list of all solutions",
+    "      --solution=K                  take solution K, from 1",
     "      --names=FILE                  names for the files of --design=all, one a line",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
@@ -85,7 +89,9 @@ enum {
     PRINT_DECK,
     UNITS,
     NAMES,
-    LAST_WITHOUT_LETTER = NAMES
+    SYNTHESIS,
+    SOLUTION,
+    LAST_WITHOUT_LETTER = SOLUTION
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -125,12 +131,15 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {DESIGN, "--design", 1, NULL},
                                     {NAMES, "--names", 1, NULL},
                                     {PRINT_DECK, "--print-deck", 0, NULL},
+                                    {SYNTHESIS, "--synthesis", 0, NULL},
+                                    {SOLUTION, "--solution", 1, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
                                     {'V', "--version", 0, NULL}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 #define MOST_DESIGNS 4294967295.0
+#define MOST_SOLUTIONS 1000
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
 /* Returns 0, for the caller to return. */
@@ -150,7 +159,7 @@ static int set_format(options *o, const char *value, char message[400])
     char names[FORMATS_NAMES];
 
     o->format = formats_find(value);
-    o->asks_for_table = 1;
+    o->asks_for_table = o->has_format = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'",
@@ -255,21 +264,30 @@ static int set_best(options *o, const char *value, char message[400])
     return set_change(o, "--best", "sweep.output=", name.start);
 }
 
-/* N or all */
-static int set_design(options *o, const char *value, char message[400])
+/* A whole number from 1; 0 and the reason in `message` if it is none. */
+static int read_number(const char *name, const char *value, double most, const char *other,
+                       unsigned long *number, char message[400])
 {
     text rest = flk_text_of(value);
     double n = 0;
 
+    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
+        n > most) {
+        flk_message(message, 400, "%s must be a number from 1%s, not '%t'", name, other,
+                    flk_text_of(value));
+        return 0;
+    }
+    *number = (unsigned long)n;
+    return 1;
+}
+
+/* N or all */
+static int set_design(options *o, const char *value, char message[400])
+{
     o->all_designs = strcmp(value, "all") == 0;
     o->design = 0;
-    if (o->all_designs)
-        return 1;
-    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
-        n > MOST_DESIGNS)
-        return say(message, "--design must be a number from 1, or all, not '", value, "'");
-    o->design = (unsigned long)n;
-    return 1;
+    return o->all_designs ||
+           read_number("--design", value, MOST_DESIGNS, ", or all", &o->design, message);
 }
 
 /* 1; 0 and the reason in `message`. */
@@ -291,6 +309,10 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_design(o, value, message);
     case PRINT_DECK:
         return o->print_deck = 1;
+    case SYNTHESIS:
+        return o->synthesis = 1;
+    case SOLUTION:
+        return read_number("--solution", value, MOST_SOLUTIONS, " to 1000", &o->solution, message);
     case NAMES:
         o->names = value;
         return 1;
@@ -422,6 +444,7 @@ static int check_plot(options *o, char message[400])
         return 1;
     if (o->n_decks > 1)
         return say(message, "--plot takes one deck, not several", "", "");
+    o->no_kind = o->drawing.kind == PLOT_COUNT && o->drawing.file != PLOT_GIF;
     if (!o->plot)
         o->drawing.file = PLOT_SVG;
     if (o->drawing.kind == PLOT_COUNT)
@@ -551,6 +574,10 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||
                     o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
+    if (o->solution && !o->synthesis)
+        return say(message, "--solution needs --synthesis", "", "");
+    if (o->synthesis && o->n_decks > 1)
+        return say(message, "--synthesis takes one deck, not several", "", "");
     if (o->n_statistics && o->parts)
         return say(message, "--statistics needs all designs, not a --part", "", "");
     if (!o->n_decks)

@@ -205,7 +205,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)         \
     X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY,                                          \
       FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(SYNTHESIS, X, "x", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)             \
+    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
     X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
     X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
     X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
@@ -216,8 +216,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                               \
     X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                             \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
-    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR)                     \
-    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)              \
+    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK | INVERTED)   \
     X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
     X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED)                                        \
     X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \

@@ -36,6 +36,8 @@
       picture_animation, NULL, "mechanism in motion")                                              \
     X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,   \
       "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")           \
+    X(ERROR, "error", 1, 1, 900, 480, PLOT_WANTED | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER,      \
+      picture_motion, "structural_error", "structural error of a function generator")              \
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
       NULL, "histograms of the outputs of the sweep")                                              \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
@@ -47,11 +49,12 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32,    /* a panel for each output of the sweep */
-    PLOT_FILLED = 64,   /* as high as its drawing */
-    PLOT_ACTUAL = 128,  /* a motion that is not given */
-    PLOT_OVER = 256,    /* over the crank angle or over time */
-    PLOT_BY_ANGLE = 512 /* not over time */
+    PLOT_SWEEP = 32,     /* a panel for each output of the sweep */
+    PLOT_FILLED = 64,    /* as high as its drawing */
+    PLOT_ACTUAL = 128,   /* a motion that is not given */
+    PLOT_OVER = 256,     /* over the crank angle or over time */
+    PLOT_BY_ANGLE = 512, /* not over time */
+    PLOT_WANTED = 1024   /* a linkage found for a function */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,

@@ -20,7 +20,8 @@ enum {
     NEED_GAS = 64,
     NEED_LOSSES = 128,  /* columns of friction */
     NEED_BALANCE = 256, /* of an engine with [balance] */
-    NEED_ACTUAL = 512   /* columns of the actual motion */
+    NEED_ACTUAL = 512,  /* columns of the actual motion */
+    NEED_WANTED = 1024  /* of a linkage found for a function */
 };
 
 /* One row. */

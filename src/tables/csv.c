@@ -60,7 +60,8 @@ static void begin(sheet *s)
 
     if (s->n_decks > 1 && s->content != SHEET_SCORES)
         line_put(&s->l, "deck,");
-    line_put(&s->l, s->n_decks <= 1 && s->n_variables ? "design," : "");
+    if (s->n_decks <= 1 && (s->n_variables || s->each))
+        line_put(&s->l, "%s,", s->each ? s->each : "design");
     if (s->content == SHEET_SUMMARY) {
         line_put(&s->l, "name,value,unit,theta2,branch\n");
         return;
