@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/number.h"
 #include "mechanics/kind.h"
 #include "reader.h"
 #include "synthesis.h"
@@ -168,11 +169,21 @@ static const deck_unit *unit_of(const parser *p, quantity q)
     return q == QUANTITY_LENGTH ? &p->d->synthesis->length : &p->d->bare[q];
 }
 
+/* Write a number with 15 digits if no more than rounding is lost, so that 210 deg is not 209.99999999999997. */
+static void put_number(double si, const unit *u, char out[DIGITS_SIZE])
+{
+    double value = flk_unit_from_si(si, *u), same;
+    text t = flk_text_of(flk_digits_short(value, 15, out));
+
+    if (flk_number_read(&t, &same) != NUMBER_OK || fabs(same - value) > 4e-16 * fabs(value))
+        flk_number_in_unit(si, u, out);
+}
+
 static char *value_of(const parser *p, double si, quantity q, char out[VALUE_SIZE])
 {
     const deck_unit *u = unit_of(p, q);
 
-    flk_number_in_unit(si, &u->unit, out);
+    put_number(si, &u->unit, out);
     return q == QUANTITY_NUMBER ? out : strcat(strcat(out, " "), u->name);
 }
 
@@ -181,8 +192,8 @@ static char *point_of(const parser *p, fourlink_vector at, char out[VALUE_SIZE])
     const deck_unit *u = unit_of(p, QUANTITY_LENGTH);
     char x[DIGITS_SIZE], y[DIGITS_SIZE];
 
-    flk_number_in_unit(at.x, &u->unit, x);
-    flk_number_in_unit(at.y, &u->unit, y);
+    put_number(at.x, &u->unit, x);
+    put_number(at.y, &u->unit, y);
     return flk_text_join(out, VALUE_SIZE, "(", x, ", ", y, ") ", u->name, (char *)NULL);
 }
 
@@ -302,7 +313,7 @@ static const char *text_of(const page *g)
 /* The factor by which rounding grows on the way from the task to a position. */
 static double growth(const fourlink_solution *s, double mu)
 {
-    double factor = GSL_MAX(s->condition, 1) * s->ratio / GSL_MAX(sin(mu), 1e-3);
+    double factor = s->ratio / GSL_MAX(sin(mu), 1e-3);
 
     return factor > 0 && factor < 1e6 ? factor : 1e6;
 }
@@ -313,8 +324,9 @@ static void put_value(page *g, const char *name, double value, double tolerance,
     char line[MESSAGE_SIZE], number[VALUE_SIZE];
     const char *unit_name = q == QUANTITY_NUMBER ? "" : unit_of(g->p, q)->name;
 
-    put(g, flk_message(line, sizeof line, "tolerance = %.2g %s",
-                       flk_unit_from_si(tolerance, unit_of(g->p, q)->unit), unit_name));
+    put(g, flk_message(line, sizeof line, "tolerance = %.2g%s%s",
+                       flk_unit_from_si(tolerance, unit_of(g->p, q)->unit), *unit_name ? " " : "",
+                       unit_name));
     put(g, flk_message(line, sizeof line, "%s = %s", name, value_of(g->p, value, q, number)));
 }
 
