@@ -324,7 +324,8 @@ static void put_value(page *g, const char *name, double value, double tolerance,
     char line[MESSAGE_SIZE], number[VALUE_SIZE];
     const char *unit_name = q == QUANTITY_NUMBER ? "" : unit_of(g->p, q)->name;
 
-    put(g, flk_message(line, sizeof line, "tolerance = %.2g%s%s",
+    put(g, flk_message(line, sizeof line,
+                       tolerance > 1e-6 ? "tolerance = %g%s%s" : "tolerance = %.2g%s%s",
                        flk_unit_from_si(tolerance, unit_of(g->p, q)->unit), *unit_name ? " " : "",
                        unit_name));
     put(g, flk_message(line, sizeof line, "%s = %s", name, value_of(g->p, value, q, number)));
@@ -355,14 +356,16 @@ static void put_position(page *g, const fourlink_solution *s, int i, const char 
     for (k = FOURLINK_GROUND; k <= FOURLINK_FOLLOWER; k++)
         size = GSL_MAX(size, s->design.link[k].length);
     for (k = 0; k < s->n_positions && is_fit; k++)
-        error = GSL_MAX(error, fabs(s->position[k].error) * (1 + 1e-6));
+        if (fabs(s->position[k].error) > error) /* it may be NaN */
+            error = fabs(s->position[k].error);
     put_section(g, &at->theta2, at->branch);
     if (t->task == TASK_FUNCTION && s->design.kind == FOURLINK_FOUR_BAR) {
-        put_value(g, "theta4", at->output, error + ROUNDING * factor, QUANTITY_ANGLE);
+        put_value(g, "theta4", at->output, (1 + 1e-6) * error + ROUNDING * factor, QUANTITY_ANGLE);
         return;
     }
     if (t->task == TASK_FUNCTION) {
-        put_value(g, "C.x", at->output, error + ROUNDING * factor * size, QUANTITY_LENGTH);
+        put_value(g, "C.x", at->output, (1 + 1e-6) * error + ROUNDING * factor * size,
+                  QUANTITY_LENGTH);
         return;
     }
     put_value(g, flk_text_join(name, sizeof name, point_name, ".x", (char *)NULL), at->point.x,
@@ -490,11 +493,8 @@ static void put_checks(page *g)
     const fourlink_solution *s = t->chosen;
     const deck_wanted *w = &t->wanted;
     char line[MESSAGE_SIZE], words[MESSAGE_SIZE];
-    double missed = 0;
     int i, is_quick = t->task == TASK_QUICK_RETURN;
 
-    for (i = 0; i < s->n_positions; i++)
-        missed = GSL_MAX(missed, fabs(s->position[i].error));
     put(g, "# Checks");
     put(g, flk_message(line, sizeof line, "#   type: %s; longest / shortest link %.4g",
                        fourlink_type_text((int)s->type), s->ratio));
