@@ -1979,7 +1979,7 @@ typedef struct fourlink_solution {
     fourlink_design design; /* kind, lengths, offset; without masses */
     fourlink_branch branch; /* of the first position that is not dead */
     double a, c;            /* m, crank and rocker with the signs of the equations */
-    double crank_turn;  /* rad, 0 or +-pi: crank angle of the linkage minus that of the designer */
+    double crank_turn;  /* rad, 0 or pi: crank angle of the linkage minus that of the designer */
     double rocker_turn; /* rad, 0 or pi: the same for theta4 */
     double K[3];        /* function: K1, K2, K3 (1); slider-crank: S1, S2 (m), S3 (m2); else 0 */
     double condition;   /* 1, of the linear system, columns scaled to the same length; 1: none */
@@ -2171,10 +2171,12 @@ FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, dou
 **    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH: there is none;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_CHOICE
 ** Notes:
-** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line.
-** 2) FOURLINK_NO_LENGTH: a fixed pivot is a pole of two positions, A and D or B and C are the same point, or
-**    both dyads are the same.
-** 3) The crank may run either way; `from` and `to` follow from the order of the positions.
+** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line, or those of the fixed pivot
+**    seen from the coupler.
+** 2) FOURLINK_DEPENDENT: two positions are equal, or a pivot is a pole of two positions, so that the other
+**    pivot may be anywhere on a line.
+** 3) FOURLINK_NO_LENGTH: A and D or B and C are the same point, or both dyads are the same.
+** 4) The crank may run either way; `from` and `to` follow from the order of the positions.
 ** Reference:
 **    see synthesis/dyad.c.
 */
