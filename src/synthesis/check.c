@@ -16,28 +16,11 @@
 /* What rounding adds to a length, relative to the largest. */
 #define ROUNDED 1e-11
 
-/* A position of this branch, and how far it is from the wanted one. */
-typedef struct meeting {
-    int status;
-    fourlink_state state;
-    double off; /* rad, m: output minus wanted */
-} meeting;
-
-static double output_of(const fourlink_mechanism *mechanism, const fourlink_state *state)
+/* Output minus the wanted one: rad, m. */
+static double output_error(const fourlink_solution *s, const fourlink_state *state, double wanted)
 {
-    return mechanism->design.kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x
-                                                           : state->link[4].theta;
-}
-
-static void meet(const fourlink_mechanism *mechanism, fourlink_branch branch,
-                 const fourlink_precision *wanted, meeting *m)
-{
-    m->status = fourlink_position(mechanism, branch, wanted->theta2, &m->state);
-    if (m->status != FOURLINK_OK)
-        return;
-    m->off = output_of(mechanism, &m->state) - wanted->output;
-    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
-        m->off = flk_reduced(m->off);
+    return s->design.kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted
+                                                   : flk_reduced(state->link[4].theta - wanted);
 }
 
 /* By the cosine rule, an error of the lengths moves C across the rocker by
@@ -54,46 +37,51 @@ static double rounding_at(const fourlink_solution *s, const fourlink_state *stat
     return ROUNDED * size * (size / b) * reach / fabs(state->sine);
 }
 
+/* How far a position is from the wanted one, m. */
+static double distance_to(const fourlink_solution *s, const fourlink_state *state, int is_traced,
+                          double size, fourlink_precision *p)
+{
+    double arm = s->design.kind == FOURLINK_SLIDER_CRANK ? 1
+                 : s->design.kind == FOURLINK_FOUR_BAR   ? s->c
+                                                         : size;
+    double off = fabs(p->error * arm);
+    fourlink_vector at;
+
+    if (!is_traced)
+        return off;
+    p->error = GSL_POSINF;
+    if (fourlink_point(state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) == FOURLINK_OK)
+        p->error = gsl_hypot(at.x - p->point.x, at.y - p->point.y);
+    return GSL_MAX_DBL(off, p->error);
+}
+
 /* Find the branch on which the output is nearer to the wanted one.  Returns defects. */
 static int place(fourlink_solution *s, const fourlink_mechanism *mechanism,
                  const flk_request *request, double size, fourlink_precision *p)
 {
-    static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-    meeting m[2];
-    const meeting *found;
-    double tolerance, missed;
-    int i;
+    fourlink_state open, crossed, *found = &open;
+    double off;
 
-    for (i = 0; i < 2; i++)
-        meet(mechanism, branches[i], p, &m[i]);
     p->branch = 0;
     p->error = p->mu = FLK_UNDEFINED;
-    p->status = m[0].status;
-    if (m[0].status == FOURLINK_DEAD_POSITION || m[0].status == FOURLINK_CHANGE_POINT) {
+    p->status = fourlink_position(mechanism, FOURLINK_OPEN, p->theta2, &open);
+    if (p->status == FOURLINK_DEAD_POSITION || p->status == FOURLINK_CHANGE_POINT) {
         p->mu = 0;
         return FOURLINK_DEFECT_DEAD;
     }
-    if (m[0].status != FOURLINK_OK)
+    if (p->status != FOURLINK_OK ||
+        fourlink_position(mechanism, FOURLINK_CROSSED, p->theta2, &crossed) != FOURLINK_OK)
         return FOURLINK_DEFECT_REACH;
-    i = fabs(m[1].off) < fabs(m[0].off);
-    found = &m[i];
-    p->branch = branches[i];
-    p->mu = found->state.mu;
-    p->error = found->off;
-    tolerance = rounding_at(s, &found->state, size);
-    missed = fabs(found->off);
-    if (s->design.kind != FOURLINK_SLIDER_CRANK)
-        missed *= s->design.kind == FOURLINK_FOUR_BAR ? fabs(s->c) : size;
-    if (request->is_traced) {
-        fourlink_vector at;
-
-        if (fourlink_point(&found->state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) !=
-            FOURLINK_OK)
-            return FOURLINK_DEFECT_MISSED;
-        p->error = gsl_hypot(at.x - p->point.x, at.y - p->point.y);
-        missed = GSL_MAX_DBL(fabs(missed), p->error);
+    p->error = output_error(s, &open, p->output);
+    off = output_error(s, &crossed, p->output);
+    if (fabs(off) < fabs(p->error)) {
+        found = &crossed;
+        p->error = off;
     }
-    return request->is_exact && !(fabs(missed) <= tolerance) ? FOURLINK_DEFECT_MISSED : 0;
+    p->branch = found->branch;
+    p->mu = found->mu;
+    off = distance_to(s, found, request->is_traced, size, p);
+    return request->is_exact && !(off <= rounding_at(s, found, size)) ? FOURLINK_DEFECT_MISSED : 0;
 }
 
 /* The range of the reach that an angle is in, and the angle as the range counts it. */
@@ -187,105 +175,83 @@ static int find_order(fourlink_solution *s, const fourlink_reach *reach, int is_
     return is_monotone(s) ? 0 : FOURLINK_DEFECT_ORDER;
 }
 
-/* Circuits: if the crank turns fully, each branch is one; if it has two ranges, each range is one, with both
-** branches; if it has one range, there is one circuit.  This is the rule that the sine at a joint which is not
-** on the shortest link keeps its sign. */
-static int find_circuits(const fourlink_solution *s, const fourlink_reach *reach)
+/* Whether the crank can go from one position to the others.
+**
+** Circuits: if the crank turns fully, each branch is one; if it has two ranges, each range is one, with both
+** branches; if it has one range, there is one circuit.  So the sine at a joint that is not on the shortest
+** link keeps its sign on a circuit. */
+static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
 {
-    int i, first = -1, defects = 0;
-    double counted;
+    double low = GSL_POSINF, high = GSL_NEGINF, counted;
+    int i, range, first = -1, defects = 0;
 
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
 
         if (!p->branch)
             continue;
-        if (first < 0)
-            first = i;
-        if (p->branch != s->position[first].branch)
+        range = range_of(reach, p->theta2, &counted);
+        first = first < 0 ? range : first;
+        if (range != first)
+            defects |= FOURLINK_DEFECT_CIRCUIT;
+        if (p->branch != (int)s->branch)
             defects |= FOURLINK_DEFECT_BRANCH |
                        (turns_fully(reach) ? FOURLINK_DEFECT_CIRCUIT : FOURLINK_DEFECT_WAY);
-        if (range_of(reach, p->theta2, &counted) !=
-            range_of(reach, s->position[first].theta2, &counted))
-            defects |= FOURLINK_DEFECT_CIRCUIT;
+        low = GSL_MIN_DBL(low, p->theta2);
+        high = GSL_MAX_DBL(high, p->theta2);
     }
-    return defects;
-}
-
-static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
-{
-    double low = GSL_POSINF, high = GSL_NEGINF;
-    int i, defects = 0;
-
-    for (i = 0; i < s->n_positions; i++)
-        if (s->position[i].branch) {
-            low = GSL_MIN_DBL(low, s->position[i].theta2);
-            high = GSL_MAX_DBL(high, s->position[i].theta2);
-        }
     if (low < high && !has_way(reach, low, high))
         defects |= FOURLINK_DEFECT_WAY;
-    if (!has_way(reach, s->from, s->to))
-        defects |= FOURLINK_DEFECT_REACH;
-    return defects;
+    return has_way(reach, s->from, s->to) ? defects : defects | FOURLINK_DEFECT_REACH;
 }
 
-/* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds.  In a range it is
+/* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds; in a range it is
 ** smallest there or at an end. */
 static void find_transmission(fourlink_solution *s, const fourlink_mechanism *mechanism)
 {
-    double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to), next;
+    double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to);
     fourlink_state state;
-    int i, n = 0;
+    int i;
 
     s->mu_positions = FLK_UNDEFINED;
     for (i = 0; i < s->n_positions; i++)
         if (!(s->position[i].mu >= s->mu_positions))
             s->mu_positions = s->position[i].mu;
     s->mu_min = GSL_POSINF;
-    next = low;
-    while (s->mu_min > 0 && n++ < 7) {
-        double mu =
-            fourlink_position(mechanism, s->branch, next, &state) == FOURLINK_OK ? state.mu : 0;
+    for (i = 0; i < 7; i++) { /* the ends, and the multiples in a turn */
+        double quarter = M_PI_2 * (floor(low / M_PI_2) + i), mu = 0;
+        double theta2 = i == 6 ? high : GSL_MAX_DBL(low, GSL_MIN_DBL(quarter, high));
 
+        if (fourlink_position(mechanism, s->branch, theta2, &state) == FOURLINK_OK)
+            mu = state.mu;
         if (mu < s->mu_min) {
             s->mu_min = mu;
-            s->mu_min_at = next;
+            s->mu_min_at = theta2;
         }
-        if (next >= high)
-            break;
-        next = M_PI_2 * (floor(next / M_PI_2 + 1e-9) + 1);
-        next = GSL_MIN_DBL(next, high);
     }
 }
 
-static double largest_length(const fourlink_solution *s)
-{
-    double largest = GSL_MAX_DBL(fabs(s->design.offset), gsl_hypot(s->point.x, s->point.y));
-    int i;
-
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        largest = GSL_MAX_DBL(largest, s->design.link[i].length);
-    return largest;
-}
-
-static double ratio_of(const fourlink_design *design)
+/* The largest length that has to do with the linkage; `ratio` of its links. */
+static double measure(fourlink_solution *s, double size)
 {
     double longest = 0, shortest = GSL_POSINF;
     int i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        if (design->link[i].length > 0) {
-            longest = GSL_MAX_DBL(longest, design->link[i].length);
-            shortest = GSL_MIN_DBL(shortest, design->link[i].length);
+        if (s->design.link[i].length > 0) {
+            longest = GSL_MAX_DBL(longest, s->design.link[i].length);
+            shortest = GSL_MIN_DBL(shortest, s->design.link[i].length);
         }
-    return longest / shortest;
+    s->ratio = longest / shortest;
+    size = GSL_MAX_DBL(GSL_MAX_DBL(size, longest), fabs(s->design.offset));
+    return GSL_MAX_DBL(size, gsl_hypot(s->point.x, s->point.y));
 }
 
 int flk_check_solution(fourlink_solution *s, const flk_request *request)
 {
     fourlink_mechanism mechanism;
     fourlink_reach reach;
-    double size = GSL_MAX_DBL(request->size, largest_length(s));
+    double size = measure(s, request->size);
     int i, has_range = s->from != s->to, status = fourlink_prepare(&s->design, &mechanism);
 
     if (!(size <= FOURLINK_LENGTH_MAX))
@@ -294,7 +260,6 @@ int flk_check_solution(fourlink_solution *s, const flk_request *request)
         return FOURLINK_NO_LENGTH;
     fourlink_type_of(&mechanism, &s->type);
     fourlink_reach_of(&mechanism, &reach);
-    s->ratio = ratio_of(&s->design);
     s->defects = 0;
     s->branch = FOURLINK_OPEN;
     for (i = s->n_positions - 1; i >= 0; i--) {
@@ -307,16 +272,25 @@ int flk_check_solution(fourlink_solution *s, const flk_request *request)
         s->from = s->position[0].theta2;
         s->to = s->position[s->n_positions - 1].theta2;
     }
-    s->defects |= find_circuits(s, &reach) | find_way(s, &reach);
+    s->defects |= find_way(s, &reach);
     find_transmission(s, &mechanism);
     return FOURLINK_OK;
 }
 
-int flk_return_solution(const fourlink_solution *s, unsigned long max, fourlink_solution *solutions,
-                        unsigned long *n)
+int flk_find_one(flk_finder *find, const void *task, unsigned long max,
+                 fourlink_solution *solutions, unsigned long *n)
 {
+    fourlink_solution s;
+    int status;
+
+    if (!task || !n || (max && !solutions))
+        return FOURLINK_NULL;
+    memset(&s, 0, sizeof s);
+    status = find(task, &s);
+    if (status != FOURLINK_OK)
+        return status;
     if (max > 0)
-        solutions[0] = *s;
+        solutions[0] = s;
     *n = 1;
     return FOURLINK_OK;
 }

@@ -12,7 +12,7 @@
 ** in frames turned by arg sigma and arg(1 - sigma); sigma' = 1 / sigma and sigma / (sigma - 1).
 */
 #include <math.h>
-#include <string.h>
+#include <stddef.h>
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_math.h>
@@ -87,8 +87,8 @@ static int check_task(const fourlink_cognate_task *task)
         return FOURLINK_BAD_BRANCH;
     if (task->side != FOURLINK_LEFT && task->side != FOURLINK_RIGHT)
         return FOURLINK_BAD_CHOICE;
-    if (!FLK_BOTH_WITHIN(task->point, FOURLINK_LENGTH_MAX) ||
-        !FLK_WITHIN(task->from, FOURLINK_NUMBER_MAX) || !FLK_WITHIN(task->to, FOURLINK_NUMBER_MAX))
+    if (!flk_points_within(&task->point, 1) || !FLK_WITHIN(task->from, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->to, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     return FOURLINK_OK;
 }
@@ -124,29 +124,29 @@ static int set_linkage(const fourlink_cognate_task *task, fourlink_solution *s)
     return FOURLINK_OK;
 }
 
-int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,
-                               fourlink_solution *solutions, unsigned long *n)
+static int find_cognate(const void *data, fourlink_solution *s)
 {
+    const fourlink_cognate_task *task = data;
     flk_request request = {1, 0, 1, 0};
     fourlink_mechanism mechanism;
-    fourlink_solution s;
-    int status;
+    int status = check_task(task);
 
-    if (!task || !n || (max && !solutions))
-        return FOURLINK_NULL;
-    status = check_task(task);
     if (status == FOURLINK_OK)
         status = fourlink_prepare(&task->design, &mechanism);
-    memset(&s, 0, sizeof s);
     if (status == FOURLINK_OK)
-        status = set_linkage(task, &s);
+        status = set_linkage(task, s);
     if (status == FOURLINK_OK)
-        status = set_positions(task, &mechanism, &s);
+        status = set_positions(task, &mechanism, s);
     if (status != FOURLINK_OK)
         return status;
     request.is_free = task->side == FOURLINK_LEFT;
     request.size = gsl_hypot(task->point.x, task->point.y) + mechanism.design.link[1].length +
                    mechanism.design.link[2].length;
-    status = flk_check_solution(&s, &request);
-    return status == FOURLINK_OK ? flk_return_solution(&s, max, solutions, n) : status;
+    return flk_check_solution(s, &request);
+}
+
+int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,
+                               fourlink_solution *solutions, unsigned long *n)
+{
+    return flk_find_one(find_cognate, task, max, solutions, n);
 }

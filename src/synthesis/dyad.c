@@ -17,8 +17,7 @@
 
 /* Steps of a search, rad. */
 #define STEP (5 * M_PI / 180)
-#define SMALLEST_STEP (0.5 * M_PI / 180)
-#define MOST_STEPS 720
+#define SMALLEST_STEP (0.499 * M_PI / 180)
 
 typedef struct positions {
     gsl_complex delta[3], turn[3]; /* m; 1, e^(i alpha) */
@@ -44,70 +43,50 @@ static double condition_of(double determinant)
     return (1 + sqrt((1 - d) * (1 + d))) / d;
 }
 
-/* u_j . z = r_j for j = 2, 3: z is on two lines at right angles to u_j.  FOURLINK_DEPENDENT if there is one
-** line, FOURLINK_INFINITE_LINK if they are parallel. */
-static int cross_lines(const gsl_complex u[2], const double right[2], double size, pivots *p,
-                       gsl_complex *z)
+/* The centre of the circle through three places z_j:
+**
+**    2 (z_j - z_1) . (centre - z_1) = |z_j - z_1|^2,   j = 2, 3
+**
+** A pole of two positions has two equal places; then all points of a line are centres. */
+static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *condition)
 {
-    double l0 = gsl_complex_abs(u[0]), l1 = gsl_complex_abs(u[1]);
-    double x0 = GSL_REAL(u[0]) / l0, y0 = GSL_IMAG(u[0]) / l0, r0 = right[0] / l0;
-    double x1 = GSL_REAL(u[1]) / l1, y1 = GSL_IMAG(u[1]) / l1, r1 = right[1] / l1;
-    double determinant = x0 * y1 - x1 * y0;
+    gsl_complex u = gsl_complex_sub(z[1], z[0]), v = gsl_complex_sub(z[2], z[0]), n;
+    double l = gsl_complex_abs(u), m = gsl_complex_abs(v), determinant;
+    double size = gsl_complex_abs(z[0]) + l + m;
 
-    if (is_zero(u[0], size) || is_zero(u[1], size) || is_zero(gsl_complex_sub(u[0], u[1]), size))
+    if (is_zero(u, size) || is_zero(v, size) || is_zero(gsl_complex_sub(u, v), size))
         return FOURLINK_DEPENDENT;
+    determinant = GSL_IMAG(gsl_complex_mul(gsl_complex_conjugate(u), v)) / l / m;
     if (!(fabs(determinant) > FLK_NOTHING))
         return FOURLINK_INFINITE_LINK;
-    *z = gsl_complex_rect((r0 * y1 - r1 * y0) / determinant, (x0 * r1 - x1 * r0) / determinant);
-    p->condition = condition_of(determinant);
+    n = gsl_complex_sub(gsl_complex_mul_real(v, l / m), gsl_complex_mul_real(u, m / l));
+    *centre = gsl_complex_add(z[0], gsl_complex_mul_imag(n, 0.5 / determinant));
+    *condition = condition_of(determinant);
     return FOURLINK_OK;
 }
 
-/* A fixed pivot m.  Seen from the coupler it is at g_j = e^(-i alpha_j) (P_j - m), with the sign changed, and
-** all |g_j + (k_1 - P_1)| are the same:
-**
-**    2 (g_j - g_1) . (k_1 - P_1) = |g_1|^2 - |g_j|^2,   j = 2, 3
-**
-** If m is a pole of two positions, two of the g are equal: all k_1 of a line will do. */
+/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these places. */
 static int from_fixed(const positions *at, gsl_complex m, pivots *p)
 {
-    double size = at->size + gsl_complex_abs(m), right[2];
-    gsl_complex u[2], g1 = gsl_complex_negative(m);
+    gsl_complex place[3];
     int j;
 
-    for (j = 0; j < 2; j++) {
-        gsl_complex g = gsl_complex_div(gsl_complex_sub(at->delta[j + 1], m), at->turn[j + 1]);
-
-        u[j] = gsl_complex_sub(g, g1);
-        right[j] = -0.5 * (gsl_complex_abs2(u[j]) +
-                           2 * (GSL_REAL(u[j]) * GSL_REAL(g1) + GSL_IMAG(u[j]) * GSL_IMAG(g1)));
-    }
+    for (j = 0; j < 3; j++)
+        place[j] = gsl_complex_div(gsl_complex_sub(m, at->delta[j]), at->turn[j]);
     p->fixed = m;
-    return cross_lines(u, right, size, p, &p->moving);
+    return find_centre(place, &p->moving, &p->condition);
 }
 
-/* A moving pivot k_1: m is the centre of the circle through its three places.
-**
-**    2 (k_j - k_1) . (m - k_1) = |k_j - k_1|^2,   j = 2, 3
-**
-** If k_1 is a pole, two of the places are equal: all m of a line will do. */
+/* A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these places. */
 static int from_moving(const positions *at, gsl_complex k, pivots *p)
 {
-    double size = at->size + gsl_complex_abs(k), right[2];
-    gsl_complex u[2];
-    int j, status;
+    gsl_complex place[3];
+    int j;
 
-    for (j = 0; j < 2; j++) {
-        gsl_complex place = gsl_complex_add(at->delta[j + 1], gsl_complex_mul(at->turn[j + 1], k));
-
-        u[j] = gsl_complex_sub(place, k);
-        right[j] = 0.5 * gsl_complex_abs2(u[j]);
-    }
+    for (j = 0; j < 3; j++)
+        place[j] = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], k));
     p->moving = k;
-    status = cross_lines(u, right, size, p, &p->fixed);
-    if (status == FOURLINK_OK)
-        p->fixed = gsl_complex_add(p->fixed, k);
-    return status;
+    return find_centre(place, &p->fixed, &p->condition);
 }
 
 /* Rotations beta_2, beta_3 of the link:
@@ -251,45 +230,33 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
 
 static int check_dyad(const fourlink_dyad *dyad)
 {
-    if (dyad->choice != FOURLINK_FIXED_PIVOT && dyad->choice != FOURLINK_MOVING_PIVOT &&
-        dyad->choice != FOURLINK_ROTATIONS)
+    if (dyad->choice < FOURLINK_FIXED_PIVOT || dyad->choice > FOURLINK_ROTATIONS)
         return FOURLINK_BAD_CHOICE;
-    if (!FLK_BOTH_WITHIN(dyad->pivot, FOURLINK_LENGTH_MAX) ||
-        !FLK_WITHIN(dyad->rotation[0], FOURLINK_NUMBER_MAX) ||
-        !FLK_WITHIN(dyad->rotation[1], FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
-    return FOURLINK_OK;
+    return flk_points_within(&dyad->pivot, 1) &&
+                   flk_are_within(dyad->rotation, 2, FOURLINK_NUMBER_MAX)
+               ? FOURLINK_OK
+               : FOURLINK_BAD_NUMBER;
 }
 
-static int check_points(const fourlink_vector point[3])
+static int find_motion(const void *data, fourlink_solution *s)
 {
-    int j;
+    const fourlink_motion_task *task = data;
+    int status;
 
-    for (j = 0; j < 3; j++)
-        if (!FLK_BOTH_WITHIN(point[j], FOURLINK_LENGTH_MAX))
-            return FOURLINK_BAD_NUMBER;
-    return FOURLINK_OK;
+    if (!flk_points_within(task->point, 3) || !flk_are_within(task->angle, 3, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    status = check_dyad(&task->left);
+    if (status == FOURLINK_OK)
+        status = check_dyad(&task->right);
+    if (status == FOURLINK_OK)
+        status = design_linkage(task->point, task->angle, &task->left, &task->right, NULL, s);
+    return status;
 }
 
 int fourlink_synthesis_motion(const fourlink_motion_task *task, unsigned long max,
                               fourlink_solution *solutions, unsigned long *n)
 {
-    fourlink_solution s;
-    int j, status;
-
-    if (!task || !n || (max && !solutions))
-        return FOURLINK_NULL;
-    status = check_points(task->point);
-    for (j = 0; j < 3; j++)
-        if (!FLK_WITHIN(task->angle[j], FOURLINK_NUMBER_MAX))
-            status = FOURLINK_BAD_NUMBER;
-    if (status == FOURLINK_OK)
-        status = check_dyad(&task->left);
-    if (status == FOURLINK_OK)
-        status = check_dyad(&task->right);
-    if (status == FOURLINK_OK)
-        status = design_linkage(task->point, task->angle, &task->left, &task->right, NULL, &s);
-    return status == FOURLINK_OK ? flk_return_solution(&s, max, solutions, n) : status;
+    return flk_find_one(find_motion, task, max, solutions, n);
 }
 
 static int design_path(const fourlink_path_task *task, double alpha2, double alpha3,
@@ -331,91 +298,69 @@ static void rank(const fourlink_solution *s, unsigned long max, fourlink_solutio
     (*n)++;
 }
 
-/* Grades of a grid of coupler rotations, row by row, both over a turn. */
-typedef struct grid {
-    const fourlink_path_task *task;
-    int steps;
-    double row[3][MOST_STEPS];
-} grid;
-
-static double rotation_at(const grid *g, int i)
+/* Of a grid of the coupler's rotations, over a turn each. */
+static double grade_at(const fourlink_path_task *task, int i, int j, int steps,
+                       fourlink_solution *s)
 {
-    return 2 * M_PI * (double)((i + g->steps) % g->steps) / (double)g->steps;
+    double step = 2 * M_PI / steps;
+
+    return design_path(task, i * step, j * step, s) == FOURLINK_OK ? grade(s) : 0;
 }
 
-static void grade_row(grid *g, int i)
-{
-    fourlink_solution s;
-    int j;
-
-    for (j = 0; j < g->steps; j++)
-        g->row[(i + 3) % 3][j] =
-            design_path(g->task, rotation_at(g, i), rotation_at(g, j), &s) == FOURLINK_OK
-                ? grade(&s)
-                : 0;
-}
-
-/* 1 if none of the eight neighbours is better. */
-static int is_peak(const grid *g, int i, int j)
-{
-    double value = g->row[i % 3][j];
-    int k, l;
-
-    for (k = 0; value > 0 && k < 3; k++)
-        for (l = -1; l <= 1; l++)
-            if (g->row[k][(j + l + g->steps) % g->steps] > value)
-                return 0;
-    return value > 0;
-}
-
-/* Of a grid of the coupler's rotations, the linkages better than their neighbours. */
-static int search(const fourlink_path_task *task, double step, unsigned long max,
+/* The linkages of the grid that none of their eight neighbours surpasses. */
+static int search(const fourlink_path_task *task, int steps, unsigned long max,
                   fourlink_solution *solutions, unsigned long *n)
 {
-    fourlink_solution s;
+    fourlink_solution s, beside;
     unsigned long found = 0;
-    grid g;
-    int i, j;
+    int i, j, k;
 
-    g.task = task;
-    g.steps = (int)floor(2 * M_PI / step + 0.5);
-    grade_row(&g, -1);
-    grade_row(&g, 0);
-    for (i = 0; i < g.steps; i++) {
-        grade_row(&g, i + 1);
-        for (j = 0; j < g.steps; j++)
-            if (is_peak(&g, i, j) &&
-                design_path(task, rotation_at(&g, i), rotation_at(&g, j), &s) == FOURLINK_OK)
+    for (i = 0; i < steps; i++)
+        for (j = 0; j < steps; j++) {
+            double value = grade_at(task, i, j, steps, &s);
+
+            for (k = 0; value > 0 && k < 9; k++)
+                if (grade_at(task, i + k / 3 - 1, j + k % 3 - 1, steps, &beside) > value)
+                    value = 0;
+            if (value > 0)
                 rank(&s, max, solutions, &found);
-    }
+        }
     if (!found)
         return FOURLINK_NONE_FOUND;
     *n = found;
     return FOURLINK_OK;
 }
 
+static double step_of(const fourlink_path_task *task)
+{
+    return task->step == 0 ? STEP : task->step;
+}
+
+static int check_path(const fourlink_path_task *task)
+{
+    if (!flk_points_within(task->point, 3) ||
+        !flk_are_within(task->timing, 2, FOURLINK_NUMBER_MAX) ||
+        !flk_are_within(task->rotation, 2, FOURLINK_NUMBER_MAX) ||
+        !(step_of(task) >= SMALLEST_STEP && step_of(task) <= M_PI_2))
+        return FOURLINK_BAD_NUMBER;
+    return check_dyad(&task->right);
+}
+
+static int find_path(const void *data, fourlink_solution *s)
+{
+    const fourlink_path_task *task = data;
+
+    return design_path(task, task->rotation[0], task->rotation[1], s);
+}
+
 int fourlink_synthesis_path(const fourlink_path_task *task, unsigned long max,
                             fourlink_solution *solutions, unsigned long *n)
 {
-    fourlink_solution s;
-    double step;
-    int j, status;
+    int status = task && n && (solutions || !max) ? check_path(task) : FOURLINK_NULL;
 
-    if (!task || !n || (max && !solutions))
-        return FOURLINK_NULL;
-    status = check_points(task->point);
-    step = task->step == 0 ? STEP : task->step;
-    for (j = 0; j < 2; j++)
-        if (!FLK_WITHIN(task->timing[j], FOURLINK_NUMBER_MAX) ||
-            !FLK_WITHIN(task->rotation[j], FOURLINK_NUMBER_MAX) ||
-            !(step >= SMALLEST_STEP * (1 - 1e-9) && step <= M_PI_2))
-            status = FOURLINK_BAD_NUMBER;
-    if (status == FOURLINK_OK)
-        status = check_dyad(&task->right);
     if (status != FOURLINK_OK)
         return status;
-    if (task->search)
-        return search(task, step, max, solutions, n);
-    status = design_path(task, task->rotation[0], task->rotation[1], &s);
-    return status == FOURLINK_OK ? flk_return_solution(&s, max, solutions, n) : status;
+    return task->search
+               ? search(task, (int)floor(2 * M_PI / step_of(task) + 0.5), max, solutions, n)
+               : flk_find_one(find_path, task, max, solutions, n);
 }

@@ -208,83 +208,72 @@ static void fit_output(const generator *g, double K[3])
     }
 }
 
-/* Wanted and found outputs over the range, for the largest error. */
+/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not reach, or
+** nothing is wanted. */
 typedef struct error_curve {
     const fourlink_function_task *task;
     const fourlink_solution *solution;
     const fourlink_mechanism *mechanism;
+    double error; /* with its sign */
 } error_curve;
-
-/* NaN where the linkage does not reach, or nothing is wanted. */
-static double signed_error(double theta2, const error_curve *c)
-{
-    double wanted = c->task->wanted(c->task->host, theta2), error;
-
-    if (!gsl_finite(wanted) || error_at(c->solution, c->mechanism, c->solution->branch, theta2,
-                                        wanted, &error) != FOURLINK_OK)
-        return FLK_UNDEFINED;
-    return error;
-}
 
 static double size_of_error(double theta2, void *data)
 {
-    return fabs(signed_error(theta2, data));
+    error_curve *c = data;
+    double wanted = c->task->wanted(c->task->host, theta2);
+    int is_found = gsl_finite(wanted) && error_at(c->solution, c->mechanism, c->solution->branch,
+                                                  theta2, wanted, &c->error) == FOURLINK_OK;
+
+    return is_found ? fabs(c->error) : FLK_UNDEFINED;
 }
 
-/* The largest error at equal steps, then the peak beside it. */
+/* The largest error: of the points, or, if more is known, at equal steps, then at the peak beside it. */
 static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
 {
-    double from = s->from - s->crank_turn, step = (s->to - s->from) / INTERVALS;
+    double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
+    double step = fabs(s->to - s->from) / INTERVALS;
     fourlink_mechanism mechanism;
-    flk_sample p[3], best;
+    flk_sample p[3], best = {0, -1};
     error_curve c;
-    int i, at = -1;
+    int i, k;
 
+    for (i = 0; i < s->n_positions; i++)
+        if (fabs(s->position[i].error) > best.value) {
+            best.value = fabs(s->position[i].error);
+            s->max_error = s->position[i].error;
+            s->max_error_at = s->position[i].theta2;
+        }
+    if (!task->wanted)
+        return;
     c.task = task;
     c.solution = s;
     c.mechanism = &mechanism;
     fourlink_prepare(&s->design, &mechanism);
-    best.x = from;
     best.value = -1;
     for (i = 0; i <= INTERVALS; i++) {
-        double value = size_of_error(from + i * step, &c);
-
-        if (value > best.value) {
-            best.x = from + i * step;
-            best.value = value;
-            at = i;
+        for (k = 0; k < 3; k++) {
+            p[k].x = from + (i + k - 1) * step;
+            p[k].value = size_of_error(p[k].x, &c);
         }
-    }
-    if (at < 0)
-        return;
-    if (at > 0 && at < INTERVALS) {
-        for (i = 0; i < 3; i++) {
-            p[i].x = from + (at + (step < 0 ? 1 - i : i - 1)) * step;
-            p[i].value = size_of_error(p[i].x, &c);
-        }
-        if (p[0].value >= 0 && p[2].value >= 0)
+        if (!(p[1].value > best.value))
+            continue;
+        best = p[1];
+        if (i > 0 && i < INTERVALS && p[1].value >= p[0].value && p[1].value >= p[2].value)
             best = flk_find_peak(size_of_error, &c, p, 1e-14 * best.value);
     }
-    s->max_error = signed_error(best.x, &c);
-    s->max_error_at = best.x + s->crank_turn;
-}
-
-static void largest_error_of_points(fourlink_solution *s)
-{
-    int i;
-
-    for (i = 0; i < s->n_positions; i++)
-        if (fabs(s->position[i].error) > fabs(s->max_error)) {
-            s->max_error = s->position[i].error;
-            s->max_error_at = s->position[i].theta2;
-        }
+    if (best.value >= 0) {
+        size_of_error(best.x, &c);
+        s->max_error = c.error;
+        s->max_error_at = best.x + s->crank_turn;
+    }
 }
 
 static int check_task(const fourlink_function_task *task)
 {
+    int is_four_bar = task->kind == FOURLINK_FOUR_BAR;
     unsigned long i;
 
-    if (task->kind != FOURLINK_FOUR_BAR && task->kind != FOURLINK_SLIDER_CRANK)
+    if (!is_four_bar && task->kind != FOURLINK_SLIDER_CRANK)
         return FOURLINK_BAD_KIND;
     if (task->fit != FOURLINK_FIT_EQUATION && task->fit != FOURLINK_FIT_ANGLE)
         return FOURLINK_BAD_CHOICE;
@@ -292,25 +281,17 @@ static int check_task(const fourlink_function_task *task)
         return FOURLINK_BAD_POINTS;
     if (!task->theta2 || !task->output)
         return FOURLINK_NULL;
-    if (!FLK_WITHIN(task->from, FOURLINK_NUMBER_MAX) || !FLK_WITHIN(task->to, FOURLINK_NUMBER_MAX))
+    if (!FLK_WITHIN(task->from, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->to, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->ground, FOURLINK_LENGTH_MAX) ||
+        !flk_are_within(task->theta2, task->n, FOURLINK_NUMBER_MAX) ||
+        !flk_are_within(task->output, task->n,
+                        is_four_bar ? FOURLINK_NUMBER_MAX : FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
-    if (task->kind == FOURLINK_FOUR_BAR) {
-        if (!FLK_WITHIN(task->ground, FOURLINK_LENGTH_MAX))
+    for (i = 0; task->weight && i < task->n; i++)
+        if (!(task->weight[i] > 0 && task->weight[i] <= FOURLINK_NUMBER_MAX))
             return FOURLINK_BAD_NUMBER;
-        if (task->ground < FOURLINK_LENGTH_MIN)
-            return FOURLINK_BAD_LENGTH;
-    }
-    for (i = 0; i < task->n; i++) {
-        double largest =
-            task->kind == FOURLINK_FOUR_BAR ? FOURLINK_NUMBER_MAX : FOURLINK_LENGTH_MAX;
-
-        if (!FLK_WITHIN(task->theta2[i], FOURLINK_NUMBER_MAX) ||
-            !FLK_WITHIN(task->output[i], largest))
-            return FOURLINK_BAD_NUMBER;
-        if (task->weight && !(task->weight[i] > 0 && task->weight[i] <= FOURLINK_NUMBER_MAX))
-            return FOURLINK_BAD_NUMBER;
-    }
-    return FOURLINK_OK;
+    return is_four_bar && task->ground < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_LENGTH : FOURLINK_OK;
 }
 
 static void scale(const fourlink_function_task *task, generator *g)
@@ -351,42 +332,39 @@ static void set_positions(const generator *g, const double K[3], fourlink_soluti
     s->to = task->to + s->crank_turn;
 }
 
-int fourlink_synthesis_function(const fourlink_function_task *task, unsigned long max,
-                                fourlink_solution *solutions, unsigned long *n)
+static int find_function(const void *data, fourlink_solution *s)
 {
+    const fourlink_function_task *task = data;
     flk_request request = {0, 0, 0, 0};
-    fourlink_solution s;
     generator g;
     double K[3];
-    int status;
+    int status = check_task(task);
 
-    if (!task || !n || (max && !solutions))
-        return FOURLINK_NULL;
-    status = check_task(task);
     if (status != FOURLINK_OK)
         return status;
     scale(task, &g);
     if (!(g.unit >= FOURLINK_LENGTH_MIN))
         return FOURLINK_DEPENDENT;
-    memset(&s, 0, sizeof s);
-    status = solve_equations(&g, K, &s.condition);
+    status = solve_equations(&g, K, &s->condition);
     if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
         fit_output(&g, K);
     if (status == FOURLINK_OK)
-        status = set_lengths(&g, K, &s);
+        status = set_lengths(&g, K, s);
     if (status != FOURLINK_OK)
         return status;
-    set_positions(&g, K, &s);
+    set_positions(&g, K, s);
     request.is_exact = task->n == 3;
     request.size = g.unit;
-    status = flk_check_solution(&s, &request);
-    if (status != FOURLINK_OK)
-        return status;
-    if (task->wanted)
-        find_largest_error(task, &s);
-    else
-        largest_error_of_points(&s);
-    return flk_return_solution(&s, max, solutions, n);
+    status = flk_check_solution(s, &request);
+    if (status == FOURLINK_OK)
+        find_largest_error(task, s);
+    return status;
+}
+
+int fourlink_synthesis_function(const fourlink_function_task *task, unsigned long max,
+                                fourlink_solution *solutions, unsigned long *n)
+{
+    return flk_find_one(find_function, task, max, solutions, n);
 }
 
 int fourlink_synthesis_error(const fourlink_solution *solution, double theta2, double wanted,

@@ -72,6 +72,25 @@ fourlink_vector flk_vector_of(gsl_complex z)
     return v;
 }
 
+int flk_are_within(const double *x, unsigned long n, double max)
+{
+    while (n > 0 && FLK_WITHIN(*x, max)) {
+        x++;
+        n--;
+    }
+    return n == 0;
+}
+
+int flk_points_within(const fourlink_vector *v, unsigned long n)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (!FLK_BOTH_WITHIN(v[i], FOURLINK_LENGTH_MAX))
+            return 0;
+    return 1;
+}
+
 double flk_reduced(double angle)
 {
     angle = fmod(angle, 2 * M_PI);

@@ -22,6 +22,10 @@ int flk_least_squares(unsigned long n, const double A[][3], const double *b, dou
 gsl_complex flk_plane(const fourlink_vector *v);
 fourlink_vector flk_vector_of(gsl_complex z);
 
+/* 1 if |x| <= max for n numbers; if n points have valid coordinates (linear.c). */
+int flk_are_within(const double *x, unsigned long n, double max);
+int flk_points_within(const fourlink_vector *v, unsigned long n);
+
 /* An angle reduced to (-pi, pi] (linear.c). */
 double flk_reduced(double angle);
 
@@ -38,8 +42,9 @@ typedef struct flk_request {
 ** FOURLINK_NO_LENGTH (check.c). */
 int flk_check_solution(fourlink_solution *s, const flk_request *request);
 
-/* Write the only solution of a task to the caller's array (check.c). */
-int flk_return_solution(const fourlink_solution *s, unsigned long max, fourlink_solution *solutions,
-                        unsigned long *n);
+/* Find the only solution of a task, which is 0 before, and write it to the caller's array (check.c). */
+typedef int flk_finder(const void *task, fourlink_solution *s);
+int flk_find_one(flk_finder *find, const void *task, unsigned long max,
+                 fourlink_solution *solutions, unsigned long *n);
 
 #endif

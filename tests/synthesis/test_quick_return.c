@@ -291,7 +291,10 @@ TEST(refused)
     REFUSED(quick_return, &task, FOURLINK_BAD_TIME_RATIO);
     task = good;
     task.swing = 0;
-    REFUSED(quick_return, &task, FOURLINK_BAD_NUMBER);
+    REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
+    task = good;
+    task.stroke = 1;
+    REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
     task = good;
     task.swing = PI;
     REFUSED(quick_return, &task, FOURLINK_BAD_NUMBER);
