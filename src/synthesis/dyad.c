@@ -59,7 +59,7 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
     determinant = GSL_IMAG(gsl_complex_mul(gsl_complex_conjugate(u), v)) / l / m;
     if (!(fabs(determinant) > FLK_NOTHING))
         return FOURLINK_INFINITE_LINK;
-    n = gsl_complex_sub(gsl_complex_mul_real(v, l / m), gsl_complex_mul_real(u, m / l));
+    n = gsl_complex_sub(gsl_complex_mul_real(u, m / l), gsl_complex_mul_real(v, l / m));
     *centre = gsl_complex_add(z[0], gsl_complex_mul_imag(n, 0.5 / determinant));
     *condition = condition_of(determinant);
     return FOURLINK_OK;
