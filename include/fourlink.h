@@ -118,7 +118,7 @@ extern "C" {
     X(FOURLINK_NO_LINKAGE, 54, "no linkage: the square of a length would be negative or zero")    \
     X(FOURLINK_NO_LENGTH, 55, "no linkage: two of its pivots would be the same point")            \
     X(FOURLINK_NO_FULL_TURN, 56,                                                                  \
-      "no linkage: the crank would not turn fully with this time ratio and these lengths")        \
+      "no linkage whose crank turns fully has this time ratio with these lengths")                \
     X(FOURLINK_NONE_FOUND, 57, "the search found no linkage without a defect")                    \
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
     X(FOURLINK_BAD_TIME_RATIO, 59, "the time ratio is below 1")                                   \
@@ -1982,7 +1982,7 @@ typedef struct fourlink_solution {
     fourlink_design design; /* kind, lengths, offset; without masses */
     fourlink_branch branch; /* of the first position that is not dead */
     double a, c;            /* m, crank and rocker with the signs of the equations */
-    double crank_turn;  /* rad, 0 or +-pi: crank angle of the linkage minus that of the designer */
+    double crank_turn;  /* rad, 0 or pi: crank angle of the linkage minus that of the designer */
     double rocker_turn; /* rad, 0 or pi: the same for theta4 */
     double K[3];        /* function: K1, K2, K3 (1); slider-crank: S1, S2 (m), S3 (m2); else 0 */
     double condition;   /* 1, of the linear system, columns scaled to the same length; 1: none */
@@ -2174,10 +2174,12 @@ FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, dou
 **    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH: there is none;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_CHOICE
 ** Notes:
-** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line.
-** 2) FOURLINK_NO_LENGTH: a fixed pivot is a pole of two positions, A and D or B and C are the same point, or
-**    both dyads are the same.
-** 3) The crank may run either way; `from` and `to` follow from the order of the positions.
+** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line, or those of the fixed pivot
+**    seen from the coupler.
+** 2) FOURLINK_DEPENDENT: two positions are equal, or a pivot is a pole of two positions, so that the other
+**    pivot may be anywhere on a line.
+** 3) FOURLINK_NO_LENGTH: A and D or B and C are the same point, or both dyads are the same.
+** 4) The crank may run either way; `from` and `to` follow from the order of the positions.
 ** Reference:
 **    see synthesis/dyad.c.
 */
@@ -2422,6 +2424,42 @@ FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *n
 FOURLINK_API void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i,
                          const int *n, double *values, int *istat);
 FOURLINK_API void flshut_(fourlink_results **handle);
+
+/* Synthesis: a function generator, and a quick return.
+**
+**       DOUBLE PRECISION THETA2(N), OUTPUT(N), WEIGHT(N)
+**       DOUBLE PRECISION GROUND, RATIO, SWING, STROKE
+**       DOUBLE PRECISION LENGTH(4), OFFSET, TURN(2), RANGE(2), CHECK(4)
+**       INTEGER KIND, N, IFIT, IBRNCH, ITYPE, ISLOW, IDEF, ISTAT
+**       CALL FLFUNC(KIND, GROUND, N, THETA2, OUTPUT, WEIGHT, IFIT, LENGTH, OFFSET, IBRNCH, TURN, RANGE,
+**                   CHECK, IDEF, ISTAT)
+**       CALL FLQRET(ITYPE, RATIO, SWING, STROKE, ISLOW, LENGTH, OFFSET, RANGE, CHECK, IDEF, ISTAT)
+**
+** Given:
+**    KIND ... IFIT      as in fourlink_function_task: 1 four-bar, 2 slider-crank; IFIT 0 or 1
+**    ITYPE ... ISLOW    as in fourlink_quick_return_task: 1 crank-rocker, 10 slider-crank, 13 slotted
+**                       lever, 14 Whitworth
+**    LENGTH, OFFSET     FLQRET: those that are given, the others 0 (m)
+** Returned:
+**    LENGTH             m, by link number
+**    OFFSET             m
+**    IBRNCH             1 open, -1 crossed; FLQRET: open
+**    TURN               rad, crank_turn and rocker_turn of fourlink_solution
+**    RANGE              rad, from and to
+**    CHECK              condition (1), ratio (1), mu_min (rad), max_error (rad or m)
+**    IDEF               defects
+**    ISTAT              0, or a status; then the others are unchanged
+**
+** Reference:
+**    as fourlink_synthesis_function, fourlink_synthesis_quick_return
+*/
+FOURLINK_API void flfunc_(const int *kind, const double *ground, const int *n, const double *theta2,
+                          const double *output, const double *weight, const int *ifit,
+                          double length[4], double *offset, int *ibrnch, double turn[2],
+                          double range[2], double check[4], int *idef, int *istat);
+FOURLINK_API void flqret_(const int *itype, const double *ratio, const double *swing,
+                          const double *stroke, const int *islow, double length[4], double *offset,
+                          double range[2], double check[4], int *idef, int *istat);
 
 #ifdef __cplusplus
 }
