@@ -14,6 +14,8 @@
 #include "synthesis.h"
 
 #define MOST_LISTED 10 /* solutions of a search */
+#define DEAD \
+    1e-6 /* rad, for links of one length: below it rounding decides what is a dead position */
 #define ROUNDING 1e-12 /* relative, of the values that prove a linkage */
 
 /* ------------------------------------------------------------------------------------- searching */
@@ -236,22 +238,28 @@ static void set_lengths(parser *p)
         set_quantity(p, "lever", "angle", design->angle, QUANTITY_ANGLE);
 }
 
-/* The working range, unless it is a full turn, or the deck says what moves. */
+/* The working range with all positions, which an order defect may have outside it, unless it is a full turn, or
+** the deck says what moves. */
 static void set_range(parser *p)
 {
-    static const key_code others[] = {KEY_MOTION_FROM,   KEY_MOTION_TO,   KEY_MOTION_AT,
-                                      KEY_MOTION_TURNS,  KEY_MOTION_MODE, KEY_MOTION_ROWS,
-                                      KEY_MOTION_RUN_UP, KEY_MOTION_HOLD};
+    static const key_code others[] = {KEY_MOTION_AT,   KEY_MOTION_TURNS,  KEY_MOTION_MODE,
+                                      KEY_MOTION_ROWS, KEY_MOTION_RUN_UP, KEY_MOTION_HOLD,
+                                      KEY_MOTION_FROM, KEY_MOTION_TO};
     const fourlink_solution *s = p->d->synthesis->chosen;
-    int i, is_cognate = p->d->synthesis->task == TASK_COGNATE;
+    int n = p->d->synthesis->task == TASK_COGNATE ? 6 : 8, i;
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
 
-    for (i = is_cognate ? 2 : 0; i < (int)(sizeof others / sizeof others[0]); i++)
+    for (i = 0; i < n; i++)
         if (IS_SET(flk_setting_find(p, others[i])))
             return;
-    if (fabs(fabs(s->to - s->from) - 2 * M_PI) < 1e-9 || s->to == s->from)
+    for (i = 0; i < s->n_positions; i++) {
+        low = GSL_MIN(low, s->position[i].theta2);
+        high = GSL_MAX(high, s->position[i].theta2);
+    }
+    if (high - low > 2 * M_PI - 1e-9 || high == low)
         return;
-    set_quantity(p, "motion", "from", s->from, QUANTITY_ANGLE);
-    set_quantity(p, "motion", "to", s->to, QUANTITY_ANGLE);
+    set_quantity(p, "motion", "from", s->from <= s->to ? low : high, QUANTITY_ANGLE);
+    set_quantity(p, "motion", "to", s->from <= s->to ? high : low, QUANTITY_ANGLE);
 }
 
 /* The coupler point: of a cognate that of the deck, else [point P].  Returns its name. */
@@ -414,11 +422,13 @@ static void put_proof(page *g, const char *point_name)
     if (t->task == TASK_QUICK_RETURN)
         put_facts(g, s);
     for (i = 0; i < s->n_positions && t->task != TASK_QUICK_RETURN; i++)
-        if (s->position[i].status == FOURLINK_OK && s->position[i].branch)
+        if (s->position[i].status == FOURLINK_OK && s->position[i].mu > DEAD * s->ratio)
             put_position(g, s, i, point_name);
         else
             put(g, flk_message(line, sizeof line, "# position %ld: %s", (long)i + 1,
-                               fourlink_status_text(s->position[i].status)));
+                               fourlink_status_text(s->position[i].status == FOURLINK_OK
+                                                        ? FOURLINK_DEAD_POSITION
+                                                        : s->position[i].status)));
 }
 
 /* ------------------------------------------------------------------------------------- comments */
@@ -532,11 +542,20 @@ static void put_checks(page *g)
                            s->max_error * (w->y[1] - w->y[0]) / (w->output[1] - w->output[0])));
 }
 
-/* What a [sweep] prints unless it names other outputs, by the kind of mechanism. */
-static const char *const outputs[] = {
-    "", "ground_length crank_length coupler_length rocker_length mu_range theta4_error defects",
-    "crank_length coupler_length line_offset mu_range x_error defects", "",
-    "ground_length crank_length mu_range defects"};
+/* What a [sweep] prints unless it names other outputs. */
+static const char *outputs_of(const deck_synthesis *t)
+{
+    int is_function = t->task == TASK_FUNCTION;
+
+    if (t->chosen->design.kind == FOURLINK_FOUR_BAR)
+        return is_function
+                   ? "crank_length coupler_length rocker_length mu_range theta4_error defects"
+                   : "ground_length crank_length coupler_length rocker_length mu_range defects";
+    if (t->chosen->design.kind == FOURLINK_SLIDER_CRANK)
+        return is_function ? "crank_length coupler_length line_offset mu_range x_error defects"
+                           : "crank_length coupler_length line_offset mu_range defects";
+    return "ground_length crank_length defects";
+}
 
 void flk_synthesis_assign(parser *p)
 {
@@ -546,7 +565,7 @@ void flk_synthesis_assign(parser *p)
     page head, tail;
 
     if (!p->d->sweep.output.names.start && !p->d->sweep.yield.names.start)
-        p->d->sweep.output.names = flk_text_of(outputs[p->d->design.kind]);
+        p->d->sweep.output.names = flk_text_of(outputs_of(t));
     set_lengths(p);
     if (t->chosen->has_point)
         point_name = set_point(p);
