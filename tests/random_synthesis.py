@@ -26,10 +26,9 @@ def run(deck, *options):
 
 
 def some_angles(n, low, high, apart):
-    while True:
-        angles = sorted(u(low, high) for _ in range(n))
-        if all(b - a > apart for a, b in zip(angles, angles[1:])):
-            return angles if random.random() < 0.8 else angles[::-1]
+    apart = min(apart, (high - low) / (3 * n))
+    angles = [a + i * apart for i, a in enumerate(sorted(u(low, high - n * apart) for _ in range(n)))]
+    return angles if random.random() < 0.8 else angles[::-1]
 
 
 def function_points(n):

@@ -412,7 +412,7 @@ static int read_function(parser *p, setting *s)
     int is_four_bar = p->d->design.kind == FOURLINK_FOUR_BAR, which = 0, is_angle;
     key_code out = is_four_bar ? KEY_SYNTHESIS_ROCKER : KEY_SYNTHESIS_PISTON;
     deck_wanted *w = &task_of(p)->wanted;
-    text unit_text;
+    text first, last;
 
     if (IS_SET(find(p, KEY_SYNTHESIS_POINTS)))
         return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
@@ -420,9 +420,9 @@ static int read_function(parser *p, setting *s)
         !require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") ||
         !require(p, out, is_four_bar ? "60 deg to 150 deg" : "100 mm to 30 mm"))
         return 0;
-    unit_text = flk_quantity_unit_text(find(p, KEY_SYNTHESIS_ARGUMENT)->value);
     is_angle = which > FUNCTION_POWER;
-    if (is_angle && !unit_text.length)
+    if (is_angle && (!flk_text_cut(find(p, KEY_SYNTHESIS_ARGUMENT)->value, " to ", &first, &last) ||
+                     !flk_quantity_unit_text(last).length))
         return flk_mistake(p->mistakes, find(p, KEY_SYNTHESIS_ARGUMENT)->place,
                            "the x of %s is an angle and needs a unit, such as 0 deg to 90 deg",
                            functions[which].name);

@@ -193,6 +193,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     int status;
 
     memset(&source, 0, sizeof source);
+    source.synthesis = 1;
     source.name = "x.deck";
     source.text = deck.text;
     source.length = (unsigned long)deck.length;
