@@ -444,17 +444,18 @@ static void put_solution(page *g, unsigned long number)
     size_t n;
     int i;
 
-    flk_message(line, sizeof line, "#   %ld: ", (long)number + 1);
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        if (s->design.link[i].length > 0 && (n = strlen(line)) > 0)
-            flk_message(line + n, sizeof line - n, "%s %.6g, ", kind->link[i],
-                        flk_unit_from_si(s->design.link[i].length, *u));
+    flk_message(line, sizeof line, "#   %ld:", (long)number + 1);
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + 1; i++) {
+        double length = i > FOURLINK_FOLLOWER ? s->design.offset : s->design.link[i].length;
+
+        n = strlen(line);
+        if (length != 0)
+            flk_message(line + n, sizeof line - n, "%s %s %.6g", line[n - 1] == ':' ? "" : ",",
+                        i > FOURLINK_FOLLOWER ? "offset" : kind->link[i],
+                        flk_unit_from_si(length, *u));
+    }
     n = strlen(line);
-    if (s->design.offset != 0)
-        flk_message(line + n, sizeof line - n, "offset %.6g, ",
-                    flk_unit_from_si(s->design.offset, *u));
-    n = strlen(line);
-    flk_message(line + n, sizeof line - n, "in %s; %s, %s; mu_min %.4g deg; %s", t->length.name,
+    flk_message(line + n, sizeof line - n, " (%s); %s, %s; mu_min %.4g deg; %s", t->length.name,
                 fourlink_branch_text((int)s->branch), fourlink_type_text((int)s->type),
                 degrees(s->mu_min), s->defects ? "with a defect" : "no defect");
     put(g, line);
@@ -525,7 +526,7 @@ static void put_checks(page *g)
                        degrees(s->mu_min), degrees(s->mu_min_at), degrees(s->mu_positions)));
     put(g, flk_message(line, sizeof line, "#   condition of the linear equations: %.4g",
                        s->condition));
-    if (t->task != TASK_FUNCTION)
+    if (t->task != TASK_FUNCTION || (!t->function.wanted && t->function.n == 3))
         return;
     if (s->design.kind == FOURLINK_FOUR_BAR)
         flk_message(words, sizeof words, "%.6g deg", degrees(s->max_error));

@@ -113,13 +113,15 @@ double flk_setting_in_unit(parser *p, const setting *s, quantity q)
 /* Words that people use, and the words they mean. */
 static const struct {
     const char *written, *meant;
-} synonyms[] = {
-    {"connecting", "rod"},     {"conrod", "rod"},    {"follower", "rocker"}, {"frame", "ground"},
-    {"fixed", "ground"},       {"link1", "ground"},  {"link2", "crank"},     {"link3", "coupler"},
-    {"link4", "rocker"},       {"input", "crank"},   {"slider", "piston"},   {"cylinder", "gas"},
-    {"force", "load"},         {"omega", "speed"},   {"rpm", "speed"},       {"velocity", "speed"},
-    {"alpha", "acceleration"}, {"step", "interval"}, {"g", "acceleration"},  {"weight", "mass"},
-    {"k", "gyration"},         {"radius", "length"}};
+} synonyms[] = {{"connecting", "rod"}, {"conrod", "rod"},         {"follower", "rocker"},
+                {"frame", "ground"},   {"fixed", "ground"},       {"link1", "ground"},
+                {"link2", "crank"},    {"link3", "coupler"},      {"link4", "rocker"},
+                {"input", "crank"},    {"slider", "piston"},      {"cylinder", "gas"},
+                {"force", "load"},     {"omega", "speed"},        {"rpm", "speed"},
+                {"velocity", "speed"}, {"alpha", "acceleration"}, {"step", "interval"},
+                {"g", "acceleration"}, {"weight", "mass"},        {"k", "gyration"},
+                {"radius", "length"},  {"theta2", "crank"},       {"theta4", "rocker"},
+                {"output", "rocker"},  {"ratio", "time_ratio"}};
 
 /* The nearest word, by meaning or by spelling, or null. */
 static const char *nearest_word(text word, const char *const *known)
