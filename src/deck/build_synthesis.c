@@ -261,59 +261,30 @@ static void refuse_lengths(parser *p, int most, const char *takes)
 
 /* -------------------------------------------------------------------------------------- function */
 
-static double power_of(double x, double exponent)
-{
-    return pow(x, exponent);
-}
-
-static double log10_of(double x, double exponent)
-{
-    (void)exponent;
-    return log10(x);
-}
-
-static double ln_of(double x, double exponent)
-{
-    (void)exponent;
-    return log(x);
-}
-
-static double exp_of(double x, double exponent)
-{
-    (void)exponent;
-    return exp(x);
-}
-
-static double sin_of(double x, double exponent)
-{
-    (void)exponent;
-    return sin(x);
-}
-
-static double cos_of(double x, double exponent)
-{
-    (void)exponent;
-    return cos(x);
-}
-
-static double tan_of(double x, double exponent)
-{
-    (void)exponent;
-    return tan(x);
-}
-
 /* The functions; those of an angle, whose x needs a unit, come last. */
-static const struct {
-    const char *name;
-    double (*f)(double x, double exponent);
-    double exponent; /* NaN: it is written after the name */
-} functions[] = {{"linear", power_of, 1}, {"square", power_of, 2}, {"sqrt", power_of, 0.5},
-                 {"log10", log10_of, 0},  {"ln", ln_of, 0},        {"exp", exp_of, 0},
-                 {"power", power_of, 0},  {"sin", sin_of, 0},      {"cos", cos_of, 0},
-                 {"tan", tan_of, 0}};
+enum { LINEAR, SQUARE, SQRT, POWER, LOG10, LN, EXP, SIN, COS, TAN, N_FUNCTIONS };
+static const char *const functions[] = {"linear", "square", "sqrt", "power", "log10", "ln",
+                                        "exp",    "sin",    "cos",  "tan",   NULL};
 
-#define N_FUNCTIONS ((int)(sizeof functions / sizeof functions[0]))
-#define FUNCTION_POWER 6
+static double value_of(const deck_wanted *w, double x)
+{
+    switch (w->f) {
+    case LOG10:
+        return log10(x);
+    case LN:
+        return log(x);
+    case EXP:
+        return exp(x);
+    case SIN:
+        return sin(x);
+    case COS:
+        return cos(x);
+    case TAN:
+        return tan(x);
+    default:
+        return pow(x, w->exponent);
+    }
+}
 
 /* The exponent of "power 1.5", "x^1.5", "1/x" or "x"; 0 if there is none. */
 static int read_exponent(text t, double *exponent)
@@ -331,36 +302,31 @@ static int read_exponent(text t, double *exponent)
            fabs(*exponent) <= 100;
 }
 
-static int read_name(parser *p, setting *s, int *which)
+/* The name of a function, with or without x: log10, log10(x), y = x^1.5. */
+static int read_name(parser *p, const setting *s, deck_wanted *w)
 {
-    const char *names[N_FUNCTIONS + 1];
-    deck_wanted *w = &task_of(p)->wanted;
-    text word = s->value, rest, before, after;
-    int i;
+    static const double exponents[] = {1, 2, 0.5};
+    text whole = s->value, word, rest, before, after;
 
-    if (flk_text_cut(word, "=", &before, &after) && flk_text_equal(before, "y"))
-        word = s->value = after;
+    if (flk_text_cut(whole, "=", &before, &after) && flk_text_equal(before, "y"))
+        whole = after;
+    word = whole;
     flk_section_split(&word, &rest);
-    for (i = 0; i < N_FUNCTIONS; i++)
-        names[i] = functions[i].name;
-    names[N_FUNCTIONS] = NULL;
-    for (i = 0; i < N_FUNCTIONS && !flk_text_equal(word, names[i]); i++)
+    for (w->f = 0; w->f < N_FUNCTIONS && !flk_text_equal(word, functions[w->f]); w->f++)
         ;
-    if (i == N_FUNCTIONS && read_exponent(s->value, &w->exponent))
-        *which = FUNCTION_POWER;
-    else if (i == N_FUNCTIONS || (i == FUNCTION_POWER && !read_exponent(s->value, &w->exponent)) ||
-             (i != FUNCTION_POWER && rest.length && !flk_text_equal(rest, "x") &&
-              !flk_text_equal(rest, "(x)")))
-        return flk_mistake(p->mistakes, s->place,
-                           "expected a function: power 1.5, linear, square, sqrt, log10, ln, exp, "
-                           "sin, cos or tan, not '%t'%h",
-                           s->value, i == N_FUNCTIONS ? flk_text_nearest(word, names) : NULL);
-    else
-        *which = i;
-    w->f = functions[*which].f;
-    if (*which != FUNCTION_POWER)
-        w->exponent = functions[*which].exponent;
-    return 1;
+    if (w->f < POWER)
+        w->exponent = exponents[w->f];
+    if (w->f != POWER && w->f < N_FUNCTIONS &&
+        (!rest.length || flk_text_equal(rest, "x") || flk_text_equal(rest, "(x)")))
+        return 1;
+    if ((w->f == POWER || w->f == N_FUNCTIONS) && read_exponent(whole, &w->exponent)) {
+        w->f = POWER;
+        return 1;
+    }
+    return flk_mistake(p->mistakes, s->place,
+                       "expected a function: power 1.5, linear, square, sqrt, log10, ln, exp, sin, "
+                       "cos or tan, not '%t'%h",
+                       s->value, w->f == N_FUNCTIONS ? flk_text_nearest(word, functions) : NULL);
 }
 
 /* The output that is wanted at a crank angle; NaN outside the range. */
@@ -373,7 +339,7 @@ static double wanted(void *host, double theta2)
     if (!(share > -1e-9 && share < 1 + 1e-9))
         return GSL_NAN;
     return w->output[0] +
-           (w->f(x, w->exponent) - w->y[0]) / (w->y[1] - w->y[0]) * (w->output[1] - w->output[0]);
+           (value_of(w, x) - w->y[0]) / (w->y[1] - w->y[0]) * (w->output[1] - w->output[0]);
 }
 
 /* The points of a function with Chebyshev's spacing. */
@@ -389,7 +355,7 @@ static int space_points(parser *p, setting *s)
         return flk_mistake(p->mistakes, precision->place, "give 3 to 100 precision points");
     t->function.n = IS_SET(precision) ? (unsigned long)precision->si[0] : 3;
     for (k = 0; k < 2; k++)
-        w->y[k] = w->f(w->x[k], w->exponent);
+        w->y[k] = value_of(w, w->x[k]);
     fourlink_chebyshev(w->crank[0], w->crank[1], t->function.n, t->theta2);
     for (i = 0; i < t->function.n; i++)
         t->output[i] = wanted(w, t->theta2[i]);
@@ -409,23 +375,23 @@ static int space_points(parser *p, setting *s)
 
 static int read_function(parser *p, setting *s)
 {
-    int is_four_bar = p->d->design.kind == FOURLINK_FOUR_BAR, which = 0, is_angle;
+    int is_four_bar = p->d->design.kind == FOURLINK_FOUR_BAR, is_angle;
     key_code out = is_four_bar ? KEY_SYNTHESIS_ROCKER : KEY_SYNTHESIS_PISTON;
     deck_wanted *w = &task_of(p)->wanted;
     text first, last;
 
     if (IS_SET(find(p, KEY_SYNTHESIS_POINTS)))
         return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
-    if (!read_name(p, s, &which) || !require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4") ||
+    if (!read_name(p, s, w) || !require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4") ||
         !require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") ||
         !require(p, out, is_four_bar ? "60 deg to 150 deg" : "100 mm to 30 mm"))
         return 0;
-    is_angle = which > FUNCTION_POWER;
+    is_angle = w->f >= SIN;
     if (is_angle && (!flk_text_cut(find(p, KEY_SYNTHESIS_ARGUMENT)->value, " to ", &first, &last) ||
                      !flk_quantity_unit_text(last).length))
         return flk_mistake(p->mistakes, find(p, KEY_SYNTHESIS_ARGUMENT)->place,
                            "the x of %s is an angle and needs a unit, such as 0 deg to 90 deg",
-                           functions[which].name);
+                           functions[w->f]);
     return read_range(p, KEY_SYNTHESIS_ARGUMENT, is_angle ? QUANTITY_ANGLE : QUANTITY_NUMBER,
                       w->x) &&
            read_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank) &&
@@ -545,7 +511,7 @@ static int build_motion(parser *p)
 static int build_path(parser *p)
 {
     fourlink_path_task *t = &task_of(p)->path;
-    double angle[POSITIONS];
+    double angle[POSITIONS] = {0, 0, 0};
     int n_angles;
 
     refuse_lengths(p, 0, "no lengths");
@@ -561,8 +527,6 @@ static int build_path(parser *p)
     t->search = n_angles == 0;
     t->rotation[0] = angle[1] - angle[0];
     t->rotation[1] = angle[2] - angle[0];
-    if (t->search)
-        t->rotation[0] = t->rotation[1] = 0;
     if (read_list(p, KEY_SYNTHESIS_TIMING, QUANTITY_ANGLE, POSITIONS - 1, t->timing) !=
         POSITIONS - 1)
         return flk_mistakes_count(p->mistakes) == 0 &&
@@ -713,17 +677,18 @@ static int has_task(parser *p, const setting *task)
 
 int flk_synthesis_read(parser *p)
 {
-    const section_use *use = flk_section_find(p, SECTION_SYNTHESIS, NULL);
+    section_use *use = flk_section_find(p, SECTION_SYNTHESIS, NULL);
     size_t before = flk_mistakes_count(p->mistakes);
-    const setting *task = find(p, KEY_SYNTHESIS_TASK);
+    const setting *task;
     deck_synthesis *t;
 
     if (!p->d->solution)
         return flk_mistake(p->mistakes, use->place,
                            "[synthesis] describes a linkage that is to be found: fourlink "
                            "--synthesis finds it and prints its deck");
-    if (use->is_mistaken)
+    if (use->is_mistaken || !flk_section_unshare(p, use))
         return 0;
+    task = find(p, KEY_SYNTHESIS_TASK);
     if (!IS_SET(task))
         return flk_mistake(p->mistakes, use->place,
                            "[synthesis] needs 'task = function', 'motion', 'path', 'quick-return' "

@@ -153,6 +153,9 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* 1 if the deck has such a section with a mistake. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
+/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of memory. */
+int flk_section_unshare(parser *p, section_use *use);
+
 /* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
 

@@ -292,8 +292,7 @@ static void set(text_place place, setting *s, text value, value_giver giver)
     s->giver = giver;
 }
 
-/* Copy the settings of a section before one of them changes; 0 if out of memory. */
-static int unshare(parser *p, section_use *use)
+int flk_section_unshare(parser *p, section_use *use)
 {
     size_t size = flk_section_keys(use->section) * sizeof *use->settings;
     setting *copy;
@@ -342,7 +341,7 @@ static setting *set_target(parser *p, text_place place, const target *t, text va
 
     if (t->key == KEY_COUNT)
         set_named(p, place, t, value, giver);
-    if (t->key == KEY_COUNT || !unshare(p, use))
+    if (t->key == KEY_COUNT || !flk_section_unshare(p, use))
         return NULL;
     use->is_read = 0;
     s = flk_setting_of(use, t->key);

@@ -20,7 +20,7 @@ typedef enum deck_task {
 /* The wanted function y = f(x): crank angle and output are linear in x and y.  Two numbers are those at both
 ** ends of the range. */
 typedef struct deck_wanted {
-    double (*f)(double x, double exponent); /* null: points are given */
+    int f; /* which function */
     double exponent;
     double x[2], y[2];
     double crank[2], output[2]; /* rad, rad or m */
