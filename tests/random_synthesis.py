@@ -175,7 +175,7 @@ def try_bad(makers):
         deck = spoil(wanted(random.choice(makers)()))
         status, out, err = run(deck, '--synthesis')
         seen['status %d' % status] += 1
-        if status not in (0, 1, 2) or 'Sanitizer' in err or (status == 2 and 'error:' not in err):
+        if status not in (0, 1, 2) or 'Sanitizer' in err or 'runtime error' in err or (status == 2 and 'error:' not in err):
             failures.append(('bad deck', 'status %d: %s' % (status, err), deck))
     print('%-28s %s' % ('decks with mistakes', ', '.join('%s %d' % item for item in sorted(seen.items()))))
 
