@@ -56,7 +56,7 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
 
     if (is_zero(u, size) || is_zero(v, size) || is_zero(gsl_complex_sub(u, v), size))
         return FOURLINK_DEPENDENT;
-    determinant = GSL_IMAG(gsl_complex_mul(gsl_complex_conjugate(u), v)) / l / m;
+    determinant = (GSL_REAL(u) / l) * (GSL_IMAG(v) / m) - (GSL_IMAG(u) / l) * (GSL_REAL(v) / m);
     if (!(fabs(determinant) > FLK_NOTHING))
         return FOURLINK_INFINITE_LINK;
     n = gsl_complex_sub(gsl_complex_mul_real(u, m / l), gsl_complex_mul_real(v, l / m));
