@@ -233,12 +233,9 @@ static double transmission_of(double x, void *data)
         q->length[FOURLINK_COUPLER] = 1;
         status = find_rocker(q);
     } else {
-        q->length[FOURLINK_CRANK] =
-            0.5 * q->task->stroke / gsl_hypot(cos(0.5 * q->alpha), sin(0.5 * q->alpha) / ratio);
-        q->length[FOURLINK_COUPLER] = q->length[FOURLINK_CRANK] / ratio;
-        q->offset = gsl_pow_2(q->length[FOURLINK_COUPLER]) * (1 - ratio) * (1 + ratio) *
-                    sin(q->alpha) / q->task->stroke;
-        status = FOURLINK_OK;
+        q->length[FOURLINK_COUPLER] =
+            0.5 * q->task->stroke / gsl_hypot(ratio * cos(0.5 * q->alpha), sin(0.5 * q->alpha));
+        status = find_slider(q);
     }
     return status == FOURLINK_OK && prepare(q, &s, &limits) == FOURLINK_OK ? limits.mu_min : -1;
 }
