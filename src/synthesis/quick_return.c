@@ -165,8 +165,9 @@ static void set_positions(const fourlink_mechanism *mechanism, const fourlink_li
     if (limits->has_stroke) {
         p[0].theta2 = limits->inner;
         p[1].theta2 = limits->outer + (limits->outer < limits->inner ? 2 * M_PI : 0);
-        fourlink_position(mechanism, FOURLINK_OPEN, limits->inner, &state);
-        p[0].output = state.link[4].origin.x;
+        p[0].output = FLK_UNDEFINED;
+        if (fourlink_position(mechanism, FOURLINK_OPEN, limits->inner, &state) == FOURLINK_OK)
+            p[0].output = state.link[4].origin.x;
         p[1].output = p[0].output - limits->stroke;
     } else if (limits->has_swing) {
         p[0].theta2 = limits->theta2_min;

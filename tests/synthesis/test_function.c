@@ -133,6 +133,41 @@ TEST(nine_points)
     }
 }
 
+/* Least squares: w F is at right angles to each column.  To first order the error of the angle is
+** F a / (b sin(theta4 - theta3)), with the signs of a and c. */
+TEST(residuals)
+{
+    generated g = {power, 1, 4, 30 * DEG, 120 * DEG, 60 * DEG, 150 * DEG};
+    double theta2[N], output[N], weight[N], column[3] = {0, 0, 0};
+    fourlink_function_task task = task_of(&g, 9, theta2, output);
+    fourlink_mechanism m;
+    fourlink_state at;
+    fourlink_solution s, larger;
+
+    task.weight = weight;
+    for (int i = 0; i < 9; i++)
+        weight[i] = 1 + i * i;
+    FOUND(function, &task, &s);
+    assert_int_equal(fourlink_prepare(&s.design, &m), FOURLINK_OK);
+    for (int i = 0; i < 9; i++) {
+        double F = s.position[i].residual, sine, error;
+
+        column[0] += weight[i] * F * cos(output[i]);
+        column[1] += weight[i] * F * cos(theta2[i]);
+        column[2] += weight[i] * F;
+        assert_int_equal(fourlink_position(&m, s.branch, s.position[i].theta2, &at), FOURLINK_OK);
+        sine = sin(at.link[4].theta - s.rocker_turn - at.link[3].theta);
+        error = F * s.a / (length_of(&s, 3) * sine);
+        assert_near(error, s.position[i].error, 0.03 * fabs(s.position[i].error) + 1e-6);
+    }
+    for (int i = 0; i < 3; i++)
+        assert_near(column[i], 0, 1e-12);
+    task.ground = 7;
+    FOUND(function, &task, &larger);
+    for (int i = 1; i <= 4; i++)
+        assert_near(length_of(&larger, i), 7 * length_of(&s, i), 1e-13);
+}
+
 TEST(piston)
 {
     double theta2[3], output[3];
