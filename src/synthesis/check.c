@@ -148,8 +148,8 @@ static void continue_angles(fourlink_solution *s, int sense)
 }
 
 /* Crank angles along the motion.  A crank that turns fully and may run either way passes three positions in
-** one sense within a turn.  One that does not has a single way within its range.  Given angles that do not rise
-** or fall may be counted from 0 again after a turn. */
+** one sense within a turn.  One that does not has a single way within its range.  Given angles that do not
+** rise or fall may be counted from 0 again after a turn. */
 static int find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
 {
     fourlink_precision *p = s->position;

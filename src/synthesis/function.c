@@ -60,8 +60,8 @@ static equation equation_at(const generator *g, const double K[3], double theta2
     return e;
 }
 
-/* The change of K that makes the sum of w F^2 the least or, to first order, that of w error^2 if errors are given.
-** At the output of the linkage F is 0, so that
+/* The change of K that makes the sum of w F^2 the least or, to first order, that of w error^2 if errors
+** are given. At the output of the linkage F is 0, so that
 **
 **    d error / dK = -(dF/dK) / (dF/dy),   dF/dK = row
 */
@@ -84,8 +84,8 @@ static int find_step(const generator *g, const double K[3], const double *error,
     return flk_least_squares(g->task->n, (const double(*)[3])A, b, step, condition);
 }
 
-/* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its sign in
-** b^2:
+/* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its
+** sign in b^2:
 **
 **    four-bar        a = d / K1,  c = d / K2,  b^2 = a^2 + c^2 + d^2 - 2 a c K3
 **    slider-crank    r = S1 / 2,  e = S2 / S1,  l^2 = r^2 + e^2 - S3
@@ -194,8 +194,8 @@ static void fit_output(const generator *g, double K[3])
     }
 }
 
-/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not reach, or
-** nothing is wanted. */
+/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not
+** reach, or nothing is wanted. */
 typedef struct error_curve {
     const fourlink_function_task *task;
     const fourlink_solution *solution;

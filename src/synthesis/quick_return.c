@@ -151,8 +151,8 @@ static int find_whitworth(quick_return *q)
     return FOURLINK_OK;
 }
 
-/* Set the crank angles and outputs at the limits of the output, on the open branch.  Whitworth's lever has none:
-** its tool reverses where the lever is at right angles to AD. */
+/* Set the crank angles and outputs at the limits of the output, on the open branch.  Whitworth's lever has
+** none: its tool reverses where the lever is at right angles to AD. */
 static void set_positions(const fourlink_mechanism *mechanism, const fourlink_limits *limits,
                           fourlink_precision p[2])
 {
@@ -177,8 +177,8 @@ static void set_positions(const fourlink_mechanism *mechanism, const fourlink_li
     }
 }
 
-/* The mechanism of the lengths found, and its limits.  FOURLINK_NO_FULL_TURN if it is of another type or moves
-** otherwise: the equations hold also where C1 or C2 is reached on the other branch only. */
+/* The mechanism of the lengths found, and its limits.  FOURLINK_NO_FULL_TURN if it is of another type or
+** moves otherwise: the equations hold also where C1 or C2 is reached on the other branch only. */
 static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits *limits)
 {
     const fourlink_quick_return_task *task = q->task;
@@ -241,8 +241,8 @@ static double transmission_of(double x, void *data)
     return status == FOURLINK_OK && prepare(q, &s, &limits) == FOURLINK_OK ? limits.mu_min : -1;
 }
 
-/* The largest of these: the best of many, then the peak beside it.  All lengths of a crank-rocker are scaled to the
-** one that is given. */
+/* The largest of these: the best of many, then the peak beside it.  All lengths of a crank-rocker are
+** scaled to the one that is given. */
 static int find_best(quick_return *q)
 {
     double start = log(SMALLEST_CRANK), step = log(FACTOR), factor = 1;
