@@ -143,34 +143,27 @@ static void continue_angles(fourlink_solution *s, int sense)
     for (i = 1; i < s->n_positions; i++) {
         double from = s->position[i - 1].theta2, step = flk_reduced(s->position[i].theta2 - from);
 
-        if (sense * step < 0)
-            step += sense * 2 * M_PI;
-        s->position[i].theta2 = from + step;
+        s->position[i].theta2 = from + step + (sense * step < 0 ? sense * 2 * M_PI : 0);
     }
 }
 
 /* Crank angles along the motion.  A crank that turns fully and may run either way passes three positions in
-** one sense within a turn.  One that does not has a single way within its range. */
+** one sense within a turn.  One that does not has a single way within its range.  Given angles that do not
+** rise or fall may be counted from 0 again after a turn. */
 static int find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
 {
     fourlink_precision *p = s->position;
     int i, last = s->n_positions - 1;
 
-    if (is_free && turns_fully(reach)) {
+    if (!is_free && !is_monotone(s)) {
+        continue_angles(s, 0);
+    } else if (is_free && turns_fully(reach)) {
         continue_angles(s, 1);
         if (!(p[last].theta2 - p[0].theta2 < 2 * M_PI))
             continue_angles(s, -1);
-    } else if (is_free && reach->n_ranges) {
+    } else if (is_free) {
         for (i = 0; i <= last; i++)
             range_of(reach, p[i].theta2, &p[i].theta2);
-    } else if (!is_monotone(s)) {
-        double given[FOURLINK_PRECISION_MAX];
-
-        for (i = 0; i <= last; i++)
-            given[i] = p[i].theta2;
-        continue_angles(s, 0);
-        for (i = 0; !is_monotone(s) && i <= last; i++)
-            p[i].theta2 = given[i];
     }
     return is_monotone(s) ? 0 : FOURLINK_DEFECT_ORDER;
 }

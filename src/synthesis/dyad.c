@@ -56,7 +56,7 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
 
     if (is_zero(u, size) || is_zero(v, size) || is_zero(gsl_complex_sub(u, v), size))
         return FOURLINK_DEPENDENT;
-    determinant = GSL_IMAG(gsl_complex_mul(gsl_complex_conjugate(u), v)) / l / m;
+    determinant = (GSL_REAL(u) / l) * (GSL_IMAG(v) / m) - (GSL_IMAG(u) / l) * (GSL_REAL(v) / m);
     if (!(fabs(determinant) > FLK_NOTHING))
         return FOURLINK_INFINITE_LINK;
     n = gsl_complex_sub(gsl_complex_mul_real(u, m / l), gsl_complex_mul_real(v, l / m));
@@ -65,7 +65,8 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
     return FOURLINK_OK;
 }
 
-/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these places. */
+/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these
+** places. */
 static int from_fixed(const positions *at, gsl_complex m, pivots *p)
 {
     gsl_complex place[3];
@@ -199,8 +200,8 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
     return FOURLINK_OK;
 }
 
-/* The linkage for the given positions and dyads.  `timing`: the crank's rotations, which the crank follows; or
-** null. */
+/* The linkage for the given positions and dyads.  `timing`: the crank's rotations, which the crank
+** follows; or null. */
 static int design_linkage(const fourlink_vector point[3], const double alpha[3],
                           const fourlink_dyad *left, const fourlink_dyad *right,
                           const double *timing, fourlink_solution *s)

@@ -16,9 +16,9 @@
 /* Intervals of the search for the largest structural error. */
 #define INTERVALS 180
 
-/* Steps of the fit of the output, and halvings of a step. */
+/* Steps of the fit of the output, and the shortest part of a step. */
 #define STEPS 100
-#define HALVINGS 40
+#define SHORTEST 1e-12
 
 typedef struct generator {
     const fourlink_function_task *task;
@@ -32,13 +32,14 @@ typedef struct generator {
 **    four-bar        K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4)      Freudenstein 1955
 **    slider-crank    S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2
 **
-** from b^2 = |C - B|^2, with X and S divided by the unit and its square.
+** from b^2 = |C - B|^2, with X and S divided by the unit and its square.  F is the left side minus the right
+** side, y the output.
 */
 typedef struct equation {
-    double row[3], right;
+    double row[3], F, dF_dy;
 } equation;
 
-static equation equation_at(const generator *g, double theta2, double y)
+static equation equation_at(const generator *g, const double K[3], double theta2, double y)
 {
     equation e;
 
@@ -46,46 +47,45 @@ static equation equation_at(const generator *g, double theta2, double y)
         e.row[0] = cos(y);
         e.row[1] = -cos(theta2);
         e.row[2] = 1;
-        e.right = cos(theta2 - y);
+        e.F = -cos(theta2 - y);
+        e.dF_dy = -K[0] * sin(y) - sin(theta2 - y);
     } else {
         e.row[0] = y * cos(theta2);
         e.row[1] = sin(theta2);
         e.row[2] = -1;
-        e.right = y * y;
+        e.F = -y * y;
+        e.dF_dy = K[0] * cos(theta2) - 2 * y;
     }
+    e.F += K[0] * e.row[0] + K[1] * e.row[1] + K[2] * e.row[2];
     return e;
 }
 
-/* Its left side minus its right side, F, and dF/dy. */
-static double residual_of(const equation *e, const double K[3])
-{
-    return K[0] * e->row[0] + K[1] * e->row[1] + K[2] * e->row[2] - e->right;
-}
-
-static double slope_at(const generator *g, const double K[3], double theta2, double y)
-{
-    return g->task->kind == FOURLINK_FOUR_BAR ? -K[0] * sin(y) - sin(theta2 - y)
-                                              : K[0] * cos(theta2) - 2 * y;
-}
-
-static int solve_equations(const generator *g, double K[3], double *condition)
+/* The change of K that makes the sum of w F^2 the least or, to first order, that of w error^2 if errors
+** are given. At the output of the linkage F is 0, so that
+**
+**    d error / dK = -(dF/dK) / (dF/dy),   dF/dK = row
+*/
+static int find_step(const generator *g, const double K[3], const double *error, double step[3],
+                     double *condition)
 {
     double A[FOURLINK_PRECISION_MAX][3], b[FOURLINK_PRECISION_MAX];
     unsigned long i;
     int j;
 
     for (i = 0; i < g->task->n; i++) {
-        equation e = equation_at(g, g->task->theta2[i], g->output[i]);
+        double y = g->output[i] + (error ? error[i] : 0);
+        equation e = equation_at(g, K, g->task->theta2[i], y);
+        double factor = error ? -g->root_w[i] / e.dF_dy : g->root_w[i];
 
         for (j = 0; j < 3; j++)
-            A[i][j] = g->root_w[i] * e.row[j];
-        b[i] = g->root_w[i] * e.right;
+            A[i][j] = factor * e.row[j];
+        b[i] = -g->root_w[i] * (error ? error[i] : e.F);
     }
-    return flk_least_squares(g->task->n, (const double(*)[3])A, b, K, condition);
+    return flk_least_squares(g->task->n, (const double(*)[3])A, b, step, condition);
 }
 
-/* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its sign in
-** b^2:
+/* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its
+** sign in b^2:
 **
 **    four-bar        a = d / K1,  c = d / K2,  b^2 = a^2 + c^2 + d^2 - 2 a c K3
 **    slider-crank    r = S1 / 2,  e = S2 / S1,  l^2 = r^2 + e^2 - S3
@@ -167,36 +167,22 @@ static double errors_of(const generator *g, const double K[3], fourlink_branch b
 }
 
 /* Make the errors of the output small, by Gauss's method with shortened steps, on the branch that starts with
-** smaller ones.  F(K, y) = 0 is the linkage, so that
-**
-**    dy/dK = -(dF/dK) / (dF/dy),   dF/dK = the row of the equation at the y of the linkage
-**
-** If no branch reaches all points, K is left as it is.
-*/
+** smaller ones.  If no branch reaches all points, K is left as it is. */
 static void fit_output(const generator *g, double K[3])
 {
-    const fourlink_function_task *task = g->task;
-    double A[FOURLINK_PRECISION_MAX][3], b[FOURLINK_PRECISION_MAX], error[FOURLINK_PRECISION_MAX];
-    double sum = errors_of(g, K, FOURLINK_OPEN, error), next, step[3], trial[3], condition, part;
-    fourlink_branch branch =
-        sum <= errors_of(g, K, FOURLINK_CROSSED, error) ? FOURLINK_OPEN : FOURLINK_CROSSED;
-    unsigned long i;
-    int j, k, n;
+    double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, sum, next;
+    fourlink_branch branch = FOURLINK_OPEN;
+    int j, n;
 
+    sum = errors_of(g, K, FOURLINK_CROSSED, error);
+    if (!(errors_of(g, K, FOURLINK_OPEN, error) <= sum))
+        branch = FOURLINK_CROSSED;
     sum = errors_of(g, K, branch, error);
     for (n = 0; n < STEPS && sum < GSL_POSINF && sum > 0; n++) {
-        for (i = 0; i < task->n; i++) {
-            double y = g->output[i] + error[i], slope = slope_at(g, K, task->theta2[i], y);
-            equation e = equation_at(g, task->theta2[i], y);
-
-            for (j = 0; j < 3; j++)
-                A[i][j] = -g->root_w[i] * e.row[j] / slope;
-            b[i] = -g->root_w[i] * error[i];
-        }
-        if (flk_least_squares(task->n, (const double(*)[3])A, b, step, &condition) != FOURLINK_OK)
+        if (find_step(g, K, error, step, &condition) != FOURLINK_OK)
             return;
         next = GSL_POSINF;
-        for (k = 0, part = 1; k < HALVINGS && !(next < sum); k++, part *= 0.5) {
+        for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
             for (j = 0; j < 3; j++)
                 trial[j] = K[j] + part * step[j];
             next = errors_of(g, trial, branch, error);
@@ -208,8 +194,8 @@ static void fit_output(const generator *g, double K[3])
     }
 }
 
-/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not reach, or
-** nothing is wanted. */
+/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not
+** reach, or nothing is wanted. */
 typedef struct error_curve {
     const fourlink_function_task *task;
     const fourlink_solution *solution;
@@ -321,12 +307,12 @@ static void set_positions(const generator *g, const double K[3], fourlink_soluti
 
     s->n_positions = (int)task->n;
     for (i = 0; i < s->n_positions; i++) {
-        equation e = equation_at(g, task->theta2[i], g->output[i]);
+        equation e = equation_at(g, K, task->theta2[i], g->output[i]);
 
         s->position[i].theta2 = task->theta2[i] + s->crank_turn;
         s->position[i].output =
             is_four_bar ? flk_reduced(task->output[i] + s->rocker_turn) : task->output[i];
-        s->position[i].residual = residual_of(&e, K);
+        s->position[i].residual = e.F;
     }
     s->from = task->from + s->crank_turn;
     s->to = task->to + s->crank_turn;
@@ -337,7 +323,7 @@ static int find_function(const void *data, fourlink_solution *s)
     const fourlink_function_task *task = data;
     flk_request request = {0, 0, 0, 0};
     generator g;
-    double K[3];
+    double K[3], start[3] = {0, 0, 0};
     int status = check_task(task);
 
     if (status != FOURLINK_OK)
@@ -345,7 +331,7 @@ static int find_function(const void *data, fourlink_solution *s)
     scale(task, &g);
     if (!(g.unit >= FOURLINK_LENGTH_MIN))
         return FOURLINK_DEPENDENT;
-    status = solve_equations(&g, K, &s->condition);
+    status = find_step(&g, start, NULL, K, &s->condition);
     if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
         fit_output(&g, K);
     if (status == FOURLINK_OK)

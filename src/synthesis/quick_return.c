@@ -151,8 +151,8 @@ static int find_whitworth(quick_return *q)
     return FOURLINK_OK;
 }
 
-/* Set the crank angles and outputs at the limits of the output, on the open branch.  Whitworth's lever has none:
-** its tool reverses where the lever is at right angles to AD. */
+/* Set the crank angles and outputs at the limits of the output, on the open branch.  Whitworth's lever has
+** none: its tool reverses where the lever is at right angles to AD. */
 static void set_positions(const fourlink_mechanism *mechanism, const fourlink_limits *limits,
                           fourlink_precision p[2])
 {
@@ -165,8 +165,9 @@ static void set_positions(const fourlink_mechanism *mechanism, const fourlink_li
     if (limits->has_stroke) {
         p[0].theta2 = limits->inner;
         p[1].theta2 = limits->outer + (limits->outer < limits->inner ? 2 * M_PI : 0);
-        fourlink_position(mechanism, FOURLINK_OPEN, limits->inner, &state);
-        p[0].output = state.link[4].origin.x;
+        p[0].output = FLK_UNDEFINED;
+        if (fourlink_position(mechanism, FOURLINK_OPEN, limits->inner, &state) == FOURLINK_OK)
+            p[0].output = state.link[4].origin.x;
         p[1].output = p[0].output - limits->stroke;
     } else if (limits->has_swing) {
         p[0].theta2 = limits->theta2_min;
@@ -176,8 +177,8 @@ static void set_positions(const fourlink_mechanism *mechanism, const fourlink_li
     }
 }
 
-/* The mechanism of the lengths found, and its limits.  FOURLINK_NO_FULL_TURN if it is of another type or moves
-** otherwise: the equations hold also where C1 or C2 is reached on the other branch only. */
+/* The mechanism of the lengths found, and its limits.  FOURLINK_NO_FULL_TURN if it is of another type or
+** moves otherwise: the equations hold also where C1 or C2 is reached on the other branch only. */
 static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits *limits)
 {
     const fourlink_quick_return_task *task = q->task;
@@ -233,18 +234,15 @@ static double transmission_of(double x, void *data)
         q->length[FOURLINK_COUPLER] = 1;
         status = find_rocker(q);
     } else {
-        q->length[FOURLINK_CRANK] =
-            0.5 * q->task->stroke / gsl_hypot(cos(0.5 * q->alpha), sin(0.5 * q->alpha) / ratio);
-        q->length[FOURLINK_COUPLER] = q->length[FOURLINK_CRANK] / ratio;
-        q->offset = gsl_pow_2(q->length[FOURLINK_COUPLER]) * (1 - ratio) * (1 + ratio) *
-                    sin(q->alpha) / q->task->stroke;
-        status = FOURLINK_OK;
+        q->length[FOURLINK_COUPLER] =
+            0.5 * q->task->stroke / gsl_hypot(ratio * cos(0.5 * q->alpha), sin(0.5 * q->alpha));
+        status = find_slider(q);
     }
     return status == FOURLINK_OK && prepare(q, &s, &limits) == FOURLINK_OK ? limits.mu_min : -1;
 }
 
-/* The largest of these: the best of many, then the peak beside it.  All lengths of a crank-rocker are scaled to the
-** one that is given. */
+/* The largest of these: the best of many, then the peak beside it.  All lengths of a crank-rocker are
+** scaled to the one that is given. */
 static int find_best(quick_return *q)
 {
     double start = log(SMALLEST_CRANK), step = log(FACTOR), factor = 1;

@@ -9,7 +9,8 @@
 
 #include "mechanics/mechanics.h"
 
-/* Below this a determinant, a singular value or a length is rounding error, relative to what it is made of. */
+/* Below this a determinant, a singular value or a length is rounding error, relative to what it is made
+** of. */
 #define FLK_NOTHING 1e-12
 
 /* Least squares: make |A x - b| small, A with n rows, 3 to FOURLINK_PRECISION_MAX, of three numbers.  Three

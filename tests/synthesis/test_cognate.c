@@ -34,7 +34,8 @@ static double complex traced(const fourlink_solution *s, fourlink_branch branch,
 
     assert_int_equal(fourlink_prepare(&s->design, &m), FOURLINK_OK);
     assert_int_equal(fourlink_position(&m, branch, theta2, &state), FOURLINK_OK);
-    assert_int_equal(fourlink_point(&state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_point(&state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL),
+                     FOURLINK_OK);
     return s->origin.x + I * s->origin.y + (at.x + I * at.y) * cexp(I * s->direction);
 }
 
@@ -51,7 +52,8 @@ static fourlink_cognate_task task_of(const fourlink_solution *s, fourlink_side s
 }
 
 /* Pivots of a cognate of a cognate, in the axes of the first. */
-static void ends_of(const fourlink_solution *first, const fourlink_solution *s, double complex end[2])
+static void ends_of(const fourlink_solution *first, const fourlink_solution *s,
+                    double complex end[2])
 {
     double complex turn = first ? cexp(I * first->direction) : 1;
     double complex by = first ? first->origin.x + I * first->origin.y : 0;
@@ -85,8 +87,10 @@ TEST(curves)
             if (side == FOURLINK_RIGHT)
                 assert_true(s.position[j].branch == -(int)task.branch || fabs(state.sine) < 1e-6);
             fourlink_point(&state, FOURLINK_COUPLER, &task.point, &at, NULL, NULL);
-            assert_near(cabs(traced(&s, (fourlink_branch)s.position[j].branch, s.position[j].theta2) - at.x - I * at.y),
-                        0, 1e-10 / s.mu_positions);
+            assert_near(
+                cabs(traced(&s, (fourlink_branch)s.position[j].branch, s.position[j].theta2) -
+                     at.x - I * at.y),
+                0, 1e-10 / s.mu_positions);
             assert_true(miss_of(&s, j, 5) < 20);
         }
     }
@@ -100,7 +104,8 @@ static void assert_same(const fourlink_solution *s, const fourlink_cognate_task 
     assert_near(s->point.y, task->point.y, 1e-12 * (1 + size_of(s)));
 }
 
-/* Left twice, right twice: the linkage itself, at its place.  Left of right has the pivots of left, exchanged. */
+/* Left twice, right twice: the linkage itself, at its place.  Left of right has the pivots of left,
+** exchanged. */
 TEST(cognates_of_cognates)
 {
     uint64_t seed = 52;
@@ -132,7 +137,8 @@ TEST(cognates_of_cognates)
         FOUND(cognate, &next, &again);
         ends_of(&right, &again, end);
         ends_of(NULL, &left, other);
-        assert_near(cabs(end[0] - other[1]) + cabs(end[1] - other[0]), 0, 1e-12 * (1 + size_of(&right)));
+        assert_near(cabs(end[0] - other[1]) + cabs(end[1] - other[0]), 0,
+                    1e-12 * (1 + size_of(&right)));
         assert_close(length_of(&again, 2), length_of(&left, 4), 1e-11);
         assert_close(length_of(&again, 4), length_of(&left, 2), 1e-11);
     }
@@ -195,8 +201,14 @@ TEST(bad_problems)
 
     for (int k = 0; k < 10000; k++) {
         fourlink_cognate_task task = random_task(&seed, k % 2 ? FOURLINK_LEFT : FOURLINK_RIGHT);
-        double *number[] = {&task.point.x, &task.point.y, &task.from, &task.to, &task.design.link[1].length,
-                            &task.design.link[2].length, &task.design.link[3].length, &task.design.link[4].length};
+        double *number[] = {&task.point.x,
+                            &task.point.y,
+                            &task.from,
+                            &task.to,
+                            &task.design.link[1].length,
+                            &task.design.link[2].length,
+                            &task.design.link[3].length,
+                            &task.design.link[4].length};
         fourlink_solution s;
         unsigned long n;
         int status;

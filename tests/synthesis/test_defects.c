@@ -2,9 +2,9 @@
 **
 ** test_defects.c - defects of solutions against linkages traced by brute force.
 **
-** A linkage is closed by circles on a grid of crank angles, with C on the left and on the right of B-D.  Neighbours
-** on the grid are joined, and both sides where the reach ends.  The positions that are joined are a circuit; the sort
-** of joins says what is passed on the way.
+** A linkage is closed by circles on a grid of crank angles, with C on the left and on the right of B-D. 
+** Neighbours on the grid are joined, and both sides where the reach ends.  The positions that are joined
+** are a circuit; the sort of joins says what is passed on the way.
 */
 #include "designs.h"
 #include "synthesis/synthesis.h"
@@ -139,7 +139,8 @@ TEST(traced_linkages)
             s.position[j].theta2 = 2 * PI * at[j] / STEPS;
             s.position[j].output = close_loop(&t, s.position[j].theta2, side[j]);
         }
-        if (!t.reached[at[0]] || !t.reached[at[1]] || !t.reached[at[2]] || at[0] == at[1] || at[1] == at[2] || at[0] == at[2])
+        if (!t.reached[at[0]] || !t.reached[at[1]] || !t.reached[at[2]] || at[0] == at[1] ||
+            at[1] == at[2] || at[0] == at[2])
             continue;
         n_tried++;
         assert_int_equal(flk_check_solution(&s, &request), FOURLINK_OK);
@@ -172,11 +173,14 @@ TEST(traced_linkages)
             fourlink_mechanism m;
 
             assert_int_equal(fourlink_prepare(&s.design, &m), FOURLINK_OK);
-            assert_true(s.position[1].theta2 > low && s.position[1].theta2 < high && high - low < 2 * PI);
+            assert_true(s.position[1].theta2 > low && s.position[1].theta2 < high &&
+                        high - low < 2 * PI);
             for (int i = 0; i <= 2000; i++) {
                 fourlink_state state;
 
-                assert_int_equal(fourlink_position(&m, s.branch, low + i / 2000.0 * (high - low), &state), FOURLINK_OK);
+                assert_int_equal(
+                    fourlink_position(&m, s.branch, low + i / 2000.0 * (high - low), &state),
+                    FOURLINK_OK);
                 least = fmin(least, state.mu);
             }
             assert_true(s.mu_min <= least + 1e-12);
@@ -187,12 +191,14 @@ TEST(traced_linkages)
         assert_true(n_types[i] > 100);
     assert_true(n_types[FOURLINK_ENGINE] > 50 && n_types[FOURLINK_SLIDER_ROCKER] > 100);
     assert_true(n_seen[0] > 100 && n_seen[FOURLINK_DEFECT_CIRCUIT] > 50 &&
-                n_seen[FOURLINK_DEFECT_CIRCUIT | FOURLINK_DEFECT_BRANCH] > 50 && n_seen[FOURLINK_DEFECT_ORDER] > 50 &&
+                n_seen[FOURLINK_DEFECT_CIRCUIT | FOURLINK_DEFECT_BRANCH] > 50 &&
+                n_seen[FOURLINK_DEFECT_ORDER] > 50 &&
                 n_seen[FOURLINK_DEFECT_WAY | FOURLINK_DEFECT_BRANCH] > 50);
     print_message("%d linkages\n", n_tried);
 }
 
-/* The sine at a joint that is not on the shortest link keeps its sign: the same circuits, for four-bar linkages. */
+/* The sine at a joint that is not on the shortest link keeps its sign: the same circuits, for four-bar
+** linkages. */
 static int side_of_joint(const fourlink_state *s, fourlink_type type)
 {
     const fourlink_vector *crank = &s->link[2].axis, *rocker = &s->link[4].axis;
@@ -266,7 +272,8 @@ TEST(single_defects)
     for (int j = 0; j < 3; j++) {
         s.position[j].theta2 = reach.to[0] - 0.1 * j;
         if (j) {
-            assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, s.position[j].theta2, &at), FOURLINK_OK);
+            assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, s.position[j].theta2, &at),
+                             FOURLINK_OK);
             s.position[j].output = at.link[4].theta;
         }
     }

@@ -32,7 +32,8 @@ static fourlink_dyad turned(double beta2, double beta3)
 
 static fourlink_motion_task reference(void)
 {
-    fourlink_motion_task task = {.point = {{0, 0}, {1.2, 0.5}, {2.1, 1.6}}, .angle = {0, 18 * DEG, 47 * DEG}};
+    fourlink_motion_task task = {.point = {{0, 0}, {1.2, 0.5}, {2.1, 1.6}},
+                                 .angle = {0, 18 * DEG, 47 * DEG}};
 
     task.left = dyad(FOURLINK_FIXED_PIVOT, 0.5 + 3.5 * I);
     task.right = dyad(FOURLINK_FIXED_PIVOT, 0.5 - I);
@@ -109,7 +110,8 @@ TEST(random_motions)
             double complex turn = cexp(I * (task.angle[j] - task.angle[0]));
             double complex B = plane(task.point[j]) + turn * (k1[0] - plane(task.point[0]));
             double complex C = plane(task.point[j]) + turn * (k1[1] - plane(task.point[0]));
-            double side = cimag(conj(m[1] - B) * (C - B)), size = size_of(&s) + cabs(m[0]) + cabs(m[1]);
+            double side = cimag(conj(m[1] - B) * (C - B)),
+                   size = size_of(&s) + cabs(m[0]) + cabs(m[1]);
 
             assert_near(cabs(B - m[0]), length_of(&s, 2), 1e-12 * size * s.condition);
             assert_near(cabs(C - m[1]), length_of(&s, 4), 1e-12 * size * s.condition);
@@ -124,8 +126,8 @@ TEST(random_motions)
     print_message("%d of 2000 without a defect\n", n_clean);
 }
 
-/* Fixed pivots, then the moving pivots that they gave, then the fixed ones: the same linkage.  The rotations that it
-** has, given as such: the same. */
+/* Fixed pivots, then the moving pivots that they gave, then the fixed ones: the same linkage.  The
+** rotations that it has, given as such: the same. */
 TEST(fixed_and_moving)
 {
     uint64_t seed = 22;
@@ -147,8 +149,10 @@ TEST(fixed_and_moving)
             assert_near(cabs(m2[i] - m[i]), 0, tolerance);
             assert_near(cabs(k2[i] - k1[i]), 0, tolerance);
         }
-        other.left = turned(s.position[1].theta2 - s.position[0].theta2, s.position[2].theta2 - s.position[0].theta2);
-        other.right = turned(s.position[1].output - s.position[0].output, s.position[2].output - s.position[0].output);
+        other.left = turned(s.position[1].theta2 - s.position[0].theta2,
+                            s.position[2].theta2 - s.position[0].theta2);
+        other.right = turned(s.position[1].output - s.position[0].output,
+                             s.position[2].output - s.position[0].output);
         FOUND(motion, &other, &again);
         pivots_of(&again, m2, k2);
         tolerance = 1e-12 * (1 + size_of(&s)) * s.condition * again.condition;
@@ -167,7 +171,8 @@ TEST(moved_problems)
     for (int k = 0; k < 500; k++) {
         fourlink_motion_task task = random_task(&seed, 0), other = task;
         double turn = uniform(&seed, -PI, PI), scale = uniform(&seed, 0.1, 10);
-        double complex by = uniform(&seed, -5, 5) + I * uniform(&seed, -5, 5), z = scale * cexp(I * turn);
+        double complex by = uniform(&seed, -5, 5) + I * uniform(&seed, -5, 5),
+                       z = scale * cexp(I * turn);
         fourlink_solution s, moved;
         double tolerance;
 
@@ -179,11 +184,13 @@ TEST(moved_problems)
         other.right.pivot = at(z * plane(task.right.pivot) + by);
         FOUND(motion, &task, &s);
         FOUND(motion, &other, &moved);
-        tolerance = 1e-11 * s.condition * (size_of(&moved) + cabs(by) + scale * cabs(plane(s.origin)));
+        tolerance =
+            1e-11 * s.condition * (size_of(&moved) + cabs(by) + scale * cabs(plane(s.origin)));
         for (int i = 1; i <= 4; i++)
             assert_near(length_of(&moved, i), scale * length_of(&s, i), tolerance);
         assert_near(cabs(plane(moved.origin) - z * plane(s.origin) - by), 0, tolerance);
-        assert_near(remainder(moved.direction - s.direction - turn, 2 * PI), 0, tolerance / scale / length_of(&s, 1));
+        assert_near(remainder(moved.direction - s.direction - turn, 2 * PI), 0,
+                    tolerance / scale / length_of(&s, 1));
         if (s.mu_positions > 1e-3 && s.ratio < 1000)
             assert_int_equal(moved.defects, s.defects);
     }
@@ -281,7 +288,8 @@ TEST(random_paths)
             double size = size_of(&s) + cabs(plane(s.origin));
 
             assert_near(cabs(P - plane(task.point[j])), 0, 1e-13 * size * s.condition);
-            assert_near(s.position[j].theta2 - s.position[0].theta2, j ? task.timing[j - 1] : 0, 1e-14);
+            assert_near(s.position[j].theta2 - s.position[0].theta2, j ? task.timing[j - 1] : 0,
+                        1e-14);
             if (s.position[j].branch && s.ratio < 1e3)
                 assert_true(miss_of(&s, j, size) < 1);
         }
@@ -337,11 +345,17 @@ TEST(bad_problems)
         fourlink_motion_task task = random_task(&seed, 0);
         fourlink_path_task path = random_path(&seed);
         fourlink_solution s;
-        double *number[] = {&task.point[0].x, &task.point[1].y, &task.point[2].x, &task.angle[0], &task.angle[1],
-                            &task.angle[2], &task.left.pivot.x, &task.left.pivot.y, &task.left.rotation[0],
-                            &task.left.rotation[1], &task.right.pivot.x, &task.right.pivot.y, &task.right.rotation[0],
-                            &path.point[0].x, &path.point[1].y, &path.point[2].x, &path.timing[0], &path.timing[1],
-                            &path.rotation[0], &path.rotation[1], &path.right.pivot.x, &path.step};
+        double *number[] = {&task.point[0].x,        &task.point[1].y,
+                            &task.point[2].x,        &task.angle[0],
+                            &task.angle[1],          &task.angle[2],
+                            &task.left.pivot.x,      &task.left.pivot.y,
+                            &task.left.rotation[0],  &task.left.rotation[1],
+                            &task.right.pivot.x,     &task.right.pivot.y,
+                            &task.right.rotation[0], &path.point[0].x,
+                            &path.point[1].y,        &path.point[2].x,
+                            &path.timing[0],         &path.timing[1],
+                            &path.rotation[0],       &path.rotation[1],
+                            &path.right.pivot.x,     &path.step};
         unsigned long n;
         int status;
 

@@ -126,11 +126,47 @@ TEST(nine_points)
         near.design.link[3].length = sqrt(a * a + c * c + 1 - 2 * a * c * K[2]);
         near.design.link[4].length = fabs(c);
         for (int i = 0; i < 9; i++) {
-            assert_int_equal(fourlink_synthesis_error(&near, theta2[i], output[i], &error), FOURLINK_OK);
+            assert_int_equal(fourlink_synthesis_error(&near, theta2[i], output[i], &error),
+                             FOURLINK_OK);
             beside += error * error;
         }
         assert_true(beside > sum[1]);
     }
+}
+
+/* Least squares: w F is at right angles to each column.  To first order the error of the angle is
+** F a / (b sin(theta4 - theta3)), with the signs of a and c. */
+TEST(residuals)
+{
+    generated g = {power, 1, 4, 30 * DEG, 120 * DEG, 60 * DEG, 150 * DEG};
+    double theta2[N], output[N], weight[N], column[3] = {0, 0, 0};
+    fourlink_function_task task = task_of(&g, 9, theta2, output);
+    fourlink_mechanism m;
+    fourlink_state at;
+    fourlink_solution s, larger;
+
+    task.weight = weight;
+    for (int i = 0; i < 9; i++)
+        weight[i] = 1 + i * i;
+    FOUND(function, &task, &s);
+    assert_int_equal(fourlink_prepare(&s.design, &m), FOURLINK_OK);
+    for (int i = 0; i < 9; i++) {
+        double F = s.position[i].residual, sine, error;
+
+        column[0] += weight[i] * F * cos(output[i]);
+        column[1] += weight[i] * F * cos(theta2[i]);
+        column[2] += weight[i] * F;
+        assert_int_equal(fourlink_position(&m, s.branch, s.position[i].theta2, &at), FOURLINK_OK);
+        sine = sin(at.link[4].theta - s.rocker_turn - at.link[3].theta);
+        error = F * s.a / (length_of(&s, 3) * sine);
+        assert_near(error, s.position[i].error, 0.03 * fabs(s.position[i].error) + 1e-6);
+    }
+    for (int i = 0; i < 3; i++)
+        assert_near(column[i], 0, 1e-12);
+    task.ground = 7;
+    FOUND(function, &task, &larger);
+    for (int i = 1; i <= 4; i++)
+        assert_near(length_of(&larger, i), 7 * length_of(&s, i), 1e-13);
 }
 
 TEST(piston)
@@ -206,7 +242,8 @@ TEST(known_linkages)
 
             weight[i] = uniform(&seed, 0.1, 10);
             theta2[i] = from + (double)i * 0.15;
-            if (fourlink_position(&m, branch, theta2[i], &at) != FOURLINK_OK || fabs(at.sine) < 0.05)
+            if (fourlink_position(&m, branch, theta2[i], &at) != FOURLINK_OK ||
+                fabs(at.sine) < 0.05)
                 break;
             output[i] = is_slider ? at.link[4].origin.x : at.link[4].theta;
         }
@@ -263,17 +300,21 @@ TEST(random_problems)
         for (int i = 0; i < 3; i++) {
             /* closed by hand: B and C of the designer's angles are at the distance b */
             double complex B = s.a * cexp(I * theta2[i]);
-            double complex C = is_slider ? output[i] + I * s.design.offset : task.ground + s.c * cexp(I * output[i]);
+            double complex C = is_slider ? output[i] + I * s.design.offset
+                                         : task.ground + s.c * cexp(I * output[i]);
 
-            assert_near(cabs(C - B), length_of(&s, 3), 1e-12 * size_of(&s) * s.condition * size_of(&s) / length_of(&s, 3));
+            assert_near(cabs(C - B), length_of(&s, 3),
+                        1e-12 * size_of(&s) * s.condition * size_of(&s) / length_of(&s, 3));
             if (s.position[i].branch && s.ratio < 1e4)
                 assert_true(miss_of(&s, i, 0) < 1);
         }
         if (s.ratio < 100)
-            assert_false(s.defects & (FOURLINK_DEFECT_MISSED | FOURLINK_DEFECT_REACH) && s.mu_positions > 0.01 &&
+            assert_false(s.defects & (FOURLINK_DEFECT_MISSED | FOURLINK_DEFECT_REACH) &&
+                         s.mu_positions > 0.01 &&
                          !(s.defects & (FOURLINK_DEFECT_WAY | FOURLINK_DEFECT_CIRCUIT)));
     }
-    print_message("%d linkages, %d without a defect, %d with a turned link\n", n_found, n_clean, n_turned);
+    print_message("%d linkages, %d without a defect, %d with a turned link\n", n_found, n_clean,
+                  n_turned);
 }
 
 /* The largest error is that of a fine scan. */
@@ -283,7 +324,8 @@ TEST(largest_error)
 
     for (int k = 0; k < 100; k++) {
         double from = uniform(&seed, 0, 90) * DEG, start = uniform(&seed, 0, 90) * DEG;
-        generated g = {power, 1, uniform(&seed, 2, 5), from, from + 60 * DEG, start, start + 60 * DEG};
+        generated g = {power,           1,     uniform(&seed, 2, 5), from,
+                       from + 60 * DEG, start, start + 60 * DEG};
         double theta2[N], output[N], largest = 0;
         fourlink_function_task task = task_of(&g, 3 + (unsigned long)k % 4, theta2, output);
         fourlink_solution s;
@@ -406,7 +448,8 @@ TEST(order)
 TEST(fortran77)
 {
     generated g = {log10, 1, 2, 45 * DEG, 105 * DEG, 135 * DEG, 225 * DEG};
-    double theta2[N], output[N], weight[3] = {1, 1, 1}, length[4] = {7}, offset = 7, turn[2], range[2], check[4];
+    double theta2[N], output[N], weight[3] = {1, 1, 1}, length[4] = {7}, offset = 7, turn[2],
+                                 range[2], check[4];
     fourlink_function_task task = task_of(&g, 3, theta2, output);
     int kind = 1, n = 3, fit = 0, branch = 7, defects = 7, status = 7;
     fourlink_solution s;
@@ -414,18 +457,20 @@ TEST(fortran77)
     task.wanted = NULL;
     task.from = task.to = 0;
     FOUND(function, &task, &s);
-    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn, range, check,
-            &defects, &status);
+    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn,
+            range, check, &defects, &status);
     assert_int_equal(status, FOURLINK_OK);
     for (int i = 0; i < 4; i++)
         assert_near(length[i], length_of(&s, i + 1), 0);
-    assert_true(offset == 0 && branch == (int)s.branch && turn[0] == s.crank_turn && turn[1] == s.rocker_turn);
-    assert_true(range[0] == s.from && range[1] == s.to && check[0] == s.condition && check[1] == s.ratio);
+    assert_true(offset == 0 && branch == (int)s.branch && turn[0] == s.crank_turn &&
+                turn[1] == s.rocker_turn);
+    assert_true(range[0] == s.from && range[1] == s.to && check[0] == s.condition &&
+                check[1] == s.ratio);
     assert_true(check[2] == s.mu_min && check[3] == s.max_error && defects == s.defects);
     n = -1;
     length[0] = 7;
-    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn, range, check,
-            &defects, &status);
+    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn,
+            range, check, &defects, &status);
     assert_int_equal(status, FOURLINK_BAD_POINTS);
     assert_near(length[0], 7, 0);
 }
@@ -446,7 +491,8 @@ TEST(bad_problems)
             output[i] = odd_number(&seed);
             weight[i] = fabs(odd_number(&seed));
             if (k % 3 == 0 && i > 0)
-                theta2[i] = i % 2 ? theta2[i - 1] : uniform(&seed, -3, 3), output[i] = i % 3 ? output[i - 1] : 1;
+                theta2[i] = i % 2 ? theta2[i - 1] : uniform(&seed, -3, 3),
+                output[i] = i % 3 ? output[i - 1] : 1;
             if (k % 3 == 1)
                 theta2[i] = uniform(&seed, -3, 3);
         }

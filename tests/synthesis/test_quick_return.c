@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_quick_return.c - quick returns: reference values, the limits that the analysis finds, random problems, bad
-** ones.
+** test_quick_return.c - quick returns: reference values, the limits that the analysis finds, random
+** problems, bad ones.
 */
 #include "designs.h"
 
-static fourlink_quick_return_task rocker(double time_ratio, double swing, double a, double b, double c, double d)
+static fourlink_quick_return_task rocker(double time_ratio, double swing, double a, double b,
+                                         double c, double d)
 {
-    fourlink_quick_return_task task = {.type = FOURLINK_CRANK_ROCKER, .time_ratio = time_ratio, .swing = swing};
+    fourlink_quick_return_task task = {
+        .type = FOURLINK_CRANK_ROCKER, .time_ratio = time_ratio, .swing = swing};
 
     task.length[1] = d;
     task.length[2] = a;
@@ -39,7 +41,8 @@ TEST(crank_rocker)
 
     FOUND(quick_return, &task, &s);
     assert_near(length_of(&s, 3), 0.103197034989212, 1e-15);
-    assert_near(length_of(&s, 4), 0.0939646098959277, 1e-15); /* with 30 digits 93.96460989592769... mm */
+    assert_near(length_of(&s, 4), 0.0939646098959277,
+                1e-15); /* with 30 digits 93.96460989592769... mm */
     assert_near(s.mu_min / DEG, 35.038326, 5e-7);
     limits = limits_of(&s);
     assert_near(limits.time_ratio, 10.0 / 9, 1e-13);
@@ -133,7 +136,8 @@ TEST(random_rockers)
         assert_near(limits.theta4_max - limits.theta4_min, swing, 1e-11 * s.ratio / s.mu_min);
         I1 = pow(length_of(&s, 2) * cos(alpha / 2), 2) + pow(length_of(&s, 3) * sin(alpha / 2), 2) -
              pow(length_of(&s, 4) * sin(swing / 2), 2);
-        I2 = pow(length_of(&s, 2) * cos((swing - alpha) / 2), 2) + pow(length_of(&s, 3) * sin((swing - alpha) / 2), 2) -
+        I2 = pow(length_of(&s, 2) * cos((swing - alpha) / 2), 2) +
+             pow(length_of(&s, 3) * sin((swing - alpha) / 2), 2) -
              pow(length_of(&s, 1) * sin(swing / 2), 2);
         assert_near(I1, 0, 1e-12);
         assert_near(I2, 0, 1e-12);
@@ -203,7 +207,8 @@ TEST(existence)
             status = fourlink_synthesis_quick_return(&task, 1, &s, &n);
             if (status == FOURLINK_OK || status == FOURLINK_INFINITE_LINK)
                 assert_true(exists);
-            else if (swing < 175) /* nearer to the edge the linkages that exist have a mu_min below 1 deg */
+            else if (swing <
+                     175) /* nearer to the edge the linkages that exist have a mu_min below 1 deg */
                 assert_false(alpha > -89 + swing / 2.0 && alpha < 89 + swing / 2.0);
         }
 }
@@ -228,7 +233,8 @@ TEST(sliders)
             task.length[1 + n_found % 3] = s0 * uniform(&seed, 0.2, 2);
         status = fourlink_synthesis_quick_return(&task, 1, &s, &n);
         if (status != FOURLINK_OK) {
-            assert_true(status == FOURLINK_NO_LINKAGE || status == FOURLINK_NO_FULL_TURN || status == FOURLINK_INFINITE_LINK);
+            assert_true(status == FOURLINK_NO_LINKAGE || status == FOURLINK_NO_FULL_TURN ||
+                        status == FOURLINK_INFINITE_LINK);
             continue;
         }
         n_found++;
@@ -247,7 +253,8 @@ TEST(levers)
     uint64_t seed = 44;
 
     for (int k = 0; k < 1000; k++) {
-        fourlink_quick_return_task task = {.type = k % 2 ? FOURLINK_SLOTTED_LEVER : FOURLINK_WHITWORTH};
+        fourlink_quick_return_task task = {.type =
+                                               k % 2 ? FOURLINK_SLOTTED_LEVER : FOURLINK_WHITWORTH};
         double ratio = uniform(&seed, 1.05, 4);
         fourlink_limits limits;
         fourlink_solution s;
@@ -274,7 +281,9 @@ TEST(levers)
         if (k % 2) {
             assert_close(limits.theta4_max - limits.theta4_min, alpha_of(ratio), 1e-12);
             if (task.stroke > 0)
-                assert_close(2 * length_of(&s, 4) * sin((limits.theta4_max - limits.theta4_min) / 2), task.stroke, 1e-12);
+                assert_close(2 * length_of(&s, 4) *
+                                 sin((limits.theta4_max - limits.theta4_min) / 2),
+                             task.stroke, 1e-12);
             if (task.offset == 0)
                 assert_close(length_of(&s, 2), length_of(&s, 1) * sin(alpha_of(ratio) / 2), 1e-14);
         }
@@ -340,9 +349,11 @@ TEST(refused)
 TEST(fortran77)
 {
     int type = FOURLINK_ENGINE, slow = 0, defects = 7, status = 7;
-    double ratio = 1.25, swing = 0, stroke = 0.1, length[4] = {0, 0.045}, offset = 0, range[2], check[4];
+    double ratio = 1.25, swing = 0, stroke = 0.1, length[4] = {0, 0.045}, offset = 0, range[2],
+           check[4];
 
-    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects, &status);
+    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects,
+            &status);
     assert_int_equal(status, FOURLINK_OK);
     assert_near(length[2], 0.133332789672402, 1e-15);
     assert_near(offset, 0.053877177286368, 1e-15);
@@ -351,20 +362,22 @@ TEST(fortran77)
     assert_int_equal(defects, 0);
     ratio = 0.5;
     length[1] = 7;
-    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects, &status);
+    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects,
+            &status);
     assert_int_equal(status, FOURLINK_BAD_TIME_RATIO);
     assert_near(length[1], 7, 0);
 }
 
 TEST(bad_problems)
 {
-    static const int types[] = {FOURLINK_CRANK_ROCKER, FOURLINK_ENGINE, FOURLINK_SLOTTED_LEVER, FOURLINK_WHITWORTH};
+    static const int types[] = {FOURLINK_CRANK_ROCKER, FOURLINK_ENGINE, FOURLINK_SLOTTED_LEVER,
+                                FOURLINK_WHITWORTH};
     uint64_t seed = 45;
 
     for (int k = 0; k < 10000; k++) {
         fourlink_quick_return_task task = {.type = (fourlink_type)types[k % 4]};
-        double *number[] = {&task.time_ratio, &task.swing, &task.stroke, &task.offset, &task.length[1],
-                            &task.length[2], &task.length[3], &task.length[4]};
+        double *number[] = {&task.time_ratio, &task.swing,     &task.stroke,    &task.offset,
+                            &task.length[1],  &task.length[2], &task.length[3], &task.length[4]};
         fourlink_solution s;
         unsigned long n;
         int status;
