@@ -946,6 +946,22 @@ module fourlink
       integer(c_long), intent(inout) :: length
     end function fourlink_deck_write
 
+    integer(c_int) function fourlink_deck_solutions(deck, max, solutions, chosen, n) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: chosen, n
+    end function fourlink_deck_solutions
+
+    integer(c_int) function fourlink_deck_defects(deck, max, list, n) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: max
+      type(fourlink_mistake), intent(inout) :: list(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_deck_defects
+
     integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &
         n_mistakes) bind(c)
       import
