@@ -280,7 +280,16 @@ char *input_deck_text(const fourlink_results *results, unsigned long *length)
     return contents;
 }
 
-/* In place of a deck with a [sweep], the deck of the design that is asked for; returns the exit status. */
+/* 1 if the deck of the linkage found is reported, or checked by its own [expect] sections. */
+static int takes_found(const input *in)
+{
+    const options *o = in->o;
+
+    return o->synthesis && !in->problem.n_designs &&
+           (o->report || (o->content == SHEET_CHECK && !o->check_file));
+}
+
+/* In place of a deck, that of the design that is asked for, or of the linkage found; returns the exit status. */
 static int take_design(input *in)
 {
     unsigned long length = 0;
@@ -333,7 +342,7 @@ static int open_input(input *in)
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     if (o->synthesis && (o->design || !in->problem.n_designs))
         tell_defects(in);
-    if (o->design && in->problem.n_designs >= o->design) {
+    if ((o->design && in->problem.n_designs >= o->design) || takes_found(in)) {
         status = take_design(in);
         if (status || !in->results)
             return status;

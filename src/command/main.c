@@ -178,7 +178,8 @@ static int write_sheet(const options *o, const input *inputs, size_t n, int *sig
         return status;
     if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
-    else if (o->synthesis && o->has_format && prints_rows(o) && !inputs[0].problem.n_designs)
+    else if (o->synthesis && o->has_format && prints_rows(o) && !inputs[0].problem.n_designs &&
+             !inputs[0].is_design)
         written = solutions_write(out.file, &inputs[0]);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);

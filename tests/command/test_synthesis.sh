@@ -48,6 +48,11 @@ prints 'length = 100 mm'
 run 0 --synthesis --summary --format=csv t.deck
 holds 'the facts of the linkage found' '/^defects,none,/ {n++} /^coupler_length,0.12381/ {n++} END {exit n != 2}'
 
+run 0 --synthesis --check t.deck
+prints 'score: 3 of 3'
+run 0 --synthesis --report=t.html t.deck
+check 'the checks in the report' grep -q 'condition of the linear equations' t.html
+
 # each task; positions, facts, points
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = log10' 'x = 1 to 2' 'crank = 45 to 105 deg' 'rocker = 135 deg to 225 deg'
 proves 0
