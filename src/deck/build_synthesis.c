@@ -76,6 +76,13 @@ static void take_unit(parser *p, text name)
     u->unit = read;
 }
 
+/* Report a mistake in a list unless one of its items has been reported; returns 0. */
+static int refuse(parser *p, key_code key, const char *expected)
+{
+    return flk_mistakes_count(p->mistakes) == 0 &&
+           flk_mistake(p->mistakes, find(p, key)->place, "expected %s", expected);
+}
+
 /* ------------------------------------------------------------------------------ pieces of values */
 
 /* A quantity, or a range of it: 30 deg to 120 deg, 100 to 30 mm. */
@@ -175,13 +182,10 @@ static int read_positions(parser *p, fourlink_vector at[POSITIONS], double angle
         *n_angles += after.length > 0;
         n++;
     }
-    if (s->place.source && n == POSITIONS && !rest.start)
-        return 1;
-    return flk_mistakes_count(p->mistakes) == 0
-               ? flk_mistake(p->mistakes, s->place,
-                             "expected three positions, such as (0, 0) mm 0 deg, (24, 10) mm -30 "
-                             "deg, (40, 5) mm -50 deg")
-               : 0;
+    return (n == POSITIONS && !rest.start) ||
+           refuse(p, KEY_SYNTHESIS_POSITIONS,
+                  "three positions, such as (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 "
+                  "deg");
 }
 
 /* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg */
@@ -218,17 +222,22 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
 
 /* --------------------------------------------------------------------------------------- lengths */
 
+static const setting *length_of(parser *p, int link)
+{
+    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+
+    return flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[link])), "length");
+}
+
 /* The lengths that are given, by link number; returns their number. */
 static int read_lengths(parser *p, double length[5])
 {
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
     int i, n = 0;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        const setting *s =
-            flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[i])), "length");
+        const setting *s = length_of(p, i);
 
-        length[i] = IS_SET(s) ? s->si[0] : 0;
+        length[i] = s->si[0];
         n += IS_SET(s);
         if (IS_SET(s))
             take_unit(p, flk_quantity_unit_text(s->value));
@@ -239,23 +248,20 @@ static int read_lengths(parser *p, double length[5])
 /* Refuse lengths beside those that a task takes: they would not be those of the linkage found. */
 static void refuse_lengths(parser *p, int most, const char *takes)
 {
-    static const key_code offsets[] = {KEY_GROUND_OFFSET, KEY_LEVER_OFFSET, KEY_CRANK_STROKE,
-                                       KEY_LEVER_ANGLE};
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
-    int i, n = 0, is_offset_taken = task_of(p)->task == TASK_QUICK_RETURN;
+    static const key_code others[] = {KEY_CRANK_STROKE, KEY_LEVER_ANGLE, KEY_GROUND_OFFSET,
+                                      KEY_LEVER_OFFSET};
+    int n_others = task_of(p)->task == TASK_QUICK_RETURN ? 2 : 4, i;
 
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + 4; i++) {
-        const setting *s =
-            i > FOURLINK_FOLLOWER
-                ? flk_setting_find(p, offsets[i - FOURLINK_FOLLOWER - 1])
-                : flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[i])), "length");
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + n_others; i++) {
+        const setting *s = i <= FOURLINK_FOLLOWER
+                               ? length_of(p, i)
+                               : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
 
-        if (!IS_SET(s) || (is_offset_taken && i > FOURLINK_FOLLOWER && i <= FOURLINK_FOLLOWER + 2))
+        if (!IS_SET(s) || (i <= FOURLINK_FOLLOWER && most-- > 0))
             continue;
-        if (++n > most || i > FOURLINK_FOLLOWER)
-            flk_mistake(p->mistakes, s->place,
-                        "task = %s finds this: remove it, or comment it out; the task takes %s",
-                        task_names[task_of(p)->task], takes);
+        flk_mistake(p->mistakes, s->place,
+                    "task = %s finds this: remove it, or comment it out; the task takes %s",
+                    task_names[task_of(p)->task], takes);
     }
 }
 
@@ -474,9 +480,7 @@ static int build_function(parser *p)
         return 1;
     if (read_list(p, KEY_SYNTHESIS_WEIGHTS, QUANTITY_NUMBER, FOURLINK_PRECISION_MAX, t->weight) !=
         t->function.n)
-        return flk_mistakes_count(p->mistakes) == 0 &&
-               flk_mistake(p->mistakes, weights->place, "give a weight for each of the %ld points",
-                           (long)t->function.n);
+        return refuse(p, KEY_SYNTHESIS_WEIGHTS, "a weight for each of the points");
     for (i = 0; i < t->function.n; i++)
         if (!(t->weight[i] > 0))
             return flk_mistake(p->mistakes, weights->place, "a weight must be positive");
@@ -529,10 +533,9 @@ static int build_path(parser *p)
     t->rotation[1] = angle[2] - angle[0];
     if (read_list(p, KEY_SYNTHESIS_TIMING, QUANTITY_ANGLE, POSITIONS - 1, t->timing) !=
         POSITIONS - 1)
-        return flk_mistakes_count(p->mistakes) == 0 &&
-               flk_mistake(p->mistakes, find(p, KEY_SYNTHESIS_TIMING)->place,
-                           "expected the crank's rotations from the first position to the second "
-                           "and third, such as 40 deg, 85 deg");
+        return refuse(p, KEY_SYNTHESIS_TIMING,
+                      "the crank's rotations from the first position to the second and third, such "
+                      "as 40 deg, 85 deg");
     return read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
 }
 

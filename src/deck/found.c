@@ -171,7 +171,7 @@ static const deck_unit *unit_of(const parser *p, quantity q)
     return q == QUANTITY_LENGTH ? &p->d->synthesis->length : &p->d->bare[q];
 }
 
-/* Write a number with 15 digits if no more than rounding is lost, so that 210 deg is not 209.99999999999997. */
+/* Write a number with 15 digits if no more than rounding is lost: 210 deg, not 209.99999999999997. */
 static void put_number(double si, const unit *u, char out[DIGITS_SIZE])
 {
     double value = flk_unit_from_si(si, *u), same;
@@ -238,8 +238,8 @@ static void set_lengths(parser *p)
         set_quantity(p, "lever", "angle", design->angle, QUANTITY_ANGLE);
 }
 
-/* The working range with all positions, which an order defect may have outside it, unless it is a full turn, or
-** the deck says what moves. */
+/* The working range with all positions, which an order defect may have outside it, unless it is a full turn,
+** or the deck says what moves. */
 static void set_range(parser *p)
 {
     static const key_code others[] = {KEY_MOTION_AT,   KEY_MOTION_TURNS,  KEY_MOTION_MODE,

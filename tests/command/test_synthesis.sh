@@ -156,7 +156,7 @@ refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task 
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
     'crank = 1 deg' 'rocker = 1 deg to 2 deg'
-refuses 'a weight for each of the 3 points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
+refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
 refuses "did you mean 'fixed'?" "$four_bar" '[synthesis]' 'task = motion' \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_task.c - [synthesis]: what its values mean; what a host is given; the deck that is written is the deck that is
-** read.
+** test_task.c - [synthesis]: what its values mean; what a host is given; the deck that is written is the deck
+** that is read.
 */
 #include <math.h>
 
@@ -98,7 +98,8 @@ TEST(test_motion)
     flk_deck_free(&d);
 }
 
-/* The text of the linkage found, read again, is the same linkage; the lengths of the solution are those of the deck. */
+/* The text of the linkage found, read again, is the same linkage; the lengths of the solution are those of
+** the deck. */
 TEST(test_written)
 {
     static const char task[] =
