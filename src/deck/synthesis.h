@@ -53,6 +53,9 @@ typedef struct deck_synthesis {
 #define FLK_IS_NO_LINKAGE(status) \
     ((status) >= FOURLINK_DEPENDENT && (status) <= FOURLINK_NONE_FOUND)
 
+#define FLK_DEGREES(angle) ((angle) * (180 / M_PI))
+
+#define MOST_LISTED 10   /* solutions of a search */
 #define MU_MIN_USUAL 40  /* deg */
 #define RATIO_USUAL 10.0 /* longest / shortest link, above which there is a note */
 
@@ -62,13 +65,20 @@ int flk_synthesis_read(struct parser *p);
 /* Find the linkage; 0 after a mistake, or if there is none. */
 int flk_synthesis_run(struct parser *p);
 
-/* Set the lengths of the linkage found, its working range, branch and coupler point, and write what the text
-** of its deck begins and ends with. */
+/* Set the lengths of the linkage found, its working range, branch and coupler point, and write its text. */
 void flk_synthesis_assign(struct parser *p);
 
 /* The structural error at a crank angle of the linkage found, rad or m; NaN where the wanted function is not
 ** defined, or the linkage does not reach. */
 double flk_synthesis_error(const deck_synthesis *t, double theta2);
+
+/* A quantity, or a point, with its unit, so that it is read again as the same number. */
+#define FLK_VALUE_SIZE 256
+char *flk_found_value(const struct parser *p, double si, quantity q, char out[FLK_VALUE_SIZE]);
+char *flk_found_point(const struct parser *p, fourlink_vector at, char out[FLK_VALUE_SIZE]);
+
+/* Write what the text of the deck begins and ends with; the coupler point has this name. */
+void flk_found_write(struct parser *p, const char *point_name);
 
 /* Defect i of the linkage found in words, 0 ...; 0 if there are fewer. */
 int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE]);
