@@ -159,6 +159,8 @@ static void set_range(parser *p)
     const fourlink_solution *s = p->d->synthesis->chosen;
     int n = p->d->synthesis->task == TASK_COGNATE ? 6 : 8, i;
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    int rises = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0) != 0 ? flk_build_sense(p) > 0
+                                                                   : s->from <= s->to;
 
     for (i = 0; i < n; i++)
         if (IS_SET(flk_setting_find(p, others[i])))
@@ -169,8 +171,8 @@ static void set_range(parser *p)
     }
     if (high - low > 2 * M_PI - 1e-9 || high == low)
         return;
-    set_quantity(p, "motion", "from", s->from <= s->to ? low : high, QUANTITY_ANGLE);
-    set_quantity(p, "motion", "to", s->from <= s->to ? high : low, QUANTITY_ANGLE);
+    set_quantity(p, "motion", "from", rises ? low : high, QUANTITY_ANGLE);
+    set_quantity(p, "motion", "to", rises ? high : low, QUANTITY_ANGLE);
 }
 
 /* The coupler point: of a cognate that of the deck, else [point P].  Returns its name. */
@@ -224,6 +226,7 @@ void flk_synthesis_assign(parser *p)
     set_range(p);
     if (branch->word != BRANCH_BOTH)
         set(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
+    flk_values_read(p, 0);
     flk_found_write(p, point_name);
 }
 

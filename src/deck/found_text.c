@@ -197,6 +197,17 @@ static void put_position(page *g, const fourlink_solution *s, int i, const char 
     put_value(g, "theta3", at->theta3, ROUNDING * factor, QUANTITY_ANGLE);
 }
 
+/* 1 if the motion of the deck reaches a crank angle, whatever its turns. */
+static int is_reached(parser *p, double theta2)
+{
+    const setting *at = flk_setting_find(p, KEY_MOTION_AT);
+    double from = IS_SET(at) ? at->si[0] : flk_setting_or(p, KEY_MOTION_FROM, 0);
+    double to = IS_SET(at) ? from : flk_setting_or(p, KEY_MOTION_TO, from + 2 * M_PI);
+    double low = GSL_MIN(from, to) - 1e-12, beyond = fmod(theta2 - low, 2 * M_PI);
+
+    return (beyond < 0 ? beyond + 2 * M_PI : beyond) <= fabs(to - from) + 2e-12;
+}
+
 /* The facts that prove a quick return. */
 static void put_facts(page *g, const fourlink_solution *s)
 {
@@ -231,7 +242,10 @@ static void put_proof(page *g, const char *point_name)
     if (t->task == TASK_QUICK_RETURN)
         put_facts(g, s);
     for (i = 0; i < s->n_positions && t->task != TASK_QUICK_RETURN; i++)
-        if (s->position[i].status == FOURLINK_OK && s->position[i].mu > DEAD * s->ratio)
+        if (!is_reached(g->p, s->position[i].theta2))
+            put(g, flk_message(line, sizeof line, "# position %ld: %s", (long)i + 1,
+                               fourlink_status_text(FOURLINK_NO_SUCH_ANGLE)));
+        else if (s->position[i].status == FOURLINK_OK && s->position[i].mu > DEAD * s->ratio)
             put_position(g, s, i, point_name);
         else
             put(g, flk_message(line, sizeof line, "# position %ld: %s", (long)i + 1,

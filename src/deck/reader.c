@@ -126,7 +126,6 @@ static parser *find_linkage(parser *p)
     }
     found->is_design = p->is_design;
     flk_synthesis_assign(found);
-    flk_values_read(found, 0);
     p->out_of_memory |= found->out_of_memory;
     return found;
 }

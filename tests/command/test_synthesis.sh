@@ -100,6 +100,16 @@ task "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 m
 proves 0 6
 check 'the point of the deck' grep -q '^Q.x = ' found.deck
 
+# the deck's own motion stays; positions that it does not reach are not asked for
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" '[motion]' 'from = 200 deg' 'to = 260 deg' 'speed = 10 rad/s'
+proves 0 2
+check 'what is not reached' grep -qx '# position 3: the motion does not reach this crank angle' found.deck
+check 'the own motion' grep -qx 'to = 260 deg' found.deck
+task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) m 0 deg, (1.2, 0.5) m 18 deg, (2.1, 1.6) m -47 deg' \
+    'left = fixed (0.5, 3.5) m' 'right = fixed (0.5, -1) m' '[motion]' 'acceleration = 5 rad/s2'
+run 1 --synthesis t.deck
+prints '# Found by'
+
 # a defect is told, the deck is printed; no linkage: the reason; both with exit status 1
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = 10 deg 60 deg, 75 deg 20 deg, 150 deg 160 deg'
 proves 1
