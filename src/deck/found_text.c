@@ -284,6 +284,62 @@ static void put_solution(page *g, unsigned long number)
     put(g, line);
 }
 
+/* The linear equations of a function generator as a student writes them, and what follows. */
+static void put_equations(page *g)
+{
+    const deck_synthesis *t = g->p->d->synthesis;
+    const fourlink_solution *s = t->chosen;
+    int is_four_bar = s->design.kind == FOURLINK_FOUR_BAR;
+    double length = is_four_bar ? 1 : flk_unit_to_si(1, t->length.unit);
+    char line[MESSAGE_SIZE];
+    unsigned long i;
+
+    put(g, is_four_bar
+               ? "# K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4) at the points:"
+               : "# S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2 at the points:");
+    for (i = 0; i < t->function.n && i < MOST_LISTED; i++) {
+        double y = t->output[i] / length, c2, s2, c4, s4;
+
+        flk_vector_direction(t->theta2[i], &c2, &s2);
+        flk_vector_direction(y, &c4, &s4);
+        put(g, is_four_bar ? flk_message(line, sizeof line, "#   %.6g K1 %s %.6g K2 + K3 = %.6g",
+                                         c4, c2 < 0 ? "+" : "-", fabs(c2), c2 * c4 + s2 * s4)
+                           : flk_message(line, sizeof line, "#   %.6g S1 %s %.6g S2 - S3 = %.6g",
+                                         y * c2, s2 < 0 ? "-" : "+", fabs(s2), y * y));
+    }
+    if (t->function.n > MOST_LISTED)
+        put(g, "#   ...");
+    put(g, flk_message(line, sizeof line,
+                       is_four_bar ? "# K1 = %g, K2 = %g, K3 = %g" : "# S1 = %g, S2 = %g, S3 = %g",
+                       s->K[0] / length, s->K[1] / length, s->K[2] / (length * length)));
+    put(g, is_four_bar ? "# a = d/K1, c = d/K2, b^2 = a^2 + c^2 + d^2 - 2 a c K3"
+                       : "# r = S1/2, e = S2/S1, l^2 = r^2 + e^2 - S3");
+}
+
+/* The equations of a quick return. */
+static void put_dead_centres(page *g)
+{
+    const fourlink_quick_return_task *t = &g->p->d->synthesis->quick_return;
+    double sense = t->slow == FOURLINK_SLOW_AGAINST ? -1 : 1, Q = t->time_ratio;
+    char line[MESSAGE_SIZE];
+
+    if (t->type == FOURLINK_WHITWORTH) {
+        put(g, "# cos(180 deg/(Q + 1)) = d/a");
+        return;
+    }
+    put(g, flk_message(line, sizeof line, "# alpha = %s = %.9g deg",
+                       Q > 0 ? "180 deg (Q - 1)/(Q + 1)" : "swing",
+                       Q > 0 ? sense * 180 * (Q - 1) / (Q + 1) : FLK_DEGREES(t->swing)));
+    if (t->type == FOURLINK_CRANK_ROCKER) {
+        put(g, "# a^2 cos^2(alpha/2) + b^2 sin^2(alpha/2) = c^2 sin^2(psi/2), psi the swing");
+        put(g, "# a^2 cos^2((psi - alpha)/2) + b^2 sin^2((psi - alpha)/2) = d^2 sin^2(psi/2)");
+    } else if (t->type == FOURLINK_ENGINE) {
+        put(g, "# r^2 cos^2(alpha/2) + l^2 sin^2(alpha/2) = s^2/4, e = (l^2 - r^2) sin(alpha)/s");
+    } else if (t->offset == 0) {
+        put(g, "# a = d sin(alpha/2)");
+    }
+}
+
 static void put_task(page *g)
 {
     const deck_synthesis *t = g->p->d->synthesis;
@@ -297,12 +353,10 @@ static void put_task(page *g)
                        (long)(s - t->solutions) + 1, (long)t->n, t->place.source, t->place.line));
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
-    if (t->task == TASK_FUNCTION && s->design.kind == FOURLINK_FOUR_BAR)
-        put(g, flk_message(line, sizeof line, "# K1 = %g, K2 = %g, K3 = %g (Freudenstein)", s->K[0],
-                           s->K[1], s->K[2]));
-    else if (t->task == TASK_FUNCTION)
-        put(g, flk_message(line, sizeof line, "# S1 = %g m, S2 = %g m, S3 = %g m2", s->K[0],
-                           s->K[1], s->K[2]));
+    if (t->task == TASK_FUNCTION)
+        put_equations(g);
+    if (t->task == TASK_QUICK_RETURN)
+        put_dead_centres(g);
     if (s->crank_turn != 0)
         put(g, flk_message(line, sizeof line,
                            "# a = %g %s: the crank is turned by 180 deg: wanted crank angle = "
