@@ -74,7 +74,16 @@ module fourlink
     fourlink_bad_spring = 47, &
     fourlink_bad_balance = 48, &
     fourlink_bad_motor = 49, fourlink_constant = 50, &
-    fourlink_not_a_number = 51
+    fourlink_not_a_number = 51, &
+    fourlink_dependent = 52, &
+    fourlink_infinite_link = 53, &
+    fourlink_no_linkage = 54, &
+    fourlink_no_length = 55, &
+    fourlink_no_full_turn = 56, &
+    fourlink_none_found = 57, &
+    fourlink_bad_points = 58, &
+    fourlink_bad_time_ratio = 59, &
+    fourlink_bad_choice = 60
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -128,6 +137,17 @@ module fourlink
     fourlink_from_grading = 3, fourlink_from_change = 4
   integer(c_int), parameter :: fourlink_areas = 40
   integer(c_long), parameter :: fourlink_any_design = int(z'ffffffff', c_long)
+
+  ! Synthesis: defects, what is fitted, what is given of a dyad, the slow stroke, cognates; the most points.
+  integer(c_int), parameter :: fourlink_defect_branch = 1, fourlink_defect_circuit = 2, &
+    fourlink_defect_order = 4, fourlink_defect_dead = 8, fourlink_defect_way = 16, &
+    fourlink_defect_reach = 32, fourlink_defect_missed = 64
+  integer(c_int), parameter :: fourlink_fit_equation = 0, fourlink_fit_angle = 1
+  integer(c_int), parameter :: fourlink_fixed_pivot = 1, fourlink_moving_pivot = 2, &
+    fourlink_rotations = 3
+  integer(c_int), parameter :: fourlink_slow_with = 1, fourlink_slow_against = -1
+  integer(c_int), parameter :: fourlink_left = 1, fourlink_right = 2
+  integer(c_int), parameter :: fourlink_precision_max = 100
 
   ! The range of numbers.
   real(c_double), parameter :: fourlink_length_min = 1e-15_c_double ! m
@@ -352,6 +372,7 @@ module fourlink
     integer(c_long) :: design = 0
     type(c_ptr) :: units = c_null_ptr ! ends in c_null_char
     integer(c_int) :: is_drawn = 0
+    integer(c_long) :: synthesis = 0
     integer(c_int) :: whole_cycle = 0
   end type fourlink_source
 
@@ -403,6 +424,85 @@ module fourlink
     integer(c_int) :: tolerance_from
     real(c_double) :: marks
   end type fourlink_check
+
+  ! Synthesis.
+  type, bind(c) :: fourlink_precision
+    real(c_double) :: theta2, output, theta3
+    type(fourlink_vector) :: point
+    real(c_double) :: error, residual, mu
+    integer(c_int) :: branch, status
+  end type fourlink_precision
+
+  type, bind(c) :: fourlink_solution
+    type(fourlink_design) :: design
+    integer(c_int) :: branch
+    real(c_double) :: a, c, crank_turn, rocker_turn, k(3), condition
+    type(fourlink_vector) :: origin
+    real(c_double) :: direction
+    integer(c_int) :: has_point
+    type(fourlink_vector) :: point
+    real(c_double) :: from, to
+    integer(c_int) :: n_positions
+    type(fourlink_precision) :: position(fourlink_precision_max)
+    integer(c_int) :: defects, type
+    real(c_double) :: ratio, mu_min, mu_min_at, mu_positions, max_error, max_error_at
+  end type fourlink_solution
+
+  type, bind(c) :: fourlink_function_task
+    integer(c_int) :: kind = 0
+    real(c_double) :: ground = 0
+    integer(c_long) :: n = 0
+    type(c_ptr) :: theta2 = c_null_ptr, output = c_null_ptr, weight = c_null_ptr
+    integer(c_int) :: fit = fourlink_fit_equation
+    real(c_double) :: from = 0, to = 0
+    type(c_funptr) :: wanted = c_null_funptr
+    type(c_ptr) :: host = c_null_ptr
+  end type fourlink_function_task
+
+  type, bind(c) :: fourlink_dyad
+    integer(c_int) :: choice = 0
+    type(fourlink_vector) :: pivot
+    real(c_double) :: rotation(2) = 0
+  end type fourlink_dyad
+
+  type, bind(c) :: fourlink_motion_task
+    type(fourlink_vector) :: point(3)
+    real(c_double) :: angle(3) = 0
+    type(fourlink_dyad) :: left, right
+  end type fourlink_motion_task
+
+  type, bind(c) :: fourlink_path_task
+    type(fourlink_vector) :: point(3)
+    real(c_double) :: timing(2) = 0
+    integer(c_int) :: search = 0
+    real(c_double) :: rotation(2) = 0, step = 0
+    type(fourlink_dyad) :: right
+  end type fourlink_path_task
+
+  type, bind(c) :: fourlink_quick_return_task
+    integer(c_int) :: type = 0
+    real(c_double) :: time_ratio = 0, swing = 0, stroke = 0
+    real(c_double) :: length(0:4) = 0 ! (0) is unused
+    real(c_double) :: offset = 0
+    integer(c_int) :: slow = 0
+  end type fourlink_quick_return_task
+
+  type, bind(c) :: fourlink_cognate_task
+    type(fourlink_design) :: design
+    integer(c_int) :: branch = 0
+    type(fourlink_vector) :: point
+    integer(c_int) :: side = 0
+    real(c_double) :: from = 0, to = 0
+  end type fourlink_cognate_task
+
+  ! The wanted output of a function generator: give its c_funloc in the task.
+  abstract interface
+    real(c_double) function fourlink_wanted(host, theta2) bind(c)
+      import
+      type(c_ptr), value :: host
+      real(c_double), value :: theta2
+    end function fourlink_wanted
+  end interface
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.
   abstract interface
@@ -659,6 +759,60 @@ module fourlink
       type(fourlink_forces), intent(inout) :: forces
     end function fourlink_analyse_design
 
+    integer(c_int) function fourlink_chebyshev(from, to, n, x) bind(c)
+      import
+      real(c_double), value :: from, to
+      integer(c_long), value :: n
+      real(c_double), intent(inout) :: x(*)
+    end function fourlink_chebyshev
+
+    integer(c_int) function fourlink_synthesis_error(solution, theta2, wanted, error) bind(c)
+      import
+      type(fourlink_solution), intent(in) :: solution
+      real(c_double), value :: theta2, wanted
+      real(c_double), intent(inout) :: error
+    end function fourlink_synthesis_error
+
+    integer(c_int) function fourlink_synthesis_function(task, max, solutions, n) bind(c)
+      import
+      type(fourlink_function_task), intent(in) :: task
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_synthesis_function
+
+    integer(c_int) function fourlink_synthesis_motion(task, max, solutions, n) bind(c)
+      import
+      type(fourlink_motion_task), intent(in) :: task
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_synthesis_motion
+
+    integer(c_int) function fourlink_synthesis_path(task, max, solutions, n) bind(c)
+      import
+      type(fourlink_path_task), intent(in) :: task
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_synthesis_path
+
+    integer(c_int) function fourlink_synthesis_quick_return(task, max, solutions, n) bind(c)
+      import
+      type(fourlink_quick_return_task), intent(in) :: task
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_synthesis_quick_return
+
+    integer(c_int) function fourlink_synthesis_cognate(task, max, solutions, n) bind(c)
+      import
+      type(fourlink_cognate_task), intent(in) :: task
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_synthesis_cognate
+
     integer(c_int) function fourlink_textbook_series(mechanism, state, series) bind(c)
       import
       type(fourlink_mechanism), intent(in) :: mechanism
@@ -792,6 +946,22 @@ module fourlink
       integer(c_long), value :: size
       integer(c_long), intent(inout) :: length
     end function fourlink_deck_write
+
+    integer(c_int) function fourlink_deck_solutions(deck, max, solutions, chosen, n) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: max
+      type(fourlink_solution), intent(inout) :: solutions(*)
+      integer(c_long), intent(inout) :: chosen, n
+    end function fourlink_deck_solutions
+
+    integer(c_int) function fourlink_deck_defects(deck, max, list, n) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: max
+      type(fourlink_mistake), intent(inout) :: list(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_deck_defects
 
     integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &
         n_mistakes) bind(c)

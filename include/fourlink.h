@@ -111,7 +111,19 @@ extern "C" {
     X(FOURLINK_BAD_MOTOR, 49,                                                                     \
       "a motor has no such kind, no ratio, no power, or a curve whose speeds do not rise")        \
     X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")     \
-    X(FOURLINK_NOT_A_NUMBER, 51, "the input is words, a list or a curve")
+    X(FOURLINK_NOT_A_NUMBER, 51, "the input is words, a list or a curve")                         \
+    X(FOURLINK_DEPENDENT, 52,                                                                     \
+      "no single linkage: two points are equal, or one follows from the others")                  \
+    X(FOURLINK_INFINITE_LINK, 53, "no linkage: a link would have to be infinitely long")          \
+    X(FOURLINK_NO_LINKAGE, 54, "no linkage: the square of a length would be negative or zero")    \
+    X(FOURLINK_NO_LENGTH, 55, "no linkage: two of its pivots would be the same point")            \
+    X(FOURLINK_NO_FULL_TURN, 56,                                                                  \
+      "no linkage whose crank turns fully has this time ratio with these lengths")                \
+    X(FOURLINK_NONE_FOUND, 57, "the search found no linkage without a defect")                    \
+    X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
+    X(FOURLINK_BAD_TIME_RATIO, 59, "the time ratio is below 1")                                   \
+    X(FOURLINK_BAD_CHOICE, 60,                                                                    \
+      "too much or too little is given, or a choice that the task does not have")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -612,10 +624,13 @@ typedef struct fourlink_source {
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
     const char
-        *units; /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
+        *units;   /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
                              bare numbers keep theirs; null: the deck's */
     int is_drawn; /* 1: for pictures; lengths are in the unit in which that of the crank is written,
                              unless the deck or `units` gives one */
+    unsigned long
+        synthesis;   /* K: for a deck with [synthesis], the linkage of solution K of its task,
+                                from 1; 0: such a deck has a mistake */
     int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over a
                              cycle from 0, with the same speed and acceleration at every row */
 } fourlink_source;
@@ -1609,7 +1624,8 @@ FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
 **    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, which may exceed max_mistakes;
 **                  may be null
 ** Returned (function value):
-**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY; with [synthesis], as
+**    FOURLINK_BAD_DECK, why there is no linkage: FOURLINK_DEPENDENT to FOURLINK_NONE_FOUND
 ** Notes:
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
@@ -1921,6 +1937,363 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
                                         fourlink_check *check);
 
 /* ---------------------------------------------------------------------------------------------
+** Synthesis
+** ------------------------------------------------------------------------------------------- */
+
+/* Link lengths for a wanted motion.  A function for each task takes a struct, finds linkages, checks them and
+** writes them to the caller's array, best first.
+**
+** Axes.  The designer's axes are those in which a task gives pivots and positions.  The frame of the linkage
+** found has its origin at A and x along A->D, as everywhere.  A point P of the designer is at
+** (P - origin) e^(-i direction) in that frame.  For `function` and `quick_return` both are the same.
+**
+** Turned links.  A negative length in the equations means that the link is turned by 180 deg: its angle in
+** the linkage is that of the designer plus 180 deg (crank_turn, rocker_turn).
+**
+** A defect is not a failure: the solution is returned, and `defects` says what is wrong with it. */
+
+/* Defects of a solution: bits. */
+enum {
+    FOURLINK_DEFECT_BRANCH = 1,  /* precision positions are on both branches */
+    FOURLINK_DEFECT_CIRCUIT = 2, /* they are on both circuits: the linkage has to be taken apart */
+    FOURLINK_DEFECT_ORDER = 4,   /* the crank does not pass them in the given order */
+    FOURLINK_DEFECT_DEAD = 8,    /* a precision position is a dead position */
+    FOURLINK_DEFECT_WAY = 16,    /* a dead position lies between precision positions */
+    FOURLINK_DEFECT_REACH = 32,  /* the crank does not reach the whole working range */
+    FOURLINK_DEFECT_MISSED = 64  /* a precision position is not met within rounding; not for least
+                                    squares, which meet none */
+};
+
+/* The most precision points of a task. */
+#define FOURLINK_PRECISION_MAX 100
+
+/* A precision position of a solution, in the frame of the linkage. */
+typedef struct fourlink_precision {
+    double theta2; /* rad, crank angle, continuous along the motion */
+    double output; /* wanted: theta4 (rad, in (-pi, pi]), or X (m) of a piston; lever: theta4 */
+    double theta3; /* rad, wanted angle of the coupler, in (-pi, pi]; motion, path, cognate */
+    fourlink_vector point; /* m, wanted position of the coupler point; motion, path, cognate */
+    double error;    /* what the linkage has there minus what is wanted: rad, or m for a piston;
+                        motion, path, cognate: distance of the point from its place, m; NaN: not reached */
+    double residual; /* 1, function: error F of the linear equation (see fourlink_function_task) */
+    double mu;       /* rad, transmission angle; NaN: not reached */
+    int branch;      /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: neither, as `status` says */
+    int status;      /* FOURLINK_OK, or why there is no position: FOURLINK_DEAD_POSITION ... */
+} fourlink_precision;
+
+/* A linkage found, with its checks. */
+typedef struct fourlink_solution {
+    fourlink_design design; /* kind, lengths, offset; without masses */
+    fourlink_branch branch; /* of the first position that is not dead */
+    double a, c;            /* m, crank and rocker with the signs of the equations */
+    double crank_turn;  /* rad, 0 or pi: crank angle of the linkage minus that of the designer */
+    double rocker_turn; /* rad, 0 or pi: the same for theta4 */
+    double K[3];        /* function: K1, K2, K3 (1); slider-crank: S1, S2 (m), S3 (m2); else 0 */
+    double condition;   /* 1, of the linear system, columns scaled to the same length; 1: none */
+    fourlink_vector origin; /* m, A in the designer's axes */
+    double direction;       /* rad, angle of A->D in the designer's axes */
+    int has_point;          /* 1: there is a coupler point */
+    fourlink_vector point;  /* m, coupler point in the coupler's own axes */
+    double from, to;        /* rad, working range: crank angles where the motion begins and ends */
+    int n_positions;
+    fourlink_precision position[FOURLINK_PRECISION_MAX];
+    int defects; /* sum of FOURLINK_DEFECT_BRANCH ...; 0: none */
+    fourlink_type type;
+    double ratio;  /* 1, longest / shortest link */
+    double mu_min; /* rad, smallest transmission angle in the working range, on `branch`; 0 at and
+                            beyond a dead position */
+    double mu_min_at;    /* rad, crank angle there */
+    double mu_positions; /* rad, smallest at the precision positions */
+    double
+        max_error; /* rad or m, function: largest |structural error|, with the sign of the error: in
+                            the working range if the wanted function is given, else at the points */
+    double max_error_at; /* rad, crank angle of the linkage there */
+} fourlink_solution;
+
+/* The wanted output of a function generator, for the structural error between the points.
+**
+** Given:
+**    host       as in the task
+**    theta2     rad, crank angle of the designer
+** Returned (function value):
+**    theta4 of the designer (rad), or X (m); NaN: not defined there
+*/
+typedef double fourlink_wanted(void *host, double theta2);
+
+/* What least squares make small. */
+typedef enum fourlink_fit {
+    FOURLINK_FIT_EQUATION = 0, /* sum of w F^2, F the error of the linear equation */
+    FOURLINK_FIT_ANGLE = 1     /* sum of w error^2, the error of theta4, or of X */
+} fourlink_fit;
+
+/* A function generator.  Set it to zero first: members that stay 0 are absent. */
+typedef struct fourlink_function_task {
+    fourlink_kind kind;   /* FOURLINK_FOUR_BAR or FOURLINK_SLIDER_CRANK */
+    double ground;        /* m, four-bar: length of the ground */
+    unsigned long n;      /* points: 3 to FOURLINK_PRECISION_MAX */
+    const double *theta2; /* rad, crank angles */
+    const double
+        *output; /* theta4 (rad); slider-crank: X (m), the piston's coordinate from A along x */
+    const double *weight; /* 1, > 0, w; null: all are 1 */
+    fourlink_fit fit;
+    double from, to; /* rad, working range in the designer's crank angles; equal: the smallest that
+                              has all points */
+    fourlink_wanted *wanted; /* null: known at the points only */
+    void *host;              /* for `wanted` */
+} fourlink_function_task;
+
+/* What is given of a dyad, the link from a fixed pivot m to a moving pivot k on the coupler. */
+typedef enum fourlink_choice {
+    FOURLINK_FIXED_PIVOT = 1,  /* m */
+    FOURLINK_MOVING_PIVOT = 2, /* k in the first position */
+    FOURLINK_ROTATIONS =
+        3 /* the link's rotations from the first to the second and third position */
+} fourlink_choice;
+
+typedef struct fourlink_dyad {
+    fourlink_choice choice;
+    fourlink_vector pivot; /* m, in the designer's axes */
+    double rotation[2];    /* rad, counter-clockwise */
+} fourlink_dyad;
+
+/* Three positions of the coupler: a point of it and its angle. */
+typedef struct fourlink_motion_task {
+    fourlink_vector point[3]; /* m, in the designer's axes */
+    double angle[3];          /* rad; only differences count */
+    fourlink_dyad left;       /* the crank */
+    fourlink_dyad right;      /* the rocker */
+} fourlink_motion_task;
+
+/* Three points of a path, with the crank's rotations between them. */
+typedef struct fourlink_path_task {
+    fourlink_vector point[3]; /* m, in the designer's axes */
+    double timing[2];         /* rad, rotations of the crank from the first point to the others */
+    int search;               /* 1: the coupler's rotations are searched for; 0: given */
+    double rotation[2];       /* rad, of the coupler, from the first point to the others */
+    double step;              /* rad, search: step of the rotations; 0: 5 deg */
+    fourlink_dyad right;      /* the rocker */
+} fourlink_path_task;
+
+/* The stroke that is the slow one. */
+enum {
+    FOURLINK_SLOW_WITH =
+        1, /* the rocker turns as the crank does; piston: towards the crankshaft, for
+                                  a crank that turns counter-clockwise */
+    FOURLINK_SLOW_AGAINST = -1 /* the other stroke */
+};
+
+/* A quick return.  Set it to zero first: lengths that stay 0 are to be found. */
+typedef struct fourlink_quick_return_task {
+    fourlink_type type; /* FOURLINK_CRANK_ROCKER, FOURLINK_ENGINE (a slider-crank),
+                           FOURLINK_SLOTTED_LEVER or FOURLINK_WHITWORTH */
+    double time_ratio;  /* 1, >= 1; slotted lever: 0 if the swing is given */
+    double swing;       /* rad, crank-rocker, slotted lever */
+    double stroke;      /* m, slider-crank; slotted lever: of a tool at C, 0: none */
+    double length[5];   /* m, by link number.  Crank-rocker: two, or one for the largest mu_min;
+                           slider-crank: one of crank, rod and offset, or none for the largest mu_min;
+                           slotted lever, Whitworth: ground or crank; lever: its length, instead of the
+                           stroke */
+    double offset; /* m, slider-crank: distance of the line of stroke, its sign follows from `slow`;
+                           slotted lever: as in fourlink_design */
+    int slow;      /* FOURLINK_SLOW_WITH, 0: the same; FOURLINK_SLOW_AGAINST: not for levers */
+} fourlink_quick_return_task;
+
+/* Which of the two cognates. */
+typedef enum fourlink_side { FOURLINK_LEFT = 1, FOURLINK_RIGHT = 2 } fourlink_side;
+
+/* A linkage whose coupler point another one shall trace. */
+typedef struct fourlink_cognate_task {
+    fourlink_design design; /* four-bar */
+    fourlink_branch branch;
+    fourlink_vector point; /* m, in the coupler's own axes */
+    fourlink_side side;
+    double from, to; /* rad, its crank angles; equal: a full turn, or the first range it reaches */
+} fourlink_cognate_task;
+
+/* Points for a function's range by Chebyshev's spacing.
+**
+** Given:
+**    from, to   the range
+**    n          how many, 1 to FOURLINK_PRECISION_MAX
+** Returned:
+**    x          n numbers, from `from` to `to`
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_POINTS
+** Note:
+**    The spacing makes the largest errors between the points equal to first order only.
+** Reference:
+**    F. Freudenstein, "Approximate Synthesis of Four-Bar Linkages", Trans. ASME 77 (1955) 853-861.
+*/
+FOURLINK_API int fourlink_chebyshev(double from, double to, unsigned long n, double *x);
+
+/* A four-bar linkage or a slider-crank whose output is a function of the crank angle.
+**
+** Given:
+**    task       points, weights, range
+**    max        length of `solutions`
+** Returned:
+**    solutions  one linkage, if max > 0
+**    n          how many there are, 1; may be more than `max`
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LINKAGE: there is none;
+**    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH, FOURLINK_BAD_POINTS,
+**    FOURLINK_BAD_CHOICE
+** Notes:
+** 1) Four-bar: the residual of a position is F = K1 cos(theta4) - K2 cos(theta2) + K3 -
+**    cos(theta2 - theta4), with the designer's angles.  Slider-crank: F = (S1 X cos(theta2) +
+**    S2 sin(theta2) - S3 - X^2) / X_max^2.  It is not an error of the output.
+** 2) Three points are met exactly.  More are met by least squares; three with a fit of the angle are no
+**    different.
+** 3) A linkage that reaches a point on both branches has it on the one whose output is nearer.
+** 4) A linkage of least squares may not reach some points: FOURLINK_DEFECT_REACH.
+** 5) Points stand in the order of the motion.  If their angles neither rise nor fall, each follows the one
+**    before by the shorter way: 350, 10, 30 deg are 350, 370, 390 deg.
+** Reference:
+**    Freudenstein 1955, see fourlink_chebyshev; see synthesis/function.c.
+*/
+FOURLINK_API int fourlink_synthesis_function(const fourlink_function_task *task, unsigned long max,
+                                             fourlink_solution *solutions, unsigned long *n);
+
+/* The structural error of a function generator: the linkage's output minus the wanted one.
+**
+** Given:
+**    solution   from fourlink_synthesis_function
+**    theta2     rad, crank angle of the designer
+**    wanted     theta4 of the designer (rad), or X (m)
+** Returned:
+**    error      rad, in (-pi, pi], or m
+** Returned (function value):
+**    FOURLINK_OK; 1 to 19, the linkage does not reach the angle; FOURLINK_NULL, FOURLINK_BAD_NUMBER
+*/
+FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, double theta2,
+                                          double wanted, double *error);
+
+/* A four-bar linkage that guides its coupler through three positions.
+**
+** Given:
+**    task       positions and what is chosen of both dyads
+**    max        length of `solutions`
+** Returned:
+**    solutions  one linkage, if max > 0
+**    n          how many there are, 1
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH: there is none;
+**    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_CHOICE
+** Notes:
+** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line, or those of the fixed pivot
+**    seen from the coupler.
+** 2) FOURLINK_DEPENDENT: two positions are equal, or a pivot is a pole of two positions, so that the other
+**    pivot may be anywhere on a line.
+** 3) FOURLINK_NO_LENGTH: A and D or B and C are the same point, or both dyads are the same.
+** 4) The crank may run either way; `from` and `to` follow from the order of the positions.
+** Reference:
+**    see synthesis/dyad.c.
+*/
+FOURLINK_API int fourlink_synthesis_motion(const fourlink_motion_task *task, unsigned long max,
+                                           fourlink_solution *solutions, unsigned long *n);
+
+/* A four-bar linkage whose coupler point passes three points at given crank rotations.
+**
+** Given:
+**    task       points, timing, the coupler's rotations or the order to search for them
+**    max        length of `solutions`
+** Returned:
+**    solutions  the first `max` linkages.  A search gives those without defects, crank-rockers and double
+**               cranks before others, the largest mu_min first
+**    n          how many there are; may be more than `max`
+** Returned (function value):
+**    as from fourlink_synthesis_motion, and FOURLINK_NONE_FOUND: the search found none without defects
+** Note:
+**    A search lists the linkages that are better than their neighbours on the grid of rotations.  With a step
+**    of 5 deg it takes some hundredths of a second, with 0.5 deg some seconds; it is at least 0.5 deg.
+** Reference:
+**    see synthesis/dyad.c.
+*/
+FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigned long max,
+                                         fourlink_solution *solutions, unsigned long *n);
+
+/* A mechanism with a given time ratio.
+**
+** Given:
+**    task       type, time ratio, swing or stroke, lengths
+**    max        length of `solutions`
+** Returned:
+**    solutions  one mechanism, on the open branch, if max > 0; its positions are the two limits of the
+**               output, its range is a turn of the crank from the first of them
+**    n          how many there are, 1
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LINKAGE,
+**    FOURLINK_NO_FULL_TURN: there is none; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND,
+**    FOURLINK_BAD_LENGTH, FOURLINK_BAD_TIME_RATIO, FOURLINK_BAD_CHOICE
+** Notes:
+** 1) FOURLINK_BAD_CHOICE: too many or too few lengths, or slow = against for a lever, whose slow stroke is
+**    always with the crank.
+** 2) FOURLINK_INFINITE_LINK for the largest mu_min: it grows as links become longer and longer (a time ratio
+**    of 1).
+** 3) A slotted lever with an offset needs the ground.
+** Reference:
+**    E. Soylemez, "Mechanisms" (METU), 7.1.4 and 7.2; see synthesis/quick_return.c.
+*/
+FOURLINK_API int fourlink_synthesis_quick_return(const fourlink_quick_return_task *task,
+                                                 unsigned long max, fourlink_solution *solutions,
+                                                 unsigned long *n);
+
+/* A cognate: another four-bar linkage whose coupler point traces the same curve.
+**
+** Given:
+**    task       the linkage, its branch, its coupler point, left or right
+**    max        length of `solutions`
+** Returned:
+**    solutions  the cognate, if max > 0.  The designer's axes are the frame of the given linkage; positions
+**               are those at 1/6, 1/2 and 5/6 of its range
+**    n          how many there are, 1
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NO_LENGTH: the coupler point is at B or C; FOURLINK_NOT_REACHED; FOURLINK_NULL,
+**    FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH, FOURLINK_BAD_BRANCH, FOURLINK_BAD_CHOICE
+** Notes:
+** 1) Left has the pivot A and the third pivot E; right has E and D.  The right one's crank turns as the given
+**    one's; the left one's turns as the given coupler does.
+** 2) The left one of a crank-rocker does not turn fully: it has dead positions on the way
+**    (FOURLINK_DEFECT_WAY, FOURLINK_DEFECT_BRANCH), unless the range is small.
+** Reference:
+**    Roberts and Chebyshev; see synthesis/cognate.c.
+*/
+FOURLINK_API int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,
+                                            fourlink_solution *solutions, unsigned long *n);
+
+/* The linkages found for the task of a deck with [synthesis], opened with fourlink_source.synthesis.
+**
+** Given:
+**    deck       from fourlink_results_deck
+**    max        length of `solutions`
+** Returned:
+**    solutions  best first; a search keeps ten, or as many as `synthesis` asked for
+**    chosen     number of the one that the deck has, from 0
+**    n          how many there are; may be more than `max`, and than are kept
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST: the deck has no [synthesis]
+** Note:
+**    fourlink_deck_write writes the deck of the linkage found.
+*/
+FOURLINK_API int fourlink_deck_solutions(const fourlink_deck *deck, unsigned long max,
+                                         fourlink_solution *solutions, unsigned long *chosen,
+                                         unsigned long *n);
+
+/* The defects of the linkage that such a deck has, in words.
+**
+** Given:
+**    deck       from fourlink_results_deck
+**    max        length of `list`
+** Returned:
+**    list       the first `max`, with the place of [synthesis]
+**    n          how many there are; 0: none, or no [synthesis]
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_deck_defects(const fourlink_deck *deck, unsigned long max,
+                                       fourlink_mistake *list, unsigned long *n);
+
+/* ---------------------------------------------------------------------------------------------
 ** FORTRAN 77
 ** ------------------------------------------------------------------------------------------- */
 
@@ -2061,6 +2434,42 @@ FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *n
 FOURLINK_API void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i,
                          const int *n, double *values, int *istat);
 FOURLINK_API void flshut_(fourlink_results **handle);
+
+/* Synthesis: a function generator, and a quick return.
+**
+**       DOUBLE PRECISION THETA2(N), OUTPUT(N), WEIGHT(N)
+**       DOUBLE PRECISION GROUND, RATIO, SWING, STROKE
+**       DOUBLE PRECISION LENGTH(4), OFFSET, TURN(2), RANGE(2), CHECK(4)
+**       INTEGER KIND, N, IFIT, IBRNCH, ITYPE, ISLOW, IDEF, ISTAT
+**       CALL FLFUNC(KIND, GROUND, N, THETA2, OUTPUT, WEIGHT, IFIT, LENGTH, OFFSET, IBRNCH, TURN, RANGE,
+**                   CHECK, IDEF, ISTAT)
+**       CALL FLQRET(ITYPE, RATIO, SWING, STROKE, ISLOW, LENGTH, OFFSET, RANGE, CHECK, IDEF, ISTAT)
+**
+** Given:
+**    KIND ... IFIT      as in fourlink_function_task: 1 four-bar, 2 slider-crank; IFIT 0 or 1
+**    ITYPE ... ISLOW    as in fourlink_quick_return_task: 1 crank-rocker, 10 slider-crank, 13 slotted
+**                       lever, 14 Whitworth
+**    LENGTH, OFFSET     FLQRET: those that are given, the others 0 (m)
+** Returned:
+**    LENGTH             m, by link number
+**    OFFSET             m
+**    IBRNCH             1 open, -1 crossed; FLQRET: open
+**    TURN               rad, crank_turn and rocker_turn of fourlink_solution
+**    RANGE              rad, from and to
+**    CHECK              condition (1), ratio (1), mu_min (rad), max_error (rad or m)
+**    IDEF               defects
+**    ISTAT              0, or a status; then the others are unchanged
+**
+** Reference:
+**    as fourlink_synthesis_function, fourlink_synthesis_quick_return
+*/
+FOURLINK_API void flfunc_(const int *kind, const double *ground, const int *n, const double *theta2,
+                          const double *output, const double *weight, const int *ifit,
+                          double length[4], double *offset, int *ibrnch, double turn[2],
+                          double range[2], double check[4], int *idef, int *istat);
+FOURLINK_API void flqret_(const int *itype, const double *ratio, const double *swing,
+                          const double *stroke, const int *islow, double length[4], double *offset,
+                          double range[2], double check[4], int *idef, int *istat);
 
 #ifdef __cplusplus
 }

@@ -3,7 +3,8 @@
 #
 # includes.sh - the order of the folders in src/, read from the #include "..." lines.
 #
-#   base < mechanics < deck < motion < results    the library: a folder includes from itself and from those below it
+#   base < mechanics < synthesis < deck < motion < results    the library: a folder includes from itself and from
+#                                                             those below it
 #   view < tables, pictures < report < command  the command: of the library, only fourlink.h and base/
 #
 # tables and pictures do not include each other, and no file includes itself by way of others, where a
@@ -15,7 +16,8 @@ awk '
 BEGIN {
   allowed["base"] = "base"
   allowed["mechanics"] = "mechanics base"
-  allowed["deck"] = "deck mechanics base"
+  allowed["synthesis"] = "synthesis mechanics base"
+  allowed["deck"] = "deck synthesis mechanics base"
   allowed["motion"] = "motion deck mechanics base"
   allowed["results"] = "results motion deck mechanics base"
   allowed["view"] = "view base"

@@ -199,6 +199,7 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     source.text = deck + name_length;
     source.length = length;
     source.design = FOURLINK_ANY_DESIGN;
+    source.synthesis = 1;
     if (list)
         status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
     if (status == FOURLINK_OK) {
@@ -206,7 +207,7 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
         source.design = v.problem.design;
         fourlink_results_notes(results, MOST_MISTAKES, list, &n);
     }
-    if ((status == FOURLINK_OK || status == FOURLINK_BAD_DECK) && begin_answer()) {
+    if (status != FOURLINK_NO_MEMORY && begin_answer()) {
         line_put(&l, "{");
         put_messages(list, n, results ? "note" : "error");
         if (results)

@@ -75,6 +75,11 @@ void command_tell_note(const char *file, long line, const char *message, const c
     tell("note", file, line, message, deck_name);
 }
 
+void command_tell_defect(const char *file, long line, const char *message)
+{
+    tell("defect", file, line, message, NULL);
+}
+
 void command_tell_more(unsigned long n, const char *what)
 {
     char number[40];

@@ -47,9 +47,13 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     plot_request request = in->o->drawing;
     fourlink_mistake mistake;
+    fourlink_value error;
     input_drawn drawn;
     int written = -1;
 
+    if (in->o->no_kind &&
+        fourlink_results_find(in->results, "structural_error", &error) == FOURLINK_OK)
+        request.kind = PLOT_ERROR;
     if (input_open_drawn(in, &drawn) == FOURLINK_OK) {
         request.opened = drawn.results;
         written = plot_write(script, &drawn.source, &request, caption, &mistake);

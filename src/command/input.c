@@ -15,6 +15,7 @@
 #include "tables/formats.h"
 #include "view/view.h"
 
+#define MOST_DEFECTS 10
 #define MOST_ROWS_SHOWN 20000 /* in a report or a picture */
 
 /* A file that a deck names.  It is read once, for all designs of a sweep. */
@@ -106,6 +107,15 @@ static int shows_rows(const input *in)
     return o->report || ((o->plot || o->plot_script) && !shows_outputs);
 }
 
+/* 1 if the linkage of the deck was found by synthesis. */
+static int has_task(const input *in)
+{
+    unsigned long chosen, n;
+
+    return fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n) ==
+           FOURLINK_OK;
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
@@ -130,6 +140,8 @@ static int serves_options(input *in)
     } else if (o->design && is_sweep) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
+    } else if (o->synthesis && !in->is_design && !has_task(in)) {
+        why = "--synthesis needs a [synthesis]; the deck has none";
     } else if (is_sweep && o->print_deck && !o->all_designs) {
         why = "--print-deck prints one design of a [sweep], with --design=N, or all, with "
               "--design=all";
@@ -176,6 +188,12 @@ static void refuse(input *in)
     in->results = NULL;
 }
 
+/* 1 for a status that says why the task of a [synthesis] has no linkage. */
+static int is_no_linkage(int status)
+{
+    return status >= FOURLINK_DEPENDENT && status <= FOURLINK_NONE_FOUND;
+}
+
 static int open_results(input *in)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
@@ -189,13 +207,13 @@ static int open_results(input *in)
     if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
-    } else if (status == FOURLINK_BAD_DECK) {
+    } else if (status == FOURLINK_BAD_DECK || is_no_linkage(status)) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
         in->has_mistakes = 1;
         if (in->no_file)
             command_tell_note(in->name, 0, in->no_file, NULL);
-        status = EXIT_USAGE;
+        status = status == FOURLINK_BAD_DECK ? EXIT_USAGE : EXIT_ROWS;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
         refuse(in);
@@ -265,7 +283,16 @@ char *input_deck_text(const fourlink_results *results, unsigned long *length)
     return contents;
 }
 
-/* In place of a deck with a [sweep], the deck of the design that is asked for; returns the exit status. */
+/* 1 if the deck of the linkage found is reported, or checked by its own [expect] sections. */
+static int takes_found(const input *in)
+{
+    const options *o = in->o;
+
+    return o->synthesis && !in->problem.n_designs &&
+           (o->report || (o->content == SHEET_CHECK && !o->check_file));
+}
+
+/* In place of a deck, that of the design that is asked for, or of the linkage found; returns the exit status. */
 static int take_design(input *in)
 {
     unsigned long length = 0;
@@ -280,8 +307,21 @@ static int take_design(input *in)
     in->is_design = 1;
     in->source.changes = NULL;
     in->source.n_changes = 0;
+    in->source.synthesis = 0;
     in->source.design = 0;
     return open_results(in);
+}
+
+/* Tell the defects of the linkage that was found. */
+static void tell_defects(input *in)
+{
+    fourlink_mistake list[MOST_DEFECTS];
+    unsigned long n = 0, i;
+
+    fourlink_deck_defects(fourlink_results_deck(in->results), MOST_DEFECTS, list, &n);
+    for (i = 0; i < n && i < MOST_DEFECTS; i++)
+        command_tell_defect(list[i].file, list[i].line, list[i].message);
+    in->has_defects = n > 0;
 }
 
 /* Open what has been read; returns the exit status. */
@@ -297,12 +337,15 @@ static int open_input(input *in)
         in->source.changes = o->changes;
         in->source.n_changes = (unsigned long)o->n_changes;
         in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+        in->source.synthesis = !o->synthesis ? 0 : o->solution ? o->solution : 1;
     }
     status = open_results(in);
     if (status || !in->results)
         return status;
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
-    if (o->design && in->problem.n_designs >= o->design) {
+    if (o->synthesis && (o->design || !in->problem.n_designs))
+        tell_defects(in);
+    if ((o->design && in->problem.n_designs >= o->design) || takes_found(in)) {
         status = take_design(in);
         if (status || !in->results)
             return status;

@@ -160,6 +160,18 @@ static int write_deck(FILE *out, const input *in)
     return 0;
 }
 
+/* 1 if nothing but rows is asked for. */
+static int prints_rows(const options *o)
+{
+    return o->content == SHEET_ROWS && !o->at && !o->best;
+}
+
+/* 1 if the deck of a linkage found is printed, or the list of all solutions. */
+static int prints_found(const options *o, const input *in)
+{
+    return o->synthesis && prints_rows(o) && in->results && !in->problem.n_designs;
+}
+
 /* Write what the options ask for; returns the exit status. */
 static int write_sheet(const options *o, const input *inputs, size_t n, int *signal_number)
 {
@@ -168,10 +180,12 @@ static int write_sheet(const options *o, const input *inputs, size_t n, int *sig
 
     if (status)
         return status;
-    if (o->print_deck)
+    if (o->print_deck || (prints_found(o, &inputs[0]) && !o->has_format))
         written = write_deck(out.file, &inputs[0]);
     else if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
+    else if (prints_found(o, &inputs[0]) && !inputs[0].is_design)
+        written = solutions_write(out.file, &inputs[0]);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else

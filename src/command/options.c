@@ -15,6 +15,7 @@
 #include "terminal.h"
 
 #define MOST_DESIGNS 4294967295.0
+#define MOST_SOLUTIONS 1000
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
 /* Returns 0, for the caller to return. */
@@ -34,7 +35,7 @@ static int set_format(options *o, const char *value, char message[400])
     char names[FORMATS_NAMES];
 
     o->format = formats_find(value);
-    o->asks_for_table = 1;
+    o->asks_for_table = o->has_format = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'",
@@ -140,21 +141,35 @@ static int set_best(options *o, const char *value, char message[400])
     return set_change(o, "--best", "sweep.output=", name.start);
 }
 
-/* N or all */
-static int set_design(options *o, const char *value, char message[400])
+/* A whole number from 1; 0 and the reason in `message` if it is none. */
+static int read_number(const char *name, const char *value, double most, const char *other,
+                       unsigned long *number, char message[400])
 {
     text rest = flk_text_of(value);
     double n = 0;
 
+    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
+        n > most) {
+        flk_message(message, 400, "%s must be a number from 1%s, not '%t'", name, other,
+                    flk_text_of(value));
+        return 0;
+    }
+    *number = (unsigned long)n;
+    return 1;
+}
+
+/* N or all */
+static int set_design(options *o, const char *value, char message[400])
+{
     o->all_designs = strcmp(value, "all") == 0;
     o->design = 0;
-    if (o->all_designs)
-        return 1;
-    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
-        n > MOST_DESIGNS)
-        return say(message, "--design must be a number from 1, or all, not '", value, "'");
-    o->design = (unsigned long)n;
-    return 1;
+    return o->all_designs ||
+           read_number("--design", value, MOST_DESIGNS, ", or all", &o->design, message);
+}
+
+static int set_solution(options *o, const char *value, char message[400])
+{
+    return read_number("--solution", value, MOST_SOLUTIONS, " to 1000", &o->solution, message);
 }
 
 static int set_output(options *o, const char *value, char message[400])
@@ -267,6 +282,10 @@ static const option_info table[] = {
     {0, "--print-deck", NULL, MEMBER(print_deck),
      "print the deck as it is computed: with other values, of one design; of all: into "
      "--output=FOLDER/"},
+    {0, "--synthesis", NULL, MEMBER(synthesis),
+     "find the linkage of the deck's [synthesis] and print its deck; with --format, a list of all "
+     "solutions"},
+    {0, "--solution", "K", OWN(set_solution), "take solution K, from 1"},
     {0, "--names", "FILE", MEMBER(names), "names for the files of --design=all, one a line"},
     {'l', "--list", NULL, CONTENT(SHEET_LIST), "list columns and facts of the deck, with meanings"},
     {'h', "--help", NULL, MEMBER(help), "print this text"},
@@ -473,6 +492,10 @@ static const char *find_further_conflict(const options *o)
         return "--names needs --design=all";
     if (o->design && (o->parts || o->best || o->statistics))
         return "--design takes one design, not the whole [sweep]";
+    if (o->solution && !o->synthesis)
+        return "--solution needs --synthesis";
+    if (o->synthesis && o->n_decks > 1)
+        return "--synthesis takes one deck, not several";
     if (!wanted && o->drawing.at && !o->report)
         return "--plot-at needs --plot, --plot-script or --report";
     if (!wanted && o->drawing.x)
@@ -486,7 +509,7 @@ static const char *find_further_conflict(const options *o)
     return NULL;
 }
 
-/* Complete what is asked of a picture; 1, or 0 and the reason why it cannot be. */
+/* Refuse crank angles for a kind of picture; returns 0. */
 static int refuse_at(const char *kind, char message[400])
 {
     const char *known[PLOT_COUNT + 1];
@@ -503,12 +526,14 @@ static int refuse_at(const char *kind, char message[400])
     return 0;
 }
 
+/* Complete what is asked of a picture; 1, or 0 and the reason why it cannot be. */
 static int complete_plot(options *o, char message[400])
 {
     plot_request *d = &o->drawing;
 
     if (!o->plot && !o->plot_script)
         return 1;
+    o->no_kind = d->kind == PLOT_COUNT && d->file != PLOT_GIF;
     if (!o->plot)
         d->file = PLOT_SVG;
     if (d->kind == PLOT_COUNT)

@@ -33,6 +33,10 @@ typedef struct options {
     int is_again;              /* 1: the notes on this deck have been told */
     const char *variant;       /* the file of the one design of all that is computed; null: none */
     int print_deck;            /* 1: print the deck instead of rows */
+    int synthesis;             /* 1: find the linkage of the deck's [synthesis] */
+    unsigned long solution;    /* --solution=K, from 1; 0: not given */
+    int has_format;            /* 1: --format was given */
+    int no_kind;               /* 1: --plot without --plot-kind */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */
     const char *report;        /* the report's file; null: none */

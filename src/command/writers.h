@@ -18,6 +18,9 @@ int designs_write(FILE *out, const input *in, int *signal_number);
 /* In best.c: the design that --best asks for, as a deck. */
 int best_write(FILE *out, const input *in, int *signal_number);
 
+/* In solutions.c: a line for each solution of a [synthesis]. */
+int solutions_write(FILE *out, const input *in);
+
 /* In reporting.c: the report that the options ask for. */
 int reporting_write(const input *in);
 

@@ -40,6 +40,8 @@ const char *flk_curve_point_example(quantity q)
 {
     return q == QUANTITY_PRESSURE ? "20 deg 32 bar"
            : q == QUANTITY_FORCE  ? "20 deg (43, 25) N"
+           : q == QUANTITY_ANGLE  ? "36 deg 64 deg"
+           : q == QUANTITY_LENGTH ? "36 deg 80 mm"
                                   : "20 deg 3 N m";
 }
 

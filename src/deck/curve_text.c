@@ -27,8 +27,7 @@ int flk_curve_text_file(text value, text *name)
     return 1;
 }
 
-/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
-static int next_item(text *rest, text *item)
+int flk_curve_text_item(text *rest, text *item)
 {
     size_t i;
     int depth = 0, is_last;
@@ -54,7 +53,7 @@ static int is_constant(text value, quantity q)
 
     if (q == QUANTITY_PRESSURE)
         return 0;
-    next_item(&rest, &item);
+    flk_curve_text_item(&rest, &item);
     if (!flk_text_cut(item, " at ", &size, &angle))
         size = item;
     if (size.length > 1 && strchr("+-", size.start[0]) && flk_text_blank(flk_text_from(size, 1)))
@@ -135,7 +134,7 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     if (is_constant(rest, q))
         return read_constant(p, s, q);
     c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
-    while (c && next_item(&rest, &item)) {
+    while (c && flk_curve_text_item(&rest, &item)) {
         const point *new = &c[s->n_points];
 
         if (!item.length && !rest.start)

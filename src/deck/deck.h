@@ -134,7 +134,9 @@ struct fourlink_deck {
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
     deck_drive drive;
     deck_sweep sweep;
-    int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
+    unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
+    struct deck_synthesis *synthesis; /* its task, and what was found; null: there is none */
+    int solver;                       /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
     int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;
@@ -146,7 +148,8 @@ struct fourlink_deck {
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes notes;                    /* on what is allowed but probably not meant */
     struct parser *settings, *answers; /* the content of its texts; null: not read */
-    struct kept *storage;              /* texts that names and places point to */
+    struct parser *found; /* the settings with the linkage found; null: there is none */
+    struct kept *storage; /* texts that names and places point to */
 };
 
 /* Read an item of a rule: a tolerance in per cent or of this quantity, in SI units; marks, as in "2 marks".  1; 0 if it

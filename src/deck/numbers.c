@@ -25,6 +25,20 @@ quantity flk_target_quantity(const parser *p, const target *t)
     return t->part == PART_ANGLE ? QUANTITY_ANGLE : flk_quantity_of_key(&p->uses[t->use], t->key);
 }
 
+int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE])
+{
+    double value = flk_unit_from_si(si, *u), same;
+    int digits;
+
+    for (digits = 15; digits <= 17; digits++) {
+        text t = flk_text_of(flk_digits_short(value, digits, number));
+
+        if (flk_number_read(&t, &same) == NUMBER_OK && flk_unit_to_si(same, *u) == si)
+            return 1;
+    }
+    return 0;
+}
+
 text flk_setting_text(parser *p, double number, text unit_name)
 {
     char *words = flk_reader_keep(p, DIGITS_SIZE + unit_name.length);

@@ -13,6 +13,7 @@
 #include "base/spelling.h"
 #include "base/utf16.h"
 #include "reader.h"
+#include "synthesis.h"
 
 void *flk_reader_keep(parser *p, size_t size)
 {
@@ -87,10 +88,54 @@ static void change(parser *p, const fourlink_change *c)
                     flk_text_of(assignment));
 }
 
+/* Share the settings of another deck, for each section until one of its settings is changed.  Null if out of
+** memory. */
+static parser *share(deck *d, const parser *from)
+{
+    parser *p = flk_deck_keep(d, sizeof *p);
+    section_use *uses = flk_deck_keep(d, from->n_uses * sizeof *uses);
+    size_t i;
+
+    if (!p || !uses)
+        return NULL;
+    *p = *from;
+    p->d = d;
+    p->is_design = 1;
+    p->mistakes = &d->mistakes;
+    p->uses = uses;
+    p->uses_capacity = p->n_uses;
+    for (i = 0; i < p->n_uses; i++) {
+        uses[i] = from->uses[i];
+        uses[i].is_shared = 1;
+        uses[i].is_mistaken = 0; /* a mistake in the design of that deck */
+    }
+    return p;
+}
+
+/* Find the linkage of a task; returns the settings with its lengths, or null. */
+static parser *find_linkage(parser *p)
+{
+    parser *found;
+
+    if (flk_mistakes_count(p->mistakes) || !flk_synthesis_read(p) || !flk_synthesis_run(p))
+        return NULL;
+    p->d->found = found = share(p->d, p);
+    if (!found) {
+        p->out_of_memory = 1;
+        return NULL;
+    }
+    found->is_design = p->is_design;
+    flk_synthesis_assign(found);
+    p->out_of_memory |= found->out_of_memory;
+    return found;
+}
+
 static void build(parser *p)
 {
     flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
     if (!flk_build_kind(p))
+        return;
+    if (flk_section_find(p, SECTION_SYNTHESIS, NULL) && (p = find_linkage(p)) == NULL)
         return;
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     flk_build_mechanism(p);
@@ -181,35 +226,13 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     int status;
 
     flk_deck_start(d);
+    d->solution = source->synthesis;
     d->settings = read_text(d, source, 0);
     status = build_from(d, d->settings, source->design, NULL, 0);
     if (!source->answers || status != 1)
         return status;
     d->answers = read_text(d, source, 1);
     return build_from(d, d->answers, 0, NULL, 0);
-}
-
-/* Share the settings of another deck, for each section until one of its settings is changed.  Null if out of
-** memory. */
-static parser *share(deck *d, const parser *from)
-{
-    parser *p = flk_deck_keep(d, sizeof *p);
-    section_use *uses = flk_deck_keep(d, from->n_uses * sizeof *uses);
-    size_t i;
-
-    if (!p || !uses)
-        return NULL;
-    *p = *from;
-    p->d = d;
-    p->is_design = 1;
-    p->mistakes = &d->mistakes;
-    p->uses = uses;
-    for (i = 0; i < p->n_uses; i++) {
-        uses[i] = from->uses[i];
-        uses[i].is_shared = 1;
-        uses[i].is_mistaken = 0; /* a mistake in the design of that deck */
-    }
-    return p;
 }
 
 int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
@@ -224,6 +247,7 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
     memcpy(d->bare, from->bare, sizeof d->bare);
     d->drawn = from->drawn;
     d->sweep = from->sweep;
+    d->solution = from->solution;
     d->settings = share(d, from->settings);
     status = build_from(d, d->settings, design, set, n_set);
     if (!from->answers || status != 1)

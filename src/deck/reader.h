@@ -6,6 +6,7 @@
 #ifndef FOURLINK_READER_H
 #define FOURLINK_READER_H
 
+#include "base/digits.h"
 #include "base/quantity.h"
 #include "deck.h"
 #include "schema.h"
@@ -152,6 +153,9 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* 1 if the deck has such a section with a mistake. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
+/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of memory. */
+int flk_section_unshare(parser *p, section_use *use);
+
 /* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
 
@@ -185,6 +189,9 @@ void flk_setting_assign(parser *p, text_place place, text key, text value);
 
 /* A number and its unit as text. */
 text flk_setting_text(parser *p, double number, text unit_name);
+
+/* Write the number that in a unit gives exactly the SI value, or the nearest one; 0 if it is not exact. */
+int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE]);
 
 /* 1 if a target is a quantity, or a part of one, whatever it has been given. */
 int flk_target_is_number(const target *t);
@@ -266,6 +273,9 @@ const char *flk_curve_point_example(quantity q);
 
 /* Read a curve from a file: NAME, or NAME with the units of its columns; see card.c. */
 int flk_card_read(parser *p, setting *s, quantity q, text name);
+
+/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
+int flk_curve_text_item(text *rest, text *item);
 
 /* 1 if a curve is `file NAME`; `name` may be null. */
 int flk_curve_text_file(text value, text *name);

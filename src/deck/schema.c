@@ -6,6 +6,7 @@
 
 #include "deck.h"
 #include "schema.h"
+#include "synthesis.h"
 
 #define SECTION_INFO(code, name, repeats, kinds, first) {name, repeats, kinds, first},
 const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0, KEY_COUNT}};
@@ -53,6 +54,20 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, ROCKER_UNIFORM)                                              \
     YES_WORDS(X, ROD_UNIFORM)                                                 \
     YES_WORDS(X, LEVER_UNIFORM)                                               \
+    X(SYNTHESIS_TASK, "function", TASK_FUNCTION)                              \
+    X(SYNTHESIS_TASK, "motion", TASK_MOTION)                                  \
+    X(SYNTHESIS_TASK, "path", TASK_PATH)                                      \
+    X(SYNTHESIS_TASK, "quick-return", TASK_QUICK_RETURN)                      \
+    X(SYNTHESIS_TASK, "cognate", TASK_COGNATE)                                \
+    X(SYNTHESIS_FIT, "equation", FOURLINK_FIT_EQUATION)                       \
+    X(SYNTHESIS_FIT, "angle", FOURLINK_FIT_ANGLE)                             \
+    X(SYNTHESIS_SLOW, "with", FOURLINK_SLOW_WITH)                             \
+    X(SYNTHESIS_SLOW, "against", FOURLINK_SLOW_AGAINST)                       \
+    X(SYNTHESIS_TYPE, "slotted-lever", FOURLINK_SLOTTED_LEVER)                \
+    X(SYNTHESIS_TYPE, "whitworth", FOURLINK_WHITWORTH)                        \
+    X(SYNTHESIS_CHOOSE, "best", 1)                                            \
+    X(SYNTHESIS_WHICH, "left", FOURLINK_LEFT)                                 \
+    X(SYNTHESIS_WHICH, "right", FOURLINK_RIGHT)                               \
     YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \

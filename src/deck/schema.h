@@ -34,6 +34,7 @@
     X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
+    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)       \
     X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
     X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)        \
     X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
@@ -198,6 +199,30 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
     X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND)                                       \
+    X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND)                                        \
+    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
+    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
+    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)         \
+    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY,                                          \
+      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
+    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
+    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
+    X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
+    X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
+    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE,                                  \
+      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
+    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                     \
+    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
+    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                               \
+    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                             \
+    X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
+    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK | INVERTED)   \
+    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
+    X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED)                                        \
+    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
+    X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR)                             \
+    X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                            \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \

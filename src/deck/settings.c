@@ -113,13 +113,15 @@ double flk_setting_in_unit(parser *p, const setting *s, quantity q)
 /* Words that people use, and the words they mean. */
 static const struct {
     const char *written, *meant;
-} synonyms[] = {
-    {"connecting", "rod"},     {"conrod", "rod"},    {"follower", "rocker"}, {"frame", "ground"},
-    {"fixed", "ground"},       {"link1", "ground"},  {"link2", "crank"},     {"link3", "coupler"},
-    {"link4", "rocker"},       {"input", "crank"},   {"slider", "piston"},   {"cylinder", "gas"},
-    {"force", "load"},         {"omega", "speed"},   {"rpm", "speed"},       {"velocity", "speed"},
-    {"alpha", "acceleration"}, {"step", "interval"}, {"g", "acceleration"},  {"weight", "mass"},
-    {"k", "gyration"},         {"radius", "length"}};
+} synonyms[] = {{"connecting", "rod"}, {"conrod", "rod"},         {"follower", "rocker"},
+                {"frame", "ground"},   {"fixed", "ground"},       {"link1", "ground"},
+                {"link2", "crank"},    {"link3", "coupler"},      {"link4", "rocker"},
+                {"input", "crank"},    {"slider", "piston"},      {"cylinder", "gas"},
+                {"force", "load"},     {"omega", "speed"},        {"rpm", "speed"},
+                {"velocity", "speed"}, {"alpha", "acceleration"}, {"step", "interval"},
+                {"g", "acceleration"}, {"weight", "mass"},        {"k", "gyration"},
+                {"radius", "length"},  {"theta2", "crank"},       {"theta4", "rocker"},
+                {"output", "rocker"},  {"ratio", "time_ratio"}};
 
 /* The nearest word, by meaning or by spelling, or null. */
 static const char *nearest_word(text word, const char *const *known)
@@ -290,8 +292,7 @@ static void set(text_place place, setting *s, text value, value_giver giver)
     s->giver = giver;
 }
 
-/* Copy the settings of a section before one of them changes; 0 if out of memory. */
-static int unshare(parser *p, section_use *use)
+int flk_section_unshare(parser *p, section_use *use)
 {
     size_t size = flk_section_keys(use->section) * sizeof *use->settings;
     setting *copy;
@@ -340,7 +341,7 @@ static setting *set_target(parser *p, text_place place, const target *t, text va
 
     if (t->key == KEY_COUNT)
         set_named(p, place, t, value, giver);
-    if (t->key == KEY_COUNT || !unshare(p, use))
+    if (t->key == KEY_COUNT || !flk_section_unshare(p, use))
         return NULL;
     use->is_read = 0;
     s = flk_setting_of(use, t->key);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** write.c - writes a deck with the values that changes and the design have set.
+** write.c - writes a deck with the values that changes, the design and the synthesis have set.
 **
-** The rest is the user's text, without its [sweep].
+** The rest is the user's text, without its [sweep] and [synthesis].
 */
 #include <string.h>
 
 #include "base/number.h"
 #include "reader.h"
+#include "synthesis.h"
 
 /* The destination of a deck; text beyond its size is cut off. */
 typedef struct writer {
@@ -59,21 +60,6 @@ static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
     return !name->length || flk_unit_read(*name, u, &rest);
 }
 
-/* A number that in this unit gives exactly the SI value; 0 if there is none. */
-static int find_number(double si, const unit *u, char number[DIGITS_SIZE])
-{
-    double value = flk_unit_from_si(si, *u), same;
-    int digits;
-
-    for (digits = 15; digits <= 17; digits++) {
-        text t = flk_text_of(flk_digits_short(value, digits, number));
-
-        if (flk_number_read(&t, &same) == NUMBER_OK && flk_unit_to_si(same, *u) == si)
-            return 1;
-    }
-    return 0;
-}
-
 /* Write a value of a design in the unit of the deck's own value, if that has a different unit. */
 static void put_varied(writer *w, const section_use *use, const changed *c)
 {
@@ -85,7 +71,7 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
     if (!c->own.start || !find_unit(w->p->d, c->value, q, &given, &other) ||
         !find_unit(w->p->d, c->own, q, &own, &u) || !own.length ||
         !flk_dimension_equal(u.dim, other.dim) || (u.up == other.up && u.down == other.down) ||
-        !find_number(c->s->si[0], &u, number)) {
+        !flk_number_in_unit(c->s->si[0], &u, number)) {
         put(w, c->value);
         return;
     }
@@ -112,11 +98,11 @@ static void put_vector(writer *w, const setting *s, quantity q)
         }
     if (!name.length)
         name = flk_text_of(d->bare[q].name);
-    if (!find_number(s->si[0], &u, x) || !find_number(s->si[1], &u, y)) {
+    if (!flk_number_in_unit(s->si[0], &u, x) || !flk_number_in_unit(s->si[1], &u, y)) {
         name = flk_text_of(flk_quantities[q].unit);
         u.up = u.down = 1;
-        find_number(s->si[0], &u, x);
-        find_number(s->si[1], &u, y);
+        flk_number_in_unit(s->si[0], &u, x);
+        flk_number_in_unit(s->si[1], &u, y);
     }
     put_string(w, flk_text_join(both, sizeof both, "(", x, ", ", y, ") ", (char *)NULL));
     put(w, name);
@@ -290,6 +276,17 @@ static void write_section(writer *w, const section_use *use)
         replace(w, use, &c);
 }
 
+/* Write lines that end in LF. */
+static void put_lines(writer *w, const char *lines)
+{
+    text rest = flk_text_of(lines), one;
+
+    while (rest.length && flk_text_split(&rest, '\n', &one)) {
+        put(w, one);
+        put_string(w, w->line_end);
+    }
+}
+
 int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
                         unsigned long *length)
 {
@@ -300,7 +297,7 @@ int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
     if (!d || (!out && size) || !length)
         return FOURLINK_NULL;
     memset(&w, 0, sizeof w);
-    w.p = d->settings;
+    w.p = d->found ? d->found : d->settings;
     w.out = out;
     w.size = size;
     w.at = w.p->text.start;
@@ -308,15 +305,23 @@ int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
     w.line_end = w.p->line_end == '\r'                   ? "\r"
                  : first - w.at > 1 && first[-2] == '\r' ? "\r\n"
                                                          : "\n";
+    if (d->found) {
+        copy_to(&w, in_text(w.p, w.p->uses->start));
+        put_lines(&w, d->synthesis->head);
+    }
     end = w.p->uses + w.p->n_uses;
     for (use = w.p->uses; use < end; use++)
-        if (use->section != SECTION_SWEEP) {
+        if (use->section != SECTION_SWEEP && use->section != SECTION_SYNTHESIS) {
             write_section(&w, use);
         } else if (use->start) {
             copy_to(&w, in_text(w.p, use->start));
             w.at = in_text(w.p, use + 1 < end ? use[1].start : NULL);
         }
     copy_to(&w, in_text(w.p, NULL));
+    if (d->found) {
+        put_string(&w, w.is_within_line ? w.line_end : "");
+        put_lines(&w, d->synthesis->tail);
+    }
     if (size)
         out[w.length < size ? w.length : size - 1] = '\0';
     *length = (unsigned long)w.length;

@@ -38,6 +38,8 @@
       picture_animation, NULL, "mechanism in motion")                                             \
     X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,  \
       "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")          \
+    X(ERROR, "error", 1, 1, 900, 480, PLOT_WANTED | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER,     \
+      picture_motion, "structural_error", "structural error of a function generator")             \
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,    \
       NULL, "histograms of the outputs of the sweep")                                             \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,    \
@@ -54,7 +56,8 @@ enum {
     PLOT_ACTUAL = 128,   /* a motion that is not given */
     PLOT_OVER = 256,     /* over the crank angle or over time */
     PLOT_BY_ANGLE = 512, /* not over time */
-    PLOT_AT = 1024       /* of one position */
+    PLOT_AT = 1024,      /* of one position */
+    PLOT_WANTED = 2048   /* a linkage found for a function */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,

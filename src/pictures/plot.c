@@ -271,11 +271,15 @@ static int has_too_many_loads(const picture *p)
 static const char *missing(const picture *p)
 {
     int needs = plot_table[p->request->kind].needs;
+    fourlink_value error;
 
     if ((needs & PLOT_BY_ANGLE) && p->v.problem.by_time)
         return "this picture needs [motion] rows = angle; the deck has rows by time";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->v.problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
+    if ((needs & PLOT_WANTED) &&
+        fourlink_results_find(p->v.results, "structural_error", &error) != FOURLINK_OK)
+        return "this picture needs --synthesis and a [synthesis] with a function";
     if ((needs & PLOT_ACTUAL) && p->v.problem.mode == FOURLINK_MODE_GIVEN)
         return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
     if ((needs & PLOT_SLIDER_CRANK) && !p->v.kind.has_stroke)

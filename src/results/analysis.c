@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "analysis.h"
+#include "deck/synthesis.h"
 #include "mechanics/kind.h"
 
 /* What can be computed for a deck. */
@@ -18,7 +19,8 @@ static int possible(const deck *d)
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (d->machine.first_gas < d->machine.n_loads ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES : 0) |
-                (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0);
+                (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0) |
+                (d->synthesis && d->synthesis->function.wanted ? NEED_WANTED : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->machine.mechanism, &rod);
 
@@ -67,13 +69,17 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
 }
 
 /* Compute what textbooks derive. */
-static int derive(flk_analysis *a, int needs, int forces, const fourlink_instant *at,
-                  flk_derived *derived)
+static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
+                  const fourlink_instant *at, flk_derived *derived)
 {
     const fourlink_mechanism *mechanism = &a->d->machine.mechanism;
 
     if (needs & NEED_DERIVED)
         flk_derive_from_motion(mechanism, &at->state, derived);
+    if (needs & NEED_WANTED)
+        derived->structural_error = at->branch == a->d->synthesis->chosen->branch
+                                        ? flk_synthesis_error(a->d->synthesis, crank->theta2)
+                                        : FLK_UNDEFINED;
     if (needs & NEED_BALANCE)
         flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, derived);
     if ((needs & NEED_DERIVED) && forces)
@@ -103,7 +109,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))
         at->status = fourlink_klein_construction(mechanism, &at->state, &row->klein);
     if (at->status == FOURLINK_OK)
-        at->status = derive(a, needs, forces, at, &row->derived);
+        at->status = derive(a, needs, forces, crank, at, &row->derived);
 }
 
 /* A row of the actual motion, or the reason why there is none. */

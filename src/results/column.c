@@ -47,6 +47,7 @@
 #define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
 #define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, VALUE, DERIVED(member), 0
 #define OF_ACTUAL(member) NEED_ACTUAL, VALUE, offsetof(flk_row, actual.member), 0
+#define OF_WANTED NEED_DERIVED | NEED_WANTED, VALUE, DERIVED(structural_error), 0
 #define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
 
 /* F12x, F12y; the numbers of the unknowns are ME3491's */
@@ -180,6 +181,8 @@
       "C (Alvi), R (ME3491)")                                                                      \
     X(condition, NUMBER, ALL, OF_MOTION(condition),                                                \
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
+    X(structural_error, ANGLE, FOUR_BAR, OF_WANTED, "theta4 - wanted theta4, of --synthesis", "")  \
+    X(structural_error, LENGTH, SLIDER_CRANK, OF_WANTED, "C.x - wanted C.x, of --synthesis", "")   \
     CENTRE(X, I13, "1 and 3")                                                                      \
     CENTRE(X, I24, "2 and 4")                                                                      \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
@@ -508,6 +511,8 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a [friction] section; the deck has none";
     if (info->need & NEED_ACTUAL)
         return "needs [motion] mode = free, run-up or steady; the motion is given";
+    if (info->need & NEED_WANTED)
+        return "needs --synthesis and a [synthesis] with a function";
     if (info->need & NEED_BALANCE)
         return "needs a [balance] section; the deck has none";
     if (!d->has_forces)

@@ -53,7 +53,8 @@ int flk_column_is_of_motion(const flk_column *c)
     size_t x = c->info->x;
 
     return !c->spring &&
-           (!(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES)) ||
+           (!(c->info->need &
+              ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES | NEED_WANTED)) ||
             (x >= DERIVED(inertia) && x < DERIVED(inertia) + sizeof(((flk_derived *)0)->inertia)));
 }
 

@@ -31,6 +31,7 @@ typedef struct flk_derived {
     double gamma;                 /* rad, 0 to pi: angle between coupler and rocker; four-bar */
     fourlink_vector I13, I24;     /* m, instantaneous centres; NaN at infinity */
     double A, B, C;               /* m2, coefficients of Freudenstein's equation; four-bar */
+    double structural_error;      /* rad or m, of a linkage found for a function */
     double Ts_static, Ts_inertia; /* N m, of loads and weights alone, and of inertia alone */
     double superposition; /* 1, largest difference, of all nine unknowns, between the sum of both
                              and the whole, relative to the largest force */

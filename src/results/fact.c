@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "deck/synthesis.h"
 #include "fact.h"
 #include "list.h"
 #include "mean.h"
@@ -48,6 +49,15 @@
     X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, LIMITS, "mass moment of that of link 4")      \
     X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, LIMITS, "its direction, from link 4")   \
     X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, LIMITS, "mass of that of link 4")          \
+    X(GROUND_LENGTH, "ground_length", LENGTH, LIMITS, "of --synthesis: length of the ground")      \
+    X(CRANK_LENGTH, "crank_length", LENGTH, LIMITS, "of the crank")                                \
+    X(COUPLER_LENGTH, "coupler_length", LENGTH, LIMITS, "of the coupler or rod")                   \
+    X(ROCKER_LENGTH, "rocker_length", LENGTH, LIMITS, "of the rocker or lever")                    \
+    X(LINE_OFFSET, "line_offset", LENGTH, LIMITS, "offset of the line of stroke or of the slide")  \
+    X(MU_RANGE, "mu_range", ANGLE, LIMITS, "smallest transmission angle in the working range")     \
+    X(ERROR_ANGLE, "theta4_error", ANGLE, LIMITS, "largest structural error")                      \
+    X(ERROR_LENGTH, "x_error", LENGTH, LIMITS, "largest structural error")                         \
+    X(DEFECTS, "defects", NUMBER, LIMITS, "of the linkage found; 0: none")                         \
     X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, TURNING, "efficiency over a cycle")            \
     X(MEAN_TORQUE, "mean_torque", TORQUE, TURNING, "mean of the turning moment -Ts")               \
     X(MEAN_POWER, "mean_power", POWER, TURNING, "mean torque times the speed of the crank")        \
@@ -274,6 +284,25 @@ static void add_rod(listing *t)
     add(t, FACT_M_G, rod.m_g);
 }
 
+/* A linkage found by synthesis. */
+static void add_found(listing *t)
+{
+    const deck_synthesis *found = t->d->synthesis;
+    const fourlink_solution *s = found->chosen;
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (s->design.link[i].length > 0)
+            add(t, (fact_code)(FACT_GROUND_LENGTH + i - FOURLINK_GROUND), s->design.link[i].length);
+    if (s->design.offset != 0)
+        add(t, FACT_LINE_OFFSET, s->design.offset);
+    add_at(t, FACT_MU_RANGE, s->mu_min, s->mu_min_at);
+    if (found->task == TASK_FUNCTION)
+        add_at(t, s->design.kind == FOURLINK_FOUR_BAR ? FACT_ERROR_ANGLE : FACT_ERROR_LENGTH,
+               s->max_error, s->max_error_at);
+    add(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
+}
+
 /* A counterweight: mass moment, direction, mass. */
 static void add_counterweight(listing *t, fact_code first, const fourlink_vector *moment,
                               double mass)
@@ -478,6 +507,8 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
             add_reach_of_rocker(&t, branch);
         add_rod(&t);
         add_balance(&t);
+        if (t.d->synthesis)
+            add_found(&t);
     }
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;

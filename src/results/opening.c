@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "condition.h"
+#include "deck/synthesis.h"
 #include "fact.h"
 #include "name.h"
 #include "opening.h"
@@ -282,8 +283,11 @@ static int open_results(flk_opened *o, const flk_opened *from, int status,
     }
     flk_mistakes_sort(&o->d.mistakes);
     flk_deck_give_mistakes(&o->d.mistakes, list->max, list->mistakes, list->n);
+    status = !from && o->d.synthesis && FLK_IS_NO_LINKAGE(o->d.synthesis->status)
+                 ? o->d.synthesis->status
+                 : FOURLINK_BAD_DECK;
     flk_opened_free(o);
-    return FOURLINK_BAD_DECK;
+    return status;
 }
 
 int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,

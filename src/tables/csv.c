@@ -72,7 +72,8 @@ static void begin(sheet *s)
 
     if (s->n_decks > 1 && s->content != SHEET_SCORES)
         line_put(&s->l, "deck,");
-    line_put(&s->l, s->n_decks <= 1 && s->n_variables ? "design," : "");
+    if (s->n_decks <= 1 && (s->n_variables || s->each))
+        line_put(&s->l, "%s,", s->each ? s->each : "design");
     if (heads[s->content]) {
         line_put(&s->l, "%s\n", heads[s->content]);
         return;

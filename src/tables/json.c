@@ -123,7 +123,7 @@ static void put_labels(sheet *s)
 
     line_text(&s->l, "{", 1);
     if (s->design) {
-        put_name(&s->l, "design", 1);
+        put_name(&s->l, s->each ? s->each : "design", 1);
         line_number(&s->l, (double)s->design, DBL_DIG + 2);
     } else {
         put_name(&s->l, "deck", 1);

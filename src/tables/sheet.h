@@ -58,6 +58,7 @@ typedef struct sheet {
     fourlink_load *loads; /* of a row */
     const fourlink_value *variables;
     unsigned long n_variables;
+    const char *each;              /* what has a line of its own: design, solution; null: design */
     unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
     const double *varied;          /* the values of its variables */
     struct statistics *statistics; /* collects the designs, which are not written; null: none */

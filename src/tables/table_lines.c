@@ -131,7 +131,7 @@ static void put_heading(sheet *s, int units)
 {
     unsigned long i;
 
-    line_put(&s->l, units ? "#         " : "#   design");
+    line_put(&s->l, "# %8s", units ? "" : s->each ? s->each : "design");
     for (i = 0; i < s->n_variables; i++)
         line_field(&s->l, units ? s->variables[i].unit : s->variables[i].name, WIDTH);
     line_put(&s->l, units ? "          " : "    branch");
@@ -177,6 +177,10 @@ static void put_legend(sheet *s)
     for (j = 0; j < s->n_header; j++)
         if (strcmp(s->header[j].name, "type") == 0)
             put_types(s);
+        else if (strcmp(s->header[j].name, "defects") == 0)
+            line_put(&s->l,
+                     "# defects, added: 1 branch; 2 circuit; 4 order; 8 dead position; 16 on "
+                     "the way; 32 reach; 64 missed\n");
 }
 
 void table_begin(sheet *s)

@@ -41,7 +41,14 @@ for example in example.*; do
     kind=four-bar
     grep -Eq '^\[(piston|gas)\]' $example && kind=slider-crank
     grep -Eq '^\[(slider|lever)\]' $example && kind=inverted-slider-crank
-    linkage $example $kind >$example.deck
+    if grep -q '^\[synthesis' $example; then
+        { printf 'mechanism = four-bar\n[ground]\nlength = 80 mm\n' && cat $example; } >$example.task
+        run 0 --synthesis $example.task
+        quiet
+        mv out $example.deck
+    else
+        linkage $example $kind >$example.deck
+    fi
     run 0 -f csv $example.deck
     quiet
     run 0 --list $example.deck
@@ -50,6 +57,8 @@ for section in $(sort -u sections); do
     case $section in misprint | rod) continue ;; esac # as expect and coupler
     check "an example of [$section]" grep -q "^\[$section[] ]" example.*
 done
-run 0 --check "$(grep -l '^\[expect' example.*.deck)"
+for example in $(grep -l '^\[expect' example.*.deck); do
+    run 0 --check "$example"
+done
 
 finish

@@ -47,5 +47,13 @@ int main(void)
     PRINT_SIZE(fourlink_area);
     PRINT_SIZE(fourlink_turning);
     PRINT_SIZE(fourlink_check);
+    PRINT_SIZE(fourlink_precision);
+    PRINT_SIZE(fourlink_solution);
+    PRINT_SIZE(fourlink_function_task);
+    PRINT_SIZE(fourlink_dyad);
+    PRINT_SIZE(fourlink_motion_task);
+    PRINT_SIZE(fourlink_path_task);
+    PRINT_SIZE(fourlink_quick_return_task);
+    PRINT_SIZE(fourlink_cognate_task);
     return 0;
 }

@@ -43,6 +43,14 @@ program sizes
   type(fourlink_area) :: area_
   type(fourlink_turning) :: turning_
   type(fourlink_check) :: check_
+  type(fourlink_precision) :: precision_
+  type(fourlink_solution) :: solution_
+  type(fourlink_function_task) :: function_task_
+  type(fourlink_dyad) :: dyad_
+  type(fourlink_motion_task) :: motion_task_
+  type(fourlink_path_task) :: path_task_
+  type(fourlink_quick_return_task) :: quick_return_task_
+  type(fourlink_cognate_task) :: cognate_task_
 
   write (*, '(a, 1x, i0)') 'fourlink_vector', c_sizeof(vector_)
   write (*, '(a, 1x, i0)') 'fourlink_link', c_sizeof(link_)
@@ -81,4 +89,12 @@ program sizes
   write (*, '(a, 1x, i0)') 'fourlink_area', c_sizeof(area_)
   write (*, '(a, 1x, i0)') 'fourlink_turning', c_sizeof(turning_)
   write (*, '(a, 1x, i0)') 'fourlink_check', c_sizeof(check_)
+  write (*, '(a, 1x, i0)') 'fourlink_precision', c_sizeof(precision_)
+  write (*, '(a, 1x, i0)') 'fourlink_solution', c_sizeof(solution_)
+  write (*, '(a, 1x, i0)') 'fourlink_function_task', c_sizeof(function_task_)
+  write (*, '(a, 1x, i0)') 'fourlink_dyad', c_sizeof(dyad_)
+  write (*, '(a, 1x, i0)') 'fourlink_motion_task', c_sizeof(motion_task_)
+  write (*, '(a, 1x, i0)') 'fourlink_path_task', c_sizeof(path_task_)
+  write (*, '(a, 1x, i0)') 'fourlink_quick_return_task', c_sizeof(quick_return_task_)
+  write (*, '(a, 1x, i0)') 'fourlink_cognate_task', c_sizeof(cognate_task_)
 end program sizes

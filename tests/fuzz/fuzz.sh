@@ -30,7 +30,7 @@ mkdir -p "$build/findings" "$work/seeds/decks" "$work/seeds/units" "$work/seeds/
 
 # Decks as they are and, for the command, each command line with decks in turn.  Units begin with all values of
 # the decks.
-cp "$top"/data/*.deck "$top"/tests/decks/*.deck "$top"/doc/*.deck "$top"/tests/fuzz/decks/*.deck \
+cp "$top"/data/*.deck "$top"/data/synthesis/osu-*.deck "$top"/tests/decks/*.deck "$top"/doc/*.deck "$top"/tests/fuzz/decks/*.deck \
     "$work/seeds/decks"
 n=0
 while read -r line; do

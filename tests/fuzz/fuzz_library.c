@@ -391,6 +391,118 @@ static void ask_texts(void)
     MUST(fourlink_kind_of(code, NULL) == FOURLINK_NULL);
 }
 
+static fourlink_solution solution;
+
+/* No solution, or one of finite numbers. */
+static void must_be_a_solution(int status)
+{
+    int i;
+
+    MUST(is_known(status));
+    if (status != FOURLINK_OK) {
+        MUST_BE_UNTOUCHED(solution);
+        return;
+    }
+    for (i = 1; i <= 4; i++)
+        MUST(isfinite(solution.design.link[i].length));
+    MUST(isfinite(solution.design.offset) && isfinite(solution.from) && isfinite(solution.to));
+    MUST(are_finite(&solution.a, 10) && are_finite(&solution.point.x, 2));
+    MUST(are_finite(&solution.ratio, 3) && are_finite(&solution.max_error, 2));
+    for (i = 0; i < solution.n_positions; i++)
+        MUST(are_finite(&solution.position[i].theta2, 5) &&
+             isfinite(solution.position[i].residual));
+}
+
+static fourlink_dyad next_dyad(void)
+{
+    fourlink_dyad d;
+
+    d.choice = (fourlink_choice)next_code(1, 3);
+    d.pivot = next_vector();
+    d.rotation[0] = next_number();
+    d.rotation[1] = next_number();
+    return d;
+}
+
+static void ask_function(unsigned long *n)
+{
+    double theta2[6], output[6], weight[6];
+    fourlink_function_task f;
+    int i;
+
+    memset(&f, 0, sizeof f);
+    for (i = 0; i < 6; i++) {
+        theta2[i] = next_number();
+        output[i] = next_number();
+        weight[i] = next_number();
+    }
+    f.kind = (fourlink_kind)next_code(1, 2);
+    f.ground = next_number();
+    f.n = (unsigned long)(next_byte() % 7);
+    f.theta2 = theta2;
+    f.output = output;
+    f.weight = next_byte() & 1 ? weight : NULL;
+    f.fit = (fourlink_fit)next_code(0, 2);
+    must_be_a_solution(fourlink_synthesis_function(&f, 1, &solution, n));
+}
+
+static void ask_synthesis(void)
+{
+    fourlink_motion_task m;
+    fourlink_path_task p;
+    fourlink_quick_return_task q;
+    fourlink_cognate_task c;
+    unsigned long n;
+    int i;
+
+    PREPARE(solution);
+    switch (next_byte() % 5) {
+    case 0:
+        ask_function(&n);
+        break;
+    case 1:
+        for (i = 0; i < 3; i++) {
+            m.point[i] = next_vector();
+            m.angle[i] = next_number();
+        }
+        m.left = next_dyad();
+        m.right = next_dyad();
+        must_be_a_solution(fourlink_synthesis_motion(&m, 1, &solution, &n));
+        break;
+    case 2:
+        for (i = 0; i < 3; i++)
+            p.point[i] = next_vector();
+        for (i = 0; i < 2; i++) {
+            p.timing[i] = next_number();
+            p.rotation[i] = next_number();
+        }
+        p.search = next_byte() % 64 == 1;
+        p.step = p.search ? 0.5 : next_number();
+        p.right = next_dyad();
+        must_be_a_solution(fourlink_synthesis_path(&p, 1, &solution, &n));
+        break;
+    case 3:
+        q.type = (fourlink_type)next_code(1, 16);
+        q.time_ratio = next_number();
+        q.swing = next_number();
+        q.stroke = next_number();
+        for (i = 0; i < 5; i++)
+            q.length[i] = next_number();
+        q.offset = next_number();
+        q.slow = next_code(-1, 3);
+        must_be_a_solution(fourlink_synthesis_quick_return(&q, 1, &solution, &n));
+        break;
+    default:
+        c.design = next_design();
+        c.branch = next_branch();
+        c.point = next_vector();
+        c.side = (fourlink_side)next_code(1, 2);
+        c.from = next_number();
+        c.to = next_number();
+        must_be_a_solution(fourlink_synthesis_cognate(&c, 1, &solution, &n));
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fourlink_mechanism m;
@@ -406,6 +518,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         break;
     case 1:
         ask_fortran77();
+        break;
+    case 2:
+        ask_synthesis();
         break;
     default:
         d = next_design();

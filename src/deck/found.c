@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** found.c - finds the linkage of [synthesis], whose lengths the deck then has.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "reader.h"
+#include "synthesis.h"
+
+/* ------------------------------------------------------------------------------------- searching */
+
+static int run_task(deck_synthesis *t, unsigned long max)
+{
+    switch (t->task) {
+    case TASK_FUNCTION:
+        return fourlink_synthesis_function(&t->function, max, t->solutions, &t->n);
+    case TASK_MOTION:
+        return fourlink_synthesis_motion(&t->motion, max, t->solutions, &t->n);
+    case TASK_PATH:
+        return fourlink_synthesis_path(&t->path, max, t->solutions, &t->n);
+    case TASK_QUICK_RETURN:
+        return fourlink_synthesis_quick_return(&t->quick_return, max, t->solutions, &t->n);
+    case TASK_COGNATE:
+    default:
+        return fourlink_synthesis_cognate(&t->cognate, max, t->solutions, &t->n);
+    }
+}
+
+/* The lengths of a function generator are found for a ground of 1 m if another link is given. */
+static int run_scaled(deck_synthesis *t, unsigned long max)
+{
+    int status = run_task(t, max);
+
+    if (status != FOURLINK_OK || !t->scaled_link)
+        return status;
+    t->function.ground = t->scaled_length / t->solutions[0].design.link[t->scaled_link].length;
+    return run_task(t, max);
+}
+
+/* The defects in words of a line. */
+static void name_defects(deck_synthesis *t)
+{
+    static const char *const names[] = {
+        "branch", "circuit", "order", "dead position", "dead position on the way",
+        "reach",  "missed"};
+    char *end = t->defects;
+    int bit;
+
+    strcpy(end, t->chosen->defects ? "" : "none");
+    for (bit = 0; bit < (int)(sizeof names / sizeof names[0]); bit++)
+        if (t->chosen->defects & 1 << bit)
+            flk_text_join(end + strlen(end), sizeof t->defects - strlen(end), *end ? ", " : "",
+                          names[bit], (char *)NULL);
+}
+
+static void note(parser *p)
+{
+    const deck_synthesis *t = p->d->synthesis;
+    const fourlink_solution *s = t->chosen;
+
+    if (s->mu_min < t->mu_min)
+        flk_mistake(NOTES(p), t->place,
+                    "the transmission angle falls to %.4g deg at theta2 = %.4g deg, below %.4g deg",
+                    FLK_DEGREES(s->mu_min), FLK_DEGREES(s->mu_min_at), FLK_DEGREES(t->mu_min));
+    if (s->ratio > RATIO_USUAL)
+        flk_mistake(NOTES(p), t->place,
+                    "the longest link is %.4g times as long as the shortest one", s->ratio);
+}
+
+int flk_synthesis_run(parser *p)
+{
+    deck_synthesis *t = p->d->synthesis;
+    unsigned long max = p->d->solution > MOST_LISTED ? p->d->solution : MOST_LISTED;
+
+    max = t->task == TASK_PATH && t->path.search ? max : 1;
+    t->solutions = flk_reader_keep(p, max * sizeof *t->solutions);
+    if (!t->solutions)
+        return 0;
+    t->status = run_scaled(t, max);
+    if (t->status != FOURLINK_OK)
+        return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));
+    t->n_kept = GSL_MIN(t->n, max);
+    if (p->d->solution > t->n_kept)
+        return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
+                           (long)p->d->solution, (long)t->n);
+    t->chosen = &t->solutions[p->d->solution - 1];
+    name_defects(t);
+    note(p);
+    return 1;
+}
+
+double flk_synthesis_error(const deck_synthesis *t, double theta2)
+{
+    double at = theta2 - t->chosen->crank_turn, error = GSL_NAN, output, turn = 2 * M_PI;
+    double low = GSL_MIN(t->wanted.crank[0], t->wanted.crank[1]);
+
+    if (!t->function.wanted)
+        return GSL_NAN;
+    at -= turn * floor((at - low) / turn + 1e-12);
+    output = t->function.wanted(t->function.host, at);
+    if (!gsl_finite(output) ||
+        fourlink_synthesis_error(t->chosen, at, output, &error) != FOURLINK_OK)
+        return GSL_NAN;
+    return error;
+}
+
+/* --------------------------------------------------------------------------------------- the deck */
+
+static void set(parser *p, const char *section, const char *key, const char *value)
+{
+    char name[3 * DECK_NAME_SIZE];
+
+    flk_text_join(name, sizeof name, section, ".", key, (char *)NULL);
+    flk_setting_assign(p, p->d->synthesis->place,
+                       flk_text_of(flk_reader_copy(p, flk_text_of(name), "")),
+                       flk_text_of(flk_reader_copy(p, flk_text_of(value), "")));
+}
+
+static void set_quantity(parser *p, const char *section, const char *key, double si, quantity q)
+{
+    char value[FLK_VALUE_SIZE];
+
+    set(p, section, key, flk_found_value(p, si, q, value));
+}
+
+/* The lengths that were found; a length that was given stays as it is written. */
+static void set_lengths(parser *p)
+{
+    const fourlink_design *design = &p->d->synthesis->chosen->design;
+    const flk_kind *kind = flk_kind_of(design->kind);
+    int is_cognate = p->d->synthesis->task == TASK_COGNATE, i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        section_code section = flk_find_section(flk_text_of(kind->link[i]));
+        int is_given = IS_SET(flk_setting_by_name(p, section, "length")) && !is_cognate;
+
+        if (design->link[i].length > 0 && !is_given && flk_setting_by_name(p, section, "length") &&
+            kind->has_length[i] != FLK_NO_LENGTH)
+            set_quantity(p, kind->link[i], "length", design->link[i].length, QUANTITY_LENGTH);
+    }
+    if (design->kind == FOURLINK_SLIDER_CRANK && design->offset != 0)
+        set_quantity(p, "ground", "offset", design->offset, QUANTITY_LENGTH);
+    if (design->kind == FOURLINK_INVERTED_SLIDER_CRANK &&
+        design->link[FOURLINK_FOLLOWER].length > 0 && !IS_SET(flk_setting_find(p, KEY_LEVER_ANGLE)))
+        set_quantity(p, "lever", "angle", design->angle, QUANTITY_ANGLE);
+}
+
+/* The working range with all positions, which an order defect may have outside it, unless it is a full turn,
+** or the deck says what moves. */
+static void set_range(parser *p)
+{
+    static const key_code others[] = {KEY_MOTION_AT,   KEY_MOTION_TURNS,  KEY_MOTION_MODE,
+                                      KEY_MOTION_ROWS, KEY_MOTION_RUN_UP, KEY_MOTION_HOLD,
+                                      KEY_MOTION_FROM, KEY_MOTION_TO};
+    const fourlink_solution *s = p->d->synthesis->chosen;
+    int n = p->d->synthesis->task == TASK_COGNATE ? 6 : 8, i;
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    int rises = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0) != 0 ? flk_build_sense(p) > 0
+                                                                   : s->from <= s->to;
+
+    for (i = 0; i < n; i++)
+        if (IS_SET(flk_setting_find(p, others[i])))
+            return;
+    for (i = 0; i < s->n_positions; i++) {
+        low = GSL_MIN(low, s->position[i].theta2);
+        high = GSL_MAX(high, s->position[i].theta2);
+    }
+    if (high - low > 2 * M_PI - 1e-9 || high == low)
+        return;
+    set_quantity(p, "motion", "from", rises ? low : high, QUANTITY_ANGLE);
+    set_quantity(p, "motion", "to", rises ? high : low, QUANTITY_ANGLE);
+}
+
+/* The coupler point: of a cognate that of the deck, else [point P].  Returns its name. */
+static const char *set_point(parser *p)
+{
+    const deck_synthesis *t = p->d->synthesis;
+    char section[2 * DECK_NAME_SIZE] = "point ", value[FLK_VALUE_SIZE];
+    text name = flk_text_of("P");
+    size_t i;
+
+    for (i = 0; i < p->n_uses && t->task == TASK_COGNATE; i++)
+        if (p->uses[i].section == SECTION_POINT &&
+            flk_setting_of(&p->uses[i], KEY_POINT_LINK)->word == FOURLINK_COUPLER) {
+            name = p->uses[i].name;
+            break;
+        }
+    if (!flk_section_find(p, SECTION_POINT, &name))
+        flk_section_open(p, SECTION_POINT, name, t->place, NULL);
+    flk_text_copy(name, section + strlen(section), DECK_NAME_SIZE);
+    set(p, section, "link", "coupler");
+    set(p, section, "at", flk_found_point(p, t->chosen->point, value));
+    return flk_reader_copy(p, name, "");
+}
+
+/* What a [sweep] prints unless it names other outputs. */
+static const char *outputs_of(const deck_synthesis *t)
+{
+    int is_function = t->task == TASK_FUNCTION;
+
+    if (t->chosen->design.kind == FOURLINK_FOUR_BAR)
+        return is_function
+                   ? "crank_length coupler_length rocker_length mu_range theta4_error defects"
+                   : "ground_length crank_length coupler_length rocker_length mu_range defects";
+    if (t->chosen->design.kind == FOURLINK_SLIDER_CRANK)
+        return is_function ? "crank_length coupler_length line_offset mu_range x_error defects"
+                           : "crank_length coupler_length line_offset mu_range defects";
+    return "ground_length crank_length defects";
+}
+
+void flk_synthesis_assign(parser *p)
+{
+    deck_synthesis *t = p->d->synthesis;
+    const setting *branch = flk_setting_find(p, KEY_TABLE_BRANCH);
+    const char *point_name = NULL;
+
+    if (!p->d->sweep.output.names.start && !p->d->sweep.yield.names.start)
+        p->d->sweep.output.names = flk_text_of(outputs_of(t));
+    set_lengths(p);
+    if (t->chosen->has_point)
+        point_name = set_point(p);
+    set_range(p);
+    if (branch->word != BRANCH_BOTH)
+        set(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
+    flk_values_read(p, 0);
+    flk_found_write(p, point_name);
+}
+
+/* ------------------------------------------------------------------------------------- for hosts */
+
+int fourlink_deck_solutions(const fourlink_deck *d, unsigned long max, fourlink_solution *solutions,
+                            unsigned long *chosen, unsigned long *n)
+{
+    unsigned long i;
+
+    if (!d || (!solutions && max) || !chosen || !n)
+        return FOURLINK_NULL;
+    if (!d->found)
+        return FOURLINK_NO_SUCH_LIST;
+    for (i = 0; i < max && i < d->synthesis->n_kept; i++)
+        solutions[i] = d->synthesis->solutions[i];
+    *chosen = (unsigned long)(d->synthesis->chosen - d->synthesis->solutions);
+    *n = d->synthesis->n;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_defects(const fourlink_deck *d, unsigned long max, fourlink_mistake *list,
+                          unsigned long *n)
+{
+    char words[MESSAGE_SIZE];
+    unsigned long i;
+
+    if (!d || (!list && max) || !n)
+        return FOURLINK_NULL;
+    *n = 0;
+    for (i = 0; d->found && flk_synthesis_defect(d->synthesis, (int)i, words); i++, ++*n)
+        if (i < max) {
+            flk_text_copy(flk_text_of(d->synthesis->place.source), list[i].file,
+                          sizeof list[i].file);
+            list[i].line = d->synthesis->place.line;
+            memcpy(list[i].message, words, sizeof list[i].message);
+        }
+    return FOURLINK_OK;
+}

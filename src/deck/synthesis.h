@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** synthesis.h - [synthesis]: a task, and the linkage found for it, which the deck then has.
+*/
+#ifndef FOURLINK_DECK_SYNTHESIS_H
+#define FOURLINK_DECK_SYNTHESIS_H
+
+#include "deck.h"
+
+struct parser;
+
+typedef enum deck_task {
+    TASK_FUNCTION = 1,
+    TASK_MOTION,
+    TASK_PATH,
+    TASK_QUICK_RETURN,
+    TASK_COGNATE
+} deck_task;
+
+/* The wanted function y = f(x): crank angle and output are linear in x and y.  Two numbers are those at both
+** ends of the range. */
+typedef struct deck_wanted {
+    int f; /* which function */
+    double exponent;
+    double x[2], y[2];
+    double crank[2], output[2]; /* rad, rad or m */
+} deck_wanted;
+
+typedef struct deck_synthesis {
+    deck_task task;
+    text_place place;
+    fourlink_function_task function;
+    fourlink_motion_task motion;
+    fourlink_path_task path;
+    fourlink_quick_return_task quick_return;
+    fourlink_cognate_task cognate;
+    deck_wanted wanted;
+    double mu_min; /* rad, below which there is a note */
+    double theta2[FOURLINK_PRECISION_MAX], output[FOURLINK_PRECISION_MAX],
+        weight[FOURLINK_PRECISION_MAX];
+    int scaled_link;      /* function: the link that is given in place of the ground; or 0 */
+    double scaled_length; /* m */
+    deck_unit length;     /* in which the lengths found are written */
+    fourlink_solution *solutions;    /* those kept */
+    unsigned long n_kept, n;         /* how many are kept, and how many there are */
+    const fourlink_solution *chosen; /* null: there is none */
+    int status;                      /* FOURLINK_OK, or why there is no linkage */
+    char defects[80];                /* of the chosen one: branch, order; none */
+    const char *head, *tail;         /* what the text of the deck found begins and ends with */
+} deck_synthesis;
+
+/* 1 for a status that says why a task has no linkage. */
+#define FLK_IS_NO_LINKAGE(status) \
+    ((status) >= FOURLINK_DEPENDENT && (status) <= FOURLINK_NONE_FOUND)
+
+#define FLK_DEGREES(angle) ((angle) * (180 / M_PI))
+
+#define MOST_LISTED 10   /* solutions of a search */
+#define MU_MIN_USUAL 40  /* deg */
+#define RATIO_USUAL 10.0 /* longest / shortest link, above which there is a note */
+
+/* Read the task; 0 after a mistake. */
+int flk_synthesis_read(struct parser *p);
+
+/* Find the linkage; 0 after a mistake, or if there is none. */
+int flk_synthesis_run(struct parser *p);
+
+/* Set the lengths of the linkage found, its working range, branch and coupler point, and write its text. */
+void flk_synthesis_assign(struct parser *p);
+
+/* The structural error at a crank angle of the linkage found, rad or m; NaN where the wanted function is not
+** defined, or the linkage does not reach. */
+double flk_synthesis_error(const deck_synthesis *t, double theta2);
+
+/* A quantity, or a point, with its unit, so that it is read again as the same number. */
+#define FLK_VALUE_SIZE 256
+char *flk_found_value(const struct parser *p, double si, quantity q, char out[FLK_VALUE_SIZE]);
+char *flk_found_point(const struct parser *p, fourlink_vector at, char out[FLK_VALUE_SIZE]);
+
+/* Write what the text of the deck begins and ends with; the coupler point has this name. */
+void flk_found_write(struct parser *p, const char *point_name);
+
+/* Defect i of the linkage found in words, 0 ...; 0 if there are fewer. */
+int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE]);
+
+#endif

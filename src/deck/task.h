@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** task.h - the values of [synthesis] as its tasks take them.  What returns an int returns 0 after a mistake.
+*/
+#ifndef FOURLINK_DECK_TASK_H
+#define FOURLINK_DECK_TASK_H
+
+#include "reader.h"
+#include "synthesis.h"
+
+/* By deck_task. */
+extern const char *const flk_task_names[];
+
+/* A key of [synthesis]; the task being built. */
+setting *flk_task_find(parser *p, key_code key);
+deck_synthesis *flk_task_of(const parser *p);
+
+/* 1 if a key is given. */
+int flk_task_require(parser *p, key_code key, const char *example);
+
+/* Report what was expected of a key, unless one of its items has been reported; returns 0. */
+int flk_task_refuse(parser *p, key_code key, const char *expected);
+
+/* The first unit of length that is written is that of the lengths found. */
+void flk_task_unit(parser *p, text name);
+
+/* A range, 30 deg to 120 deg; a list of at most `most` numbers, which returns how many. */
+int flk_task_range(parser *p, key_code key, quantity q, double range[2]);
+unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long most, double *list);
+
+/* (24, 10) mm -30 deg: a point, and the text after its unit. */
+int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *rest);
+
+/* The lengths that are given, by link number; returns their number. */
+int flk_task_lengths(parser *p, double length[5]);
+
+/* Refuse lengths beside those that a task takes: they would not be those of the linkage found. */
+void flk_task_refuse_lengths(parser *p, int most, const char *takes);
+
+/* Build the task of a function generator. */
+int flk_task_function(parser *p);
+
+#endif

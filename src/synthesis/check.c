@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** check.c - the checks of a linkage that synthesis has found.
+**
+** The equations of synthesis hold on both branches, on both circuits, and in any order of the positions.
+** Whether the linkage found can move through them is asked of the analysis: position, reach, type.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_math.h>
+
+#include "synthesis.h"
+
+/* What rounding adds to a length, relative to the largest. */
+#define ROUNDED 1e-11
+
+/* Output minus the wanted one: rad, m. */
+static double output_error(const fourlink_solution *s, const fourlink_state *state, double wanted)
+{
+    return s->design.kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted
+                                                   : flk_reduced(state->link[4].theta - wanted);
+}
+
+/* By the cosine rule, an error of the lengths moves C across the rocker by
+**
+**    (sum of a da) / (b sin(theta4 - theta3)),
+**
+** and a point of the coupler by as much as it is farther from B than C is. */
+static double rounding_at(const fourlink_solution *s, const fourlink_state *state, double size)
+{
+    double b = s->design.kind == FOURLINK_INVERTED_SLIDER_CRANK ? s->design.link[1].length
+                                                                : s->design.link[3].length;
+    double reach = 1 + gsl_hypot(s->point.x, s->point.y) / b;
+
+    return ROUNDED * size * (size / b) * reach / fabs(state->sine);
+}
+
+/* How far a position is from the wanted one, m. */
+static double distance_to(const fourlink_solution *s, const fourlink_state *state, int is_traced,
+                          double size, fourlink_precision *p)
+{
+    double arm = s->design.kind == FOURLINK_SLIDER_CRANK ? 1
+                 : s->design.kind == FOURLINK_FOUR_BAR   ? s->c
+                                                         : size;
+    double off = fabs(p->error * arm);
+    fourlink_vector at;
+
+    if (!is_traced)
+        return off;
+    p->error = GSL_POSINF;
+    if (fourlink_point(state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) == FOURLINK_OK)
+        p->error = gsl_hypot(at.x - p->point.x, at.y - p->point.y);
+    return GSL_MAX_DBL(off, p->error);
+}
+
+/* Find the branch on which the output is nearer to the wanted one.  Returns defects. */
+static int place(fourlink_solution *s, const fourlink_mechanism *mechanism,
+                 const flk_request *request, double size, fourlink_precision *p)
+{
+    fourlink_state open, crossed, *found = &open;
+    double off;
+
+    p->branch = 0;
+    p->error = p->mu = FLK_UNDEFINED;
+    p->status = fourlink_position(mechanism, FOURLINK_OPEN, p->theta2, &open);
+    if (p->status == FOURLINK_DEAD_POSITION || p->status == FOURLINK_CHANGE_POINT) {
+        p->mu = 0;
+        return FOURLINK_DEFECT_DEAD;
+    }
+    if (p->status != FOURLINK_OK ||
+        fourlink_position(mechanism, FOURLINK_CROSSED, p->theta2, &crossed) != FOURLINK_OK)
+        return FOURLINK_DEFECT_REACH;
+    p->error = output_error(s, &open, p->output);
+    off = output_error(s, &crossed, p->output);
+    if (fabs(off) < fabs(p->error)) {
+        found = &crossed;
+        p->error = off;
+    }
+    p->branch = found->branch;
+    p->mu = found->mu;
+    off = distance_to(s, found, request->is_traced, size, p);
+    return request->is_exact && !(off <= rounding_at(s, found, size)) ? FOURLINK_DEFECT_MISSED : 0;
+}
+
+/* The range of the reach that an angle is in, and the angle as the range counts it. */
+static int range_of(const fourlink_reach *reach, double theta2, double *counted)
+{
+    double nearest = GSL_POSINF;
+    int i, range = 0;
+
+    for (i = 0; i < reach->n_ranges; i++) {
+        double middle = 0.5 * (reach->from[i] + reach->to[i]);
+        double off = flk_reduced(theta2 - middle);
+
+        if (fabs(off) < nearest) {
+            nearest = fabs(off);
+            range = i;
+            *counted = middle + off;
+        }
+    }
+    return range;
+}
+
+static int turns_fully(const fourlink_reach *reach)
+{
+    return reach->n_ranges == 1 && reach->to[0] - reach->from[0] >= 2 * M_PI;
+}
+
+/* 1 if the crank can go from one angle to the other. */
+static int has_way(const fourlink_reach *reach, double from, double to)
+{
+    double low = GSL_MIN_DBL(from, to), high = GSL_MAX_DBL(from, to), counted = 0;
+    int range;
+
+    if (turns_fully(reach))
+        return 1;
+    if (!reach->n_ranges || !(high - low < 2 * M_PI))
+        return 0;
+    range = range_of(reach, 0.5 * (low + high), &counted);
+    return reach->from[range] < counted - 0.5 * (high - low) &&
+           counted + 0.5 * (high - low) < reach->to[range];
+}
+
+/* 1 if the angles rise throughout, or fall. */
+static int is_monotone(const fourlink_solution *s)
+{
+    int i, rises = 1, falls = 1;
+
+    for (i = 1; i < s->n_positions; i++) {
+        rises &= s->position[i].theta2 > s->position[i - 1].theta2;
+        falls &= s->position[i].theta2 < s->position[i - 1].theta2;
+    }
+    return rises || falls;
+}
+
+/* Continue the angles from the first on: counter-clockwise (1), clockwise (-1), or the shorter way (0). */
+static void continue_angles(fourlink_solution *s, int sense)
+{
+    int i;
+
+    for (i = 1; i < s->n_positions; i++) {
+        double from = s->position[i - 1].theta2, step = flk_reduced(s->position[i].theta2 - from);
+
+        s->position[i].theta2 = from + step + (sense * step < 0 ? sense * 2 * M_PI : 0);
+    }
+}
+
+/* Crank angles along the motion.  A crank that turns fully and may run either way passes three positions in
+** one sense within a turn.  One that does not has a single way within its range.  Given angles that do not
+** rise or fall may be counted from 0 again after a turn. */
+static int find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
+{
+    fourlink_precision *p = s->position;
+    int i, last = s->n_positions - 1;
+
+    if (!is_free && !is_monotone(s)) {
+        continue_angles(s, 0);
+    } else if (is_free && turns_fully(reach)) {
+        continue_angles(s, 1);
+        if (!(p[last].theta2 - p[0].theta2 < 2 * M_PI))
+            continue_angles(s, -1);
+    } else if (is_free) {
+        for (i = 0; i <= last; i++)
+            range_of(reach, p[i].theta2, &p[i].theta2);
+    }
+    return is_monotone(s) ? 0 : FOURLINK_DEFECT_ORDER;
+}
+
+/* Whether the crank can go from one position to the others.
+**
+** Circuits: if the crank turns fully, each branch is one; if it has two ranges, each range is one, with both
+** branches; if it has one range, there is one circuit.  So the sine at a joint that is not on the shortest
+** link keeps its sign on a circuit. */
+static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
+{
+    double low = GSL_POSINF, high = GSL_NEGINF, counted;
+    int i, range, first = -1, defects = 0;
+
+    for (i = 0; i < s->n_positions; i++) {
+        const fourlink_precision *p = &s->position[i];
+
+        if (!p->branch)
+            continue;
+        range = range_of(reach, p->theta2, &counted);
+        first = first < 0 ? range : first;
+        if (range != first)
+            defects |= FOURLINK_DEFECT_CIRCUIT;
+        if (p->branch != (int)s->branch)
+            defects |= FOURLINK_DEFECT_BRANCH |
+                       (turns_fully(reach) ? FOURLINK_DEFECT_CIRCUIT : FOURLINK_DEFECT_WAY);
+        low = GSL_MIN_DBL(low, p->theta2);
+        high = GSL_MAX_DBL(high, p->theta2);
+    }
+    if (low < high && !has_way(reach, low, high))
+        defects |= FOURLINK_DEFECT_WAY;
+    return has_way(reach, s->from, s->to) ? defects : defects | FOURLINK_DEFECT_REACH;
+}
+
+/* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds; in a range it is
+** smallest there or at an end. */
+static void find_transmission(fourlink_solution *s, const fourlink_mechanism *mechanism)
+{
+    double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to);
+    fourlink_state state;
+    int i;
+
+    s->mu_positions = FLK_UNDEFINED;
+    for (i = 0; i < s->n_positions; i++)
+        if (!(s->position[i].mu >= s->mu_positions))
+            s->mu_positions = s->position[i].mu;
+    s->mu_min = GSL_POSINF;
+    for (i = 0; i < 7; i++) { /* the ends, and the multiples in a turn */
+        double quarter = M_PI_2 * (floor(low / M_PI_2) + i), mu = 0;
+        double theta2 = i == 6 ? high : GSL_MAX_DBL(low, GSL_MIN_DBL(quarter, high));
+
+        if (fourlink_position(mechanism, s->branch, theta2, &state) == FOURLINK_OK)
+            mu = state.mu;
+        if (mu < s->mu_min) {
+            s->mu_min = mu;
+            s->mu_min_at = theta2;
+        }
+    }
+}
+
+/* The largest length that has to do with the linkage; `ratio` of its links. */
+static double measure(fourlink_solution *s, double size)
+{
+    double longest = 0, shortest = GSL_POSINF;
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (s->design.link[i].length > 0) {
+            longest = GSL_MAX_DBL(longest, s->design.link[i].length);
+            shortest = GSL_MIN_DBL(shortest, s->design.link[i].length);
+        }
+    s->ratio = longest / shortest;
+    size = GSL_MAX_DBL(GSL_MAX_DBL(size, longest), fabs(s->design.offset));
+    return GSL_MAX_DBL(size, gsl_hypot(s->point.x, s->point.y));
+}
+
+int flk_check_solution(fourlink_solution *s, const flk_request *request)
+{
+    fourlink_mechanism mechanism;
+    fourlink_reach reach;
+    double size = measure(s, request->size);
+    int i, has_range = s->from != s->to, status = fourlink_prepare(&s->design, &mechanism);
+
+    if (!(size <= FOURLINK_LENGTH_MAX))
+        return FOURLINK_INFINITE_LINK;
+    if (status != FOURLINK_OK)
+        return FOURLINK_NO_LENGTH;
+    fourlink_type_of(&mechanism, &s->type);
+    fourlink_reach_of(&mechanism, &reach);
+    s->defects = 0;
+    s->branch = FOURLINK_OPEN;
+    for (i = s->n_positions - 1; i >= 0; i--) {
+        s->defects |= place(s, &mechanism, request, size, &s->position[i]);
+        if (s->position[i].branch)
+            s->branch = (fourlink_branch)s->position[i].branch;
+    }
+    s->defects |= find_order(s, &reach, request->is_free);
+    if (!has_range) {
+        s->from = s->position[0].theta2;
+        s->to = s->position[s->n_positions - 1].theta2;
+    }
+    s->defects |= find_way(s, &reach);
+    find_transmission(s, &mechanism);
+    return FOURLINK_OK;
+}
+
+int flk_find_one(flk_finder *find, const void *task, unsigned long max,
+                 fourlink_solution *solutions, unsigned long *n)
+{
+    fourlink_solution s;
+    int status;
+
+    if (!task || !n || (max && !solutions))
+        return FOURLINK_NULL;
+    memset(&s, 0, sizeof s);
+    status = find(task, &s);
+    if (status != FOURLINK_OK)
+        return status;
+    if (max > 0)
+        solutions[0] = s;
+    *n = 1;
+    return FOURLINK_OK;
+}

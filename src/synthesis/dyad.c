@@ -1,0 +1,367 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** dyad.c - motion and path generators: four-bar linkages made of two dyads, links from a fixed pivot m to a
+** moving pivot k of the coupler, for three positions.
+**
+** P_j is the coupler point in position j, alpha_j the coupler's rotation from position 1,
+** delta_j = P_j - P_1.  Of a dyad, W = k_1 - m, Z = P_1 - k_1, and beta_j is the rotation of W.  All is
+** relative to P_1.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_math.h>
+
+#include "synthesis.h"
+
+/* Steps of a search, rad. */
+#define STEP (5 * M_PI / 180)
+#define SMALLEST_STEP (0.499 * M_PI / 180)
+
+typedef struct positions {
+    gsl_complex delta[3], turn[3]; /* m; 1, e^(i alpha) */
+    double size;                   /* m, largest |delta| */
+} positions;
+
+/* Pivots relative to P_1. */
+typedef struct pivots {
+    gsl_complex fixed, moving;
+    double condition;
+} pivots;
+
+static int is_zero(gsl_complex z, double size)
+{
+    return gsl_complex_abs(z) <= FLK_NOTHING * size;
+}
+
+/* The condition of two equations whose rows have length 1, from their determinant. */
+static double condition_of(double determinant)
+{
+    double d = GSL_MIN_DBL(fabs(determinant), 1);
+
+    return (1 + sqrt((1 - d) * (1 + d))) / d;
+}
+
+/* The centre of the circle through three places z_j:
+**
+**    2 (z_j - z_1) . (centre - z_1) = |z_j - z_1|^2,   j = 2, 3
+**
+** A pole of two positions has two equal places; then all points of a line are centres. */
+static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *condition)
+{
+    gsl_complex u = gsl_complex_sub(z[1], z[0]), v = gsl_complex_sub(z[2], z[0]), n;
+    double l = gsl_complex_abs(u), m = gsl_complex_abs(v), determinant;
+    double size = gsl_complex_abs(z[0]) + l + m;
+
+    if (is_zero(u, size) || is_zero(v, size) || is_zero(gsl_complex_sub(u, v), size))
+        return FOURLINK_DEPENDENT;
+    determinant = (GSL_REAL(u) / l) * (GSL_IMAG(v) / m) - (GSL_IMAG(u) / l) * (GSL_REAL(v) / m);
+    if (!(fabs(determinant) > FLK_NOTHING))
+        return FOURLINK_INFINITE_LINK;
+    n = gsl_complex_sub(gsl_complex_mul_real(u, m / l), gsl_complex_mul_real(v, l / m));
+    *centre = gsl_complex_add(z[0], gsl_complex_mul_imag(n, 0.5 / determinant));
+    *condition = condition_of(determinant);
+    return FOURLINK_OK;
+}
+
+/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these
+** places. */
+static int from_fixed(const positions *at, gsl_complex m, pivots *p)
+{
+    gsl_complex place[3];
+    int j;
+
+    for (j = 0; j < 3; j++)
+        place[j] = gsl_complex_div(gsl_complex_sub(m, at->delta[j]), at->turn[j]);
+    p->fixed = m;
+    return find_centre(place, &p->moving, &p->condition);
+}
+
+/* A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these places. */
+static int from_moving(const positions *at, gsl_complex k, pivots *p)
+{
+    gsl_complex place[3];
+    int j;
+
+    for (j = 0; j < 3; j++)
+        place[j] = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], k));
+    p->moving = k;
+    return find_centre(place, &p->fixed, &p->condition);
+}
+
+/* Rotations beta_2, beta_3 of the link:
+**
+**    W (e^(i beta_j) - 1) + Z (e^(i alpha_j) - 1) = delta_j,   j = 2, 3
+*/
+static int from_rotations(const positions *at, const double beta[2], pivots *p)
+{
+    gsl_complex w[2], z[2], determinant, W, Z, one = gsl_complex_rect(1, 0);
+    double length = 1;
+    int j;
+
+    for (j = 0; j < 2; j++) {
+        w[j] = gsl_complex_sub(gsl_complex_polar(1, beta[j]), one);
+        z[j] = gsl_complex_sub(at->turn[j + 1], one);
+        length *= gsl_hypot(gsl_complex_abs(w[j]), gsl_complex_abs(z[j]));
+    }
+    determinant = gsl_complex_sub(gsl_complex_mul(w[0], z[1]), gsl_complex_mul(w[1], z[0]));
+    if (!(gsl_complex_abs(determinant) > FLK_NOTHING * length))
+        return FOURLINK_DEPENDENT;
+    W = gsl_complex_div(
+        gsl_complex_sub(gsl_complex_mul(at->delta[1], z[1]), gsl_complex_mul(at->delta[2], z[0])),
+        determinant);
+    Z = gsl_complex_div(
+        gsl_complex_sub(gsl_complex_mul(w[0], at->delta[2]), gsl_complex_mul(w[1], at->delta[1])),
+        determinant);
+    p->condition = condition_of(gsl_complex_abs(determinant) / length);
+    p->moving = gsl_complex_negative(Z);
+    p->fixed = gsl_complex_sub(p->moving, W);
+    return FOURLINK_OK;
+}
+
+static int find_pivots(const fourlink_dyad *given, const positions *at,
+                       const fourlink_vector *first, pivots *p)
+{
+    gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first));
+
+    switch (given->choice) {
+    case FOURLINK_FIXED_PIVOT:
+        return from_fixed(at, pivot, p);
+    case FOURLINK_MOVING_PIVOT:
+        return from_moving(at, pivot, p);
+    default:
+        return from_rotations(at, given->rotation, p);
+    }
+}
+
+/* Positions relative to the first.  FOURLINK_DEPENDENT if two are equal. */
+static int set_positions(const fourlink_vector point[3], const double alpha[3], positions *at)
+{
+    int i, j;
+
+    at->size = 0;
+    for (j = 0; j < 3; j++) {
+        at->delta[j] = gsl_complex_sub(flk_plane(&point[j]), flk_plane(&point[0]));
+        at->turn[j] = gsl_complex_polar(1, alpha[j] - alpha[0]);
+        at->size = GSL_MAX_DBL(at->size, gsl_complex_abs(at->delta[j]));
+    }
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < i; j++)
+            if (is_zero(gsl_complex_sub(at->delta[i], at->delta[j]), at->size) &&
+                is_zero(gsl_complex_sub(at->turn[i], at->turn[j]), 1))
+                return FOURLINK_DEPENDENT;
+    return FOURLINK_OK;
+}
+
+/* The linkage of two dyads: A = m, B = k_1 of the left one, D, C of the right one.  With u the direction of
+** A->D,
+**
+**    theta2j = arg((B_j - A) / u),   coupler point p = (P_1 - B_1) b / (C_1 - B_1)
+*/
+static int join(const positions *at, const fourlink_vector *first, const pivots *left,
+                const pivots *right, fourlink_solution *s)
+{
+    gsl_complex ground = gsl_complex_sub(right->fixed, left->fixed);
+    gsl_complex crank = gsl_complex_sub(left->moving, left->fixed);
+    gsl_complex coupler = gsl_complex_sub(right->moving, left->moving);
+    gsl_complex rocker = gsl_complex_sub(right->moving, right->fixed), u, axis;
+    double size = at->size + gsl_complex_abs(left->fixed) + gsl_complex_abs(left->moving) +
+                  gsl_complex_abs(right->fixed) + gsl_complex_abs(right->moving);
+    fourlink_link *link = s->design.link;
+    int j;
+
+    if (is_zero(ground, size) || is_zero(crank, size) || is_zero(coupler, size) ||
+        is_zero(rocker, size))
+        return FOURLINK_NO_LENGTH;
+    s->design.kind = FOURLINK_FOUR_BAR;
+    link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
+    s->a = link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
+    link[FOURLINK_COUPLER].length = gsl_complex_abs(coupler);
+    s->c = link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
+    s->condition = GSL_MAX_DBL(left->condition, right->condition);
+    s->origin = flk_vector_of(gsl_complex_add(left->fixed, flk_plane(first)));
+    s->direction = gsl_complex_arg(ground);
+    u = gsl_complex_polar(1, s->direction);
+    axis = gsl_complex_div_real(coupler, link[FOURLINK_COUPLER].length);
+    s->has_point = 1;
+    s->point = flk_vector_of(gsl_complex_div(gsl_complex_negative(left->moving), axis));
+    s->n_positions = 3;
+    for (j = 0; j < 3; j++) {
+        fourlink_precision *p = &s->position[j];
+        gsl_complex B = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], left->moving));
+        gsl_complex C = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], right->moving));
+
+        p->theta2 = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(B, left->fixed), u));
+        p->theta3 = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(C, B), u));
+        p->output = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(C, right->fixed), u));
+        p->point = flk_vector_of(gsl_complex_div(gsl_complex_sub(at->delta[j], left->fixed), u));
+    }
+    return FOURLINK_OK;
+}
+
+/* The linkage for the given positions and dyads.  `timing`: the crank's rotations, which the crank
+** follows; or null. */
+static int design_linkage(const fourlink_vector point[3], const double alpha[3],
+                          const fourlink_dyad *left, const fourlink_dyad *right,
+                          const double *timing, fourlink_solution *s)
+{
+    flk_request request = {1, 1, 1, 0};
+    pivots first, second;
+    positions at;
+    int status = set_positions(point, alpha, &at);
+
+    memset(s, 0, sizeof *s);
+    if (status == FOURLINK_OK)
+        status = find_pivots(left, &at, &point[0], &first);
+    if (status == FOURLINK_OK)
+        status = find_pivots(right, &at, &point[0], &second);
+    if (status == FOURLINK_OK)
+        status = join(&at, &point[0], &first, &second, s);
+    if (status != FOURLINK_OK)
+        return status;
+    if (timing) {
+        request.is_free = 0;
+        s->position[1].theta2 = s->position[0].theta2 + timing[0];
+        s->position[2].theta2 = s->position[0].theta2 + timing[1];
+    }
+    request.size = at.size + gsl_complex_abs(first.fixed) + gsl_complex_abs(second.fixed);
+    return flk_check_solution(s, &request);
+}
+
+static int check_dyad(const fourlink_dyad *dyad)
+{
+    if (dyad->choice < FOURLINK_FIXED_PIVOT || dyad->choice > FOURLINK_ROTATIONS)
+        return FOURLINK_BAD_CHOICE;
+    return flk_points_within(&dyad->pivot, 1) &&
+                   flk_are_within(dyad->rotation, 2, FOURLINK_NUMBER_MAX)
+               ? FOURLINK_OK
+               : FOURLINK_BAD_NUMBER;
+}
+
+static int find_motion(const void *data, fourlink_solution *s)
+{
+    const fourlink_motion_task *task = data;
+    int status;
+
+    if (!flk_points_within(task->point, 3) || !flk_are_within(task->angle, 3, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    status = check_dyad(&task->left);
+    if (status == FOURLINK_OK)
+        status = check_dyad(&task->right);
+    if (status == FOURLINK_OK)
+        status = design_linkage(task->point, task->angle, &task->left, &task->right, NULL, s);
+    return status;
+}
+
+int fourlink_synthesis_motion(const fourlink_motion_task *task, unsigned long max,
+                              fourlink_solution *solutions, unsigned long *n)
+{
+    return flk_find_one(find_motion, task, max, solutions, n);
+}
+
+static int design_path(const fourlink_path_task *task, double alpha2, double alpha3,
+                       fourlink_solution *s)
+{
+    fourlink_dyad left = {FOURLINK_ROTATIONS, {0, 0}, {0, 0}};
+    double alpha[3] = {0, 0, 0};
+
+    left.rotation[0] = task->timing[0];
+    left.rotation[1] = task->timing[1];
+    alpha[1] = alpha2;
+    alpha[2] = alpha3;
+    return design_linkage(task->point, alpha, &left, &task->right, task->timing, s);
+}
+
+/* How good a linkage of a search is: mu_min, with the cranks that turn fully before others.  0: it has a
+** defect. */
+static double grade(const fourlink_solution *s)
+{
+    if (s->defects)
+        return 0;
+    return s->mu_min +
+           (s->type == FOURLINK_CRANK_ROCKER || s->type == FOURLINK_DOUBLE_CRANK ? M_PI : 0);
+}
+
+/* Put a solution among the best, which are in order. */
+static void rank(const fourlink_solution *s, unsigned long max, fourlink_solution *solutions,
+                 unsigned long *n)
+{
+    unsigned long i = *n < max ? *n : max;
+
+    while (i > 0 && grade(&solutions[i - 1]) < grade(s)) {
+        if (i < max)
+            solutions[i] = solutions[i - 1];
+        i--;
+    }
+    if (i < max)
+        solutions[i] = *s;
+    (*n)++;
+}
+
+/* Of a grid of the coupler's rotations, over a turn each. */
+static double grade_at(const fourlink_path_task *task, int i, int j, int steps,
+                       fourlink_solution *s)
+{
+    double step = 2 * M_PI / steps;
+
+    return design_path(task, i * step, j * step, s) == FOURLINK_OK ? grade(s) : 0;
+}
+
+/* The linkages of the grid that none of their eight neighbours surpasses. */
+static int search(const fourlink_path_task *task, int steps, unsigned long max,
+                  fourlink_solution *solutions, unsigned long *n)
+{
+    fourlink_solution s, beside;
+    unsigned long found = 0;
+    int i, j, k;
+
+    for (i = 0; i < steps; i++)
+        for (j = 0; j < steps; j++) {
+            double value = grade_at(task, i, j, steps, &s);
+
+            for (k = 0; value > 0 && k < 9; k++)
+                if (grade_at(task, i + k / 3 - 1, j + k % 3 - 1, steps, &beside) > value)
+                    value = 0;
+            if (value > 0)
+                rank(&s, max, solutions, &found);
+        }
+    if (!found)
+        return FOURLINK_NONE_FOUND;
+    *n = found;
+    return FOURLINK_OK;
+}
+
+static double step_of(const fourlink_path_task *task)
+{
+    return task->step == 0 ? STEP : task->step;
+}
+
+static int check_path(const fourlink_path_task *task)
+{
+    if (!flk_points_within(task->point, 3) ||
+        !flk_are_within(task->timing, 2, FOURLINK_NUMBER_MAX) ||
+        !flk_are_within(task->rotation, 2, FOURLINK_NUMBER_MAX) ||
+        !(step_of(task) >= SMALLEST_STEP && step_of(task) <= M_PI_2))
+        return FOURLINK_BAD_NUMBER;
+    return check_dyad(&task->right);
+}
+
+static int find_path(const void *data, fourlink_solution *s)
+{
+    const fourlink_path_task *task = data;
+
+    return design_path(task, task->rotation[0], task->rotation[1], s);
+}
+
+int fourlink_synthesis_path(const fourlink_path_task *task, unsigned long max,
+                            fourlink_solution *solutions, unsigned long *n)
+{
+    int status = task && n && (solutions || !max) ? check_path(task) : FOURLINK_NULL;
+
+    if (status != FOURLINK_OK)
+        return status;
+    return task->search
+               ? search(task, (int)floor(2 * M_PI / step_of(task) + 0.5), max, solutions, n)
+               : flk_find_one(find_path, task, max, solutions, n);
+}

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** function.c - function generators: a four-bar linkage or a slider-crank whose output is a given function of
+** the crank angle, at three points exactly or at more by least squares.
+**
+** F. Freudenstein, "Approximate Synthesis of Four-Bar Linkages", Trans. ASME 77 (1955) 853-861.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/solve.h"
+#include "synthesis.h"
+
+/* Intervals of the search for the largest structural error. */
+#define INTERVALS 180
+
+/* Steps of the fit of the output, and the shortest part of a step. */
+#define STEPS 100
+#define SHORTEST 1e-12
+
+typedef struct generator {
+    const fourlink_function_task *task;
+    double unit;                           /* m, the largest |X|; four-bar: the ground */
+    double output[FOURLINK_PRECISION_MAX]; /* X / unit; four-bar: theta4 */
+    double root_w[FOURLINK_PRECISION_MAX]; /* root of the weights, the largest is 1 */
+} generator;
+
+/* The equation of a point, linear in K, or in S1, S2, S3:
+**
+**    four-bar        K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4)      Freudenstein 1955
+**    slider-crank    S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2
+**
+** from b^2 = |C - B|^2, with X and S divided by the unit and its square.  F is the left side minus the right
+** side, y the output.
+*/
+typedef struct equation {
+    double row[3], F, dF_dy;
+} equation;
+
+static equation equation_at(const generator *g, const double K[3], double theta2, double y)
+{
+    equation e;
+
+    if (g->task->kind == FOURLINK_FOUR_BAR) {
+        e.row[0] = cos(y);
+        e.row[1] = -cos(theta2);
+        e.row[2] = 1;
+        e.F = -cos(theta2 - y);
+        e.dF_dy = -K[0] * sin(y) - sin(theta2 - y);
+    } else {
+        e.row[0] = y * cos(theta2);
+        e.row[1] = sin(theta2);
+        e.row[2] = -1;
+        e.F = -y * y;
+        e.dF_dy = K[0] * cos(theta2) - 2 * y;
+    }
+    e.F += K[0] * e.row[0] + K[1] * e.row[1] + K[2] * e.row[2];
+    return e;
+}
+
+/* The change of K that makes the sum of w F^2 the least or, to first order, that of w error^2 if errors
+** are given. At the output of the linkage F is 0, so that
+**
+**    d error / dK = -(dF/dK) / (dF/dy),   dF/dK = row
+*/
+static int find_step(const generator *g, const double K[3], const double *error, double step[3],
+                     double *condition)
+{
+    double A[FOURLINK_PRECISION_MAX][3], b[FOURLINK_PRECISION_MAX];
+    unsigned long i;
+    int j;
+
+    for (i = 0; i < g->task->n; i++) {
+        double y = g->output[i] + (error ? error[i] : 0);
+        equation e = equation_at(g, K, g->task->theta2[i], y);
+        double factor = error ? -g->root_w[i] / e.dF_dy : g->root_w[i];
+
+        for (j = 0; j < 3; j++)
+            A[i][j] = factor * e.row[j];
+        b[i] = -g->root_w[i] * (error ? error[i] : e.F);
+    }
+    return flk_least_squares(g->task->n, (const double(*)[3])A, b, step, condition);
+}
+
+/* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its
+** sign in b^2:
+**
+**    four-bar        a = d / K1,  c = d / K2,  b^2 = a^2 + c^2 + d^2 - 2 a c K3
+**    slider-crank    r = S1 / 2,  e = S2 / S1,  l^2 = r^2 + e^2 - S3
+*/
+static int set_lengths(const generator *g, const double K[3], fourlink_solution *s)
+{
+    double a, c = 0, d = g->unit, square, size;
+
+    s->design.kind = g->task->kind;
+    if (g->task->kind == FOURLINK_FOUR_BAR) {
+        if (!(fabs(K[0]) > FLK_NOTHING && fabs(K[1]) > FLK_NOTHING))
+            return FOURLINK_INFINITE_LINK;
+        a = d / K[0];
+        c = d / K[1];
+        size = a * a + c * c + d * d;
+        square = size - 2 * a * c * K[2];
+        s->design.link[FOURLINK_GROUND].length = d;
+        memcpy(s->K, K, sizeof s->K);
+    } else {
+        if (!(fabs(K[0]) > FLK_NOTHING))
+            return FOURLINK_NO_LENGTH;
+        a = 0.5 * K[0] * d;
+        s->design.offset = K[1] / K[0] * d;
+        size = a * a + s->design.offset * s->design.offset;
+        square = size - K[2] * d * d;
+        s->K[0] = K[0] * d;
+        s->K[1] = K[1] * d * d;
+        s->K[2] = K[2] * d * d;
+    }
+    if (!(square > FLK_NOTHING * size))
+        return FOURLINK_NO_LINKAGE;
+    s->a = a;
+    s->c = c;
+    s->design.link[FOURLINK_CRANK].length = fabs(a);
+    s->design.link[FOURLINK_COUPLER].length = sqrt(square);
+    s->design.link[FOURLINK_FOLLOWER].length = fabs(c);
+    s->crank_turn = a < 0 ? M_PI : 0;
+    s->rocker_turn = c < 0 ? M_PI : 0;
+    return FOURLINK_OK;
+}
+
+/* Output of the linkage minus the wanted one. */
+static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechanism,
+                    fourlink_branch branch, double theta2, double wanted, double *error)
+{
+    fourlink_state state;
+    int status = fourlink_position(mechanism, branch, theta2 + s->crank_turn, &state);
+
+    if (status == FOURLINK_OK)
+        *error = s->design.kind == FOURLINK_SLIDER_CRANK
+                     ? state.link[4].origin.x - wanted
+                     : flk_reduced(state.link[4].theta - s->rocker_turn - wanted);
+    return status;
+}
+
+/* The errors of all points on a branch, in the generator's unit, and the sum of w error^2: infinite if there
+** is no linkage or it does not reach a point. */
+static double errors_of(const generator *g, const double K[3], fourlink_branch branch,
+                        double *error)
+{
+    const fourlink_function_task *task = g->task;
+    double unit = task->kind == FOURLINK_FOUR_BAR ? 1 : g->unit, sum = 0;
+    fourlink_mechanism mechanism;
+    fourlink_solution s;
+    unsigned long i;
+
+    memset(&s.design, 0, sizeof s.design);
+    if (set_lengths(g, K, &s) != FOURLINK_OK ||
+        fourlink_prepare(&s.design, &mechanism) != FOURLINK_OK)
+        return GSL_POSINF;
+    for (i = 0; i < task->n; i++) {
+        if (error_at(&s, &mechanism, branch, task->theta2[i], task->output[i], &error[i]) !=
+            FOURLINK_OK)
+            return GSL_POSINF;
+        error[i] /= unit;
+        sum += g->root_w[i] * g->root_w[i] * error[i] * error[i];
+    }
+    return sum;
+}
+
+/* Make the errors of the output small, by Gauss's method with shortened steps, on the branch that starts with
+** smaller ones.  If no branch reaches all points, K is left as it is. */
+static void fit_output(const generator *g, double K[3])
+{
+    double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, sum, next;
+    fourlink_branch branch = FOURLINK_OPEN;
+    int j, n;
+
+    sum = errors_of(g, K, FOURLINK_CROSSED, error);
+    if (!(errors_of(g, K, FOURLINK_OPEN, error) <= sum))
+        branch = FOURLINK_CROSSED;
+    sum = errors_of(g, K, branch, error);
+    for (n = 0; n < STEPS && sum < GSL_POSINF && sum > 0; n++) {
+        if (find_step(g, K, error, step, &condition) != FOURLINK_OK)
+            return;
+        next = GSL_POSINF;
+        for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
+            for (j = 0; j < 3; j++)
+                trial[j] = K[j] + part * step[j];
+            next = errors_of(g, trial, branch, error);
+        }
+        if (!(next < sum))
+            return;
+        memcpy(K, trial, sizeof trial);
+        sum = next;
+    }
+}
+
+/* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not
+** reach, or nothing is wanted. */
+typedef struct error_curve {
+    const fourlink_function_task *task;
+    const fourlink_solution *solution;
+    const fourlink_mechanism *mechanism;
+    double error; /* with its sign */
+} error_curve;
+
+static double size_of_error(double theta2, void *data)
+{
+    error_curve *c = data;
+    double wanted = c->task->wanted(c->task->host, theta2);
+    int is_found = gsl_finite(wanted) && error_at(c->solution, c->mechanism, c->solution->branch,
+                                                  theta2, wanted, &c->error) == FOURLINK_OK;
+
+    return is_found ? fabs(c->error) : FLK_UNDEFINED;
+}
+
+/* The largest error: of the points, or, if more is known, at equal steps, then at the peak beside it. */
+static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
+{
+    double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
+    double step = fabs(s->to - s->from) / INTERVALS;
+    fourlink_mechanism mechanism;
+    flk_sample p[3], best = {0, -1};
+    error_curve c;
+    int i, k;
+
+    for (i = 0; i < s->n_positions; i++)
+        if (fabs(s->position[i].error) > best.value) {
+            best.value = fabs(s->position[i].error);
+            s->max_error = s->position[i].error;
+            s->max_error_at = s->position[i].theta2;
+        }
+    if (!task->wanted)
+        return;
+    c.task = task;
+    c.solution = s;
+    c.mechanism = &mechanism;
+    fourlink_prepare(&s->design, &mechanism);
+    best.value = -1;
+    for (i = 0; i <= INTERVALS; i++) {
+        for (k = 0; k < 3; k++) {
+            p[k].x = from + (i + k - 1) * step;
+            p[k].value = size_of_error(p[k].x, &c);
+        }
+        if (!(p[1].value > best.value))
+            continue;
+        best = p[1];
+        if (i > 0 && i < INTERVALS && p[1].value >= p[0].value && p[1].value >= p[2].value)
+            best = flk_find_peak(size_of_error, &c, p, 1e-14 * best.value);
+    }
+    if (best.value >= 0) {
+        size_of_error(best.x, &c);
+        s->max_error = c.error;
+        s->max_error_at = best.x + s->crank_turn;
+    }
+}
+
+static int check_task(const fourlink_function_task *task)
+{
+    int is_four_bar = task->kind == FOURLINK_FOUR_BAR;
+    unsigned long i;
+
+    if (!is_four_bar && task->kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_BAD_KIND;
+    if (task->fit != FOURLINK_FIT_EQUATION && task->fit != FOURLINK_FIT_ANGLE)
+        return FOURLINK_BAD_CHOICE;
+    if (task->n < 3 || task->n > FOURLINK_PRECISION_MAX)
+        return FOURLINK_BAD_POINTS;
+    if (!task->theta2 || !task->output)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(task->from, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->to, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->ground, FOURLINK_LENGTH_MAX) ||
+        !flk_are_within(task->theta2, task->n, FOURLINK_NUMBER_MAX) ||
+        !flk_are_within(task->output, task->n,
+                        is_four_bar ? FOURLINK_NUMBER_MAX : FOURLINK_LENGTH_MAX))
+        return FOURLINK_BAD_NUMBER;
+    for (i = 0; task->weight && i < task->n; i++)
+        if (!(task->weight[i] > 0 && task->weight[i] <= FOURLINK_NUMBER_MAX))
+            return FOURLINK_BAD_NUMBER;
+    return is_four_bar && task->ground < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_LENGTH : FOURLINK_OK;
+}
+
+static void scale(const fourlink_function_task *task, generator *g)
+{
+    int is_four_bar = task->kind == FOURLINK_FOUR_BAR;
+    double heaviest = 0;
+    unsigned long i;
+
+    g->task = task;
+    g->unit = is_four_bar ? task->ground : 0;
+    for (i = 0; i < task->n; i++) {
+        if (!is_four_bar)
+            g->unit = GSL_MAX_DBL(g->unit, fabs(task->output[i]));
+        if (task->weight)
+            heaviest = GSL_MAX_DBL(heaviest, task->weight[i]);
+    }
+    for (i = 0; i < task->n; i++) {
+        g->output[i] = task->output[i] / (is_four_bar ? 1 : g->unit);
+        g->root_w[i] = task->weight && task->n > 3 ? sqrt(task->weight[i] / heaviest) : 1;
+    }
+}
+
+static void set_positions(const generator *g, const double K[3], fourlink_solution *s)
+{
+    const fourlink_function_task *task = g->task;
+    int i, is_four_bar = task->kind == FOURLINK_FOUR_BAR;
+
+    s->n_positions = (int)task->n;
+    for (i = 0; i < s->n_positions; i++) {
+        equation e = equation_at(g, K, task->theta2[i], g->output[i]);
+
+        s->position[i].theta2 = task->theta2[i] + s->crank_turn;
+        s->position[i].output =
+            is_four_bar ? flk_reduced(task->output[i] + s->rocker_turn) : task->output[i];
+        s->position[i].residual = e.F;
+    }
+    s->from = task->from + s->crank_turn;
+    s->to = task->to + s->crank_turn;
+}
+
+static int find_function(const void *data, fourlink_solution *s)
+{
+    const fourlink_function_task *task = data;
+    flk_request request = {0, 0, 0, 0};
+    generator g;
+    double K[3], start[3] = {0, 0, 0};
+    int status = check_task(task);
+
+    if (status != FOURLINK_OK)
+        return status;
+    scale(task, &g);
+    if (!(g.unit >= FOURLINK_LENGTH_MIN))
+        return FOURLINK_DEPENDENT;
+    status = find_step(&g, start, NULL, K, &s->condition);
+    if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
+        fit_output(&g, K);
+    if (status == FOURLINK_OK)
+        status = set_lengths(&g, K, s);
+    if (status != FOURLINK_OK)
+        return status;
+    set_positions(&g, K, s);
+    request.is_exact = task->n == 3;
+    request.size = g.unit;
+    status = flk_check_solution(s, &request);
+    if (status == FOURLINK_OK)
+        find_largest_error(task, s);
+    return status;
+}
+
+int fourlink_synthesis_function(const fourlink_function_task *task, unsigned long max,
+                                fourlink_solution *solutions, unsigned long *n)
+{
+    return flk_find_one(find_function, task, max, solutions, n);
+}
+
+int fourlink_synthesis_error(const fourlink_solution *solution, double theta2, double wanted,
+                             double *error)
+{
+    fourlink_mechanism mechanism;
+    int status;
+
+    if (!solution || !error)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(wanted, FOURLINK_NUMBER_MAX) || !FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    status = fourlink_prepare(&solution->design, &mechanism);
+    if (status == FOURLINK_OK)
+        status = error_at(solution, &mechanism, solution->branch, theta2, wanted, error);
+    return status;
+}
+
+/* x_j = (x0 + xf) / 2 - (xf - x0) / 2 cos((2 j - 1) pi / 2 n),  j = 1 ... n
+**
+** the zeros of Chebyshev's polynomial (Freudenstein 1955). */
+int fourlink_chebyshev(double from, double to, unsigned long n, double *x)
+{
+    unsigned long j;
+
+    if (!x)
+        return FOURLINK_NULL;
+    if (n < 1 || n > FOURLINK_PRECISION_MAX)
+        return FOURLINK_BAD_POINTS;
+    if (!FLK_WITHIN(from, FOURLINK_NUMBER_MAX) || !FLK_WITHIN(to, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    for (j = 0; j < n; j++)
+        x[j] = 0.5 * (from + to) -
+               0.5 * (to - from) * cos((double)(2 * j + 1) * M_PI / (double)(2 * n));
+    return FOURLINK_OK;
+}

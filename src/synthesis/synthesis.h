@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** synthesis.h - what the tasks of synthesis share: a linear system, the plane, the checks of a solution.
+*/
+#ifndef FOURLINK_SYNTHESIS_H
+#define FOURLINK_SYNTHESIS_H
+
+#include <gsl/gsl_complex.h>
+
+#include "mechanics/mechanics.h"
+
+/* Below this a determinant, a singular value or a length is rounding error, relative to what it is made
+** of. */
+#define FLK_NOTHING 1e-12
+
+/* Least squares: make |A x - b| small, A with n rows, 3 to FOURLINK_PRECISION_MAX, of three numbers.  Three
+** rows are solved exactly.  `condition` is that of A with columns of the same length.  FOURLINK_OK, or
+** FOURLINK_DEPENDENT (linear.c). */
+int flk_least_squares(unsigned long n, const double A[][3], const double *b, double x[3],
+                      double *condition);
+
+/* Points of the plane are complex numbers (linear.c). */
+gsl_complex flk_plane(const fourlink_vector *v);
+fourlink_vector flk_vector_of(gsl_complex z);
+
+/* 1 if |x| <= max for n numbers; if n points have valid coordinates (linear.c). */
+int flk_are_within(const double *x, unsigned long n, double max);
+int flk_points_within(const fourlink_vector *v, unsigned long n);
+
+/* An angle reduced to (-pi, pi] (linear.c). */
+double flk_reduced(double angle);
+
+/* What a solution is checked for. */
+typedef struct flk_request {
+    int is_traced; /* 1: point, theta3 and output are wanted; 0: the output alone */
+    int is_free; /* 1: the crank may run either way; 0: it runs as theta2 of the positions goes on */
+    int is_exact; /* 1: the positions have to be met */
+    double size;  /* m, the largest length or coordinate that the lengths were computed from */
+} flk_request;
+
+/* Check a solution that has its design, wanted positions and, if they are not to follow from the positions,
+** `from` and `to`.  Sets all that follows from these.  FOURLINK_OK, FOURLINK_INFINITE_LINK,
+** FOURLINK_NO_LENGTH (check.c). */
+int flk_check_solution(fourlink_solution *s, const flk_request *request);
+
+/* Find the only solution of a task, which is 0 before, and write it to the caller's array (check.c). */
+typedef int flk_finder(const void *task, fourlink_solution *s);
+int flk_find_one(flk_finder *find, const void *task, unsigned long max,
+                 fourlink_solution *solutions, unsigned long *n);
+
+#endif
