@@ -229,6 +229,7 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
         status = command_worse(status, deck ? input_read_answers(&inputs[i], deck, o, answers, i)
                                             : input_read(&inputs[i], o->decks[i], o, answers));
         usable += inputs[i].results != NULL;
+        status = command_worse(status, inputs[i].has_defects ? EXIT_ROWS : 0);
     }
     status = command_worse(status, write_all(o, inputs, n, usable, signal_number));
     if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !*signal_number)

@@ -131,7 +131,8 @@ static void put_heading(sheet *s, int units)
 {
     unsigned long i;
 
-    line_put(&s->l, "# %8s", units ? "" : s->each ? s->each : "design");
+    line_put(&s->l, "#");
+    line_field(&s->l, units ? "" : s->each ? s->each : "design", 9);
     for (i = 0; i < s->n_variables; i++)
         line_field(&s->l, units ? s->variables[i].unit : s->variables[i].name, WIDTH);
     line_put(&s->l, units ? "          " : "    branch");
