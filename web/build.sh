@@ -106,7 +106,7 @@ build_page() {
         case $line in
         @REPORT_STYLE@) cat "$report/report.css" ;;
         @STYLE@) cat "$web/page.css" ;;
-        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/controls.js" ;;
+        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/typed.js" "$report/controls.js" ;;
         @EXAMPLES@) cat web/examples.json ;;
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;

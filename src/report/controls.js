@@ -136,7 +136,18 @@ function controls(find, seen) {
             drawing.layOut();
         }
     });
-    window.addEventListener("beforeprint", stop);
+    /* On paper the drawings have the width of paper, so that their letters keep their size. */
+    window.addEventListener("beforeprint", () => {
+        stop();
+        document.documentElement.classList.add("on-paper");
+        if (drawing)
+            drawing.layOut();
+    });
+    window.addEventListener("afterprint", () => {
+        document.documentElement.classList.remove("on-paper");
+        if (drawing)
+            drawing.layOut();
+    });
     return {take, renew, go, stop};
 }
 
@@ -244,17 +255,19 @@ function printTables() {
 
 /* Of a report: the drawing takes the place of the pictures that stand there without a script. */
 function start() {
-    const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-drawing");
+    const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-panels");
     offerFiles();
     printTables();
+    fourlink.typed.start();
     if (!rows || !place)
         return;
     const data = JSON.parse(rows.textContent);
     if (!data.branches.length)
         return;
-    place.hidden = false;
-    controls((id) => document.getElementById("fourlink-" + id))
-        .take(data, fourlink.draw(data, document.getElementById("fourlink-panels")), data.start);
+    const more = document.getElementById("fourlink-more");
+    for (const part of [place, more, document.getElementById("fourlink-controls")])
+        part.hidden = false;
+    controls((id) => document.getElementById("fourlink-" + id)).take(data, fourlink.draw(data, place, more), data.start);
     const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
     if (picture) {
         const number = picture.querySelector("figcaption").textContent.split(".")[0];

@@ -8,13 +8,25 @@
 
 #include "base/format.h"
 #include "base/xml.h"
+#include "notation.h"
 #include "page.h"
+
+/* A name with its index, as markup. */
+static void put_name(page *p, const char *name)
+{
+    notation n;
+
+    notation_name(name, &n);
+    page_print(p, n.is_variable ? "<i>%s</i>" : "%s", n.letter);
+    if (n.sub[0])
+        page_print(p, "<sub>%s</sub>", n.sub);
+}
 
 void page_print(page *p, const char *format, ...)
 {
     va_list arguments;
     const char *words;
-    char number[FORMAT_SIZE], *end;
+    char number[FORMAT_SIZE], unit[NOTATION_SIZE], *end;
     int digits;
 
     va_start(arguments, format);
@@ -24,6 +36,14 @@ void page_print(page *p, const char *format, ...)
         } else if (*format == 's') {
             words = va_arg(arguments, const char *);
             xml_put(p->out, words, strlen(words));
+        } else if (*format == 'n') {
+            put_name(p, va_arg(arguments, const char *));
+        } else if (*format == 'u') {
+            notation_unit(va_arg(arguments, const char *), unit);
+            xml_put(p->out, unit, strlen(unit));
+        } else if (*format == 'U') {
+            notation_unit(va_arg(arguments, const char *), unit);
+            page_print(p, "%s%s", notation_gap(unit), unit);
         } else if (*format == 'm') {
             fputs(va_arg(arguments, const char *), p->out);
         } else if (*format == 'd') {
