@@ -67,11 +67,13 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
         double size = gsl_hypot(x->F.x, x->F.y);
         fourlink_vector end = place_beside(x->at, scale * x->F.x, scale * x->F.y);
 
-        figure_note(s, p, x->name, size, QUANTITY_FORCE);
+        if (x->name[0])
+            figure_note(s, p, x->name, size, QUANTITY_FORCE);
         if (size < SMALLEST * largest)
             continue;
         sketch_arrow(s, x->kind, x->at, end);
-        sketch_text(s, end, x->F.x, x->F.y, x->name);
+        if (x->name[0])
+            sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
 }
 

@@ -167,11 +167,24 @@ void canvas_panel(canvas *c, int lines, double right)
     c->next++;
 }
 
+const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE])
+{
+    return c->is_text ? name : notation_name(name, out);
+}
+
+const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZE])
+{
+    return c->is_text ? unit : notation_unit(unit, out);
+}
+
 static void put_axis(const canvas *c, const char *axis, const char *name, const char *unit_name)
 {
     char words[200];
 
-    flk_text_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL);
+    char own[NOTATION_SIZE];
+
+    flk_text_join(words, sizeof words, name, " (", canvas_unit(c, unit_name, own), ")",
+                  (char *)NULL);
     canvas_print(c, "set %slabel %q\n", axis, words);
 }
 

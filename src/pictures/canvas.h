@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "view/notation.h"
+
 /* Pixels of a letter and of a line of text.  A text terminal counts as a picture with characters of this
 ** size. */
 #define CANVAS_LETTER 9.0
@@ -36,6 +38,10 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
 
 /* Put title and source above the only panel. */
 void canvas_heading(const canvas *c);
+
+/* The name of a column and a unit as they are printed in a book, or plain on a text terminal. */
+const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE]);
+const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZE]);
 
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
 void canvas_panel(canvas *c, int lines, double right);

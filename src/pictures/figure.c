@@ -10,11 +10,15 @@
 
 #define STEPS 180 /* of a path */
 
-/* Half the sides of the piston, as fractions of the drawing. */
-#define PISTON_X 0.055
-#define PISTON_Y 0.035
+/* Half the length of a piston or a block, as a fraction of the drawing; of a block not more than this fraction of
+** its crank.  Its height is a fraction of its length. */
+#define BLOCK 0.055
+#define OF_CRANK 0.35
+#define HIGH (7. / 11)
 
-#define THETA "\316\270" /* the Greek letter, in UTF-8 */
+/* Greek letters, in UTF-8. */
+#define THETA "\316\270"
+#define OMEGA "\317\211"
 
 double figure_length(const picture *p, double si)
 {
@@ -49,6 +53,12 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
     }
 }
 
+/* Half the length of a piston or a block. */
+static double figure_block(const sketch *s)
+{
+    return s->block > 0 ? s->block : BLOCK * s->size;
+}
+
 figure_pins figure_place(const picture *p, const fourlink_state *state)
 {
     figure_pins pins;
@@ -66,6 +76,14 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
 static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along)
 {
     return figure_point(p, geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along)));
+}
+
+/* A point of the lever, in the deck's unit: so far along its own axis from D. */
+static fourlink_vector on_axis(const picture *p, const fourlink_state *state, double along)
+{
+    fourlink_vector at = geometry_vector(view_si(&p->v, QUANTITY_LENGTH, along), 0);
+
+    return figure_of_link(p, state, FOURLINK_FOLLOWER, &at);
 }
 
 /* The way of what slides, with a margin at both ends. */
@@ -133,9 +151,12 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     sketch_open(s, &p->on, 1);
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
+    if (p->v.kind.has_slot)
+        s->block = GSL_MIN_DBL(
+            BLOCK * s->size, OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
-            include_all(s, p, branch, 2 * PISTON_X * s->size);
+            include_all(s, p, branch, 2 * figure_block(s));
         s->is_fixed = 1;
     } else {
         s->drawn = place_nothing;
@@ -151,9 +172,9 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double h = PISTON_Y * s->size, y = figure_length(p, p->v.design->offset), from, to;
+        double h = HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from, to;
 
-        find_way(p, state->branch, 1.5 * PISTON_X * s->size, &from, &to);
+        find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
         sketch_ground(s, from, to, y + h, 1);
     }
@@ -178,9 +199,28 @@ static void put_rectangle(sketch *s, pen kind, fourlink_vector at, const fourlin
 
 void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
 {
-    double half = PISTON_X * s->size;
+    double half = figure_block(s);
 
-    put_rectangle(s, kind, at, axis, -half, half, PISTON_Y * s->size);
+    put_rectangle(s, kind, at, axis, -half, half, HIGH * half);
+}
+
+/* Draw the lever on from its arm and its slot to its points, loads and centre of mass. */
+static void put_reach(sketch *s, const picture *p, const fourlink_state *state, pen kind,
+                      double from, double to)
+{
+    const fourlink_link *lever = &p->v.design->link[FOURLINK_FOLLOWER];
+    double inner = 0, outer = figure_length(p, lever->length), low, high;
+
+    low = figure_length(p, p->v.lever_low);
+    high = figure_length(p, p->v.lever_high);
+    if (lever->length == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
+        inner = GSL_MIN_DBL(from, 0);
+        outer = GSL_MAX_DBL(to, 0);
+    }
+    if (high > outer)
+        sketch_line(s, kind, on_axis(p, state, outer), on_axis(p, state, high));
+    if (low < inner)
+        sketch_line(s, kind, on_axis(p, state, inner), on_axis(p, state, low));
 }
 
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
@@ -188,24 +228,26 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
     fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin);
     double root = figure_length(p, geometry_root(&p->v)), from, to;
 
-    find_way(p, state->branch, 1.5 * PISTON_X * s->size, &from, &to);
+    find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
     put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
-                  PISTON_Y * s->size);
+                  HIGH * figure_block(s));
     sketch_line(s, kind, D, on_slide(p, state, root));
     if (root < from || root > to)
         sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
+    put_reach(s, p, state, kind, from, to);
 }
 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     figure_pins pins = figure_place(p, state);
 
-    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-    if (p->v.kind.has_slot) {
-        figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
+    if (p->v.kind.has_slot) { /* the crank is in front of the block */
         figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
+        figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
+        sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
         return;
     }
+    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
     sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
     if (p->v.kind.has_stroke)
         figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
@@ -219,18 +261,22 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     fourlink_vector corners[SKETCH_CORNERS], at;
     unsigned long i;
     const char *name;
-    int n = 0, on;
+    int n = 0, is_off = 0, on;
 
     for (i = 0; i < p->v.problem.n_points; i++) {
         at = tracer(p, state, i, &name, &on);
-        if (on == link)
-            corners[n++] = at;
+        if (on != link)
+            continue;
+        corners[n++] = at;
+        fourlink_deck_point(p->v.deck, i, &name, &on, &at);
+        is_off = is_off || at.y != 0;
     }
     if (n == 0)
         return;
     corners[n++] = figure_point(p, state->link[link].origin);
     corners[n++] = figure_point(p, geometry_end(&p->v, state, link));
-    sketch_hull(s, (pen)link, corners, n);
+    if (!(p->v.kind.has_slot && link == FOURLINK_FOLLOWER && !is_off)) /* a lever goes that far */
+        sketch_hull(s, (pen)link, corners, n);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -247,7 +293,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
-        sketch_text(s, at, 0.8, 0.8, name);
+        sketch_name(s, at, 0.8, 0.8, name);
     }
     if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);
@@ -325,6 +371,50 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
 }
 
+/* Put the numbers of the links beside their middles; that of the ground below A. */
+static void put_numbers(sketch *s, const picture *p, const fourlink_state *state)
+{
+    static const char *const numbers[] = {"", "", "2", "3", "4"};
+    figure_pins pins = figure_place(p, state);
+    fourlink_vector from[5], to[5];
+    int link;
+
+    from[2] = pins.A;
+    to[2] = from[3] = pins.B;
+    to[3] = to[4] = pins.C;
+    from[4] = pins.D;
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        const fourlink_vector *axis = &state->link[link].axis;
+        fourlink_vector at =
+            place_at((from[link].x + to[link].x) / 2, (from[link].y + to[link].y) / 2);
+        double half = figure_block(s), up = HIGH * half;
+
+        if (p->v.kind.slides_on[link])
+            at = place_beside(to[link], half * axis->x - up * axis->y,
+                              half * axis->y + up * axis->x);
+        sketch_number(s, at, -axis->y, axis->x, numbers[link]);
+    }
+    sketch_number(s, place_beside(pins.A, 0, -0.05 * s->size), 0, -1, "1");
+}
+
+/* The sense of rotation: an arc ahead of the crank, as fractions of the drawing and in rad. */
+#define SENSE 0.125
+#define AHEAD 0.35
+#define LONG 0.8
+
+static void put_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
+{
+    double omega = state->link[FOURLINK_CRANK].omega, sign = omega < 0 ? -1 : 1;
+    double from = state->link[FOURLINK_CRANK].theta + sign * AHEAD, radius = SENSE * s->size;
+    double middle = from + sign * LONG / 2;
+
+    if (omega == 0)
+        return;
+    sketch_turn_arrow(s, PEN_SENSE, A, radius, from, from + sign * LONG);
+    sketch_text(s, place_beside(A, radius * cos(middle), radius * sin(middle)), cos(middle),
+                sin(middle), OMEGA SUB_2);
+}
+
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
 {
     char words[PICTURE_WORDS];
@@ -365,8 +455,10 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 {
     put_links(s, p, state);
     put_letters(s, p, state);
+    put_sense(s, state, figure_place(p, state).A);
     if (has_angles)
         put_angles(s, p, state);
+    put_numbers(s, p, state);
     figure_slope(s, p);
 }
 
@@ -410,12 +502,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200 + PICTURE_MARK], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
+    char title[200 + PICTURE_MARK + VIEW_WHY], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
                   ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
-                  time[0] ? ", " : "", time, (char *)NULL);
+                  time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
     sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
 }

@@ -236,7 +236,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     construction k;
     sketch s;
     double rod = figure_length(p, p->v.design->link[FOURLINK_COUPLER].length);
-    int status = picture_position(p, branch, &now, NULL);
+    int status = picture_position(p, branch, &now, p->loads);
 
     if (status == FOURLINK_OK)
         status = fourlink_klein_construction(p->v.mechanism, &now.state, &lengths);

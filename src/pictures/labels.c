@@ -15,6 +15,7 @@
 #define DIRECTIONS 16
 #define RINGS 3
 #define ROUNDS 5
+#define HIDDEN 12  /* the cost above which a close text is left out */
 #define GAP 10.0   /* pixels, from a place to its text */
 #define BORDER 8.0 /* pixels, from what is drawn to the axes */
 
@@ -66,7 +67,7 @@ static double cost_of(const labels *l, int k)
     for (i = 0; i < k; i++) {
         place_box other = box_of(l, &l->list[i]);
 
-        cost += place_overlap(&b, &other) ? 100 : 0;
+        cost += !l->list[i].is_hidden && place_overlap(&b, &other) ? 100 : 0;
     }
     for (i = 0; i < l->n_obstacles; i++)
         cost += covers(l, &b, &l->obstacles[i]) ? l->obstacles[i].weight : 0;
@@ -79,9 +80,9 @@ static void place(labels *l, int k)
     double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
     double w = text->half;
     fourlink_vector best = text->middle;
-    int ring, i;
+    int rings = text->is_close ? 1 : RINGS, ring, i;
 
-    for (ring = 0; ring < RINGS; ring++)
+    for (ring = 0; ring < rings; ring++)
         for (i = 0; i < DIRECTIONS; i++) {
             double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
             double gap = GAP * (1 + 1.5 * ring);
@@ -97,6 +98,7 @@ static void place(labels *l, int k)
             }
         }
     text->middle = best;
+    text->is_hidden = text->is_close && least > HIDDEN;
 }
 
 static double scale_for(const labels *l, const place_box *b, double width, double height,
@@ -126,6 +128,8 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
             return;
         b = box_of_drawing(l);
         for (i = 0; i < l->n; i++) {
+            if (l->list[i].is_hidden)
+                continue;
             own = box_of(l, &l->list[i]);
             place_grow(&b, own.x_min, own.y_min);
             place_grow(&b, own.x_max, own.y_max);

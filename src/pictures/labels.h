@@ -17,6 +17,9 @@ typedef struct label {
     fourlink_vector at;
     double dx, dy;          /* the direction, of any length */
     double half;            /* half its width, in pixels */
+    int has_leader;         /* 1: a line leads to its place, if it stands far from it */
+    int is_close;           /* 1: it stands close to its place or nowhere */
+    int is_hidden;          /* 1, when placed: nowhere */
     fourlink_vector middle; /* of the text, in pixels from the place */
     char words[LABELS_WORDS];
 } label;

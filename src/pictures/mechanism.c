@@ -12,6 +12,20 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
+/* Add the forces of the springs, which have their names and values at the springs. */
+static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
+{
+    int i;
+
+    for (i = 0; i < r->drawn.n_forces; i++) {
+        const scene_force *f = &r->drawn.forces[i];
+        fourlink_vector F = tracks_vector(&r->numbers, f->of);
+
+        if (f->load == FOURLINK_LOAD_SPRING)
+            arrow_add(arrows, PEN_LOAD, "", figure_track(p, r, f->at), F.x, F.y);
+    }
+}
+
 /* Add the forces of the pins, for the ground, or the loads on a link. */
 static void add_forces(arrow_list *arrows, const picture *p, const picture_row *r, int link)
 {
@@ -33,11 +47,14 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     arrow_list arrows;
     char words[80];
     double scale;
-    int link, i;
+    int has_springs, link, n, i;
 
     arrows.n = 0;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         add_forces(&arrows, p, r, link);
+    n = arrows.n;
+    add_springs(&arrows, p, r);
+    has_springs = arrows.n > n;
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
@@ -45,13 +62,13 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft,
+    arrow_draw_torque(s, p, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
     if (i < arrows.n)
-        sketch_key(s, PEN_LOAD, "load or weight");
+        sketch_key(s, PEN_LOAD, has_springs ? "load, weight, spring" : "load or weight");
     sketch_note(s, "1 ground, 2 crank,");
     sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
                                  ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));

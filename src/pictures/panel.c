@@ -282,7 +282,10 @@ static const char *name_of(const picture *p, const panel_plan *plan, int i, char
 
 static const char *short_name(const picture *p, int column, char out[200])
 {
-    return canvas_shorten(p->v.columns[column].name, PANEL_LETTERS, 0, out, 200);
+    char symbol[NOTATION_SIZE];
+
+    return canvas_shorten(canvas_symbol(&p->on, p->v.columns[column].name, symbol), PANEL_LETTERS,
+                          0, out, 200);
 }
 
 /* Write a curve, with breaks at its jumps. */

@@ -46,14 +46,14 @@ static const char *find_prefix(const char *unit_name, double *value)
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS])
 {
-    char number[FORMAT_SIZE], fitting[PICTURE_WORDS];
+    char number[FORMAT_SIZE], fitting[PICTURE_WORDS], own[NOTATION_SIZE];
     double value = view_value(&p->v, q, si);
     const char *prefix = find_prefix(p->v.units[q].name, &value);
 
     name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
     return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " = " : "",
-                         format_general(value, 5, number), " ", prefix, p->v.units[q].name,
-                         (char *)NULL);
+                         format_general(value, 5, number), " ", prefix,
+                         canvas_unit(&p->on, p->v.units[q].name, own), (char *)NULL);
 }
 
 double picture_speed_of(const picture *p, fourlink_branch branch)
@@ -111,13 +111,18 @@ int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fo
     return fourlink_analyse(p->v.mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);
 }
 
-int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
+int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads)
 {
-    return view_find_position(&p->v, branch, p->n_angles ? p->angles : NULL, now, loads);
+    int status = view_find_position(&p->v, branch, p->n_angles ? p->angles : NULL, now, loads);
+
+    p->shown = now->row.angle;
+    if (status == FOURLINK_OK && !p->n_angles)
+        p->why = view_tell_position(&p->v, now, loads, p->why_words);
+    return status;
 }
 
-int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r)
+int picture_row_find(picture *p, fourlink_branch branch, picture_row *r)
 {
     int status = picture_position(p, branch, &r->now, r->loads);
 
@@ -162,6 +167,7 @@ int picture_open(picture *p, const fourlink_source *source, const plot_request *
     memset(p, 0, sizeof *p);
     p->request = request;
     p->source = source;
+    p->why = "";
     return take_results(p, request->opened);
 }
 

@@ -116,6 +116,9 @@ typedef struct picture {
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
+    const char *why; /* the position is shown that nobody asked for; "": it was asked for */
+    char why_words[VIEW_WHY];
+    double shown; /* its crank angle, in the deck's unit */
     int out_of_memory;
 } picture;
 
@@ -181,6 +184,7 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"
+#define SUB_S "\342\202\233"
 
 /* "NAME = VALUE UNIT" or "VALUE UNIT" of a value in SI units. */
 #define PICTURE_WORDS 120
@@ -211,10 +215,10 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the
-** same with all that is drawn there.  `loads` may be null.  Returns a status. */
-int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and why;
+** the same with all that is drawn there.  Returns a status. */
+int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
-int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);
+int picture_row_find(picture *p, fourlink_branch branch, picture_row *r);
 
 #endif

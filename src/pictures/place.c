@@ -61,6 +61,19 @@ int place_crosses(const place_box *b, fourlink_vector p, fourlink_vector q)
            clip(p.y, q.y - p.y, b->y_min, b->y_max, &from, &to);
 }
 
+int place_clip(const place_box *b, fourlink_vector *p, fourlink_vector *q)
+{
+    double from = 0, to = 1, dx = q->x - p->x, dy = q->y - p->y;
+    fourlink_vector first = *p;
+
+    if (!clip(p->x, dx, b->x_min, b->x_max, &from, &to) ||
+        !clip(p->y, dy, b->y_min, b->y_max, &from, &to))
+        return 0;
+    *p = place_beside(first, from * dx, from * dy);
+    *q = place_beside(first, to * dx, to * dy);
+    return 1;
+}
+
 double place_round(double x)
 {
     double power = x > 0 ? pow(10, floor(log10(x))) : 1;

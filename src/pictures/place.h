@@ -23,6 +23,9 @@ void place_grow(place_box *b, double x, double y);
 int place_overlap(const place_box *x, const place_box *y);
 int place_crosses(const place_box *b, fourlink_vector p, fourlink_vector q);
 
+/* Cut a line to a box; 0 if it is outside. */
+int place_clip(const place_box *b, fourlink_vector *p, fourlink_vector *q);
+
 /* 1, 2 or 5 times a power of ten, at least x. */
 double place_round(double x);
 

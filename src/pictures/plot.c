@@ -128,37 +128,32 @@ static void put_terminal(const canvas *c, const plot_request *request)
                      request->picture);
 }
 
-/* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which colour-blind people can tell apart;
-** widths and dashes distinguish the lines in grey too. */
-static const char *const style_of_pen[PEN_COUNT] = {
-    "",
-    "lw 1.5 lc rgb '#000000'",        /* ground */
-    "lw 5 lc rgb '#0072B2'",          /* crank */
-    "lw 4 lc rgb '#D55E00'",          /* coupler */
-    "lw 3 lc rgb '#009E73'",          /* rocker, piston */
-    "lw 1.5 lc rgb '#CC79A7'",        /* paths */
-    "lw 1 lc rgb '#DDDDDD'",          /* positions on the way */
-    "lw 2 lc rgb '#000000'",          /* pin forces */
-    "lw 2 lc rgb '#E69F00'",          /* loads */
-    "lw 1 dt (4,4) lc rgb '#777777'", /* construction */
-    "lw 3 lc rgb '#CC79A7'",          /* results */
-    "lw 1.5 lc rgb '#777777'"         /* other positions */
-};
+static void put_look(const canvas *c, const look *x, double width, const char *dashes)
+{
+    canvas_print(c, "lw %.3g dt %s%s%s lc rgb '#%s'\n", width, dashes[0] ? "(" : "1", dashes,
+                 dashes[0] ? ")" : "", x->colour);
+}
 
 /* Each path has its own colour and dashes. */
 static void put_styles(const canvas *c)
 {
-    static const char *const colours[] = {"CC79A7", "56B4E9", "009E73",
-                                          "E69F00", "0072B2", "000000"};
-    static const char *const dashes[] = {"1",          "(10,5)",        "(3,3)",
-                                         "(10,4,2,4)", "(6,2,2,2,2,2)", "(2,6)"};
     int i;
 
-    for (i = 1; i < PEN_COUNT; i++)
-        fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
-    for (i = 1; i <= PEN_PATHS - PEN_COUNT; i++)
-        fprintf(c->out, "set style line %d lw 1.5 dt %s lc rgb '#%s'\n", PEN_COUNT - 1 + i,
-                dashes[(i + i / 6) % 6], colours[i % 6]);
+    for (i = 1; i < PEN_COUNT; i++) {
+        canvas_print(c, "set style line %d ", i);
+        put_look(c, &look_table[i], look_table[i].width, look_table[i].dashes);
+    }
+    for (i = 1; i <= PEN_PATHS - PEN_COUNT; i++) {
+        const look *own = &look_curves[i % LOOK_CURVE_COUNT];
+
+        canvas_print(c, "set style line %d ", PEN_COUNT - 1 + i);
+        put_look(c, own, look_table[PEN_PATH].width,
+                 look_curves[(i + i / LOOK_CURVE_COUNT) % LOOK_CURVE_COUNT].dashes);
+    }
+    for (i = 0; i < LOOK_CURVE_COUNT; i++) {
+        canvas_print(c, "set linetype %d ", i + 1);
+        put_look(c, &look_curves[i], look_curves[i].width, look_curves[i].dashes);
+    }
 }
 
 static void put_head(const picture *p, const char *deck_name, const char *held)
@@ -171,13 +166,7 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
     put_styles(c);
-    fputs("set linetype 1 lw 2 dt 1 lc rgb '#0072B2'\n"
-          "set linetype 2 lw 2 dt (10,5) lc rgb '#D55E00'\n"
-          "set linetype 3 lw 2 dt (3,3) lc rgb '#009E73'\n"
-          "set linetype 4 lw 2 dt (12,4,2,4) lc rgb '#000000'\n"
-          "set linetype 5 lw 2 dt (6,3,2,3,2,3) lc rgb '#CC79A7'\n"
-          "set linetype 6 lw 2 dt (2,6) lc rgb '#E69F00'\n"
-          "set key noautotitle\n"
+    fputs("set key noautotitle\n"
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
     canvas_name(c, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
@@ -331,7 +320,7 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
     const struct plot_info *info = &plot_table[p->request->kind];
     const char *shows = plot_shows[p->request->kind], *over = "";
     int all = p->v.n_branches > 1 && shows_all_branches(p);
-    char names[PICTURE_NAMES];
+    char names[PICTURE_NAMES], number[PICTURE_MARK], at[PICTURE_MARK + VIEW_WHY + 20] = "";
 
     if (p->request->kind == PLOT_COLUMNS) {
         name_columns(p, names, sizeof names);
@@ -339,13 +328,16 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
     } else if (info->needs & PLOT_OVER) {
         over = p->v.problem.by_time ? " over time" : " over the crank angle";
     }
+    if (p->why[0])
+        flk_text_join(at, sizeof at, ", at \316\270" SUB_2 " = ",
+                      picture_mark(p, p->shown, 7, number), ", ", p->why, (char *)NULL);
     caption->n_lines = p->n_lines;
     caption->n_missing = p->n_missing;
     flk_text_join(caption->title, sizeof caption->title,
                   p->v.problem.title[0] ? p->v.problem.title : deck_name, (char *)NULL);
     flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
                   all ? "open and crossed branches" : fourlink_branch_text((int)p->v.branches[0]),
-                  all ? ": " : " branch: ", shows, over, (char *)NULL);
+                  all ? ": " : " branch: ", shows, over, at, (char *)NULL);
 }
 
 /* Write the script of an open deck. */

@@ -275,6 +275,7 @@ static void plot(picture *p, const bearing *b, const course *c, int is_last)
 
 static int put_polar(picture *p, bearing *b, const char *title)
 {
+    char x[NOTATION_SIZE], y[NOTATION_SIZE];
     course c[2];
     int i;
 
@@ -282,8 +283,9 @@ static int put_polar(picture *p, bearing *b, const char *title)
     canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
     canvas_key(&p->on);
     fputs("set key samplen 2 width -1\n", p->on.out);
-    canvas_titles(&p->on, title, p->v.columns[b->x].name, p->v.columns[b->x].unit,
-                  p->v.columns[b->y].name, p->v.columns[b->y].unit);
+    canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
+                  p->v.columns[b->x].unit, canvas_symbol(&p->on, p->v.columns[b->y].name, y),
+                  p->v.columns[b->y].unit);
     b->p = p;
     find_box(b);
     put_axes(b);
@@ -323,7 +325,7 @@ static int put_bearing(picture *p, int by, int on)
 {
     int is_piston = p->v.kind.slides_on[on] == FOURLINK_GROUND;
     const char *link = p->v.kind.link[on];
-    char title[120];
+    char title[200], symbol[NOTATION_SIZE];
     bearing b;
     int i;
 
@@ -334,8 +336,8 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, b.name, ", ", p->v.kind.link[by], " on ", link, ", in the ",
-                  link, "'s axes", (char *)NULL);
+    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), ", ",
+                  p->v.kind.link[by], " on ", link, ", in the ", link, "'s axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));

@@ -43,6 +43,17 @@ void sketch_include(sketch *s, fourlink_vector p)
     include(s, turned(s, p));
 }
 
+void sketch_window(sketch *s, fourlink_vector middle, double half)
+{
+    middle = turned(s, middle);
+    s->is_window = 1;
+    s->drawn.x_min = s->window.x_min = middle.x - half;
+    s->drawn.x_max = s->window.x_max = middle.x + half;
+    s->drawn.y_min = s->window.y_min = middle.y - half;
+    s->drawn.y_max = s->window.y_max = middle.y + half;
+    s->is_fixed = 1;
+}
+
 void sketch_turn(sketch *s, int is_turned)
 {
     s->cosine = is_turned ? cos(s->c->turn) : 1;
@@ -72,10 +83,23 @@ static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, do
     s->texts.n_obstacles++;
 }
 
+/* 1 if a place is beyond the window. */
+static int is_beyond(const sketch *s, fourlink_vector at)
+{
+    const place_box *b = &s->window;
+
+    return s->is_window &&
+           (at.x < b->x_min || at.x > b->x_max || at.y < b->y_min || at.y > b->y_max);
+}
+
 static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
 {
     from = turned(s, from);
     to = turned(s, to);
+    if (is_beyond(s, to))
+        kind = "nohead";
+    if (s->is_window && !place_clip(&s->window, &from, &to))
+        return;
     include(s, from);
     include(s, to);
     canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
@@ -131,6 +155,8 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
 static void put_disc(sketch *s, fourlink_vector at, double radius, const char *colour)
 {
     at = turned(s, at);
+    if (is_beyond(s, at))
+        return;
     include(s, at);
     add_disc(s, at, radius);
     canvas_print(s->c,
@@ -149,9 +175,20 @@ void sketch_pin(sketch *s, fourlink_vector at)
     put_disc(s, at, PIN * s->letter * s->size, "white");
 }
 
+#define HEAD 0.3 /* rad, of an arc with a head */
+
+void sketch_turn_arrow(sketch *s, pen p, fourlink_vector centre, double radius, double from,
+                       double to)
+{
+    double before = to + (to > from ? -HEAD : HEAD);
+
+    sketch_arc(s, p, centre, radius, from, before);
+    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, to));
+}
+
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
 {
-    double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -0.3 : 0.3);
+    double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -HEAD : HEAD);
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
     sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, end));
@@ -163,15 +200,34 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     fourlink_vector side = turned(s, place_at(dx, dy));
 
     at = turned(s, at);
-    include(s, at);
-    if (s->texts.n == LABELS_MOST)
+    if (s->texts.n == LABELS_MOST || is_beyond(s, at))
         return;
+    include(s, at);
     new->at = at;
     new->dx = side.x;
     new->dy = side.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
+    new->is_close = new->has_leader = 0;
     s->texts.n++;
+}
+
+void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    int n = s->texts.n;
+
+    sketch_text(s, at, dx, dy, words);
+    if (s->texts.n > n)
+        s->texts.list[n].has_leader = 1;
+}
+
+void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    int n = s->texts.n;
+
+    sketch_text(s, at, dx, dy, words);
+    if (s->texts.n > n)
+        s->texts.list[n].is_close = 1;
 }
 
 void sketch_note(sketch *s, const char *words)
@@ -186,6 +242,8 @@ void sketch_centre(sketch *s, fourlink_vector at)
     int i;
 
     at = turned(s, at);
+    if (is_beyond(s, at))
+        return;
     include(s, at);
     add_disc(s, at, r);
     for (i = 0; i < 4; i++)
@@ -292,6 +350,45 @@ static void put_margin(const sketch *s)
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
+/* The end of a text that is nearest to a place, in pixels from its own place. */
+static fourlink_vector edge_of(const label *x, double px, double py)
+{
+    double h = 0.35 * CANVAS_LINE;
+
+    return place_at(GSL_MAX_DBL(x->middle.x - x->half, GSL_MIN_DBL(x->middle.x + x->half, px)),
+                    GSL_MAX_DBL(x->middle.y - h, GSL_MIN_DBL(x->middle.y + h, py)));
+}
+
+/* The distance of a place from a text, in pixels. */
+static double distance_of(const sketch *s, const label *x, fourlink_vector at)
+{
+    double px = (at.x - x->at.x) / s->texts.scale, py = (at.y - x->at.y) / s->texts.scale;
+    fourlink_vector edge = edge_of(x, px, py);
+
+    return gsl_hypot(edge.x - px, edge.y - py);
+}
+
+#define FAR 14.0 /* pixels: a text so far from its place has a line to it, */
+#define SURE 2.0 /* and one that is not so many times nearer to it than to another */
+
+/* Draw a line from a name to its point, if the text could be that of another. */
+static void put_leader(const sketch *s, const label *x)
+{
+    double own = distance_of(s, x, x->at), other = GSL_POSINF;
+    fourlink_vector from;
+    int i;
+
+    for (i = 0; i < s->texts.n; i++)
+        if (&s->texts.list[i] != x && s->texts.list[i].has_leader)
+            other = GSL_MIN_DBL(other, distance_of(s, x, s->texts.list[i].at));
+    if (own < FAR && SURE * own < other)
+        return;
+    from = edge_of(x, 0, 0);
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n",
+                 x->at.x + s->texts.scale * from.x, x->at.y + s->texts.scale * from.y, x->at.x,
+                 x->at.y, PEN_LEADER);
+}
+
 static void put_labels(const sketch *s)
 {
     int i;
@@ -301,6 +398,10 @@ static void put_labels(const sketch *s)
         double half = one->half;
         int side = one->middle.x > half ? 1 : one->middle.x < -half ? -1 : 0;
 
+        if (one->is_hidden)
+            continue;
+        if (one->has_leader && !s->c->is_text)
+            put_leader(s, one);
         canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", one->words,
                      one->at.x + s->texts.scale * (one->middle.x - side * half),
                      one->at.y + s->texts.scale * one->middle.y, canvas_side(side));

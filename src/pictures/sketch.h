@@ -7,24 +7,16 @@
 
 #include "canvas.h"
 #include "labels.h"
+#include "view/look.h"
 
-/* Line styles, defined in picture.c at the head of every script. */
+/* Line styles, those of the table of looks, at the head of every script: links by their numbers, 2 to 4. */
+#define PEN_CODE(code, name, colour, width, dashes, use) PEN_##code,
 typedef enum pen {
-    PEN_OF_LINK, /* each link has its own */
-    PEN_GROUND = 1,
-    PEN_CRANK = 2, /* 2, 3, 4: the links by their numbers */
-    PEN_COUPLER = 3,
-    PEN_FOLLOWER = 4,
-    PEN_PATH,
-    PEN_GHOST,        /* positions on the way */
-    PEN_FORCE,        /* pin forces */
-    PEN_LOAD,         /* loads and weights */
-    PEN_CONSTRUCTION, /* auxiliary lines */
-    PEN_RESULT,       /* the result of a construction */
-    PEN_OTHER,        /* other positions */
-    PEN_COUNT,        /* from here: the paths of further points */
+    PEN_OF_LINK,                   /* each link has its own */
+    LOOK_LIST(PEN_CODE) PEN_COUNT, /* from here: the paths of further points */
     PEN_PATHS = PEN_COUNT + 23
 } pen;
+#undef PEN_CODE
 
 #define SKETCH_CURVES 32
 #define SKETCH_CORNERS 40
@@ -40,10 +32,13 @@ typedef struct sketch_entry {
 
 typedef struct sketch {
     canvas *c;
-    place_box drawn;     /* the drawing so far */
-    int is_fixed;        /* 1: it does not grow */
-    double size;         /* of the whole */
-    double letter;       /* height of a letter, a fraction of the size */
+    place_box drawn; /* the drawing so far */
+    int is_fixed;    /* 1: it does not grow */
+    double size;     /* of the whole */
+    double letter;   /* height of a letter, a fraction of the size */
+    double block;    /* half the length of a piston or a block */
+    int is_window;   /* 1: only what is within `window` is drawn */
+    place_box window;
     double cosine, sine; /* of the angle by which it is turned */
     int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
@@ -59,6 +54,9 @@ void sketch_open(sketch *s, canvas *c, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
+
+/* Draw only what is in a square around a place, with this half side. */
+void sketch_window(sketch *s, fourlink_vector middle, double half);
 
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
@@ -78,11 +76,21 @@ void sketch_pin(sketch *s, fourlink_vector at);
 /* Draw an arc from one angle to another, in rad, counter-clockwise. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
 
+/* Draw an arc with a head at its end; from one angle to another, in either sense. */
+void sketch_turn_arrow(sketch *s, pen p, fourlink_vector centre, double radius, double from,
+                       double to);
+
 /* Draw a torque about a point: an arc with a head, counter-clockwise for sign > 0. */
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign);
 
 /* Put a text beside a point, in the direction (dx, dy) if there is room. */
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+
+/* The same with a line to the point, if the text stands far from it or near another such point. */
+void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+
+/* The same close to it, or not at all. */
+void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
 /* Put a line of text beside the drawing, below the one before. */
 void sketch_note(sketch *s, const char *words);

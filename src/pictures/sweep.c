@@ -226,6 +226,7 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
 {
     double *sorted = malloc(d->n * (size_t)p->v.n_branches * sizeof *sorted), low, high, width;
     unsigned long i, most = 0, here;
+    char symbol[NOTATION_SIZE];
     size_t n = 0;
     int b, bins;
 
@@ -243,8 +244,8 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
     width = bins > 1 ? (high - low) / bins : low != 0 ? 0.01 * fabs(low) : 1;
     low -= bins > 1 ? 0 : 0.5 * width;
     begin_panel(p);
-    canvas_titles(&p->on, "", d->outputs[output].name, d->outputs[output].unit, "designs",
-                  "number");
+    canvas_titles(&p->on, "", canvas_symbol(&p->on, d->outputs[output].name, symbol),
+                  d->outputs[output].unit, "designs", "number");
     for (b = 0; b < p->v.n_branches; b++) {
         here = put_bins(p, d, output, b, bins, low, width);
         most = here > most ? here : most;
@@ -285,6 +286,7 @@ static int is_monotonic(const designs *d)
 static int put_curve(picture *p, const designs *d, unsigned long output, const char *style)
 {
     const fourlink_value *x = &d->variables[d->axis];
+    char symbol[NOTATION_SIZE];
     double low, high;
     unsigned long i;
     int b;
@@ -292,7 +294,8 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
     if (!find_range(p, d, output, &low, &high))
         return 0;
     begin_panel(p);
-    canvas_titles(&p->on, "", x->name, x->unit, d->outputs[output].name, d->outputs[output].unit);
+    canvas_titles(&p->on, "", x->name, x->unit,
+                  canvas_symbol(&p->on, d->outputs[output].name, symbol), d->outputs[output].unit);
     for (b = 0; b < p->v.n_branches; b++) {
         canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
                      fourlink_branch_text((int)p->v.branches[b]));

@@ -217,8 +217,8 @@ static void put_coefficients(const diagram *d)
     for (i = 0; i < 2; i++) {
         value = i ? d->t.fluctuation : d->t.energy_coefficient;
         if (i ? value <= 0 : !d->t.has_coefficient)
-            flk_text_join(words, sizeof words, names[i], i ? ": no flywheel" : ": mean 0",
-                          (char *)NULL);
+            flk_text_join(words, sizeof words, names[i],
+                          i ? ": no flywheel" : ": none, its mean is 0", (char *)NULL);
         else
             flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),
                           (char *)NULL);
@@ -230,16 +230,21 @@ static void put_coefficients(const diagram *d)
 
 static void put_titles(const diagram *d)
 {
-    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[200];
+    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[300], x[80], y[80];
+    char symbol[NOTATION_SIZE], torque[NOTATION_SIZE];
     const picture *p = d->p;
+    int is_clockwise = d->sense < 0;
 
     picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, words);
     picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, other);
     flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
                   (char *)NULL);
-    canvas_titles(&p->on, title, d->sense > 0 ? "theta2" : "-theta2, turned clockwise",
-                  p->v.units[QUANTITY_ANGLE].name,
-                  d->sense > 0 ? "turning moment -Ts" : "turning moment Ts, clockwise",
+    flk_text_join(x, sizeof x, is_clockwise ? "-" : "", canvas_symbol(&p->on, "theta2", symbol),
+                  is_clockwise ? ", turned clockwise" : "", (char *)NULL);
+    flk_text_join(y, sizeof y, "turning moment ", is_clockwise ? "" : "-",
+                  canvas_symbol(&p->on, "Ts", torque), is_clockwise ? ", clockwise" : "",
+                  (char *)NULL);
+    canvas_titles(&p->on, title, x, p->v.units[QUANTITY_ANGLE].name, y,
                   p->v.units[QUANTITY_TORQUE].name);
 }
 
@@ -248,6 +253,7 @@ static void plot_moment(const diagram *d)
 {
     const char *branch = fourlink_branch_text(d->branch);
     const canvas *on = &d->p->on;
+    char symbol[NOTATION_SIZE];
     int k;
 
     fprintf(on->out, "$turning_%s << EOD\n", branch);
@@ -256,16 +262,17 @@ static void plot_moment(const diagram *d)
             canvas_print(on, "%.8g %.8g\n", d->cycle * k / PICTURE_STEPS, d->moment[k]);
     fprintf(on->out, "EOD\nplot $turning_%s using 1:2 ", branch);
     if (!on->is_text)
-        fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' "
+        fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#" LOOK_ABOVE "' "
               "title 'above', \\\n"
-              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
+              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#" LOOK_BELOW
+              "' "
               "title 'below', \\\n"
               "     '' using 1:2 ",
               on->out);
     fprintf(on->out,
-            "with lines lt %s title '%s', \\\n"
+            "with lines lt %s title '%s%s', \\\n"
             "     mean with lines lt 2 title 'mean'\n",
-            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-Ts" : "Ts");
+            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-" : "", canvas_symbol(on, "Ts", symbol));
 }
 
 const char *picture_turning(picture *p, fourlink_branch branch)

@@ -9,6 +9,7 @@
 
 /* In UTF-8. */
 #define ALPHA "\316\261"
+#define SUB_S "\342\202\233"
 
 /* ------------------------------------------------------------------------------------------ polygons */
 
@@ -224,7 +225,10 @@ char *scene_words(const scene_force *f, char *out, size_t size)
         letter[0] = *c;
         if (f->sort != SCENE_INERTIA || *c > '4')
             flk_text_join(out + strlen(out), size - strlen(out),
-                          *c > '4' ? letter : subscripts[*c - '0'], (char *)NULL);
+                          *c == 's'  ? SUB_S
+                          : *c > '4' ? letter
+                                     : subscripts[*c - '0'],
+                          (char *)NULL);
     }
     return out;
 }

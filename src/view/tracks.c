@@ -71,7 +71,15 @@ static void put_point(tracks *t, const char *name, const fourlink_state *state, 
     put(t, flk_text_join(words, sizeof words, "a", name, (char *)NULL), QUANTITY_ACCELERATION, a);
 }
 
-/* Put the ends of the way of a piston, or of a slider, and where the lever meets its slide. */
+/* A point of the lever, so far along its axis from D. */
+static fourlink_vector on_lever(const fourlink_state *state, double along)
+{
+    fourlink_vector at = geometry_vector(along, 0);
+
+    return geometry_of_link(state, FOURLINK_FOLLOWER, &at);
+}
+
+/* Put the ends of the way of a piston, or of a slider; where the lever meets its slide, and its ends. */
 static void put_way(tracks *t, const fourlink_state *state)
 {
     double e = t->v->design->offset, near, far;
@@ -84,6 +92,10 @@ static void put_way(tracks *t, const fourlink_state *state)
         has_slot ? geometry_on_slide(state, far) : geometry_vector(far, e));
     if (has_slot)
         put(t, "R", QUANTITY_LENGTH, geometry_on_slide(state, geometry_root(t->v)));
+    if (has_slot) {
+        put(t, "E1", QUANTITY_LENGTH, on_lever(state, t->v->lever_low));
+        put(t, "E2", QUANTITY_LENGTH, on_lever(state, t->v->lever_high));
+    }
 }
 
 /* Put the ends of springs. */
@@ -253,7 +265,7 @@ void tracks_find_places(tracks *t, const view *v, const fourlink_state *state)
 
 int tracks_is_outline(const track *x)
 {
-    return x->q == QUANTITY_LENGTH && strchr("ABCDPK", x->name[0]) != NULL;
+    return x->q == QUANTITY_LENGTH && strchr("ABCDEPK", x->name[0]) != NULL;
 }
 
 void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fourlink_load *loads)

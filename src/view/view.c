@@ -8,6 +8,8 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/format.h"
+#include "base/text.h"
 #include "view.h"
 
 /* The last crank angle of a motion, in its unit. */
@@ -17,6 +19,38 @@ static double end_of(const fourlink_motion *motion, const fourlink_range *range)
 
     fourlink_motion_row(motion, range, range->n_rows - 1, &last);
     return range->stops ? range->stop_angle : last.angle;
+}
+
+static void stretch(view *v, const fourlink_vector *at)
+{
+    if (at->y != 0)
+        return;
+    v->lever_low = GSL_MIN_DBL(v->lever_low, at->x);
+    v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
+}
+
+/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis. */
+static void find_reach(view *v)
+{
+    const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];
+    fourlink_load *loads = malloc((v->problem.n_loads + 1) * sizeof *loads);
+    fourlink_load_info info;
+    fourlink_vector at;
+    unsigned long i;
+    int link;
+
+    if (lever->mass > 0)
+        stretch(v, &lever->cg);
+    for (i = 0; i < v->problem.n_points; i++) {
+        fourlink_deck_point(v->deck, i, NULL, &link, &at);
+        if (link == FOURLINK_FOLLOWER)
+            stretch(v, &at);
+    }
+    if (loads && fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
+        for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++)
+            if (info.sort == FOURLINK_LOAD_OWN && info.link == FOURLINK_FOLLOWER)
+                stretch(v, &loads[i].at);
+    free(loads);
 }
 
 void view_take_design(view *v, fourlink_results *results)
@@ -35,6 +69,9 @@ void view_take_design(view *v, fourlink_results *results)
     fourlink_motion_range(&v->problem.motion, &v->range);
     v->end = end_of(&v->problem.motion, &v->range);
     v->range.n_rows = v->problem.n_rows;
+    v->lever_low = v->lever_high = 0;
+    if (v->kind.has_slot)
+        find_reach(v);
     fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
 }
 
@@ -112,20 +149,127 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
     return 1;
 }
 
+/* rad: a position is clear if it is farther from a dead one. */
+#define CLEAR (20 * M_PI / 180)
+
+/* The transmission angle is large, and at a piston crank and rod are not in line. */
+static int is_clear(const view *v, const fourlink_state *state)
+{
+    const fourlink_vector *crank = &state->link[FOURLINK_CRANK].axis,
+                          *rod = &state->link[FOURLINK_COUPLER].axis;
+
+    return state->mu > CLEAR &&
+           (!v->kind.has_stroke || fabs(crank->x * rod->y - crank->y * rod->x) > sin(CLEAR));
+}
+
+/* The number of the deck's own loads, and gas, that act; how many there are, and one that acts. */
+static int count_acting(const view *v, const fourlink_load *loads, int *of, const char **name)
+{
+    fourlink_load_info info;
+    unsigned long i;
+    int n = 0;
+
+    *of = 0;
+    for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++) {
+        if (info.sort != FOURLINK_LOAD_OWN && info.sort != FOURLINK_LOAD_GAS)
+            continue;
+        ++*of;
+        if (loads[i].force.x != 0 || loads[i].force.y != 0 || loads[i].torque != 0) {
+            *name = info.name;
+            n++;
+        }
+    }
+    return n;
+}
+
+/* The crank angle a sixth of the way through the motion. */
+static double sixth_of(const view *v)
+{
+    double from = v->problem.motion.from;
+
+    return from + (v->end - from) / 6;
+}
+
+/* The position there: over time, that of the row. */
+static int find_sixth(const view *v, fourlink_branch branch, fourlink_instant *now,
+                      fourlink_load *loads)
+{
+    return v->problem.by_time
+               ? fourlink_results_row(v->results, branch, v->range.n_rows / 6, NULL, now, loads)
+               : fourlink_results_at(v->results, branch, sixth_of(v), NULL, now, loads);
+}
+
+/* The row that is clear, with the largest number of acting loads, and of these nearest to a sixth of the way;
+** `most` is that number, at least.  -1 if there is none. */
+static long find_busiest(const view *v, fourlink_branch branch, int *most, fourlink_load *loads)
+{
+    double nearest = GSL_POSINF, off;
+    const char *name;
+    fourlink_instant now;
+    unsigned long i;
+    long found = -1;
+    int n, of;
+
+    for (i = 0; i < v->range.n_rows; i++) {
+        if (fourlink_results_row(v->results, branch, i, NULL, &now, loads) != FOURLINK_OK)
+            continue;
+        n = count_acting(v, loads, &of, &name);
+        off = v->problem.by_time ? fabs((double)i - (double)(v->range.n_rows / 6))
+                                 : fabs(now.row.angle - sixth_of(v));
+        if (n < *most || !is_clear(v, &now.state) || (n == *most && off >= nearest))
+            continue;
+        *most = n;
+        nearest = off;
+        found = (long)i;
+    }
+    return found;
+}
+
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads)
 {
-    double from = v->problem.motion.from, usual = from + (v->end - from) / 6;
+    int first, status, most = 0, acting = -1, of;
+    const char *name;
     unsigned long i;
-    int first, status;
+    long row;
 
-    first = v->problem.by_time && !angle
-                ? fourlink_results_row(v->results, branch, v->range.n_rows / 6, NULL, now, loads)
-                : fourlink_results_at(v->results, branch, angle ? *angle : usual, NULL, now, loads);
-    status = first;
-    for (i = 0; status != FOURLINK_OK && !angle && i < v->range.n_rows; i++)
+    if (angle)
+        return fourlink_results_at(v->results, branch, *angle, NULL, now, loads);
+    status = first = find_sixth(v, branch, now, loads);
+    if (first == FOURLINK_OK) {
+        acting = count_acting(v, loads, &of, &name);
+        most = acting + is_clear(v, &now->state); /* then only a row with more of them */
+    }
+    row = find_busiest(v, branch, &most, loads);
+    if (row >= 0)
+        return fourlink_results_row(v->results, branch, (unsigned long)row, NULL, now, loads);
+    if (first == FOURLINK_OK)
+        return find_sixth(v, branch, now, loads);
+    for (i = 0; status != FOURLINK_OK && i < v->range.n_rows; i++)
         status = fourlink_results_row(v->results, branch, i, NULL, now, loads);
     return status == FOURLINK_OK ? FOURLINK_OK : first;
+}
+
+const char *view_tell_position(const view *v, const fourlink_instant *now,
+                               const fourlink_load *loads, char out[VIEW_WHY])
+{
+    const char *name = "";
+    char first[FORMAT_SIZE], last[FORMAT_SIZE];
+    int of, n = count_acting(v, loads, &of, &name);
+    double off;
+
+    if (v->range.n_rows == 1)
+        return "the deck's instant";
+    off = v->problem.by_time ? now->row.time - (double)(v->range.n_rows / 6) * v->problem.time_step
+                             : now->row.angle - sixth_of(v);
+    if (fabs(off) <= 1e-9 * (v->problem.by_time ? v->problem.duration : fabs(v->end)))
+        return "a sixth of the way";
+    if (n == 0)
+        return "clear of dead positions";
+    if (n == 1)
+        return flk_text_join(out, VIEW_WHY, "where ", name, " acts", (char *)NULL);
+    return flk_text_join(out, VIEW_WHY, "where ", format_general(n, 9, first), " of ",
+                         format_general(of, 9, last), " loads act", (char *)NULL);
 }
 
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why)

@@ -23,6 +23,7 @@ typedef struct view {
     fourlink_range range; /* by time, with the number of its rows */
     double end;           /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
+    double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
     unsigned long n_columns;
 } view;
@@ -55,11 +56,17 @@ int view_reopen(const fourlink_source *source, const char *origin, const char *c
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
-/* The position to show on a branch: at a crank angle, or if that is null after a sixth of the motion,
-** otherwise at the first row at which the linkage can be assembled.  `loads` may be null.  Returns a
-** status. */
+/* The position to show on a branch: at a crank angle; if that is null, a sixth of the way through the motion,
+** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows that
+** nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be assembled.
+** Returns a status. */
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
+
+/* Why it is shown, if no crank angle was asked for: "a sixth of the way", "where press acts". */
+#define VIEW_WHY 120
+const char *view_tell_position(const view *v, const fourlink_instant *now,
+                               const fourlink_load *loads, char out[VIEW_WHY]);
 
 /* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why);

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** notation.h - names and units as they are printed in a book: theta2 is a theta with a subscript, N.m has a
+** raised dot.
+**
+** Tables, csv and terminals keep the plain names.
+*/
+#ifndef FOURLINK_NOTATION_H
+#define FOURLINK_NOTATION_H
+
+#include <stddef.h>
+
+enum { NOTATION_SIZE = 120 };
+
+/* A name in its parts, in UTF-8: F, 12x and "along" of F12_along; max(...) has all of it in `symbol`. */
+typedef struct notation {
+    char symbol[NOTATION_SIZE];
+    char sub[8];
+    const char *rest; /* behind the underscore; "": nothing */
+} notation;
+
+/* Take a name of a column or a fact apart; 0 if it is no such symbol: then `symbol` is the name. */
+int notation_split(const char *name, notation *n);
+
+/* The name in one line, with the subscripts of UTF-8; the unit: m/s2 with its power, deg as the sign. */
+char *notation_name(const char *name, char out[NOTATION_SIZE]);
+char *notation_unit(const char *unit, char out[NOTATION_SIZE]);
+
+#endif
