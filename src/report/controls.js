@@ -141,7 +141,7 @@ function controls(find, seen) {
         stop();
         document.documentElement.classList.add("on-paper");
         if (drawing)
-            drawing.layOut();
+            drawing.layOut(true);
     });
     window.addEventListener("afterprint", () => {
         document.documentElement.classList.remove("on-paper");

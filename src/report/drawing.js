@@ -455,10 +455,11 @@ function polygon(data, panel, described) {
         put = makeValues(panel, described.sides.map((x) => ({label: x.label, unit, kind: "link" + x.pen})));
     }
 
-    function layOut() {
+    /* Find the scale of all rows; of one row alone, on paper. */
+    function layOut(only) {
         const marks = [];
         measure(panel);
-        const all = rows.map(corners).filter((found) => found);
+        const all = (rows.includes(only) ? [only] : rows).map(corners).filter((found) => found);
         const sizes = all.map((found) => Math.max(...Object.values(found).map(size)));
         const limit = usual(sizes);
         all.forEach((found, k) => {
@@ -692,9 +693,9 @@ function draw(data, place, more) {
             view.show(now, name());
         row.show(branch, now);
     }
-    function layOut() {
+    function layOut(isOnPaper) {
         for (const view of views)
-            view.layOut();
+            view.layOut(isOnPaper ? now : null);
         show(now);
     }
     function choose(k) {

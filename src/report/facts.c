@@ -7,6 +7,7 @@
 #include "cell.h"
 #include "report.h"
 #include "tables/sheet.h"
+#include "view/notation.h"
 
 /* Write value and unit; words take so many cells. */
 static void put_value(report *r, const fourlink_value *v, int cells)
@@ -147,10 +148,10 @@ static const struct {
     int statistic; /* FOURLINK_MAX ...; 0: a fact */
 } results[] = {{"theta4_min", NULL, 0},
                {"theta4_max", NULL, 0},
-               {"theta4_swing", NULL, 0},
+               {"theta4_swing", "range of the angle of link 4", 0},
                {"swing", NULL, 0},
                {"stroke", NULL, 0},
-               {"time_ratio", NULL, 0},
+               {"time_ratio", "slow swing or stroke / quick one, in time", 0},
                {"mu_min", NULL, 0},
                {"omega4", "largest speed of link 4", FOURLINK_MAX},
                {"v", "largest speed of the piston", FOURLINK_MAX},
@@ -205,13 +206,17 @@ static void put_results_line(report *r, int i)
     int has[2] = {0, 0}, n = r->v.n_branches, k;
     page *p = &r->page;
     const char *words;
+    notation symbol;
 
     for (k = 0; k < n; k++)
         has[k] = find_result(r, i, r->v.branches[k], &found[k]);
     if (!has[0] && !has[1])
         return;
     words = results[i].words ? results[i].words : found[!has[0]].meaning;
-    page_print(p, "<tr><th scope=\"row\">%s, %n</th>", words, results[i].name);
+    page_print(p, "<tr><th scope=\"row\">%s", words);
+    if (notation_split(results[i].name, &symbol) || !results[i].name[1])
+        page_print(p, ", %n", results[i].name);
+    page_print(p, "</th>");
     for (k = 0; k < n; k++)
         if (has[k])
             put_result(r, &found[k]);

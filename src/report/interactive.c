@@ -12,11 +12,11 @@
 
 #include "assets.h"
 #include "interactive.h"
-#include "notation.h"
 #include "report.h"
 #include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
+#include "view/notation.h"
 
 #define DIGITS 5       /* of what is drawn: a tenth of a pixel in 2000 */
 #define STEP_DIGITS 10 /* of a crank angle or a time */
@@ -46,7 +46,8 @@ void report_put_script(page *p)
 
 static void put_column(line *l, const fourlink_value *c, const style *x)
 {
-    notation typeset;
+    char below[NOTATION_SIZE];
+    notation n;
 
     line_put(l, "{\"name\":");
     json_text_put(l, c->name, SCENE_ESCAPED);
@@ -54,11 +55,11 @@ static void put_column(line *l, const fourlink_value *c, const style *x)
     json_text_put(l, c->unit, SCENE_ESCAPED);
     line_put(l, ",\"meaning\":");
     json_text_put(l, c->meaning, SCENE_ESCAPED);
-    notation_name(c->name, &typeset);
+    notation_split(c->name, &n);
     line_put(l, ",\"label\":[");
-    json_text_put(l, typeset.letter, SCENE_ESCAPED);
+    json_text_put(l, n.symbol, SCENE_ESCAPED);
     line_put(l, ",");
-    json_text_put(l, typeset.sub, SCENE_ESCAPED);
+    json_text_put(l, notation_below(&n, below), SCENE_ESCAPED);
     line_put(l, ",\"\"],\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
              : x->exponent                   ? "exponent"

@@ -8,25 +8,36 @@
 
 #include "base/format.h"
 #include "base/xml.h"
-#include "notation.h"
 #include "page.h"
+#include "view/notation.h"
 
 /* A name with its index, as markup. */
 static void put_name(page *p, const char *name)
 {
+    char below[NOTATION_SIZE];
     notation n;
 
-    notation_name(name, &n);
-    page_print(p, n.is_variable ? "<i>%s</i>" : "%s", n.letter);
-    if (n.sub[0])
-        page_print(p, "<sub>%s</sub>", n.sub);
+    page_print(p, notation_split(name, &n) || strlen(name) == 1 ? "<i>%s</i>" : "%s", n.symbol);
+    if (*notation_below(&n, below))
+        page_print(p, "<sub>%s</sub>", below);
+}
+
+/* A unit, nothing for "1"; with the gap to the number before it, unless it is the sign of degrees. */
+static void put_unit(page *p, const char *unit, int has_gap)
+{
+    char typeset[NOTATION_SIZE];
+
+    if (strcmp(unit, "1") == 0)
+        return;
+    page_print(p, has_gap && strcmp(unit, "deg") != 0 ? "\302\240%s" : "%s",
+               notation_unit(unit, typeset));
 }
 
 void page_print(page *p, const char *format, ...)
 {
     va_list arguments;
     const char *words;
-    char number[FORMAT_SIZE], unit[NOTATION_SIZE], *end;
+    char number[FORMAT_SIZE], *end;
     int digits;
 
     va_start(arguments, format);
@@ -38,12 +49,8 @@ void page_print(page *p, const char *format, ...)
             xml_put(p->out, words, strlen(words));
         } else if (*format == 'n') {
             put_name(p, va_arg(arguments, const char *));
-        } else if (*format == 'u') {
-            notation_unit(va_arg(arguments, const char *), unit);
-            xml_put(p->out, unit, strlen(unit));
-        } else if (*format == 'U') {
-            notation_unit(va_arg(arguments, const char *), unit);
-            page_print(p, "%s%s", notation_gap(unit), unit);
+        } else if (*format == 'u' || *format == 'U') {
+            put_unit(p, va_arg(arguments, const char *), *format == 'U');
         } else if (*format == 'm') {
             fputs(va_arg(arguments, const char *), p->out);
         } else if (*format == 'd') {

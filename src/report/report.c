@@ -2,14 +2,15 @@
 **
 ** report.c - the report of a deck: the order of its sections.
 */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
-#include "notation.h"
 #include "report.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
+#include "view/notation.h"
 
 #define BLANK_LINES 12 /* for the discussion */
 
@@ -39,9 +40,9 @@ static void put_discussion(report *r)
     page_section(&r->page, "discussion", "Discussion");
     page_print(&r->page,
                "<textarea id=\"typed-discussion\" rows=\"12\" aria-label=\"Discussion\">"
-               "</textarea>\n<div class=\"typed\" hidden=\"hidden\"></div>\n"
+               "</textarea>\n<div class=\"typed\"></div>\n"
                "<p class=\"save\"><button type=\"button\" id=\"typed-save\" hidden=\"hidden\">"
-               "Save this report</button></p>\n<div class=\"blank-lines\" hidden=\"hidden\">");
+               "Save this report</button></p>\n<div class=\"blank-lines\">");
     for (i = 0; i < BLANK_LINES; i++)
         page_print(&r->page, "<div></div>");
     page_print(&r->page, "</div>\n</section>\n");
@@ -113,7 +114,7 @@ static int find_sample(report *r, fourlink_mistake *mistake)
                             r->loads);
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number),
-                  notation_gap(typeset), typeset, (char *)NULL);
+                  isalpha((unsigned char)*typeset) ? "\302\240" : "", typeset, (char *)NULL);
     r->drawn_at = r->request->at;
     if (r->v.problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =
