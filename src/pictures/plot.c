@@ -56,7 +56,7 @@ plot_file plot_file_of(const char *name)
 
 /* A figure of a page is as wide as paper at 7 pt allows, and low: two of curves are a page. */
 #define FIGURE_WIDTH 1000.0
-#define FIGURE_LOW 0.72
+#define FIGURE_LOW 0.68
 
 static void lay_out(picture *p, FILE *out)
 {
@@ -70,7 +70,7 @@ static void lay_out(picture *p, FILE *out)
 
     if (p->request->is_figure) {
         width = GSL_MIN_DBL(width, FIGURE_WIDTH / columns);
-        height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : width / info->width;
+        height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : 1.05 * width / info->width;
     }
     if (is_vectors && !p->v.problem.has_forces)
         rows = 1;

@@ -139,12 +139,10 @@ function controls(find, seen) {
     /* On paper the drawings have the width of paper, so that their letters keep their size. */
     window.addEventListener("beforeprint", () => {
         stop();
-        document.documentElement.classList.add("on-paper");
         if (drawing)
             drawing.layOut(true);
     });
     window.addEventListener("afterprint", () => {
-        document.documentElement.classList.remove("on-paper");
         if (drawing)
             drawing.layOut();
     });
@@ -251,6 +249,22 @@ function printTables() {
     });
 }
 
+/* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */
+function printEquations() {
+    const equations = [...document.querySelectorAll(".equation math")];
+    window.addEventListener("beforeprint", () => {
+        const widths = equations.map((x) => {
+            const box = x.getBoundingClientRect(), edge = x.closest("main").getBoundingClientRect().right;
+            return (edge - box.left - 4) / box.width;
+        });
+        equations.forEach((x, k) => {
+            if (widths[k] < 1)
+                x.style.fontSize = Math.max(0.7, 0.86 * widths[k]) + "rem";
+        });
+    });
+    window.addEventListener("afterprint", () => equations.forEach((x) => x.style.removeProperty("font-size")));
+}
+
 /* ------------------------------------------------------------------------------------------------ the report */
 
 /* Of a report: the drawing takes the place of the pictures that stand there without a script. */
@@ -259,6 +273,9 @@ function start() {
     offerFiles();
     printTables();
     fourlink.typed.start();
+    window.addEventListener("beforeprint", () => document.documentElement.classList.add("on-paper"));
+    window.addEventListener("afterprint", () => document.documentElement.classList.remove("on-paper"));
+    printEquations();
     if (!rows || !place)
         return;
     const data = JSON.parse(rows.textContent);
