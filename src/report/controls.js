@@ -281,6 +281,8 @@ function start() {
     const data = JSON.parse(rows.textContent);
     if (!data.branches.length)
         return;
+    const spare = 16 - document.querySelectorAll("#results tr").length;
+    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(9, spare)));
     const more = document.getElementById("fourlink-more");
     for (const part of [place, more, document.getElementById("fourlink-controls")])
         part.hidden = false;

@@ -9,7 +9,7 @@
 */
 fourlink.draw = (function () {
 
-const {html, svg, withUnit, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+const {html, svg, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
        makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
@@ -153,6 +153,8 @@ function forceScale(forces, tracks, i, longest) {
 
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
+const SHORT = 20; /* pixels of a crank */
+
 function mechanism(data, panel) {
     let tracks, rows, view, forces, torques, put, cached, now = 0;
     const handle = svg("g", {class: "handle"});
@@ -166,8 +168,9 @@ function mechanism(data, panel) {
     const carried = data.links.flatMap((link) => carriedBy(data, link));
     const largest = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
-    /* Half a block: it does not cover a short crank. */
-    const half = () => Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now)))));
+    /* Half a block: one at the crank pin does not cover a short crank. */
+    const atCrank = data.links.some((link) => link.shape === "slot");
+    const half = () => atCrank ? Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now))))) : largest();
     panel.drawing.append(panel.ink, handle);
 
     /* Take a branch; `held`: of the same drawing. */
@@ -300,6 +303,38 @@ function mechanism(data, panel) {
         return [u[1], -u[0]];
     }
 
+    /* A crank that is too short to be seen is drawn again, enlarged, where there is room. */
+    function drawInset(i) {
+        const A = place("A", i), r = size(minus(place("B", i), A)), side = Math.max(90, Math.min(170, 0.38 * panel.height));
+        if (r >= SHORT || tracks.reason(i))
+            return;
+        const corners = [[1, 0], [1, 1], [0.5, 0], [0.5, 1], [0, 1], [0.2, 0]].map((c) => (
+            [6 + c[0] * (panel.width - side - 12), 6 + c[1] * (panel.height - side - 36)]));
+        const box = (at) => [at[0], at[1], at[0] + side, at[1] + side];
+        const inside = (at) => panel.dots.filter((p) => p[0] > at[0] && p[0] < at[0] + side && p[1] > at[1] && p[1] < at[1] + side);
+        const at = corners.reduce((best, x) => inside(x).length < inside(best).length ? x : best);
+        if (inside(at).length > 6)
+            return;
+        const k = 0.28 * side / r, heart = add(at, [side / 2, side / 2]);
+        const near = (name) => place(name, i) && add(heart, times(k, minus(place(name, i), A)));
+        const clip = svg("clipPath", {id: "fourlink-inset"}, svg("rect", {x: digits(at[0]), y: digits(at[1]), width: side, height: side}));
+        const ink = svg("g", {"clip-path": "url(#fourlink-inset)"}), own = {ink, boxes: [], dots: []};
+        const frame = svg("rect", {class: "frame", x: digits(at[0]), y: digits(at[1]), width: side, height: side});
+        support(own, heart);
+        for (const link of data.links.slice().reverse())
+            drawLink(own, link, near, 0.4 * k * r, data);
+        for (const pin of ["A", "B"]) {
+            const out = direction(minus(near(pin), near(pin === "A" ? "B" : "A")));
+            circle(own, "pivot", near(pin), 4.5);
+            ink.append(svg("text", {x: digits(near(pin)[0] + 15 * out[0] - 5), y: digits(near(pin)[1] + 15 * out[1] + 5)},
+                           svg("tspan", {class: "variable"}, pin)));
+        }
+        ink.append(svg("text", {x: digits(at[0] + 6), y: digits(at[1] + 16), class: "small"}, quantityText(k, "1", 2) + " : 1"));
+        panel.ink.append(svg("g", {class: "inset"}, clip, svg("circle", {class: "leader", cx: digits(A[0]), cy: digits(A[1]), r: digits(r + 8)}),
+                             frame, ink));
+        panel.boxes.push(box(at));
+    }
+
     /* The letters at the pins, away from their links. */
     function drawLetters(i) {
         const A = place("A", i), B = place("B", i), C = place("C", i), D = place("D", i);
@@ -363,6 +398,7 @@ function mechanism(data, panel) {
         drawTorques(i);
         drawLetters(i);
         drawForces(i);
+        drawInset(i);
         if (!reason)
             for (const link of data.links)
                 drawNumber(panel, link, (track) => place(track, i));

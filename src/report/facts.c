@@ -167,7 +167,7 @@ static const struct {
                {"energy_fluctuation", NULL, 0},
                {"flywheel_inertia", NULL, 0},
                {"mean_speed", NULL, 0},
-               {"fluctuation_exact", NULL, 0}};
+               {"fluctuation_exact", "coefficient of fluctuation of speed", 0}};
 
 enum { RESULTS = sizeof results / sizeof results[0] };
 

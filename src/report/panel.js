@@ -328,7 +328,7 @@ function fit(panel, marks, edge) {
     }));
     const largest = most > 0 && most < Infinity ? most : 1;
     let scale = 0, part = 1.25;
-    while (scale < 0.65 * largest && part > 0.3) {
+    while (scale < 0.65 * largest && part > 0.2) {
         let least = 0, upper = largest;
         part *= 0.8;
         for (let k = 0; k < 30; k++) {
@@ -340,7 +340,7 @@ function fit(panel, marks, edge) {
         }
         scale = least;
     }
-    scale = Math.max(scale, 0.4 * largest);
+    scale = Math.max(scale, 0.5 * largest);
     const [x, y] = [0, 1].map((j) => ends(scale, part, j));
     return {scale, part, origin: [(panel.width - x[0] - x[1]) / 2, (panel.height - 20 - y[0] - y[1]) / 2]};
 }
@@ -380,7 +380,7 @@ function present(list, tracks, rows) {
     }));
 }
 
-return {html, svg, unitText, withUnit, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+return {html, svg, unitText, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
         makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
         reached, present, pairs, digits};
 }());
