@@ -44,23 +44,30 @@ void report_put_script(page *p)
 
 /* ----------------------------------------------------------------------------------------- the deck's table */
 
-static void put_column(line *l, const fourlink_value *c, const style *x)
+void interactive_put_label(line *l, const char *name)
 {
     char below[NOTATION_SIZE];
     notation n;
 
+    notation_split(name, &n);
+    line_put(l, "[");
+    json_text_put(l, n.symbol, SCENE_ESCAPED);
+    line_put(l, ",");
+    json_text_put(l, notation_below(&n, below), SCENE_ESCAPED);
+    line_put(l, ",\"\"]");
+}
+
+static void put_column(line *l, const fourlink_value *c, const style *x)
+{
     line_put(l, "{\"name\":");
     json_text_put(l, c->name, SCENE_ESCAPED);
     line_put(l, ",\"unit\":");
     json_text_put(l, c->unit, SCENE_ESCAPED);
     line_put(l, ",\"meaning\":");
     json_text_put(l, c->meaning, SCENE_ESCAPED);
-    notation_split(c->name, &n);
-    line_put(l, ",\"label\":[");
-    json_text_put(l, n.symbol, SCENE_ESCAPED);
-    line_put(l, ",");
-    json_text_put(l, notation_below(&n, below), SCENE_ESCAPED);
-    line_put(l, ",\"\"],\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
+    line_put(l, ",\"label\":");
+    interactive_put_label(l, c->name);
+    line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
              : x->exponent                   ? "exponent"
                                              : "fixed");
