@@ -249,6 +249,21 @@ function printTables() {
     });
 }
 
+/* What is wider than its place can be scrolled with the keyboard too. */
+function reachScrolling() {
+    const parts = [...document.querySelectorAll(".equation, .wide")];
+    const look = () => parts.forEach((x) => {
+        if (x.scrollWidth > x.clientWidth + 1) {
+            x.tabIndex = 0;
+            x.setAttribute("role", "group");
+            x.setAttribute("aria-label", x.matches(".wide") ? "Table" : "Equation");
+        }
+    });
+    look();
+    window.addEventListener("resize", look);
+    document.addEventListener("toggle", look, true);
+}
+
 /* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */
 function printEquations() {
     const equations = [...document.querySelectorAll(".equation math")];
@@ -276,6 +291,7 @@ function start() {
     window.addEventListener("beforeprint", () => document.documentElement.classList.add("on-paper"));
     window.addEventListener("afterprint", () => document.documentElement.classList.remove("on-paper"));
     printEquations();
+    reachScrolling();
     if (!rows || !place)
         return;
     const data = JSON.parse(rows.textContent);

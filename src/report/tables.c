@@ -48,11 +48,9 @@ static void open_block(sheet *s, fourlink_branch branch)
     page_print(p,
                "<details class=\"table%s\">\n"
                "<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
-               "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table %d\">"
-               "<table class=\"rows\" style=\"--letters: %lu\">\n<thead><tr>",
-               s->v.problem.n_rows > MOST_ON_PAPER ? " long" : "", p->n_tables + 1,
-               fourlink_branch_text((int)branch), s->v.problem.n_rows, p->n_tables + 1, letters);
-    p->n_tables++;
+               "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n<thead><tr>",
+               s->v.problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
+               fourlink_branch_text((int)branch), s->v.problem.n_rows, letters);
     for (j = 0; j < s->v.n_columns; j++)
         page_print(p, "<th scope=\"col\" title=\"%s\" data-name=\"%s\">%n<br/>%u</th>",
                    s->v.columns[j].meaning, s->v.columns[j].name, s->v.columns[j].name,
