@@ -431,7 +431,7 @@ const char *const assets_script[] = {
     "            parts.forEach((part) => part.remove());\n            table.hidden = false;\n            fold.open = open;\n        }\n    });\n}\n\n/* What is wider than its place can be scrolled with the keyboard too. */",
     "function reachScrolling() {\n    const parts = [...document.querySelectorAll(\".equation, .wide\")];\n    const look = () => parts.forEach((x) => {\n        if (x.scrollWidth > x.clientWidth + 1) {\n            x.tabIndex = 0;",
     "            x.setAttribute(\"role\", \"group\");\n            x.setAttribute(\"aria-label\", x.matches(\".wide\") \? \"Table\" : \"Equation\");\n        }\n    });\n    look();\n    window.addEventListener(\"resize\", look);",
-    "    document.addEventListener(\"toggle\", look, true);\n}\n\n/* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */\nfunction printEquations() {",
+    "    window.addEventListener(\"toggle\", look, true);\n}\n\n/* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */\nfunction printEquations() {",
     "    const equations = [...document.querySelectorAll(\".equation math\")];\n    window.addEventListener(\"beforeprint\", () => {\n        const widths = equations.map((x) => {",
     "            const box = x.getBoundingClientRect(), edge = x.closest(\"main\").getBoundingClientRect().right;\n            return (edge - box.left - 4) / box.width;\n        });\n        equations.forEach((x, k) => {",
     "            if (widths[k] < 1)\n                x.style.fontSize = Math.max(0.7, 0.86 * widths[k]) + \"rem\";\n        });\n    });",

@@ -261,7 +261,7 @@ function reachScrolling() {
     });
     look();
     window.addEventListener("resize", look);
-    document.addEventListener("toggle", look, true);
+    window.addEventListener("toggle", look, true);
 }
 
 /* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** narrow.js REPORT... - draws all rows of reports in panels of phones and of a desk, for test_narrow.sh, with the
-** document of page_drawn.js: every attribute is a number where it should be, the mechanism is more than a blob.  A
-** line for each thing that is wrong, and at the end how many drawings were looked at.
+** document of page_drawn.js: every attribute is a number where it should be, the mechanism is more than a blob, labels
+** of free bodies do not cover each other.  A line for each thing that is wrong, and at the end how many drawings were looked at.
 */
 "use strict";
 
@@ -32,6 +32,17 @@ function* circles(element) {
         yield* circles(child);
 }
 
+/* Labels of a drawing that cover each other. */
+function covered(ink) {
+    const boxes = ink.children.filter((x) => x.tagName === "text" && !/small|reason/.test(x.attributes.class || "")).map((made) => {
+        const x = Number(made.attributes.x), y = Number(made.attributes.y);
+        const width = made.children.reduce((sum, part, k) => sum + part.textContent.length * (k ? 7 : 8), 0);
+        return [x, y - 11, x + width, y + 1, made.textContent];
+    });
+    return boxes.flatMap((a, k) => boxes.slice(k + 1).filter((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3])
+        .map((b) => a[4] + " on " + b[4]));
+}
+
 /* The larger side of the box of all pins. */
 function spread(place) {
     const pins = [...circles(place)].map((x) => [Number(x.attributes.cx), Number(x.attributes.cy)]);
@@ -59,6 +70,8 @@ for (const file of process.argv.slice(2)) {
                 drawing.show(i);
                 drawings++;
                 [...wrong(place)].slice(0, 1).forEach((x) => found.add(x));
+                for (const figure of place.children[0].children.filter((x) => /Free body/.test(x.textContent)))
+                    covered(figure.children[0].children[0]).slice(0, 1).forEach((x) => found.add(data.steps[i] + ", labels: " + x));
                 widest = Math.max(widest, spread(main));
             }
             for (const x of [...found].slice(0, 3))
