@@ -2,6 +2,8 @@
 **
 ** facts.c - the inputs of a report, its key facts and the extremes of its columns.
 */
+#include <string.h>
+
 #include <gsl/gsl_math.h>
 
 #include "cell.h"
@@ -177,6 +179,8 @@ static int find_result(report *r, int i, fourlink_branch branch, fourlink_value 
     const fourlink_problem *p = &r->v.problem;
     int statistic = p->n_rows > 1 ? results[i].statistic : 0;
 
+    if (p->n_rows < 2 && results[i].statistic == FOURLINK_MIN)
+        return 0;
     return fourlink_results_find(r->v.results, results[i].name, found) == FOURLINK_OK &&
            !(found->flags & FOURLINK_CRANK_ANGLE) &&
            fourlink_results_get(r->v.results, found->handle + statistic, branch, p->motion.from,
@@ -213,6 +217,8 @@ static void put_results_line(report *r, int i)
     if (!has[0] && !has[1])
         return;
     words = results[i].words ? results[i].words : found[!has[0]].meaning;
+    if (r->v.problem.n_rows < 2 && results[i].statistic)
+        words += strlen("largest ");
     page_print(p, "<tr><th scope=\"row\">%s", words);
     if (notation_split(results[i].name, &symbol) || !results[i].name[1])
         page_print(p, ", %n", results[i].name);

@@ -123,9 +123,6 @@ void report_put_curves(report *r)
     char caption[200];
 
     page_section(&r->page, "curves", "Curves and diagrams");
-    put_figure(r, PLOT_KLEIN, at,
-               "Klein's construction: lengths that stand for velocity and acceleration",
-               at_angle(r, "Klein's construction", caption));
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
                flk_text_join(caption, sizeof caption, "The motion ", over, (char *)NULL));
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
@@ -137,6 +134,9 @@ void report_put_curves(report *r)
                "The turning moment.");
     put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
                "Polar diagrams of the pin forces.");
+    put_figure(r, PLOT_KLEIN, at,
+               "Klein's construction: lengths that stand for velocity and acceleration",
+               at_angle(r, "Klein's construction", caption));
     if (r->gnuplot)
         page_print(&r->page, "<p class=\"missing\">The pictures are missing: %s.</p>\n",
                    r->gnuplot);
