@@ -76,7 +76,8 @@ function isVariable(label) {
 }
 
 function htmlLabel(label) {
-    const made = html("span", {}, html(isVariable(label) ? "i" : "span", {}, label[0]));
+    const parts = label[0].split(/(?<=_)/).flatMap((part, k) => k ? [html("wbr"), part] : [part]); /* lines may end there */
+    const made = html("span", {}, html(isVariable(label) ? "i" : "span", {}, ...parts));
     if (label[1])
         made.append(html("sub", {}, label[1]));
     if (label[2])

@@ -428,7 +428,9 @@ for (const [id, way] of [["rows-before", -PAGE], ["rows-after", PAGE]])
     });
 window.addEventListener("beforeprint", () => {
     find("printed").textContent = editor.text();
+    curve.draw();
 });
+window.addEventListener("afterprint", () => curve.draw());
 window.addEventListener("resize", () => {
     if (!find("view-curve").hidden)
         curve.draw();
