@@ -727,6 +727,7 @@ function draw(data, place, more) {
         now = Math.max(0, Math.min(data.steps.length - 1, i));
         for (const view of views)
             view.show(now, name());
+        main.panel.caption.textContent = main.panel.title + " at " + name();
         row.show(branch, now);
     }
     function layOut(isOnPaper) {

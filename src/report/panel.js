@@ -151,10 +151,10 @@ function tracksOf(data, branch) {
 /* A panel is a figure with one drawing, a caption and a list of values, which stay while the drawing changes. */
 function makePanel(title, kind) {
     const drawing = svg("svg", {class: "sheet", role: "img"});
-    const list = html("ul", {class: "values"});
+    const list = html("ul", {class: "values"}), caption = html("span", {}, title);
     const figure = html("figure", {class: "panel " + kind}, drawing,
-                        html("figcaption", {}, title), list);
-    return {figure, drawing, list, title, ink: svg("g", {}), boxes: [], dots: [], labels: [], kept: new Map(),
+                        html("figcaption", {}, caption), list);
+    return {figure, drawing, caption, list, title, ink: svg("g", {}), boxes: [], dots: [], labels: [], kept: new Map(),
             width: 0, height: 0};
 }
 
