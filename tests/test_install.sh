@@ -85,7 +85,7 @@ with_c() {
     check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
     check 'the page' grep -q '</html>' usr/share/fourlink/fourlink.html
     check 'licence' test -s usr/share/doc/fourlink/LICENSE
-    for file in README.md CHANGES.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.gif; do
+    for file in README.md CHANGES.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.svg; do
         check "$file" test -s "usr/share/doc/fourlink/$file"
     done
     check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5

@@ -427,9 +427,9 @@ static int check_plot(options *o, char message[400])
     if (o->drawing.kind == PLOT_COUNT)
         o->drawing.kind = o->drawing.file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
     if (o->drawing.at && o->drawing.kind != PLOT_MECHANISM && o->drawing.kind != PLOT_VECTORS &&
-        o->drawing.kind != PLOT_KLEIN)
+        o->drawing.kind != PLOT_LIMITS && o->drawing.kind != PLOT_KLEIN)
         return say(message,
-                   "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
+                   "--plot-at works with the kinds mechanism, vectors, limits and klein, not with ",
                    plot_names[o->drawing.kind], "");
     if (o->drawing.x && o->drawing.kind != PLOT_COLUMNS)
         return say(message, "--plot-x works with --plot-kind=columns, not with ",

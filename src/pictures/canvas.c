@@ -44,6 +44,47 @@ static void put_quoted(FILE *out, const char *words, int is_file)
     putc('"', out);
 }
 
+/* 1 at a mark of a subscript or a superscript. */
+static int is_mark(const char *c)
+{
+    return strncmp(c, NOTATION_SUB, NOTATION_MARK) == 0 ||
+           strncmp(c, NOTATION_SUPER, NOTATION_MARK) == 0;
+}
+
+/* With gnuplot's own marks, a_{CB}^{n}; on a text terminal without any. */
+static void put_marked(const canvas *c, const char *words)
+{
+    char marked[CANVAS_WORDS];
+    size_t n = 0;
+    int is_in = 0;
+
+    while (*words && n + 8 < sizeof marked) {
+        if (is_in && (is_mark(words) || *words == ' ')) {
+            marked[n++] = '}';
+            is_in = 0;
+        }
+        if (!is_mark(words)) {
+            marked[n++] = *words++;
+            continue;
+        }
+        if (!c->is_text) {
+            marked[n++] = strncmp(words, NOTATION_SUB, NOTATION_MARK) == 0 ? '_' : '^';
+            marked[n++] = '{';
+            is_in = 1;
+        }
+        words += NOTATION_MARK;
+    }
+    if (is_in)
+        marked[n++] = '}';
+    marked[n] = '\0';
+    put_quoted(c->out, marked, 0);
+}
+
+const char *canvas_mode(const char *words)
+{
+    return strstr(words, NOTATION_SUB) ? "enhanced" : "noenhanced";
+}
+
 void canvas_print(const canvas *c, const char *format, ...)
 {
     char number[FORMAT_SIZE], *end;
@@ -58,6 +99,8 @@ void canvas_print(const canvas *c, const char *format, ...)
             fputs(va_arg(arguments, const char *), c->out);
         } else if (*format == 'q' || *format == 'f') {
             put_quoted(c->out, va_arg(arguments, const char *), *format == 'f');
+        } else if (*format == 'w') {
+            put_marked(c, va_arg(arguments, const char *));
         } else if (*format == 'd') {
             fprintf(c->out, "%d", va_arg(arguments, int));
         } else { /* .8g */
@@ -79,7 +122,7 @@ int canvas_letters(const char *words)
     int n = 0;
 
     for (; *words; words++)
-        n += begins_letter(*words);
+        n += begins_letter(*words) && !is_mark(words);
     return n;
 }
 
@@ -142,8 +185,8 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
 void canvas_heading(const canvas *c)
 {
     canvas_print(c,
-                 "set label title at screen 0.5, screen %.6g center\n"
-                 "set label source at screen 0.5, screen %.6g center\n",
+                 "set label title at screen 0.5, screen %.6g center noenhanced\n"
+                 "set label source at screen 0.5, screen %.6g center noenhanced\n",
                  1 - CANVAS_LINE / c->height, 1 - 2 * CANVAS_LINE / c->height);
 }
 
@@ -219,7 +262,8 @@ void canvas_key(const canvas *c)
 
 void canvas_note(const canvas *c, int line, const char *words)
 {
-    canvas_print(c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", words, -line);
+    canvas_print(c, "set label %w at graph 1.02, graph 1 offset 0,%d left %s\n", words, -line,
+                 canvas_mode(words));
 }
 
 void canvas_grid(const canvas *c)

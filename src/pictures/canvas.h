@@ -60,8 +60,11 @@ void canvas_note(const canvas *c, int line, const char *words);
 void canvas_grid(const canvas *c);
 
 /* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, %q quotes a
-** text for gnuplot, and %f the name of a file. */
+** text for gnuplot, %f the name of a file, and %w a text with subscripts, as canvas_mode has it drawn. */
 void canvas_print(const canvas *c, const char *format, ...);
+
+/* gnuplot's word for a text with subscripts, or without. */
+const char *canvas_mode(const char *words);
 
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);

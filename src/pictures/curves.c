@@ -2,7 +2,7 @@
 **
 ** curves.c - motion and forces over the crank angle or over time; the actual motion: the speed with its mean,
 ** the torques over the speed, and the energy.  There the torque of the motor lies on its own curve; that on
-** the crank makes the loop of the cycle.
+** the crank makes the loop of the cycle, or for a motion of several turns is averaged over each.
 */
 #include <gsl/gsl_math.h>
 
@@ -72,6 +72,8 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     static const char *const speed[] = {"omega2", NULL}, *const energy[] = {"energy", NULL},
                              *const torques[] = {"T_motor", "Ts", NULL};
     const char *branch_name = fourlink_branch_text((int)branch);
+    int is_later =
+        p->v.problem.mode != FOURLINK_MODE_STEADY; /* the mean is that of a steady motion */
     char words[PICTURE_WORDS], title[PICTURE_WORDS + 20];
     fourlink_value mean;
     panel_plan plan;
@@ -81,7 +83,8 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     plan.n_extremes = 1;
     if (fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK) {
         plan.mean = mean.value;
-        picture_words(p, "mean", view_si(&p->v, QUANTITY_ANGULAR_SPEED, mean.value),
+        plan.mean_name = is_later ? "later mean" : "mean";
+        picture_words(p, plan.mean_name, view_si(&p->v, QUANTITY_ANGULAR_SPEED, mean.value),
                       QUANTITY_ANGULAR_SPEED, words);
         plan.title = flk_text_join(title, sizeof title, branch_name, ": ", words, (char *)NULL);
     }
@@ -90,6 +93,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     plan_columns(p, &plan, "omega2", branch, torques);
     plan.y = "torque";
     plan.n_key = 2;
+    plan.by_turn = is_later && plan.n > 1 ? 2 : 0;
     panel_draw(p, &plan);
     plan_columns(p, &plan, picture_over(p), branch, energy);
     plan.n_key = 2;

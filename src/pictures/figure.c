@@ -10,14 +10,10 @@
 
 #define STEPS 180 /* of a path */
 
-/* Half the length of a piston or a block, as a fraction of the drawing; of a block not more than this fraction of
-** its crank.  Its height is a fraction of its length. */
-#define BLOCK 0.055
+/* Half the length of a block is at most this fraction of its crank. */
 #define OF_CRANK 0.35
-#define HIGH (7. / 11)
 
 /* Greek letters, in UTF-8. */
-#define THETA "\316\270"
 #define OMEGA "\317\211"
 
 double figure_length(const picture *p, double si)
@@ -56,7 +52,7 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
 /* Half the length of a piston or a block. */
 static double figure_block(const sketch *s)
 {
-    return s->block > 0 ? s->block : BLOCK * s->size;
+    return s->block > 0 ? s->block : FIGURE_BLOCK * s->size;
 }
 
 figure_pins figure_place(const picture *p, const fourlink_state *state)
@@ -152,12 +148,13 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (p->v.kind.has_slot)
-        s->block = GSL_MIN_DBL(
-            BLOCK * s->size, OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
+        s->block =
+            GSL_MIN_DBL(FIGURE_BLOCK * s->size,
+                        OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * figure_block(s));
-        s->is_fixed = 1;
+        s->is_fixed = s->texts.is_steady = 1;
     } else {
         s->drawn = place_nothing;
     }
@@ -172,7 +169,8 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double h = HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from, to;
+        double h = FIGURE_HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from,
+               to;
 
         find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
@@ -201,7 +199,7 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
 {
     double half = figure_block(s);
 
-    put_rectangle(s, kind, at, axis, -half, half, HIGH * half);
+    put_rectangle(s, kind, at, axis, -half, half, FIGURE_HIGH * half);
 }
 
 /* Draw the lever on from its arm and its slot to its points, loads and centre of mass. */
@@ -230,29 +228,31 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
 
     find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
     put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
-                  HIGH * figure_block(s));
+                  FIGURE_HIGH * figure_block(s));
     sketch_line(s, kind, D, on_slide(p, state, root));
     if (root < from || root > to)
         sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
     put_reach(s, p, state, kind, from, to);
 }
 
+/* The crank is in front: of a block, and of a coupler in line with it. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
+    pen crank = kind ? kind : PEN_CRANK, coupler = kind ? kind : PEN_COUPLER;
+    pen follower = kind ? kind : PEN_FOLLOWER;
     figure_pins pins = figure_place(p, state);
 
-    if (p->v.kind.has_slot) { /* the crank is in front of the block */
-        figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
-        figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
-        sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-        return;
+    if (p->v.kind.has_slot) {
+        figure_lever(s, p, state, follower);
+        figure_piston(s, coupler, pins.B, &state->link[FOURLINK_COUPLER].axis);
+    } else {
+        sketch_line(s, coupler, pins.B, pins.C);
+        if (p->v.kind.has_stroke)
+            figure_piston(s, follower, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
+        else
+            sketch_line(s, follower, pins.D, pins.C);
     }
-    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-    sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
-    if (p->v.kind.has_stroke)
-        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
-    else
-        sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
+    sketch_line(s, crank, pins.A, pins.B);
 }
 
 /* Draw the outline of a link with tracer points. */
@@ -282,6 +282,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
+    char fitting[LABELS_WORDS];
     unsigned long i;
     const char *name;
     int link;
@@ -293,7 +294,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
-        sketch_name(s, at, 0.8, 0.8, name);
+        sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);
@@ -320,6 +321,23 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
     double dx = from_x.x + from_y.x, dy = from_x.y + from_y.y;
 
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
+}
+
+/* Letters that do not jump from position to position: beside the supports, outward of crank and rocker. */
+#define BESIDE 0.03 /* of the drawing, from a pin to the edge of its support */
+
+static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)
+{
+    figure_pins pins = figure_place(p, state);
+    double beside = BESIDE * s->size;
+
+    sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
+    figure_letter(s, pins.B, pins.A, pins.A, "B");
+    if (!p->v.kind.has_slot)
+        figure_letter(s, pins.C, p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D,
+                      p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D, "C");
+    if (!p->v.kind.has_stroke)
+        sketch_text(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
 }
 
 static void put_letters(sketch *s, const picture *p, const fourlink_state *state)
@@ -364,11 +382,11 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
-    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA SUB_2);
+    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, FIGURE_THETA SUB_2);
     if (!p->v.kind.has_slot || p->v.design->angle != 0)
-        put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA SUB_3);
+        put_angle(s, p, pins.B, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
     if (!p->v.kind.has_stroke)
-        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
+        put_angle(s, p, pins.D, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
 }
 
 /* Put the numbers of the links beside their middles; that of the ground below A. */
@@ -387,7 +405,7 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
         const fourlink_vector *axis = &state->link[link].axis;
         fourlink_vector at =
             place_at((from[link].x + to[link].x) / 2, (from[link].y + to[link].y) / 2);
-        double half = figure_block(s), up = HIGH * half;
+        double half = figure_block(s), up = FIGURE_HIGH * half;
 
         if (p->v.kind.slides_on[link])
             at = place_beside(to[link], half * axis->x - up * axis->y,
@@ -402,7 +420,7 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
 #define AHEAD 0.35
 #define LONG 0.8
 
-static void put_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
+void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
 {
     double omega = state->link[FOURLINK_CRANK].omega, sign = omega < 0 ? -1 : 1;
     double from = state->link[FOURLINK_CRANK].theta + sign * AHEAD, radius = SENSE * s->size;
@@ -435,7 +453,7 @@ void figure_slope(sketch *s, const picture *p)
 
 void figure_gravity(sketch *s, const picture *p)
 {
-    double left = s->drawn.x_min - 0.05 * s->size, top = s->drawn.y_max;
+    double left = s->drawn.x_min - 0.1 * s->size, top = s->drawn.y_max;
     fourlink_vector to = place_at(left, top - 0.12 * s->size), axis;
 
     sketch_turn(s, 0);
@@ -454,8 +472,8 @@ void figure_gravity(sketch *s, const picture *p)
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
 {
     put_links(s, p, state);
-    put_letters(s, p, state);
-    put_sense(s, state, figure_place(p, state).A);
+    (s->texts.is_steady ? put_steady_letters : put_letters)(s, p, state);
+    figure_sense(s, state, figure_place(p, state).A);
     if (has_angles)
         put_angles(s, p, state);
     put_numbers(s, p, state);
@@ -507,7 +525,7 @@ void figure_close(sketch *s, const picture *p, const fourlink_instant *now, cons
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
+                  ", " FIGURE_THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
                   time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
     sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
 }

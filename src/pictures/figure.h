@@ -9,6 +9,14 @@
 #include "sketch.h"
 #include "view/geometry.h"
 
+#define FIGURE_THETA "\316\270" /* the Greek letter, in UTF-8 */
+
+/* Half the length of a piston or a block, as a fraction of the drawing; its height as one of its length. */
+#define FIGURE_BLOCK 0.055
+#define FIGURE_HIGH (7. / 11)
+
+#define FIGURE_NAME 16 /* letters, of a name beside its point */
+
 /* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
 ** an inverted slider-crank C, where links 3 and 4 meet, is B. */
 typedef struct figure_pins {
@@ -48,6 +56,9 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
 ** the slope and, if wanted, the angles of the links. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
+
+/* Draw the sense of rotation about A, ahead of the crank. */
+void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A);
 
 /* Put a letter beside a pin, away from the other pins of its links; `y` is x if there is only one link. */
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,

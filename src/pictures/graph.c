@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "graph.h"
+#include "place.h"
 #include "sketch.h"
 
 const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
@@ -23,6 +24,8 @@ const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGI
 #define LARGE 0.02
 #define HALVINGS 20
 #define REMAINS 0.5
+
+#define FEWEST_TURNS 3 /* that are averaged */
 
 void graph_extend(graph_extent *e, double value, double mu)
 {
@@ -223,6 +226,63 @@ void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_
         graph_extend(e, line->y[k], line->mu[k]);
         line->n_points++;
     }
+}
+
+/* Sums over the crank angle in a turn: of the angle, and of two columns. */
+typedef struct turn_sums {
+    double angle, x, y;
+} turn_sums;
+
+/* Add a step, in which the columns are linear; where a turn ends in it, put its means and begin the next. */
+static int add_step(turn_sums *sums, double turn, double step, const double *last,
+                    const double *next, fourlink_vector *mean)
+{
+    double rest = turn - sums->angle, part = step > rest ? rest / step : 1;
+    double x = last[0] + part * (next[0] - last[0]), y = last[1] + part * (next[1] - last[1]);
+    int ends = step >= rest * (1 - 1e-9);
+
+    sums->angle += part * step;
+    sums->x += part * step * (last[0] + x) / 2;
+    sums->y += part * step * (last[1] + y) / 2;
+    if (!ends)
+        return 0;
+    *mean = place_at(sums->x / sums->angle, sums->y / sums->angle);
+    sums->angle = (1 - part) * step;
+    sums->x = sums->angle * (x + next[0]) / 2;
+    sums->y = sums->angle * (y + next[1]) / 2;
+    return 1;
+}
+
+int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
+                  graph_line *line)
+{
+    double turn = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle), last[2] = {0, 0}, next[2];
+    double values[PICTURE_COLUMNS], before = 0;
+    turn_sums sums = {0, 0, 0};
+    fourlink_instant now;
+    fourlink_vector mean;
+    int k, n = 0;
+
+    for (k = 0; k <= PICTURE_STEPS; k++)
+        line->x[k] = line->y[k] = GSL_NAN;
+    for (k = 0; k <= PICTURE_STEPS; k++) {
+        if (!graph_sample(p, branch, k, values, &now))
+            break;
+        next[0] = values[x];
+        next[1] = values[y];
+        if (k > 0 && add_step(&sums, turn, fabs(now.row.angle - before), last, next, &mean)) {
+            line->x[n] = mean.x;
+            line->y[n] = mean.y;
+            line->mu[n++] = now.state.mu;
+        }
+        before = now.row.angle;
+        last[0] = next[0];
+        last[1] = next[1];
+    }
+    for (k = 0; k < n && n >= FEWEST_TURNS; k++)
+        graph_extend(e, line->y[k], line->mu[k]);
+    line->n_points = n;
+    return n >= FEWEST_TURNS;
 }
 
 static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)

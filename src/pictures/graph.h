@@ -49,6 +49,11 @@ void graph_extend_x(graph_extent *e, const graph_line *line);
 void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 
+/* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.
+** 0, and nothing, if there are fewer than three. */
+int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
+                  graph_line *line);
+
 /* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
 ** there is one, and not over time, returns 1 and the ends of the jump.  `size` is that of the curve. */
 int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,

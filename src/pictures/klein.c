@@ -149,6 +149,7 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
     sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     sketch_line(s, PEN_COUPLER, k->B, k->C);
     draw_crank(s, k, rod);
+    figure_sense(s, state, k->O);
     figure_piston(s, PEN_FOLLOWER, k->C, &state->link[FOURLINK_FOLLOWER].axis);
     sketch_pin(s, k->C);
     figure_letter(s, k->C, middle, middle, "C");

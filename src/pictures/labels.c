@@ -80,10 +80,10 @@ static void place(labels *l, int k)
     double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
     double w = text->half;
     fourlink_vector best = text->middle;
-    int rings = text->is_close ? 1 : RINGS, ring, i;
+    int rings = text->is_close || l->is_steady ? 1 : RINGS, ring, i;
 
     for (ring = 0; ring < rings; ring++)
-        for (i = 0; i < DIRECTIONS; i++) {
+        for (i = 0; i < (l->is_steady ? 1 : DIRECTIONS); i++) {
             double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
             double gap = GAP * (1 + 1.5 * ring);
 
@@ -98,7 +98,7 @@ static void place(labels *l, int k)
             }
         }
     text->middle = best;
-    text->is_hidden = text->is_close && least > HIDDEN;
+    text->is_hidden = text->is_close && least > HIDDEN && !l->is_steady;
 }
 
 static double scale_for(const labels *l, const place_box *b, double width, double height,
@@ -106,6 +106,18 @@ static double scale_for(const labels *l, const place_box *b, double width, doubl
 {
     return l->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
                                   (b->y_max - b->y_min) / (height - 2 * border));
+}
+
+/* A frame with this half side that has no room for all texts is moved so that the drawing is in it. */
+static void keep_within(double *low, double *high, double drawn_low, double drawn_high, double half)
+{
+    double middle = (*low + *high) / 2;
+
+    if (*high - *low <= 2 * half || drawn_high - drawn_low > 2 * half)
+        return;
+    middle = GSL_MIN_DBL(GSL_MAX_DBL(middle, drawn_high - half), drawn_low + half);
+    *low = middle - half;
+    *high = middle + half;
 }
 
 void labels_place(labels *l, place_box drawn, int is_fixed, double size, double width,
@@ -143,4 +155,6 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
     place_grow(&l->drawn, b.x_max * l->scale, b.y_max * l->scale);
     /* if the texts still move */
     l->scale = GSL_MAX_DBL(l->scale, GSL_MIN_DBL(scale, 3 * first));
+    keep_within(&l->drawn.x_min, &l->drawn.x_max, drawn.x_min, drawn.x_max, l->scale * width / 2);
+    keep_within(&l->drawn.y_min, &l->drawn.y_max, drawn.y_min, drawn.y_max, l->scale * height / 2);
 }

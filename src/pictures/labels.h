@@ -36,7 +36,8 @@ typedef struct labels {
     obstacle obstacles[LABELS_OBSTACLES];
     place_box drawn; /* the drawing; when placed, with its texts */
     int is_fixed;    /* 1: it does not grow */
-    double scale;    /* unit of length for a pixel, when placed */
+    int is_steady; /* 1: all texts stand on the requested side, as in an animation they must not jump */
+    double scale; /* unit of length for a pixel, when placed */
 } labels;
 
 /* Put the texts of a drawing of this size where they cover least, and choose scale and range for a box of

@@ -3,6 +3,8 @@
 ** mechanism.c - the mechanism with its loads and pin forces, at one or several positions; and its
 ** motion from first to last.
 */
+#include <math.h>
+
 #include "arrow.h"
 #include "spring.h"
 
@@ -11,6 +13,9 @@
 
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
+
+/* The side of an inset, in lengths of its link. */
+#define WINDOW 2.6
 
 /* Add the forces of the springs, which have their names and values at the springs. */
 static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
@@ -40,12 +45,20 @@ static void add_forces(arrow_list *arrows, const picture *p, const picture_row *
     }
 }
 
+static void name_links(sketch *s, const picture *p)
+{
+    char words[80];
+
+    sketch_note(s, "1 ground, 2 crank,");
+    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
+                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
+}
+
 /* Draw loads, weights and pin forces. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
     arrow_list arrows;
-    char words[80];
     double scale;
     int has_springs, link, n, i;
 
@@ -69,17 +82,18 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         ;
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, has_springs ? "load, weight, spring" : "load or weight");
-    sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
-                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
-/* Draw rows spread over the motion in grey. */
+/* Draw rows spread over the motion, or over its first turn, in grey. */
 static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
+    double turn = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
+    double turns = fabs(p->v.end - p->v.problem.motion.from) / turn;
     unsigned long n = p->v.range.n_rows, i, row;
     fourlink_instant now;
 
+    if (turns > 1 && !p->v.problem.by_time)
+        n = 1 + (unsigned long)((double)(n - 1) / turns);
     for (i = 0; n > 1 && i < GHOSTS; i++) {
         row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);
         if (fourlink_results_row(p->v.results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
@@ -108,11 +122,29 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
         }
 }
 
+/* Draw what is around a small link, from its pin on the ground, enlarged. */
+static void put_inset(picture *p, const fourlink_state *state, int link)
+{
+    figure_pins pins = figure_place(p, state);
+    double length = figure_length(p, p->v.design->link[link].length);
+    char words[80];
+    sketch s;
+
+    figure_open(&s, p, state->branch, 0);
+    s.size = WINDOW * length;
+    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, WINDOW * length / 2);
+    figure_frame(&s, p, state);
+    figure_draw(&s, p, state, 1);
+    s.n_notes = 0; /* they are beside the whole */
+    flk_text_join(words, sizeof words, "at the ", p->v.kind.link[link], ", enlarged", (char *)NULL);
+    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+}
+
 const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
     picture_row r;
     sketch s;
-    int status = picture_row_find(p, branch, &r);
+    int status = picture_row_find(p, branch, &r), i;
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
@@ -126,8 +158,11 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
+    name_links(&s, p);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
+    for (i = 0; i < p->n_insets; i++)
+        put_inset(p, &r.now.state, p->insets[i]);
     return NULL;
 }
 

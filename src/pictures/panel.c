@@ -85,6 +85,33 @@ static void find_range(const picture *p, const panel *q, double *low, double *hi
     *high += border;
 }
 
+/* The crank angles from the first to the last at which a curve has a point, with some room: a part of the
+** motion, if the linkage cannot be assembled in the rest. */
+static void find_angles(const picture *p, const panel *q, double *from, double *to)
+{
+    int first = PICTURE_STEPS, last = 0, beside = (int)(X_BORDER * PICTURE_STEPS), i, k;
+
+    for (i = 0; i < q->n; i++)
+        for (k = 0; k <= PICTURE_STEPS; k++)
+            if (!gsl_isnan(q->line[i].y[k])) {
+                first = GSL_MIN_INT(first, k);
+                last = GSL_MAX_INT(last, k);
+            }
+    if (last <= first || (first <= beside && last >= PICTURE_STEPS - beside))
+        return;
+    *from = picture_angle(p, GSL_MAX_INT(first - beside, 0), PICTURE_STEPS);
+    *to = picture_angle(p, GSL_MIN_INT(last + beside, PICTURE_STEPS), PICTURE_STEPS);
+}
+
+/* What the title says of curves that the frame cuts. */
+static const char *tell_cut(const picture *p, const panel *q)
+{
+    if (!graph_is_cut(&q->e) && (picture_is_over_angle(p, q->x_column) || !graph_is_cut(&q->x)))
+        return "";
+    return q->is_unbounded ? "beyond the frame where a value is unbounded"
+                           : "beyond the frame near a dead position";
+}
+
 /* The range of x, for another column than the crank angle. */
 static void find_x_range(const panel *q, double *from, double *to)
 {
@@ -123,28 +150,27 @@ static void keep_clear(panel *q)
 /* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
 static void put_ranges(const picture *p, panel *q)
 {
-    double low, high, from = p->v.problem.motion.from, to = p->v.end;
+    double low, high, from = p->from, to = p->v.end;
+    int is_over_angle = picture_is_over_angle(p, q->x_column);
 
     if (q->e.low > q->e.high)
         return;
     find_range(p, q, &low, &high);
-    if (!picture_is_over_angle(p, q->x_column))
+    if (is_over_angle)
+        find_angles(p, q, &from, &to);
+    else
         find_x_range(q, &from, &to);
     if (q->to_scale)
         find_scale(&p->on, &from, &to, &low, &high);
-    if (!picture_is_over_angle(p, q->x_column))
+    if (!is_over_angle || from != p->from || to != p->v.end)
         canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, to,
-                     x_step(p, q, to - from));
+                     is_over_angle ? graph_angle_step(p, fabs(to - from))
+                                   : x_step(p, q, to - from));
     canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
-    if (graph_is_cut(&q->e) || (!picture_is_over_angle(p, q->x_column) && graph_is_cut(&q->x)))
-        canvas_print(&p->on,
-                     "set label '%s' at graph 0.5, graph 1 center front boxed offset 0,-0.8\n",
-                     q->is_unbounded ? "beyond the frame where a value is unbounded"
-                                     : "beyond the frame near a dead position");
     room_open(&q->r, &p->on, from, to, low, high);
     q->r.rings = RINGS;
     keep_clear(q);
-    if (picture_is_over_angle(p, q->x_column))
+    if (is_over_angle)
         put_instant(p, q);
     else
         put_instants(p, q);
@@ -156,7 +182,7 @@ static void begin(picture *p, panel *q, int x, int n)
 
     q->x_column = x;
     q->e = q->x = graph_nothing;
-    q->n = q->to_scale = q->is_unbounded = 0;
+    q->n = q->to_scale = q->is_unbounded = q->is_averaged = 0;
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
@@ -326,7 +352,11 @@ static void sample(picture *p, panel *q, const panel_plan *plan)
     for (i = 0; i < plan->n; i++) {
         int branch = plan->branch[i], column = plan->column[i];
 
-        graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+        if (i != plan->by_turn - 1 ||
+            !graph_average(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]))
+            graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+        else
+            q->is_averaged = 1;
         graph_extend_x(&q->x, &q->line[i]);
         q->n = i + 1;
         unbounded = unbounded || (plan->is_free && is_unbounded(p, column, branch));
@@ -350,7 +380,8 @@ void panel_plan_begin(panel_plan *plan, int x)
 
 int panel_draw(picture *p, const panel_plan *plan)
 {
-    char x[200], words[200], name[PANEL_NAME];
+    char x[200], words[200], name[PANEL_NAME], title[240], heading[300];
+    const char *cut_words;
     int i;
     panel q;
 
@@ -360,7 +391,10 @@ int panel_draw(picture *p, const panel_plan *plan)
     sample(p, &q, plan);
     for (i = 0; i < plan->n; i++)
         put_curve(p, &q, plan, i);
-    canvas_titles(&p->on, plan->title, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
+    cut_words = tell_cut(p, &q);
+    flk_text_join(heading, sizeof heading, plan->title, plan->title[0] && cut_words[0] ? ": " : "",
+                  cut_words, (char *)NULL);
+    canvas_titles(&p->on, heading, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
                   plan->y ? plan->y : short_name(p, plan->column[0], words),
                   p->v.columns[plan->column[0]].unit);
     put_ranges(p, &q);
@@ -371,13 +405,19 @@ int panel_draw(picture *p, const panel_plan *plan)
         if (q.line[i].n_points) {
             const char *branch = fourlink_branch_text((int)p->v.branches[plan->branch[i]]);
 
-            canvas_print(&p->on, "%s $%s_%s using 1:2 with lines lt %d title %q",
+            int is_averaged = q.is_averaged && i == plan->by_turn - 1;
+
+            flk_text_join(title, sizeof title,
+                          plan->by_branch ? branch : short_name(p, plan->column[i], words),
+                          is_averaged ? " per turn" : "", (char *)NULL);
+            canvas_print(&p->on, "%s $%s_%s using 1:2 with %s lt %d%s title %q",
                          p->on.curves++ ? "," : "plot", name_of(p, plan, i, name), branch,
-                         plan->line[i] ? plan->line[i] : i + 1,
-                         plan->by_branch ? branch : short_name(p, plan->column[i], words));
+                         is_averaged ? "linespoints" : "lines",
+                         plan->line[i] ? plan->line[i] : i + 1, is_averaged ? " pt 7 ps 0.5" : "",
+                         title);
         }
     if (!gsl_isnan(plan->mean))
-        canvas_print(&p->on, ", %.8g with lines lt 2 title 'mean'", plan->mean);
+        canvas_print(&p->on, ", %.8g with lines lt 2 title '%s'", plan->mean, plan->mean_name);
     canvas_print(&p->on, "\n");
     return p->on.curves > 0;
 }

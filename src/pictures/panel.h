@@ -17,6 +17,7 @@ typedef struct panel {
     graph_line line[PANEL_CURVES];
     int n;
     int to_scale;     /* 1: x and y have the same scale */
+    int is_averaged;  /* 1: the curve of the plan that is averaged over turns */
     int is_unbounded; /* 1: the frame cuts the curves where a value is unbounded */
     room r;
 } panel;
@@ -34,7 +35,9 @@ typedef struct panel_plan {
         *y;         /* above the panel, "": nothing; beside the y axis, null: the column's name */
     int n_extremes; /* of the first so many curves */
     double mean;    /* a line; NaN: none */
-    int is_free;    /* 1: any columns, with their jumps; cut where a value is unbounded */
+    const char *mean_name;
+    int by_turn; /* curve by_turn - 1 is averaged over each turn, if there are several */
+    int is_free; /* 1: any columns, with their jumps; cut where a value is unbounded */
 } panel_plan;
 
 /* Begin a plan over a column. */

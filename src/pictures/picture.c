@@ -86,9 +86,22 @@ int picture_is_over_angle(const picture *p, int column)
 
 double picture_angle(const picture *p, int k, int steps)
 {
-    double from = p->v.problem.motion.from;
+    return p->from + (p->v.end - p->from) * k / steps;
+}
 
-    return from + (p->v.end - from) * k / steps;
+int picture_take_last_turn(picture *p, fourlink_branch branch)
+{
+    double cycle = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle), end;
+
+    if (p->v.problem.mode == FOURLINK_MODE_GIVEN)
+        return 0;
+    fourlink_results_end(p->v.results, branch, &end);
+    end = fabs(end - p->from) < fabs(p->v.end - p->from) ? end : p->v.end;
+    if (fabs(end - p->from) < 1.5 * cycle)
+        return 0;
+    p->from = end - (end < p->from ? -cycle : cycle);
+    p->v.end = end;
+    return 1;
 }
 
 /* A deck with rows by time is open with PICTURE_STEPS of them. */
@@ -157,6 +170,7 @@ void picture_close(picture *p)
 static int take_results(picture *p, fourlink_results *results)
 {
     view_take(&p->v, results);
+    p->from = p->v.problem.motion.from;
     free(p->loads);
     p->loads = malloc((p->v.problem.n_loads + 1) * sizeof *p->loads);
     return p->loads || run_out_of_memory(p);

@@ -30,6 +30,8 @@
       "polar diagrams of the pin forces")                                                          \
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
       "polygons of velocity, acceleration and forces")                                             \
+    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING, picture_limits, NULL,                        \
+      "limits, transmission angle, instantaneous centres")                                         \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL,                     \
       "Klein's construction")                                                                      \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
@@ -110,10 +112,12 @@ typedef struct picture {
     fourlink_results *own; /* opened for this picture; null: none */
     view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    int has_instant;      /* 1: the deck asks for one instant, and the picture shows its cycle */
-    double instant;       /* its crank angle, in the deck's unit */
-    fourlink_load *loads; /* room for the loads at one crank angle */
+    int insets[2], n_insets; /* links that are small beside the mechanism: drawn enlarged as well */
+    int has_instant;         /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;          /* its crank angle, in the deck's unit */
+    fourlink_load *loads;    /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
+    double from;                      /* where its curves begin, in the deck's unit */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
     const char *why; /* the position is shown that nobody asked for; "": it was asked for */
@@ -168,6 +172,9 @@ int picture_column_panels(const picture *p);
 ** each link. */
 int size_lines_beside(const picture *p, int each_link);
 
+/* The size of the drawing of a mechanism, in m: the larger side of the room of its motion, on any branch. */
+double size_of_motion(const picture *p);
+
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
@@ -203,6 +210,9 @@ const char *picture_over(const picture *p);
 /* 1 if a column is a crank angle on which the samples lie at equal steps. */
 int picture_is_over_angle(const picture *p, int column);
 
+/* Begin curves where the last turn of a motion of several begins, on a branch; 1 if there are several. */
+int picture_take_last_turn(picture *p, fourlink_branch branch);
+
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);
 
@@ -215,8 +225,8 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and why;
-** the same with all that is drawn there.  Returns a status. */
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and
+** why; the same with all that is drawn there.  Returns a status. */
 int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
 int picture_row_find(picture *p, fourlink_branch branch, picture_row *r);

@@ -26,20 +26,22 @@ static const struct plot_info {
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
+#define SMALL_LINK 0.08 /* of the whole: it is drawn enlarged as well */
+#define LONE_WIDTH 760  /* of a single panel */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
-/* Free bodies with friction circles or springs are so many times larger. */
+/* Free bodies with friction circles or springs, and polygons with more points, are so many times larger. */
 #define CROWDED 1.3
+#define MANY_POINTS 4
 
 /* By plot_file, with width and height. */
 static const struct {
     const char *ending, *terminal;
-} file_table[] = {
-    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
-    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
-    {".txt", "dumb nofeed size %d,%d noenhanced"},
-    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
+} file_table[] = {{".svg", "svg size %d,%d font 'sans,14' enhanced background 'white'"},
+                  {".png", "pngcairo size %d,%d font 'sans,11' enhanced"},
+                  {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 enhanced"},
+                  {".txt", "dumb nofeed size %d,%d noenhanced"},
+                  {".gif", "gif %s size %d,%d font 'sans,11' enhanced"}};
 
 plot_file plot_file_of(const char *name)
 {
@@ -58,6 +60,19 @@ plot_file plot_file_of(const char *name)
 #define FIGURE_WIDTH 1000.0
 #define FIGURE_LOW 0.68
 
+/* Find the links that are small beside the whole: the crank, and a rocker. */
+static void find_insets(picture *p)
+{
+    double size = SMALL_LINK * size_of_motion(p);
+
+    p->n_insets = 0;
+    if (p->v.design->link[FOURLINK_CRANK].length < size)
+        p->insets[p->n_insets++] = FOURLINK_CRANK;
+    if (!p->v.kind.has_slot && !p->v.kind.has_stroke &&
+        p->v.design->link[FOURLINK_FOLLOWER].length < size)
+        p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
+}
+
 static void lay_out(picture *p, FILE *out)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
@@ -74,7 +89,9 @@ static void lay_out(picture *p, FILE *out)
     }
     if (is_vectors && !p->v.problem.has_forces)
         rows = 1;
-    if (is_vectors && !is_text && (p->v.problem.has_friction || p->v.problem.n_springs)) {
+    if (is_vectors && !is_text &&
+        (p->v.problem.has_friction || p->v.problem.n_springs ||
+         p->v.problem.n_points > MANY_POINTS)) {
         width *= CROWDED;
         height *= CROWDED;
     }
@@ -85,6 +102,7 @@ static void lay_out(picture *p, FILE *out)
     if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
+        width = n > 1 ? width : LONE_WIDTH; /* its titles need it */
     }
     p->has_inset =
         p->v.kind.has_stroke && p->v.design->link[FOURLINK_CRANK].length <
@@ -97,12 +115,17 @@ static void lay_out(picture *p, FILE *out)
                                         : 6) +
                 (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
                3;
+    if (p->request->kind == PLOT_MECHANISM && !is_text) {
+        find_insets(p);
+        rows *= 1 + p->n_insets;
+    }
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
         height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
-    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0, !p->request->is_figure);
+    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0,
+                !p->request->is_figure);
     p->on.turn = geometry_turn(&p->v);
 }
 
@@ -166,7 +189,8 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
     put_styles(c);
-    fputs("set key noautotitle\n"
+    fputs("set key noautotitle noenhanced; set tics noenhanced\n"
+          "set title noenhanced; set xlabel noenhanced; set ylabel noenhanced\n"
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
     canvas_name(c, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
@@ -279,7 +303,7 @@ static const char *draw(picture *p)
 
     if (p->request->kind != PLOT_ANIMATION)
         fputs(p->request->is_figure ? "set multiplot\n"
-                                    : "set multiplot title title . \"\\n\" . source\n",
+                                    : "set multiplot title title . \"\\n\" . source noenhanced\n",
               p->on.out);
     if (info->needs & PLOT_ANGLE_AXIS)
         fputs("set format '%g'\n", p->on.out);
@@ -372,6 +396,8 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
                               " s", (char *)NULL);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
+    if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))
+        held = ", the last turn";
     lay_out(p, out);
     put_head(p, p->source->name, held);
     if (p->request->at && !read_angles(p, mistake))

@@ -206,8 +206,7 @@ static void put_jumps(bearing *b, const course *c)
 /* The steps of the dots, in degrees. */
 static int step_of_dots(const picture *p)
 {
-    double span =
-        fabs(p->v.end - p->v.problem.motion.from) / view_value(&p->v, QUANTITY_ANGLE, M_PI / 180);
+    double span = fabs(p->v.end - p->from) / view_value(&p->v, QUANTITY_ANGLE, M_PI / 180);
 
     return span > 90.0001 ? 30 : span > 30.0001 ? 10 : 2;
 }
@@ -229,7 +228,7 @@ static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
 static void put_dots(bearing *b, int i)
 {
     const picture *p = b->p;
-    double from = p->v.problem.motion.from, sense = p->v.end < from ? -1 : 1;
+    double from = p->from, sense = p->v.end < from ? -1 : 1;
     double step = sense * view_value(&p->v, QUANTITY_ANGLE, step_of_dots(p) * M_PI / 180);
     double first = step * ceil(from / step - 1e-9), angles[MOST_DOTS];
     fourlink_vector F[MOST_DOTS];
@@ -280,7 +279,7 @@ static int put_polar(picture *p, bearing *b, const char *title)
     int i;
 
     fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
+    canvas_panel(&p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
     canvas_key(&p->on);
     fputs("set key samplen 2 width -1\n", p->on.out);
     canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),

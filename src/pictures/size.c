@@ -40,8 +40,10 @@ int size_lines_beside(const picture *p, int each_link)
         most = lines[link] > most ? lines[link] : most;
     }
     if (p->v.problem.has_forces)
-        sum += 9; /* pin forces, torque, and what the arrows mean */
-    return each_link ? 7 + most : 8 + sum + (int)p->v.problem.n_points;
+        sum += 7; /* pin forces, torque, and what the arrows mean */
+    if (p->request->file == PLOT_TXT)
+        sum += 3; /* the links in the key */
+    return each_link ? 7 + most : 10 + sum + (int)p->v.problem.n_points;
 }
 
 /* The room that the mechanism needs on a branch. */
@@ -65,6 +67,19 @@ static place_box box_of_motion(const picture *p, fourlink_branch branch)
         }
     }
     return b;
+}
+
+double size_of_motion(const picture *p)
+{
+    double size = 0;
+    int i;
+
+    for (i = 0; i < p->v.n_branches; i++) {
+        place_box b = box_of_motion(p, p->v.branches[i]);
+
+        size = GSL_MAX_DBL(size, GSL_MAX_DBL(b.x_max - b.x_min, b.y_max - b.y_min));
+    }
+    return size;
 }
 
 double size_height(const picture *p, double width)

@@ -108,9 +108,24 @@ static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
 }
 
+static void add_part(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
+{
+    sketch_part *new = &s->parts[s->n_parts++];
+
+    new->p = p;
+    new->from = turned(s, from);
+    new->to = turned(s, to);
+    include(s, new->from);
+    include(s, new->to);
+    add_obstacle(s, new->from, new->to, 3);
+}
+
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_arrow(s, p, from, to, "nohead");
+    if (s->c->is_text && p >= PEN_CRANK && p <= PEN_FOLLOWER && s->n_parts < SKETCH_PARTS)
+        add_part(s, p, from, to);
+    else
+        put_arrow(s, p, from, to, "nohead");
 }
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
@@ -329,6 +344,8 @@ static double width_of_margin(const sketch *s)
     double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
     int i;
 
+    if (s->n_parts)
+        width = 13 * CANVAS_LETTER;
     for (i = 0; i < s->n_notes; i++)
         width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
     for (i = 0; i < s->n_entries; i++)
@@ -338,6 +355,15 @@ static double width_of_margin(const sketch *s)
     return width;
 }
 
+static int has_part(const sketch *s, pen p)
+{
+    int i;
+
+    for (i = 0; i < s->n_parts && s->parts[i].p != p; i++)
+        ;
+    return i < s->n_parts;
+}
+
 /* Put the key, and the notes below it. */
 static void put_margin(const sketch *s)
 {
@@ -345,6 +371,8 @@ static void put_margin(const sketch *s)
 
     for (i = 0; i < s->n_entries; i++)
         in_key += s->entries[i].title[0] != '\0';
+    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
+        in_key += has_part(s, (pen)i);
     for (i = 0; i < s->n_notes; i++)
         canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
@@ -402,9 +430,10 @@ static void put_labels(const sketch *s)
             continue;
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
-        canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", one->words,
+        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words,
                      one->at.x + s->texts.scale * (one->middle.x - side * half),
-                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side));
+                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side),
+                     canvas_mode(one->words));
     }
 }
 
@@ -437,11 +466,34 @@ static void put_axes(const sketch *s)
                  y - height / 2, y + height / 2);
 }
 
+/* Write the lines of a link as $linkN, for a text terminal; 0 if there are none. */
+static int put_parts(const sketch *s, pen p)
+{
+    int i, n = 0;
+
+    for (i = 0; i < s->n_parts; i++)
+        if (s->parts[i].p == p) {
+            if (n++ == 0)
+                fprintf(s->c->out, "$link%d << EOD\n", (int)p);
+            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", s->parts[i].from.x, s->parts[i].from.y,
+                         s->parts[i].to.x, s->parts[i].to.y);
+        }
+    if (n)
+        fputs("EOD\n", s->c->out);
+    return n > 0;
+}
+
 static void put_curves(const sketch *s)
 {
-    int i;
+    int has_parts[PEN_FOLLOWER + 1], i;
 
+    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
+        has_parts[i] = put_parts(s, (pen)i);
     fputs("plot ", s->c->out);
+    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
+        if (has_parts[i])
+            fprintf(s->c->out, "$link%d using 1:2 with lines ls %d title 'link %d', \\\n     ", i,
+                    i, i);
     for (i = 0; i < s->n_entries; i++) {
         const sketch_entry *x = &s->entries[i];
 

@@ -22,6 +22,7 @@ typedef enum pen {
 #define SKETCH_CORNERS 40
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
+#define SKETCH_PARTS 200
 
 /* A curve, or the meaning of a line, in the key; title "": it is not there. */
 typedef struct sketch_entry {
@@ -29,6 +30,12 @@ typedef struct sketch_entry {
     int is_curve;
     char title[80];
 } sketch_entry;
+
+/* A line of a link in a text terminal, which tells curves apart by their letters, but no arrows. */
+typedef struct sketch_part {
+    pen p;
+    fourlink_vector from, to;
+} sketch_part;
 
 typedef struct sketch {
     canvas *c;
@@ -47,6 +54,8 @@ typedef struct sketch {
     int n_points, is_empty;                                /* of the present curve */
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
+    sketch_part parts[SKETCH_PARTS];
+    int n_parts;
 } sketch;
 
 /* Begin a drawing of about this size in the next panel. */

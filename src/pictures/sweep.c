@@ -22,10 +22,11 @@
 typedef struct designs {
     const fourlink_value *outputs, *variables;
     unsigned long n_outputs, n_variables, n;
-    unsigned long axis; /* the variable on the x axis: the first of those that change fastest */
-    double *x;          /* by design: the value of that variable */
-    char *begins;       /* by design: 1: a slower variable has changed, and a new curve begins */
-    double *values;     /* by design, branch and output; NaN: none */
+    unsigned long
+        axis;       /* the variable on the x axis: a range that changes fastest, if there is one */
+    double *x;      /* by design: the value of that variable */
+    char *begins;   /* by design: 1: a slower variable has changed, and a new curve begins */
+    double *values; /* by design, branch and output; NaN: none */
 } designs;
 
 static double *values_of(const designs *d, const picture *p, unsigned long i, int branch)
@@ -112,10 +113,44 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
     return status != FOURLINK_NO_MEMORY;
 }
 
+/* 1 if a variable goes through a range; a tolerance, and a list, have no steps. */
+static int is_range(const picture *p, const designs *d, unsigned long k, double *room)
+{
+    double *low = room, *high = room + d->n_variables, *values = room + 2 * d->n_variables;
+
+    fourlink_results_variables(p->v.results, 0, d->n_variables, values, low, high);
+    return low[k] != high[k];
+}
+
+/* The first design at which a variable has another value than at the first. */
+static unsigned long first_change(const designs *d, const double *xs, unsigned long k)
+{
+    unsigned long i;
+
+    for (i = 1; i < d->n && xs[i * d->n_variables + k] == xs[k]; i++)
+        ;
+    return i;
+}
+
+/* A range is on the x axis rather than a tolerance or a list; of several ranges that which changes fastest.
+** `room` is for three values of each variable. */
+static void find_axis(const picture *p, designs *d, const double *xs, double *room)
+{
+    unsigned long k, first, least = d->n;
+
+    for (k = 0; k < d->n_variables; k++) {
+        first = first_change(d, xs, k);
+        if (first < least && is_range(p, d, k, room)) {
+            least = first;
+            d->axis = k;
+        }
+    }
+}
+
 /* Compute all designs; returns 0 if out of memory. */
 static int compute_all(picture *p, designs *d)
 {
-    double *now = malloc(2 * (d->n_variables + 1) * sizeof *now);
+    double *now = malloc(3 * (d->n_variables + 1) * sizeof *now);
     char *fast = calloc(d->n_variables + 1, 1);
     double *xs = malloc((d->n_variables + 1) * d->n * sizeof *xs);
     int enough = now && fast && xs;
@@ -128,6 +163,8 @@ static int compute_all(picture *p, designs *d)
         if (enough)
             keep_variables(d, i, variables, now, fast);
     }
+    if (enough)
+        find_axis(p, d, xs, now);
     for (i = 0; enough && i < d->n; i++)
         d->x[i] = xs[i * d->n_variables + d->axis];
     free(now);

@@ -21,6 +21,8 @@
 /* The couple of a guide is rounding if it is this fraction of the largest force times the crank's length. */
 #define ROUNDING 1e-12
 
+#define IMAGE_NAME 9 /* letters, of the image of a point */
+
 #define NO_FORCES "all forces are zero"
 
 static const fourlink_vector zero = {0, 0};
@@ -122,20 +124,21 @@ static void put_image(polygon *g, fourlink_vector v, const char *letter)
 
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
-    put_letter(g, end, letter);
+    sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
 }
 
 /* Put the images of centres of mass and of tracer points. */
 static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 {
     static const char *const subscripts[] = {"", "", SUB_2, SUB_3, SUB_4};
-    char letter[80], of[TRACKS_NAME];
+    char letter[80], of[TRACKS_NAME], fitting[LABELS_WORDS];
     int i;
 
     for (i = 0; i < r->drawn.n_images && arrow_largest(&g->sides) > 0; i++) {
         const scene_image *x = &r->drawn.images[i];
 
-        flk_text_join(letter, sizeof letter, x->name, d->mark,
+        flk_text_join(letter, sizeof letter,
+                      canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
                       x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
         flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
         put_image(g, tracks_vector(&r->numbers, of), letter);
@@ -159,10 +162,17 @@ static fourlink_vector corner_at(const polygon *g, const char *corner)
     return i < g->sides.n ? end_of(&g->sides.list[i]) : zero;
 }
 
+/* Its name, with subscript and superscript. */
+static const char *name_of(const scene_side *x, char out[40])
+{
+    return flk_text_join(out, 40, x->name, NOTATION_SUB, x->sub, x->super[0] ? NOTATION_SUPER : "",
+                         x->super, (char *)NULL);
+}
+
 static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
     const scene_side *x;
-    char title[80];
+    char title[80], name[40];
     polygon g;
     int i;
 
@@ -170,7 +180,7 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     for (x = d->sides; x->name; x++)
         if (tracks_get(&r->numbers, x->of)) {
             g.of[g.sides.n] = x;
-            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, x->column,
+            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
                      corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
         }
     draw_sides(&g);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** look.h - colours, widths and dashes of all lines and arrows of drawings, and of curves: the only table of them.
+** look.h - colours, widths and dashes of all lines and arrows of drawings, and of curves: their only table.
 **
 ** On paper without colour crank, coupler and rocker differ in grey and width, forces and loads in width and
 ** dashes.  What is an arrow or a text has a contrast of 4.5 at least with the white paper.
@@ -12,8 +12,8 @@
 ** LOOK_ARROW */
 #define LOOK_LIST(X)                                                     \
     X(GROUND, "ground", "000000", 1.5, "", LOOK_ARROW)                   \
-    X(CRANK, "crank", "0A2F7A", 6, "", LOOK_ARROW)                       \
-    X(COUPLER, "coupler", "C25000", 4.5, "", LOOK_ARROW)                 \
+    X(CRANK, "crank", "0A2F7A", 5, "", LOOK_ARROW)                       \
+    X(COUPLER, "coupler", "C25000", 4, "", LOOK_ARROW)                   \
     X(FOLLOWER, "follower", "005A40", 3, "", LOOK_ARROW)                 \
     X(PATH, "path", "A6447C", 1.5, "", LOOK_LINE)                        \
     X(GHOST, "ghost", "D0D0D0", 1, "", LOOK_PALE)                        \
@@ -29,10 +29,10 @@
 #define LOOK_CURVES(X)         \
     X("0072B2", "")            \
     X("C04A00", "10,5")        \
-    X("00734F", "3,3")         \
+    X("00734F", "5,3")         \
     X("000000", "12,4,2,4")    \
     X("A6447C", "6,3,2,3,2,3") \
-    X("8A5A00", "2,6")
+    X("8A5A00", "3,5")
 
 /* The areas of the turning moment above and below its mean. */
 #define LOOK_ABOVE "56B4E9"

@@ -77,8 +77,8 @@ int notation_split(const char *name, notation *n)
         end = name + plain + sub;
         if (sub >= sizeof n->sub || (*end && *end != '_' && !(*end == '.' && *name == 'G')))
             continue;
-        if (sub == 0 && *end == '\0' && strlen(symbols[i].symbol) == plain)
-            break; /* N alone */
+        if (sub == 0 && *end != '_' && strcmp(symbols[i].plain, symbols[i].symbol) == 0)
+            continue; /* N alone */
         strcpy(n->symbol, symbols[i].symbol);
         memcpy(n->sub, name + plain, sub);
         n->sub[sub] = '\0';

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "notation.h"
 #include "scene.h"
 
 /* In UTF-8. */
@@ -14,35 +15,30 @@
 /* ------------------------------------------------------------------------------------------ polygons */
 
 /* v_C = v_B + v_CB */
-static const scene_side velocities[] = {{"v", "B", "", "vB", "o", "b", "vB", 2},
-                                        {"v", "C", "", "vC", "o", "c", "vC", 4},
-                                        {"v", "CB", "", "vCB", "b", "c", "vCB", 3},
-                                        {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+static const scene_side velocities[] = {{"v", "B", "", "o", "b", "vB", 2},
+                                        {"v", "C", "", "o", "c", "vC", 4},
+                                        {"v", "CB", "", "b", "c", "vCB", 3},
+                                        {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
 /* v_B = v_B4 + slide_v u, B4 the point of the lever at B */
-static const scene_side sliding[] = {{"v", "B", "", "vB", "o", "b", "vB", 2},
-                                     {"v", "B4", "", "vB4", "o", "b4", "vB4", 4},
-                                     {"v", "BB4", "", "slide_v", "b4", "b", "vS", 3},
-                                     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+static const scene_side sliding[] = {{"v", "B", "", "o", "b", "vB", 2},
+                                     {"v", "B4", "", "o", "b4", "vB4", 4},
+                                     {"v", "BB4", "", "b4", "b", "vS", 3},
+                                     {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
 /* a_C = a_B + a_CB^n + a_CB^t,  a^n = -omega^2 r, a^t = alpha x r */
-static const scene_side accelerations[] = {{"a", "B", "n", "aBn", "o'", "_b", "aBn", 2},
-                                           {"a", "B", "t", "aBt", "_b", "b'", "aBt", 2},
-                                           {"a", "CB", "n", "aCBn", "b'", "_c", "aCBn", 3},
-                                           {"a", "CB", "t", "aCBt", "_c", "c'", "aCBt", 3},
-                                           {"a", "C", "n", "aCn", "o'", "_d", "aCn", 4},
-                                           {"a", "C", "t", "aCt", "_d", "c'", "aCt", 4},
-                                           {"a", "C", "", "aC", "o'", "c'", "aC", 4},
-                                           {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+static const scene_side accelerations[] = {
+    {"a", "B", "n", "o'", "_b", "aBn", 2},   {"a", "B", "t", "_b", "b'", "aBt", 2},
+    {"a", "CB", "n", "b'", "_c", "aCBn", 3}, {"a", "CB", "t", "_c", "c'", "aCBt", 3},
+    {"a", "C", "n", "o'", "_d", "aCn", 4},   {"a", "C", "t", "_d", "c'", "aCt", 4},
+    {"a", "C", "", "o'", "c'", "aC", 4},     {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
 /* a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u */
-static const scene_side coriolis[] = {{"a", "B", "n", "aBn", "o'", "_b", "aBn", 2},
-                                      {"a", "B", "t", "aBt", "_b", "b'", "aBt", 2},
-                                      {"a", "B4", "n", "aB4n", "o'", "_n", "aB4n", 4},
-                                      {"a", "B4", "t", "aB4t", "_n", "b4'", "aB4t", 4},
-                                      {"a", "Cor", "", "coriolis", "b4'", "_k", "aK", 5},
-                                      {"a", "BB4", "", "slide_a", "_k", "b'", "aS", 3},
-                                      {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+static const scene_side coriolis[] = {
+    {"a", "B", "n", "o'", "_b", "aBn", 2},   {"a", "B", "t", "_b", "b'", "aBt", 2},
+    {"a", "B4", "n", "o'", "_n", "aB4n", 4}, {"a", "B4", "t", "_n", "b4'", "aB4t", 4},
+    {"a", "Cor", "", "b4'", "_k", "aK", 5},  {"a", "BB4", "", "_k", "b'", "aS", 3},
+    {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
 #define VELOCITY "Velocity", QUANTITY_SPEED, "all velocities are zero"
 #define ACCELERATION "Acceleration", QUANTITY_ACCELERATION, "all accelerations are zero"
@@ -216,19 +212,20 @@ char *scene_words(const scene_force *f, char *out, size_t size)
 {
     static const char *const subscripts[] = {"", "\342\202\201", "\342\202\202", "\342\202\203",
                                              "\342\202\204"};
-    const char *c;
+    char letter[2] = {0, 0};
+    const char *c, *script;
 
     flk_text_join(out, size, f->name, (char *)NULL);
     for (c = f->sub; *c; c++) {
-        char letter[2] = {0, 0};
-
         letter[0] = *c;
-        if (f->sort != SCENE_INERTIA || *c > '4')
-            flk_text_join(out + strlen(out), size - strlen(out),
-                          *c == 's'  ? SUB_S
-                          : *c > '4' ? letter
-                                     : subscripts[*c - '0'],
-                          (char *)NULL);
+        if (*c == 's')
+            script = SUB_S;
+        else if (*c > '4')
+            script = letter;
+        else
+            script = f->sort == SCENE_INERTIA ? "" : subscripts[*c - '0'];
+        flk_text_join(out + strlen(out), size - strlen(out), script == letter ? NOTATION_SUB : "",
+                      script, (char *)NULL);
     }
     return out;
 }

@@ -15,7 +15,6 @@
 /* A side from one corner to another; corners whose names begin with _ have no letter. */
 typedef struct scene_side {
     const char *name, *sub, *super; /* v_CB, a_B^n */
-    const char *column;             /* its name in words */
     const char *from, *to, *of;
     int link; /* whose vector it is; 5: of none */
 } scene_side;
@@ -71,7 +70,7 @@ typedef struct scene {
 /* The scene of a deck with at most so many loads and points as a drawing shows. */
 void scene_find(scene *s, const view *v);
 
-/* Its name in words: F and its links as subscripts; -m aG, without the link. */
+/* Its name: F and its links as subscripts; -m a with the subscript G, without the link; as notation.h marks it. */
 char *scene_words(const scene_force *f, char *out, size_t size);
 
 /* ------------------------------------------------------------------------------------------- springs */

@@ -12,13 +12,31 @@
 #include "base/text.h"
 #include "view.h"
 
-/* The last crank angle of a motion, in its unit. */
+/* The last crank angle of a given motion, in its unit. */
 static double end_of(const fourlink_motion *motion, const fourlink_range *range)
 {
     fourlink_row last;
 
     fourlink_motion_row(motion, range, range->n_rows - 1, &last);
     return range->stops ? range->stop_angle : last.angle;
+}
+
+#define BEFORE 1e-9 /* of the motion, by which a position is before its end */
+
+/* Where a machine stalls on all branches, its motion ends just before. */
+static void cut_end(view *v)
+{
+    double from = v->problem.motion.from, farthest = from, angle;
+    int i;
+
+    for (i = 0; i < v->n_branches; i++) {
+        if (fourlink_results_end(v->results, v->branches[i], &angle) == FOURLINK_OK)
+            return;
+        if (fabs(angle - from) > fabs(farthest - from))
+            farthest = angle;
+    }
+    if (farthest != from && fabs(farthest - from) < fabs(v->end - from))
+        v->end = farthest - BEFORE * (farthest - from);
 }
 
 static void stretch(view *v, const fourlink_vector *at)
@@ -29,11 +47,13 @@ static void stretch(view *v, const fourlink_vector *at)
     v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
 }
 
+#define REACH_LOADS 128 /* a drawing has fewer */
+
 /* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis. */
 static void find_reach(view *v)
 {
     const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];
-    fourlink_load *loads = malloc((v->problem.n_loads + 1) * sizeof *loads);
+    fourlink_load loads[REACH_LOADS];
     fourlink_load_info info;
     fourlink_vector at;
     unsigned long i;
@@ -46,11 +66,11 @@ static void find_reach(view *v)
         if (link == FOURLINK_FOLLOWER)
             stretch(v, &at);
     }
-    if (loads && fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
+    if (v->problem.n_loads <= REACH_LOADS &&
+        fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
         for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++)
             if (info.sort == FOURLINK_LOAD_OWN && info.link == FOURLINK_FOLLOWER)
                 stretch(v, &loads[i].at);
-    free(loads);
 }
 
 void view_take_design(view *v, fourlink_results *results)
@@ -68,6 +88,8 @@ void view_take_design(view *v, fourlink_results *results)
         v->branches[v->n_branches++] = FOURLINK_CROSSED;
     fourlink_motion_range(&v->problem.motion, &v->range);
     v->end = end_of(&v->problem.motion, &v->range);
+    if (v->problem.mode != FOURLINK_MODE_GIVEN && !v->problem.by_time)
+        cut_end(v);
     v->range.n_rows = v->problem.n_rows;
     v->lever_low = v->lever_high = 0;
     if (v->kind.has_slot)

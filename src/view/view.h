@@ -21,7 +21,8 @@ typedef struct view {
     fourlink_branch branches[2]; /* that the deck asks for */
     int n_branches;
     fourlink_range range; /* by time, with the number of its rows */
-    double end;           /* the last crank angle of the motion, in the deck's unit */
+    double
+        end; /* the last crank angle of the motion, in the deck's unit; of a machine that stalls, there */
     fourlink_unit units[QUANTITY_COUNT];
     double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
@@ -57,9 +58,9 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
 /* The position to show on a branch: at a crank angle; if that is null, a sixth of the way through the motion,
-** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows that
-** nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be assembled.
-** Returns a status. */
+** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
+** the one nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be
+** assembled.  Returns a status. */
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 

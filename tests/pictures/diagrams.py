@@ -13,7 +13,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, si_of  # noqa: E402
-from script import Script  # noqa: E402
+from script import Script, axis_of, plain  # noqa: E402
 
 checks = Checks()
 STEPS = 720
@@ -168,7 +168,7 @@ def check_extremes(script, panel, deck, name, branches, extremes):
 
 def check_range(panel, name):
     """The y axis has all of the curve, and little more, unless it is cut."""
-    if any('beyond the frame' in words for words, at, side, rest in panel.labels):
+    if 'beyond the frame' in panel.title:
         return
     values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
     low, high = panel.range['y']
@@ -193,9 +193,9 @@ def check_over_angle(deck, rows, kind, extremes):
             if name in deck.columns and branch in rows:
                 checks.where = '%s, %s of %s, %s' % (deck.name, kind, name, branch)
                 check_curve(deck, panel.blocks[block], rows[branch], name)
-                checks.that(title in (branch, name), 'the title of a curve', title)
+                checks.that(plain(title) in (branch, name), 'the title of a curve', title)
                 unit = deck.columns[name]
-                checks.that('(%s)' % unit in panel.titles['ylabel'] and panel.titles['xlabel'].startswith('theta2'), 'the axes', panel.titles)
+                checks.that(axis_of(panel.titles['ylabel'])[1] == unit and axis_of(panel.titles['xlabel'])[0] == 'theta2', 'the axes', panel.titles)
         if names:
             check_range(panel, names[0][0])
             check_texts(script, panel, True)
@@ -237,9 +237,9 @@ def check_polar(deck, rows):
     text = deck.program.script(deck, 'polar', '--branch=both')
     script = Script(text)
     for panel in script.panels:
-        titles = [panel.titles[axis].split(' ')[0] for axis in ('xlabel', 'ylabel')]
+        titles = [axis_of(panel.titles[axis])[0] for axis in ('xlabel', 'ylabel')]
         for branch in ('open', 'crossed'):
-            block = '%s_%s' % (panel.title.split(',')[0], branch)
+            block = '%s_%s' % (plain(panel.title.split(',')[0]), branch)
             if block not in panel.blocks:
                 continue
             checks.where = '%s, polar, %s' % (deck.name, block)
@@ -351,7 +351,7 @@ def check_speed(deck, rows):
     for panel in script.panels:
         for block, points in panel.blocks.items():
             name = block[:-5]
-            over = panel.titles['xlabel'].split(' ')[0]
+            over = axis_of(panel.titles['xlabel'])[0]
             checks.where = '%s, speed, %s over %s' % (deck.name, name, over)
             points = [p for p in points if p is not None]
             wanted = [complex(row[over], row[name]) for row in rows['open'] if row.is_ok]

@@ -14,10 +14,10 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, SKIPPED, cross, crossing, decks_of, dot, foot, si_of  # noqa: E402
-from script import Script  # noqa: E402
+from script import Script, plain  # noqa: E402
 
 # Styles of lines
-GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6
+GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST, LEADER, SENSE = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6, 12, 13
 GHOSTS = 12
 ANGLES = 12
 PREFIXES = {'': 1, 'n': 1e-9, '\u00b5': 1e-6, 'm': 1e-3, 'k': 1e3, 'M': 1e6, 'G': 1e9}
@@ -28,9 +28,9 @@ checks = Checks()
 def value_of(words, unit):
     """The number of "12.3 kN" in the unit N; None if it is no such quantity."""
     match = re.fullmatch(r'(-?[0-9.e+-]+) (\S+)', words or '')
-    if not match or not match.group(2).endswith(unit):
+    if not match or not plain(match.group(2)).endswith(unit):
         return None
-    prefix = match.group(2)[:len(match.group(2)) - len(unit)]
+    prefix = plain(match.group(2))[:-len(unit)]
     return float(match.group(1)) * PREFIXES[prefix] if prefix in PREFIXES else None
 
 
@@ -61,6 +61,16 @@ def has_line(panel, what, p, q, style, size):
 def has_disc(panel, what, at, size, colour=None, quarters=False):
     checks.that(any(abs(disc[0] - at) < 2e-6 * size and disc[2] == quarters and colour in (None, disc[3]) for disc in panel.discs),
                 what, 'at', at, 'in', panel.title)
+
+
+def in_book(name):
+    """The driving torque as pictures name it."""
+    return 'Tₛ' if name == 'Ts' else name
+
+
+def short(name, most=16):
+    """A long name as it stands beside its point."""
+    return name if len(name) <= most else name[:most - 1] + '…'
 
 
 def has_label(panel, words):
@@ -260,7 +270,7 @@ def check_places(panel, deck, position, row, size, has_angles=True):
         checks.that(not is_quarter or any(abs(at - one) < 2e-6 * size for one in centres.values()), 'no mass has its centre at', at)
     for name, link in deck.points():
         has_disc(panel, 'point ' + name, row.vector(name + '.'), size, 'black')
-        has_label(panel, name)
+        has_label(panel, short(name))
     if has_angles:
         unit = si_of(deck.unit('angle'))
         check_angle(panel, 'θ₂', position.A, math.fmod(row['theta2'] * unit, 2 * math.pi), unit, size)
@@ -268,8 +278,44 @@ def check_places(panel, deck, position, row, size, has_angles=True):
             check_angle(panel, 'θ₃', position.B, row['theta3'] * unit, unit, size)
         if not deck.slides:
             check_angle(panel, 'θ₄', position.D, row['theta4'] * unit, unit, size)
+    check_sense(panel, position.A, row['omega2'] if 'omega2' in row else 0, size)
     check_springs(panel, deck, position, size)
     check_outlines(panel, deck, position, row, size)
+
+
+def check_sense(panel, A, omega, size):
+    """An arc about A with its head in the sense of the crank."""
+    lines = [line for line in panel.lines if line.style == SENSE]
+    heads = [line for line in lines if line.is_arrow]
+    checks.that(len(heads) == (1 if omega else 0), 'one arrow of the sense of rotation', len(heads))
+    for line in heads:
+        checks.that(math.copysign(1, cross(line.start - A, line.vector)) == math.copysign(1, omega), 'the sense of rotation', omega)
+        has_label(panel, 'ω₂')
+    for line in lines:
+        checks.near('its arc is about A', abs(line.end - A), abs(lines[0].end - A), size, 2e-6)
+
+
+def check_numbers(script, panel, deck, position, back):
+    """The number of a link stands close to it, closer than 40 pixels."""
+    ends = {'2': (position.A, position.B), '3': (position.B, position.C), '4': (position.D, position.C)}
+    scale = (panel.range['x'][1] - panel.range['x'][0]) / (panel.margin['r'] - panel.margin['l']) / script.width
+    found = 0
+    for words, at, side, rest in panel.labels:
+        if words not in ends or at is None or deck.slot or deck.slides and words == '4':
+            continue
+        p, q = ends[words]
+        at = at * back
+        part = min(1, max(0, dot(at - p, q - p) / abs(q - p) ** 2))
+        checks.that(abs(at - p - part * (q - p)) < 40 * scale, 'the number', words, 'is beside its link', at, p, q)
+        found += 1
+    return found
+
+
+def check_insets(titles, deck, panel, size):
+    """A crank, and a rocker, that is very short is drawn enlarged as well."""
+    small = deck.length(2) < 0.03 * size
+    checks.that(not small or 'at the crank, enlarged' in titles, 'an inset of a short crank', titles)
+    checks.that(deck.length(2) < 0.2 * size or 'at the crank, enlarged' not in titles, 'no inset of a long crank', titles)
 
 
 def check_labels(panel):
@@ -299,7 +345,7 @@ def check_frame(script, panel, drawn=None):
 
 def check_sides(panel, unit, expected, size, is_chain=False):
     """The sides of a polygon: as many as notes, each with its value; `expected` are (name, start, vector) of each."""
-    sides = [line for line in panel.lines if line.style not in (THIN,)]
+    sides = [line for line in panel.lines if line.style not in (THIN, LEADER)]
     notes = entries(panel, unit)
     wanted = [x for x in expected if abs(x[2]) > 1e-12 * size]
     if size == 0:
@@ -325,7 +371,7 @@ def check_sides(panel, unit, expected, size, is_chain=False):
 def check_closing(panel, size, *ways):
     """Ways along sides from one corner to another: (names of a way, names of another)."""
     sums = {}
-    sides = [line for line in panel.lines if line.style != THIN]
+    sides = [line for line in panel.lines if line.style not in (THIN, LEADER)]
     for line, note in zip(sides, panel.notes):
         sums[note.rpartition(' = ')[0]] = line.vector
     for first, second in ways:
@@ -339,7 +385,7 @@ def check_images(panel, deck, row, motion, prime, size):
     places = [('g%s%s' % (prime, '₂₃₄'[link - 2]), motion(link, deck.cg(link))) for link in (2, 3, 4) if deck.mass(link) > 0]
     for name, link in deck.points():
         kind = 'a' if prime else 'v'
-        places.append((name + prime, row.vector('%s.%s' % (name, kind))))
+        places.append((short(name, 9) + prime, row.vector('%s.%s' % (name, kind))))
     for letter, at in places:
         has_line(panel, 'the image ' + letter, 0, at, THIN, max(size, abs(at)))
         has_disc(panel, 'the image ' + letter, at, max(size, abs(at)), 'black')
@@ -351,8 +397,8 @@ def check_velocities(panel, deck, position, row):
     vB = k * position.velocity(3, 0)
     if deck.slot:
         vB4 = k * 1j * position.omega[4] * (position.B - position.D)
-        sides = [('vB', 0, vB), ('vB4', 0, vB4), ('slide_v', vB4, row['slide_v'] * position.axis[3])]
-        ways, corners = (['vB'], ['vB4', 'slide_v']), ('o', 'b', 'b4')
+        sides = [('vB', 0, vB), ('vB4', 0, vB4), ('vBB4', vB4, row['slide_v'] * position.axis[3])]
+        ways, corners = (['vB'], ['vB4', 'vBB4']), ('o', 'b', 'b4')
     else:
         vC = k * position.velocity(3, deck.length(3))
         sides = [('vB', 0, vB), ('vC', 0, vC), ('vCB', vB, vC - vB)]
@@ -379,8 +425,8 @@ def check_accelerations(panel, deck, position, row):
         cor = 1j * u * row['coriolis']
         checks.near('the acceleration of Coriolis', row['coriolis'],
                     2 * k * position.omega[4] * position.slide_v, abs(aB) + abs(cor), 1e-9)
-        sides += [('aB4n', 0, n), ('aB4t', n, t), ('coriolis', n + t, cor), ('slide_a', n + t + cor, row['slide_a'] * u)]
-        ways, corners = (['aBn', 'aBt'], ['aB4n', 'aB4t', 'coriolis', 'slide_a']), ("o'", "b'", "b4'")
+        sides += [('aB4n', 0, n), ('aB4t', n, t), ('aCor', n + t, cor), ('aBB4', n + t + cor, row['slide_a'] * u)]
+        ways, corners = (['aBn', 'aBt'], ['aB4n', 'aB4t', 'aCor', 'aBB4']), ("o'", "b'", "b4'")
         lines = [(0, aB), (0, n + t)]
     else:
         n, t = parts(3, position.C - position.B)
@@ -606,13 +652,13 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     arcs = [arc for arc, (name, value) in zip(arcs, values) if abs(value) > 1e-12 * big] if len(arcs) == len(values) else arcs
     values = [(name, value) for name, value in values if abs(value) > 1e-12 * big]  # the others are rounding
     torques = [t for t in torques if abs(t[2]) > 1e-12 * big]
-    checks.that([t[0] for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
+    checks.that([in_book(t[0]) for t in torques] == [name for name, value in values], 'torques of the', where, values, torques)
     checks.that(len(arcs) == len(values), 'arcs of torques of the', where, len(arcs), values)
     for (name, at, value, style), (own_name, printed), (centre, sense, own_style, radius) in zip(torques, values, arcs):
         checks.near('%s on the %s' % (name, where), printed, value, abs(value), 1e-4)
         checks.that(sense == math.copysign(1, value) and style == own_style, 'the sense of', name, 'on the', where, sense, value)
         checks.near('the centre of %s on the %s' % (name, where), centre, at, size, 1e-5)
-        has_label(body, name)
+        has_label(body, in_book(name))
         moment += sense * abs(printed)
         sum_of_sizes += abs(printed)
     slack = 3e-5 + (0.02 if len(shown) < len(wanted) and deck.number('friction.circle_A') else 0)
@@ -705,15 +751,18 @@ def foot_between(point, p, q):
 def check_mechanism(deck, text, row, position, rows):
     back = cmath.exp(-1j * deck.turn)
     script = Script(text, back)
-    if not checks.that(len(script.panels) == 1, 'panels', len(script.panels)):
+    insets = [panel.title for panel in script.panels if panel.title.endswith(', enlarged')]
+    if not checks.that(len(script.panels) == 1 + len(insets), 'panels', len(script.panels)):
         return
     panel = script.panels[0]
+    check_insets(insets, deck, panel, extent(panel))
     panel.blocks = {name: [p * back if p is not None else None for p in points] for name, points in panel.blocks.items()}
     size = extent(panel)
     check_title(panel, row)
     check_places(panel, deck, position, row, size)
     check_frame(script, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
     check_labels(panel)
+    check_numbers(script, panel, deck, position, back)
     check_paths(panel, deck, rows, size)
     if 'F12x' not in row:
         checks.that(not any(line.style in (PIN_FORCE,) for line in panel.lines), 'no forces without loads and masses')
@@ -727,7 +776,9 @@ def check_mechanism(deck, text, row, position, rows):
     wanted = [x for x in acting if x.force]
     if not wanted:
         return
-    largest = max(abs(x.force) for x in wanted)
+    springs = [x for name, spring in deck.springs().items() for key in ('link', 'to') if deck.link_number(spring[key]) != 1
+               for x in acting_on(deck, position, row, deck.link_number(spring[key])) if x.name == name and x.force]
+    largest = max(abs(x.force) for x in wanted + springs)
     notes = [n for n in entries(panel, deck.unit('force')) if n[0] not in deck.springs()]
     checks.that([x.name for x in wanted] == [n[0] for n in notes], 'notes of forces', notes, [x.name for x in wanted])
     for x, (name, value) in zip(wanted, notes):
@@ -739,7 +790,7 @@ def check_mechanism(deck, text, row, position, rows):
     lines, arcs = split_arrows(panel, size)
     lines = [line for line in lines if line.style != LOAD or not (line.vector / back).real == 0 or True]
     g = [line for line in lines if line.style == LOAD and abs((line.vector / back).real) < 1e-9 * size and
-         not any(abs(line.start - x.at) < 1e-5 * size for x in wanted)]
+         not any(abs(line.start - x.at) < 1e-5 * size for x in wanted + springs)]
     has_weight = any(deck.mass(link) > 0 for link in (2, 3, 4)) and deck.vector('gravity')
     checks.that(len(g) == (1 if has_weight else 0), 'an arrow of gravity', len(g))
     for line in g:
@@ -747,7 +798,7 @@ def check_mechanism(deck, text, row, position, rows):
         checks.that(abs((line.vector / back) / abs(line.vector) - deck.vector('gravity') / back / abs(deck.vector('gravity'))) < 1e-6,
                     'the direction of gravity')
     lines = [line for line in lines if line not in g]
-    shown = [x for x in wanted if abs(x.force) >= 0.02 * largest]
+    shown = [x for x in wanted + springs if abs(x.force) >= 0.02 * largest]
     scale = check_scale(panel, deck, largest, lines)
     if not scale or not checks.that(len(shown) == len(lines), 'arrows', len(lines), [x.name for x in shown]):
         return
@@ -755,10 +806,10 @@ def check_mechanism(deck, text, row, position, rows):
         checks.near(x.name, line.vector / scale, x.force, largest, 2e-5)
         checks.near('the place of ' + x.name, line.start, x.at, size, 5e-6)
         checks.that(line.style == x.kind, 'the style of', x.name)
-        has_label(panel, x.name)
+        has_label(panel, x.name)  # a spring has its name at its coil
     torques = [(x.name, x.origin, x.torque) for x in acting if x.torque]
     if not is_rounding(deck, row) and row['Ts']:
-        torques.append(('Ts', position.A, row['Ts']))
+        torques.append(('Tₛ', position.A, row['Ts']))
     checks.that(len(torques) == len(arcs), 'arcs', len(arcs), torques)
     for (name, at, value), (centre, sense, style, radius) in zip(torques, arcs):
         checks.that(sense == math.copysign(1, value), 'the sense of', name, sense, value)
@@ -787,8 +838,10 @@ def check_several(deck, rows):
     panel = Script(deck.program.script(deck, 'mechanism', '--branch=' + picked[0].branch, *deck.options),
                    cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
+    turn = 2 * math.pi / si_of(deck.unit('angle'))
+    first = [row for row in rows if abs(row['theta2'] - rows[0]['theta2']) <= turn * (1 + 1e-9)] if rows[0].is_ok else rows
     for k in range(GHOSTS):
-        row = rows[(len(rows) - 1) * k // GHOSTS]
+        row = first[(len(first) - 1) * k // GHOSTS]
         if row.is_ok:
             position = deck.at(row)
             has_line(panel, 'the crank on its way', position.A, position.B, GHOST, size)

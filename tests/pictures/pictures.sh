@@ -5,7 +5,7 @@
 fourbar=$decks/coupler-point.deck
 engine=$decks/engine.deck
 set +u # a number that is missing is a failed check
-kinds='mechanism motion forces turning-moment polar vectors klein animation'
+kinds='mechanism motion forces turning-moment polar vectors limits klein animation'
 version=$("$fourlink" --version | sed -n 's/^fourlink //p')
 not() { ! "$@"; }
 

@@ -16,10 +16,31 @@ MARGIN = re.compile(r'([lrtb])margin at screen %s' % NUMBER)
 TITLE = re.compile(r'set (title|xlabel|ylabel) (".*")')
 
 
+LETTERS = {'θ': 'theta', 'ω': 'omega', 'α': 'alpha', 'γ': 'gamma', 'φ': 'phi', 'μ': 'mu', '°': 'deg', '·': '.'}
+SCRIPTS = str.maketrans('₀₁₂₃₄ₛₓᵧ²³', '01234sxy23')
+
+
+def plain(words):
+    """A name or a unit of a book as tables have it: θ₂ is theta2, m/s² is m/s2, F₁₂ along is F12_along."""
+    return ''.join(LETTERS.get(c, c) for c in words.translate(SCRIPTS)).replace(' ', '_')
+
+
+def axis_of(label):
+    """Name and unit of "F₁₂ along (N)", as tables have them."""
+    name, unit = label[:-1].rsplit(' (', 1)
+    return plain(name), plain(unit)
+
+
 def unquoted(words):
     if words[0] == "'":
         return words[1:-1].replace("''", "'")
     return re.sub(r'\\(\d{3})', lambda m: chr(int(m.group(1), 8)), words[1:-1])
+
+
+def shown(line, words):
+    """The text of a label, without the marks of subscripts if it has any."""
+    words = unquoted(words)
+    return re.sub(r'[_^]\{([^}]*)\}', r'\1', words) if line.endswith(' enhanced') else words
 
 
 class Line:
@@ -112,9 +133,9 @@ class Script:
             if dot:
                 panel.dots.append((complex(float(dot.group(1)), float(dot.group(2))), int(dot.group(3))))
             elif note:
-                panel.notes.append(unquoted(note.group(1)))
+                panel.notes.append(shown(line, note.group(1)))
             elif label:
-                panel.labels.append((unquoted(label.group(1)), complex(float(label.group(2)), float(label.group(3))),
+                panel.labels.append((shown(line, label.group(1)), complex(float(label.group(2)), float(label.group(3))),
                                      label.group(4), label.group(5)))
             else:
                 panel.labels.append((line, None, '', ''))

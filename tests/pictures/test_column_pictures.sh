@@ -10,7 +10,7 @@ needs python3 python3
 run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x "$fourbar"
 quiet
 svg x.svg
-shows x.svg 'theta4 (deg)' 'P.x (mm)' open crossed
+shows x.svg 'θ₄ (°)' 'P.x (mm)' open crossed
 # described TITLE DESCRIPTION: those of x.svg
 described() {
     check "title of x.svg: $(grep '^<title>' x.svg)" grep -qxF -e "<title>$1</title>" x.svg
@@ -21,9 +21,9 @@ cp "$fourbar" four.deck
 run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x --plot-x=time four.deck
 described 'Crank-rocker with a coupler point' 'four.deck, open and crossed branches: theta4, P.x over time'
 run 0 --plot=x.svg --plot-kind=vectors four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces'
+described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces, at θ₂ = 60°, a sixth of the way'
 run 0 --plot=x.svg -b crossed four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces'
+described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces, at θ₂ = 60°, a sixth of the way'
 sed '/^title/d' four.deck >'a&b<c>]]>"d.deck'
 run 0 --plot=x.svg --plot-kind=motion 'a&b<c>]]>"d.deck'
 described 'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck' \

@@ -16,14 +16,14 @@ panels() { check "$(grep -c '^plot ' x.gp) panels, expected $1" test "$(grep -c 
 columns -c theta2,theta3,F12,theta4,Ts,F23,omega4 "$fourbar"
 quiet
 panels 6
-check 'angles of the open branch' grep -qF 'plot $c1_open using 1:2 with lines lt 1 title "theta3", $c3_open using 1:2 with lines lt 2 title "theta4"' x.gp
-check 'forces of the crossed branch' grep -qF 'plot $c2_crossed using 1:2 with lines lt 1 title "F12", $c5_crossed using 1:2 with lines lt 2 title "F23"' x.gp
+check 'angles of the open branch' grep -qF 'plot $c1_open using 1:2 with lines lt 1 title "θ₃", $c3_open using 1:2 with lines lt 2 title "θ₄"' x.gp
+check 'forces of the crossed branch' grep -qF 'plot $c2_crossed using 1:2 with lines lt 1 title "F₁₂", $c5_crossed using 1:2 with lines lt 2 title "F₂₃"' x.gp
 check 'both branches of a torque' grep -qF 'plot $c4_open using 1:2 with lines lt 1 title "open", $c4_crossed using 1:2 with lines lt 2 title "crossed"' x.gp
-has 'set ylabel "angle (deg)"'
+has 'set ylabel "angle (°)"'
 has 'set ylabel "force (N)"'
-has 'set ylabel "Ts (N.m)"'
-has 'set ylabel "omega4 (rad/s)"'
-has 'set xlabel "theta2 (deg)"'
+has 'set ylabel "Tₛ (N·m)"'
+has 'set ylabel "ω₄ (rad/s)"'
+has 'set xlabel "θ₂ (°)"'
 # the columns of the deck, in the rows of its table; what measures rounding is left out
 run 0 -b open -f csv --interval='0.5 deg' "$fourbar"
 cp out rows
@@ -31,7 +31,8 @@ columns -b open "$fourbar"
 check 'no panel of the residual' none residual x.gp
 number_of() { head -n 1 rows | tr ',' '\n' | tr -d '\r' | sed 's/ .*//' | grep -nxF "$1" | cut -d: -f1; }
 for name in omega4 alpha3 Ts; do
-    k=$(sed -n 's/.*\$c\([0-9]*\)_open using 1:2 with lines lt [0-9] title "'$name'".*/\1/p' x.gp)
+    case $name in omega4) shown=ω₄ ;; alpha3) shown=α₃ ;; *) shown=Tₛ ;; esac
+    k=$(sed -n 's/.*\$c\([0-9]*\)_open using 1:2 with lines lt [0-9] title "'$shown'".*/\1/p' x.gp)
     [ $name = Ts ] && k=$(grep -o '^plot $c[0-9]*_open' x.gp | tail -n 1 | tr -dc 0-9)
     block "c${k}_open" >curve
     check "the curve of $name is that of the table" awk -F'[, ]' -v c="$(number_of $name)" '

@@ -163,7 +163,7 @@ energies() {
     words "$1" | awk -v branch="$2" -v E="$fluctuation" -v T="$mean" '
         function off(x, y, e) {x -= y; if (x < 0) x = -x; return !(x <= e)}
         /: mean / {
-            split($0, w, /: mean = | N\.m, ΔE = | J/)
+            split($0, w, /: mean = | N·m, ΔE = | J/)
             if (w[1] == branch) {mean = w[2]; given = w[3]}}
         END {exit off(mean, T, 1e-4 * (T < 0 ? -T : T) + 1e-9) || off(given, E, 1e-4 * E)}' || return 1
     "$fourlink" --plot-script=t.gp --plot-kind=turning-moment --branch=$2 "$3" >/dev/null
@@ -187,7 +187,7 @@ curves clockwise.svg >curves
 "$fourlink" --format=csv --interval='30 deg' --columns=theta2,Ts "$data/me3491-exercise-4.deck" |
     awk -F, 'BEGIN {OFS = ","} NR > 1 {$2 = -$2} 1' >csv
 compare clockwise 3 a 721 60 open theta2 Ts
-shows clockwise.svg '-theta2, turned clockwise (deg)' '2237.1 J' '-2282.3 J' 'E max' 'E min' \
+shows clockwise.svg '-θ₂, turned clockwise (°)' '2237.1 J' '-2282.3 J' 'E max' 'E min' \
     'E max at 159.5°' 'E min at 292.8°' 'of energy 0.578' 'of speed: no flywheel'
 run 0 --plot-script=t.gp --plot-kind=turning-moment "$data/me3491-exercise-4.deck"
 # above FILE: each energy that is above 0 stands above the mean, the others below it; on their centroids at least two

@@ -11,6 +11,6 @@ for kind in mechanism motion vectors; do
     check "a picture, $kind" [ -s picture.svg ]
 done
 run 0 -b open --plot-kind=vectors --plot-at='35 deg' --plot=vectors.svg cylinder.deck
-check 'the term of Coriolis is drawn' grep -q coriolis vectors.svg
+shows vectors.svg aCor # the term of Coriolis is drawn
 
 finish

@@ -27,23 +27,23 @@ for deck in "$fourbar" "$engine"; do
         shows $picture "$(sed -n 's/^title *= *//p' "$deck")" "$deck  |  fourlink $version"
     done
 done
-shows coupler-point-mechanism.svg 'open, θ₂ = 60°' 'crossed, θ₂ = 60°' 'x (mm)' 'y (mm)' 'path of C' \
-    'path of P' A B C D P F₁₂ F₂₃ F₃₄ F₁₄ push W₂ W₃ W₄ Ts g 'push = 12 N' 'W₃ = 2.943 N' 'pin force, i on j' 'load or weight' '1 ground, 2 crank,' '3 coupler, 4 rocker' 'θ₂ = 60°'
-shows coupler-point-motion.svg open crossed 'theta2 (deg)' 'theta3 (deg)' 'theta4 (deg)' 'omega3 (rad/s)' \
-    'omega4 (rad/s)' 'alpha3 (rad/s2)' 'alpha4 (rad/s2)'
-shows coupler-point-forces.svg open crossed F12 F23 F34 F14 Ts 'force (N)' 'Ts (N.m)' 'theta2 (deg)'
-shows coupler-point-turning-moment.svg 'theta2 (deg)' 'turning moment -Ts (N.m)' -Ts mean above below
-shows coupler-point-polar.svg open '30° apart' 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
-    'F43_across (N)' 'F34_along (N)' 'F14_along (N)' 'F14_across (N)' "F14, ground on rocker, in the rocker's axes"
-shows coupler-point-vectors.svg 'open, θ₂ = 60°' 'velocity polygon' 'acceleration polygon' \
+shows coupler-point-mechanism.svg 'open, θ₂ = 60°, a sixth of the way' 'crossed, θ₂ = 60°, a sixth of the way' 'x (mm)' 'y (mm)' 'path of C' \
+    'path of P' A B C D P F₁₂ F₂₃ F₃₄ F₁₄ push W₂ W₃ W₄ Tₛ g 'push = 12 N' 'W₃ = 2.943 N' 'pin force, i on j' 'load or weight' '1 ground, 2 crank,' '3 coupler, 4 rocker' 'θ₂ = 60°'
+shows coupler-point-motion.svg open crossed 'θ₂ (°)' 'θ₃ (°)' 'θ₄ (°)' 'ω₃ (rad/s)' \
+    'ω₄ (rad/s)' 'α₃ (rad/s²)' 'α₄ (rad/s²)'
+shows coupler-point-forces.svg open crossed F₁₂ F₂₃ F₃₄ F₁₄ Tₛ 'force (N)' 'Tₛ (N·m)' 'θ₂ (°)'
+shows coupler-point-turning-moment.svg 'θ₂ (°)' 'turning moment -Tₛ (N·m)' -Tₛ mean above below
+shows coupler-point-polar.svg open '30° apart' 'F₁₂ along (N)' 'F₁₂ across (N)' 'F₃₂ along (N)' 'F₂₃ along (N)' \
+    'F₄₃ across (N)' 'F₃₄ along (N)' 'F₁₄ along (N)' 'F₁₄ across (N)' "F₁₄, ground on rocker, in the rocker's axes"
+shows coupler-point-vectors.svg 'open, θ₂ = 60°, a sixth of the way' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
-    'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s2)' \
+    'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s²)' \
     'x (N)' 'x (mm)' push
-shows engine-mechanism.svg 'open, θ₂ = 60°' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Ts 'gas = 20774 N' 'θ₃ = -16.78°'
-shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s2)' 'theta3 (deg)' 'omega3 (rad/s)' 'alpha3 (rad/s2)'
-shows engine-forces.svg F12 F23 F34 N Ts 'force (N)' 'Ts (N.m)'
-shows engine-turning-moment.svg 'turning moment -Ts (N.m)' mean
-shows engine-polar.svg 'F12_along (N)' 'F43_across (N)' open
+shows engine-mechanism.svg 'open, θ₂ = 60°, a sixth of the way' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Tₛ 'gas = 20774 N' 'θ₃ = -16.78°'
+shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s²)' 'θ₃ (°)' 'ω₃ (rad/s)' 'α₃ (rad/s²)'
+shows engine-forces.svg F₁₂ F₂₃ F₃₄ N Tₛ 'force (N)' 'Tₛ (N·m)'
+shows engine-turning-moment.svg 'turning moment -Tₛ (N·m)' mean
+shows engine-polar.svg 'F₁₂ along (N)' 'F₄₃ across (N)' open
 # polar: one branch unless both are asked for
 check 'polar: not asked for the crossed branch' none '>crossed<' coupler-point-polar.svg
 run 0 --plot=x.svg --plot-kind=polar --branch=both "$fourbar"
@@ -81,7 +81,7 @@ check 'the force jumps by the load' awk '/^\$F14_open_jumps/ {on = 1; next} /^EO
 run 0 --plot-script=x.gp --plot-kind=polar "$fourbar"
 check 'a steady load does not jump' none '_jumps' x.gp
 shows engine-vectors.svg 'velocity polygon' 'free body of the rod' 'free body of the piston' 'forces on the piston' gas aC
-shows engine-klein.svg "Klein's construction, open, θ₂ = 60°" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
+shows engine-klein.svg "Klein's construction, open, θ₂ = 60°, a sixth of the way" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
 check 'the engine has no rocker' none rocker engine-vectors.svg
 
 # --- the other kinds of file

@@ -13,8 +13,8 @@ for kind in $kinds speed; do
     quiet
     svg $kind.svg
 done
-shows speed.svg 'open: mean = 11.199 rad/s' omega2 mean T_motor Ts 'torque (N.m)' 'omega2 (rad/s)' 'energy (J)'
+shows speed.svg 'open: mean = 11.199 rad/s' ω₂ mean 'T motor' Tₛ 'torque (N·m)' 'ω₂ (rad/s)' 'energy (J)'
 run 0 --plot=r.svg --plot-kind=columns --plot-x=time --columns=omega2,T_motor --branch=open "$pump"
-shows r.svg 'time (s)' 'omega2 (rad/s)' 'T_motor (N.m)'
+shows r.svg 'time (s)' 'ω₂ (rad/s)' 'T motor (N·m)'
 
 finish

@@ -6,7 +6,7 @@
 
 needs_gnuplot
 
-all='mechanism motion forces turning-moment polar vectors klein'
+all='mechanism motion forces turning-moment polar vectors limits klein'
 # odd NAME KINDS ARGUMENT...: each kind draws without a word of gnuplot, or says why not
 odd() {
     name=$1
@@ -42,25 +42,25 @@ odd() {
 draws() { check "$name draws:$drawn_kinds, not: $1" test "$drawn_kinds" = " $1"; }
 
 odd 'a crank that cannot turn fully' "$all" "$data/me3491-exercise-1.deck"
-draws 'mechanism motion forces polar vectors'
+draws 'mechanism motion forces polar vectors limits'
 odd 'parallelogram' "$all" "$fourbar" --set='crank.length=40 mm' --set='coupler.length=80 mm' --set='rocker.length=40 mm'
-draws 'mechanism motion forces polar vectors'
+draws 'mechanism motion forces polar vectors limits'
 odd 'deltoid' 'motion polar vectors' "$fourbar" --set='crank.length=40 mm' --set='ground.length=40 mm' --set='coupler.length=80 mm' \
     --set='rocker.length=80 mm'
 draws 'motion polar vectors'
 odd 'a crank at rest' "$all" "$fourbar" --set=motion.speed=0
-draws 'mechanism motion forces polar vectors'
+draws 'mechanism motion forces polar vectors limits'
 odd 'no force at all' "$all" "$fourbar" --set=motion.speed=0 --set=gravity.acceleration=0 --set='load push.force=(0, 0) N'
-draws 'mechanism motion forces polar vectors'
+draws 'mechanism motion forces polar vectors limits'
 odd 'one instant' "$all" "$data/me3491-example-1.deck"
-draws 'mechanism motion forces turning-moment polar vectors klein'
+draws 'mechanism motion forces turning-moment polar vectors limits klein'
 odd 'a run-up' 'mechanism motion forces polar vectors' "$fourbar" --set=motion.speed=0 \
     --set='motion.acceleration=20 rad/s2' --set='motion.run_up=180 deg'
 draws 'mechanism motion forces polar vectors'
 odd 'a crank that stops' 'motion forces turning-moment' "$fourbar" --set='motion.acceleration=-100 rad/s2'
 draws 'motion forces'
 odd 'without masses' "$all" "$alvi"
-draws 'mechanism motion vectors'
+draws 'mechanism motion vectors limits'
 odd 'an offset engine, crossed' 'mechanism motion polar vectors klein' "$engine" --set='ground.offset=60 mm' --branch=crossed
 draws 'mechanism motion polar vectors klein'
 cat >narrow.deck <<'DECK' # reached within 0.8 deg of 360 deg, between the samples of a drawing
@@ -97,7 +97,7 @@ draws 'mechanism turning-moment polar vectors'
 run 0 --plot=x.svg --set=units.length=in --set=units.angle=rad --plot-at='1 rad' "$fourbar"
 shows x.svg 'x (in)' 'y (in)' 'open, θ₂ = 1 rad' 'θ₂ = 1 rad'
 run 0 --plot=x.svg --set=units.angle=rad --plot-kind=motion "$fourbar"
-shows x.svg 'theta2 (rad)' 'theta4 (rad)'
+shows x.svg 'θ₂ (rad)' 'θ₄ (rad)'
 odd 'out of reach' "$all" "$data/me3491-exercise-1.deck" --set='motion.from=150 deg' --set='motion.to=200 deg'
 check "nothing is drawn out of reach:$drawn_kinds" test -z "$drawn_kinds"
 odd 'a crank that cannot turn fully' animation "$data/me3491-exercise-1.deck"

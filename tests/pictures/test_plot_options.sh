@@ -12,7 +12,7 @@ refused() {
 for name in x.bmp x.svgz svg x.svg.gz '' x.; do
     refused '--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -' --plot="$name" "$fourbar"
 done
-refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, klein, animation, speed, histogram or columns, not 'foo'" \
+refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, limits, klein, animation, speed, histogram or columns, not 'foo'" \
     --plot=x.svg --plot-kind=foo "$fourbar"
 refused "did you mean 'motion'?" --plot=x.svg --plot-kind=motoin "$fourbar"
 refused '--plot-kind must be' --plot=x.svg --plot-kind= "$fourbar"

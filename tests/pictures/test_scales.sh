@@ -37,10 +37,16 @@ for kind in forces motion polar; do
     run 0 --plot-script=x.gp --plot-kind=$kind "$data/me3491-exercise-1.deck"
     check "$kind: a peak beyond the frame" awk '/range \[/ && !/xrange \[110/ {n++; r = $3; gsub(/[][]/, "", r); split(r, p, ":")
         if (!(p[2] > p[1] + 0) || p[2] - p[1] > 3000) bad = 1} END {exit !(n >= 4 && !bad)}' x.gp
-    [ $kind = polar ] || check "$kind: it is told" grep -q "'beyond the frame near a dead position'" x.gp
+    [ $kind = polar ] || check "$kind: it is told" grep -q '^set title ".*beyond the frame near a dead position"' x.gp
     run 0 --plot-script=x.gp --plot-kind=$kind "$fourbar"
     check "$kind: nothing is beyond the frame" none 'beyond the frame' x.gp
 done
+
+# --- a restricted motion is drawn over what it covers
+run 1 --plot-script=x.gp --plot-kind=motion --branch=open --set='crank.length=100 mm' --set='ground.length=120 mm' --set='coupler.length=40 mm' \
+    --set='rocker.length=95 mm' "$alvi"
+check 'from the first to the last position' awk -F'\\[|:|\\]' '/^set xrange/ {from = $2; to = $3; n++} /^plot/ {if (from < 0 || from > 27 || to < 333 || to > 355) bad = 1}
+    END {exit bad || !n}' x.gp
 
 # --- numbers of extremes: a maximum's above it, a minimum's below; the areas' have the digits of the title
 run 0 --plot-script=x.gp --plot-kind=motion "$fourbar"

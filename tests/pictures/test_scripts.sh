@@ -5,7 +5,7 @@
 . "$(dirname "$0")/pictures.sh"
 
 needs_gnuplot
-pictures_of "$fourbar" mechanism motion forces turning-moment polar vectors animation
+pictures_of "$fourbar" mechanism motion forces turning-moment polar vectors limits animation
 pictures_of "$engine" $kinds
 
 for deck in "$fourbar" "$engine"; do

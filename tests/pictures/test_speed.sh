@@ -37,7 +37,7 @@ for kind in speed forces; do
     check "$kind: a torque of 0" awk '$2 != 0 {bad++} END {exit bad || NR < 100}' crank
 done
 run 0 --plot-script=s.gp --plot-kind=mechanism --branch=open free.deck
-check 'mechanism: no torque' none 'Ts' s.gp
+check 'mechanism: no torque' none 'Tₛ' s.gp
 
 run 2 --plot=p.svg --plot-kind=speed "$alvi"
 says 'this picture needs [motion] mode = free, run-up or steady; the motion is given'
@@ -83,5 +83,63 @@ quiet
 near 'its mean' "$(sed -n 's/^mean = //p' s.gp)" "-$(fact mean_torque | tr -d -)" 1e-4
 run 2 --plot-script=s.gp --plot-kind=turning-moment --branch=open "$pump"
 says 'the turning moment needs'
+
+# --- a run-up of several turns: the load is averaged over each, the mean comes later, bearings show the last turn
+cat >runup.deck <<'DECK'
+mechanism = slider-crank
+[crank]
+length = 40 mm
+mass = 1 kg
+cg = 0
+inertia = 0.002 kg m2
+[rod]
+length = 150 mm
+mass = 0.8 kg
+uniform = yes
+[piston]
+mass = 0.7 kg
+[load gas]
+link = piston
+force = -300 N
+from = 180 deg
+to = 360 deg
+[motor]
+stall_torque = 25 N m
+no_load_speed = 1500 rpm
+[flywheel]
+inertia = 0.05 kg m2
+[motion]
+mode = run-up
+turns = 6
+interval = 2 deg
+[table]
+branch = open
+DECK
+run 0 --plot-script=s.gp --plot-kind=speed runup.deck
+quiet
+check 'the mean is a later one' grep -q 'title ".*later mean = ' s.gp
+check 'its curve has another name' grep -q "title 'later mean'" s.gp
+points Ts_open >turns
+"$fourlink" -f csv -c theta2,Ts,omega2 runup.deck | tr -d '\r' >rows
+averaged() { # the points are the means of the table over whole turns, to 1 % of the largest torque of 25 N m
+    awk -F '[, ]' 'NR == FNR {x[++n] = $1; y[n] = $2; next} FNR > 1 && $1 == "open" {
+            if (m++) {T += ($3 + t) / 2; w += ($4 + o) / 2; if ((m - 1) % 180 == 0) {
+                k++; dT = T / 180 - y[k]; dw = w / 180 - x[k]; if (dT * dT > 0.0625 || dw * dw > 1) bad = 1; T = w = 0}}
+            t = $3; o = $4} END {exit bad || n != 6 || k != 6}' turns rows
+}
+check 'the load of each turn' averaged
+awk '{print $1, $2 + 0.5}' turns >more && mv more turns
+check 'another load is seen' not averaged
+run 0 --plot-script=s.gp --plot-kind=polar runup.deck
+check 'bearings of the last turn' grep -q 'source = .*, the last turn' s.gp
+set -- $("$fourlink" -f csv -c theta2,F12_along,F12_across runup.deck | tr -d '\r' | awk -F, '$2 == 1800 {print $3, $4}')
+near 'the first force of the last turn' "$(points F12_open | awk 'NR == 1 {print $1}')" "$1" 1e-6
+check 'dots of one turn' test "$(points F12_open_dots | wc -l)" -eq 13
+# a machine that stalls: its curves end there, near rest
+run 1 --plot-script=s.gp --plot-kind=speed --set='motor.stall_torque=3 N m' runup.deck
+stall=$("$fourlink" -c omega2 --set='motor.stall_torque=3 N m' runup.deck | sed -n 's/^# stalls at \([0-9.]*\) deg.*/\1/p')
+check "curves over what it turns: $(grep -c "^set xrange \[0:$stall" s.gp)" test "$(grep -c "^set xrange \[0:${stall%.*}" s.gp)" -ge 2
+points omega2_open >speed
+check 'the last speed is near 0' awk '{if ($2 > most) most = $2; last = $2; x = $1} END {exit !(last < 0.02 * most && most > 10)}' speed
 
 finish

@@ -12,7 +12,7 @@ for kind in histogram columns; do
         quiet
         check "$kind as $ending" test -s p.$ending
     done
-    check "the output is named" grep -q 'swing (deg)' p.svg
+    check "the output is named" grep -q 'swing (°)' p.svg
 done
 # one value
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'output = mu_min'

@@ -49,6 +49,16 @@ sweep 'crank.length = 10 mm to 30 mm step 10 mm' 'coupler.length = 60 mm to 64 m
 run 0 --plot-script=t.gp --plot-kind=columns -b open -s 'sweep.crank.length = 10 mm, 40 mm' t.deck
 check 'what does not swing has no point' test "$(block o0_open | sed '/./!d' | wc -l)" -eq 3
 
+# a range is on the x axis, not a tolerance that changes faster
+sweep 'crank.length = 20 mm to 40 mm step 5 mm' 'coupler.length = 66 mm +- 1 mm normal' 'samples = 8' 'output = mu_min, swing'
+run 0 --plot-script=t.gp --plot-kind=columns -b open t.deck
+check 'the range is on the x axis' grep -q '^set xlabel "crank.length (m)"' t.gp
+check "places on it: $(block o0_open | awk 'NF {print $1}' | sort -u | wc -l)" test "$(block o0_open | awk 'NF {print $1}' | sort -u | wc -l)" -eq 5
+sweep 'coupler.length = 66 mm +- 1 mm normal' 'samples = 8' 'output = mu_min'
+run 0 --plot-script=t.gp --plot-kind=columns -b open t.deck
+check 'a tolerance alone is' grep -q '^set xlabel "coupler.length (m)"' t.gp
+check 'the name of the deck is not cut' grep -q '^source = "t.deck"' t.gp
+
 # what is refused
 run 2 --plot-script=t.gp --plot-kind=histogram single.deck
 says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'

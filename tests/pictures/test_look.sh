@@ -1,0 +1,112 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_look.sh FOURLINK DATA - lines in grey, by look.py; the default position of decks with loads; names and units.
+. "$(dirname "$0")/pictures.sh"
+needs python3 python3
+
+look() { python3 -B "$(dirname "$decks")/pictures/look.py" "$1" 2>&1; }
+run 0 --plot-script=x.gp "$fourbar"
+check "colours: $(look x.gp | head -n 3)" test -z "$(look x.gp)"
+# it can fail
+for change in 's/^\(set style line 3 .*\)#[0-9A-F]*/\1#0A2F7A/' 's/^\(set style line 8 .*\)#[0-9A-F]*/\1#E69F00/' \
+    's/^\(set linetype 2 .*\)#[0-9A-F]*/\1#D55E00/' 's/^\(set style line 3 lw \)[0-9.]*/\15/'; do
+    sed "$change" x.gp >wrong.gp
+    check "a wrong colour or width is seen: $change" test -n "$(look wrong.gp)"
+done
+
+# --- the default position: most loads act, no dead position is near
+angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°, \([^"]*\)".*/\1 \2/p' x.gp | head -n 1; }
+shows_at() { # shows_at ANGLE REASON ARGUMENT...
+    wanted="$1 $2"
+    shift 2
+    run 0 --plot-script=x.gp --branch=open "$@"
+    check "the default: $(angle), expected $wanted" test "$(angle)" = "$wanted"
+}
+cat >press.deck <<'DECK'
+mechanism = slider-crank
+[units]
+length = mm
+[crank]
+length = 50
+[rod]
+length = 180
+[piston]
+mass = 4 kg
+[load press]
+link = piston
+force = -5 kN
+from = 180 deg
+to = 350 deg
+[motion]
+speed = 200 rpm
+interval = 10 deg
+DECK
+shows_at 60 'a sixth of the way' "$fourbar"
+shows_at 210 'where press acts' press.deck # at 180, 190 and 200 deg crank and rod are nearly in line
+shows_at 90 'where press acts' press.deck --set='load press.from=90 deg'
+shows_at 60 'a sixth of the way' press.deck --set='load press.from=0 deg'
+{ cat press.deck && printf '[load tool]\nlink = rod\nat = mid\nforce = (0, -10) N\nfrom = 300 deg\nto = 340 deg\n'; } >two.deck
+shows_at 300 'where 2 of 2 loads act' two.deck
+shows_at 240 'where press acts' two.deck --set='load press.from=240 deg' --set='load press.to=250 deg' --set='load tool.to=280 deg' \
+    --set='load tool.from=270 deg'
+shows_at 150 'clear of dead positions' press.deck --set='load press.force=0 N' --set='motion.from=120 deg' --set='motion.to=480 deg' \
+    --set='motion.interval=30 deg'
+for kind in vectors klein limits; do
+    shows_at 210 'where press acts' press.deck --plot-kind=$kind
+done
+run 0 --plot-script=x.gp --plot-at='60 deg' --branch=open press.deck
+check 'no reason for what was asked for' none ' acts' x.gp
+run 0 --report=x.html --branch=open press.deck
+check 'the report shows the same position' grep -q '210' x.html
+
+# --- names and units of a book, but on a terminal
+run 0 --plot-script=x.gp --plot-kind=columns --columns=F12x,Ts,alpha3,F12_along,G3.y,mu --branch=open "$fourbar"
+for name in 'title "F₁₂ₓ"' '"Tₛ (N·m)"' '"α₃ (rad/s²)"' 'title "F₁₂ along"' '"G₃.y (mm)"' '"μ (°)"' '"θ₂ (°)"'; do
+    check "no $name" grep -qF "$name" x.gp
+done
+run 0 --plot-script=x.gp --plot=x.txt --plot-kind=columns --columns=F12x,Ts,mu --branch=open "$fourbar"
+for name in '"F12x (N)' 'Ts (N.m)' 'mu (deg)' '"theta2 (deg)"'; do
+    check "a terminal has no $name" grep -qF "$name" x.gp
+done
+
+# --- sense of rotation: reversed with the speed
+sense() { awk '/ head .* ls 13( |$)/ {split($4, a, ","); split($6, b, ","); s = a[1] * b[2] - a[2] * b[1]; print (s > 0 ? 1 : -1)}' x.gp; }
+run 0 --plot-script=x.gp --branch=open "$fourbar"
+check "the sense: $(sense)" test "$(sense)" = 1
+run 0 --plot-script=x.gp --branch=open --set='motion.speed=-30 rad/s' "$fourbar"
+check "the sense, reversed: $(sense)" test "$(sense)" = -1
+
+# --- a slotted lever is drawn to its end; the letters of an animation do not jump
+cat >lever.deck <<'DECK'
+mechanism = inverted-slider-crank
+[units]
+length = mm
+[ground]
+length = 300
+[crank]
+length = 60
+[lever]
+mass = 9 kg
+cg = 450 mm
+inertia = 0.6 kg m2
+[load cut]
+link = lever
+at = 900 mm
+force = (0, 1200) N
+[motion]
+speed = 40 rpm
+interval = 10 deg
+DECK
+run 0 --plot-script=x.gp --plot-at='90 deg' --branch=open lever.deck
+check 'the lever ends at its load' awk '/ nohead ls 4$/ {split($6, b, ","); r = sqrt((b[1] - 300) ^ 2 + b[2] ^ 2); if (r > 899.9 && r < 900.1) n++}
+    END {exit n != 1}' x.gp
+run 0 --plot-script=x.gp --plot-kind=animation --branch=open "$fourbar"
+for letter in A D; do
+    check "letter $letter stays: $(grep "^set label \"$letter\" at" x.gp | sort -u | wc -l) places" \
+        test "$(grep "^set label \"$letter\" at" x.gp | sort -u | wc -l)" -eq 1
+done
+check 'letter B stays outward of the crank' awk '/ nohead ls 2$/ {split($6, b, ",")} /^set label "B" at / {split($5, p, ",")
+    d = (p[1] - b[1]) * b[1] + (p[2] - b[2]) * b[2]; if (d < 0) bad = 1; n++} END {exit bad || n != 60}' x.gp
+
+finish
