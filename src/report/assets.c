@@ -56,7 +56,7 @@ const char *const assets_style[] = {
     "    position: absolute;\n    width: 1px;\n    height: 1px;\n    overflow: hidden;\n    clip-path: inset(50%);\n    margin: 0;\n}\n\n/* ------------------------------------------------------------------- lines of the drawings */\n\n.sheet * {",
     "    fill: none;\n    stroke-linejoin: round;\n    stroke-linecap: round;\n}\n\n.sheet text,\n.sheet tspan {\n    fill: var(--ink);\n}\n\n.sheet .of-link {\n    font-weight: bold;\n    font-size: 12.5px;\n}\n\n.sheet text {",
     "    stroke: var(--paper);\n    stroke-width: 4px;\n    paint-order: stroke;\n}\n\n.sheet .small {\n    font-size: 11.5px;\n}\n\n.sheet .variable {\n    font-style: italic;\n}\n\n.sheet .reason {\n    text-anchor: middle;",
-    "    fill: var(--bad);\n}\n\n.link2 { stroke: var(--crank); stroke-width: 6; }\n.link3 { stroke: var(--coupler); stroke-width: 4.5; }\n.link4 { stroke: var(--follower); stroke-width: 3; }",
+    "    fill: var(--bad);\n}\n\n.link2 { stroke: var(--crank); stroke-width: 5; }\n.link3 { stroke: var(--coupler); stroke-width: 4; }\n.link4 { stroke: var(--follower); stroke-width: 3; }",
     ".link5 { stroke: var(--result); stroke-width: 3; stroke-dasharray: 9 3; }\n\n.half .sheet .link2 { stroke-width: 3.5; }\n.half .sheet .link3 { stroke-width: 2.5; }\n.half .sheet .link4 { stroke-width: 1.8; }",
     ".half .sheet .link5 { stroke-width: 2.5; }\n\n.sheet .body { stroke-width: 1.5; fill-opacity: 0.12; }\n.sheet .block { stroke-width: 2.5; fill: var(--paper); fill-opacity: 0.85; }\n.sheet .slot { stroke-width: 2; }",
     ".sheet .link2.body { fill: var(--crank); }\n.sheet .link3.body { fill: var(--coupler); }\n.sheet .link4.body { fill: var(--follower); }\n\n.pin { stroke: var(--ink); stroke-width: 2; }\n.load { stroke: var(--load); stroke-width: 3; }",
@@ -67,8 +67,8 @@ const char *const assets_style[] = {
     ".sheet .quarter { stroke: none; fill: var(--ink); }\n\n.sheet .sense.head { fill: var(--crank); }\n.sheet .head { stroke-width: 0.5; stroke-dasharray: none; fill: var(--ink); }\n.sheet .link2.head { fill: var(--crank); }",
     ".sheet .link3.head { fill: var(--coupler); }\n.sheet .link4.head { fill: var(--follower); }\n.sheet .link5.head,\n.sheet .inertia.head { fill: var(--result); }\n.sheet .load.head { fill: var(--load); }",
     ".sheet .scale.head { fill: var(--thin); }\n\n.path { stroke-width: 1.5; }\n.path.construction { stroke-width: 1; }\n.path0 { stroke: var(--curve0); }\n.path1 { stroke: var(--curve1); stroke-dasharray: 10 5; }",
-    ".path2 { stroke: var(--curve2); stroke-dasharray: 3 3; }\n.path3 { stroke: var(--curve3); stroke-dasharray: 12 4 2 4; }\n.path4 { stroke: var(--curve4); stroke-dasharray: 6 3 2 3 2 3; }",
-    ".path5 { stroke: var(--curve5); stroke-dasharray: 2 6; }\n\n.sheet .handle * {\n    stroke: transparent;\n    fill: transparent;\n    pointer-events: all;\n    touch-action: none;\n    cursor: grab;\n}\n\n.handle:active * {",
+    ".path2 { stroke: var(--curve2); stroke-dasharray: 5 3; }\n.path3 { stroke: var(--curve3); stroke-dasharray: 12 4 2 4; }\n.path4 { stroke: var(--curve4); stroke-dasharray: 6 3 2 3 2 3; }",
+    ".path5 { stroke: var(--curve5); stroke-dasharray: 3 5; }\n\n.sheet .handle * {\n    stroke: transparent;\n    fill: transparent;\n    pointer-events: all;\n    touch-action: none;\n    cursor: grab;\n}\n\n.handle:active * {",
     "    cursor: grabbing;\n}\n\n.swatch {\n    display: inline-block;\n    width: 1.1em;\n    height: 0.22em;\n    margin-right: 0.4em;\n    vertical-align: 0.28em;\n    background: var(--ink);\n}\n",
     ".swatch.link2 { background: var(--crank); height: 0.36em; }\n.swatch.link3 { background: var(--coupler); height: 0.28em; }\n.swatch.link4 { background: var(--follower); }",
     ".swatch.link5, .swatch.inertia { background: repeating-linear-gradient(to right, var(--result) 0 6px, transparent 6px 8px); }\n.swatch.load { background: var(--load); }\n.swatch.path0 { background: var(--curve0); }",
@@ -89,9 +89,10 @@ const char *const assets_style[] = {
     "    figure,\n    .panel,\n    .equation,\n    tr,\n    .blank-lines {\n        break-inside: avoid;\n    }\n\n    figure {\n        margin: 0.8rem 0;\n    }\n\n    figure img {\n        max-height: 215mm;\n        object-fit: contain;\n    }",
     "\n    .panels {\n        gap: 0.5rem 1rem;\n    }\n\n    .values li {\n        min-width: 0;\n    }\n\n    .wide,\n    .equation {\n        overflow: visible;\n        background: none;\n    }\n\n    thead {",
     "        display: table-header-group;\n    }\n\n    /* Tables are folded on screen.  Browsers that do not know this unfold them in controls.js. */\n    details.table:not(.long)::details-content {\n        content-visibility: visible;\n    }\n",
-    "    details.table summary {\n        list-style: none;\n    }\n\n    details.long:not([open]) summary::after {\n        content: \". Open it on screen if it is to be printed.\";\n    }\n",
-    "    /* A line of 120 letters is as wide as A4 and Letter at 8 pt. */\n    table.rows {\n        font: clamp(7pt, 960pt / var(--letters, 120), 8pt) / 1.25 Arial, \"Liberation Sans\", sans-serif;\n    }\n\n    table.rows th,",
-    "    table.rows td {\n        padding: 0.05em 0.5em;\n    }\n\n    .swatch {\n        print-color-adjust: exact;\n        -webkit-print-color-adjust: exact;\n    }\n}",
+    "    /* The head of a table does not stand at the end of a page with one row. */\n    tbody tr:nth-child(-n + 2) {\n        break-after: avoid;\n    }\n\n    details.table summary {\n        list-style: none;\n    }\n",
+    "    details.long:not([open]) summary::after {\n        content: \". Open it on screen if it is to be printed.\";\n    }\n\n    /* A line of 120 letters is as wide as A4 and Letter at 8 pt. */\n    table.rows {",
+    "        font: clamp(7pt, 960pt / var(--letters, 120), 8pt) / 1.25 Arial, \"Liberation Sans\", sans-serif;\n    }\n\n    table.rows th,\n    table.rows td {\n        padding: 0.05em 0.5em;\n    }\n\n    .swatch {",
+    "        print-color-adjust: exact;\n        -webkit-print-color-adjust: exact;\n    }\n}",
     NULL};
 
 const char *const assets_script[] = {
