@@ -89,7 +89,7 @@ const char *const assets_style[] = {
     "    figure,\n    .panel,\n    .equation,\n    tr,\n    .blank-lines {\n        break-inside: avoid;\n    }\n\n    figure {\n        margin: 0.8rem 0;\n    }\n\n    figure img {\n        max-height: 215mm;\n        object-fit: contain;\n    }",
     "\n    .panels {\n        gap: 0.5rem 1rem;\n    }\n\n    .values li {\n        min-width: 0;\n    }\n\n    .wide,\n    .equation {\n        overflow: visible;\n        background: none;\n    }\n\n    thead {",
     "        display: table-header-group;\n    }\n\n    /* Tables are folded on screen.  Browsers that do not know this unfold them in controls.js. */\n    details.table:not(.long)::details-content {\n        content-visibility: visible;\n    }\n",
-    "    /* The head of a table does not stand at the end of a page with one row. */\n    tbody tr:nth-child(-n + 2) {\n        break-after: avoid;\n    }\n\n    details.table summary {\n        list-style: none;\n    }\n",
+    "    /* The head of a table does not stand at the end of a page with one row. */\n    .facts tbody tr:first-child {\n        break-after: avoid;\n    }\n\n    details.table summary {\n        list-style: none;\n    }\n",
     "    details.long:not([open]) summary::after {\n        content: \". Open it on screen if it is to be printed.\";\n    }\n\n    /* A line of 120 letters is as wide as A4 and Letter at 8 pt. */\n    table.rows {",
     "        font: clamp(7pt, 960pt / var(--letters, 120), 8pt) / 1.25 Arial, \"Liberation Sans\", sans-serif;\n    }\n\n    table.rows th,\n    table.rows td {\n        padding: 0.05em 0.5em;\n    }\n\n    .swatch {",
     "        print-color-adjust: exact;\n        -webkit-print-color-adjust: exact;\n    }\n}",
