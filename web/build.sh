@@ -98,6 +98,7 @@ build_page() {
     report=$source/src/report
     gzip -9n <web/fourlink.wasm | base64 -w 0 >web/fourlink.base64
     put_json "$source/data" >web/examples.json
+    put_json "$source/web/templates" >web/templates.json
     for manual in fourlink-deck.5 fourlink.1; do
         put_manual "$source/doc/man/$manual"
     done >web/manual.txt
@@ -106,8 +107,9 @@ build_page() {
         case $line in
         @REPORT_STYLE@) cat "$report/report.css" ;;
         @STYLE@) cat "$web/page.css" ;;
-        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/controls.js" ;;
+        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/typed.js" "$report/controls.js" ;;
         @EXAMPLES@) cat web/examples.json ;;
+        @TEMPLATES@) cat web/templates.json ;;
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;

@@ -14,11 +14,14 @@
 const char *const assets_style[] = {"@STYLE@", NULL};
 const char *const assets_script[] = {"@SCRIPT@", NULL};
 
-void report_put_mechanism(report *r)
+void report_put_mechanism(report *r, int is_drawn)
 {
+    if (!is_drawn) {
+        report_put_results(r);
+        return;
+    }
     page_section(&r->page, "mechanism", "Mechanism");
     report_put_interactive(r);
-    page_print(&r->page, "</section>\n");
 }
 
 void report_put_curves(report *r)

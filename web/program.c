@@ -136,6 +136,8 @@ static void put_value_name(const fourlink_value *v)
 {
     line_put(&l, "{");
     put_string("name", v->name);
+    line_put(&l, ",\"label\":");
+    interactive_put_label(&l, v->name);
     line_put(&l, ",");
     put_string("unit", v->unit);
     line_put(&l, ",");
@@ -251,7 +253,7 @@ static void put_curve(const rows *t, unsigned long column)
     line_put(&l, "]");
 }
 
-/* Answer with two columns over the rows of the drawing; the room has "table.columns=X,Y". */
+/* Answer with columns over the rows of the drawing; the room has "table.columns=X,Y,...". */
 CALLED(web_curve) int web_curve(void)
 {
     fourlink_source chosen = source;
@@ -351,6 +353,15 @@ CALLED(web_report) int web_report(void)
     done = report_write(out, &drawn, &request, &outcome, &mistake);
     fourlink_results_free(request.opened);
     return end_answer() && done > 0;
+}
+
+/* Answer with the name in the room, typeset; returns 0 without memory. */
+CALLED(web_label) int web_label(void)
+{
+    if (!begin_answer())
+        return 0;
+    interactive_put_label(&l, input);
+    return end_answer();
 }
 
 /* The value in SI units of the quantity in the room, such as "40 mm", read as the deck reads it; NaN if it is none. */

@@ -66,8 +66,8 @@ const tasks = {
         const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at);
         return {deck, scene: scene ? answer(true) : null};
     },
-    curve({x, y}) {
-        give("table.columns=" + x + "," + y);
+    curve({names}) {
+        give("table.columns=" + names.join());
         if (!program.web_curve())
             throw new Error("the deck has more loads or points than a drawing shows");
         return {curves: JSON.parse(answer(true))};
@@ -87,6 +87,15 @@ const tasks = {
     sheet({format, content}) {
         return {text: answer(program.web_sheet({table: 0, csv: 1, json: 2}[format],
                                                {rows: 0, summary: 1, check: 2}[content]))};
+    },
+    /* The facts, and their names typeset: max(F12) as max and the label of F12. */
+    facts() {
+        const {text} = tasks.sheet({format: "json", content: "summary"}), facts = JSON.parse(text).facts || [];
+        return {facts: facts.map((fact) => {
+            const [, of, name] = /^(?:(\w+)\()?(.*?)\)?$/.exec(fact.name);
+            give(name);
+            return {...fact, of: of || "", label: JSON.parse(answer(program.web_label()))};
+        })};
     },
     report({angle}) {
         give(angle || "");

@@ -11,6 +11,7 @@
 #include "base/text.h"
 
 #define HEAD (4 * CANVAS_LINE)      /* title and source */
+#define NO_HEAD (0.4 * CANVAS_LINE)
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
 #define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
 #define BELOW (4 * CANVAS_LINE)
@@ -157,16 +158,17 @@ char *canvas_shorten(const char *words, int letters, int keep_end, char *out, si
 }
 
 void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, double width,
-                 double height, double below)
+                 double height, double below, int has_title)
 {
     memset(c, 0, sizeof *c);
+    c->head = has_title ? HEAD : NO_HEAD;
     c->out = out;
     c->is_text = is_text;
     c->columns = is_text ? 1 : columns;
     c->rows = is_text ? rows * columns : rows;
     c->width = is_text ? CANVAS_TEXT_WIDTH * CANVAS_LETTER : width * columns;
     c->below = below;
-    c->height = HEAD + (height + below) * c->rows;
+    c->height = c->head + (height + below) * c->rows;
 }
 
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest)
@@ -190,8 +192,8 @@ void canvas_heading(const canvas *c)
 
 void canvas_panel(canvas *c, int lines, double right)
 {
-    double width = c->width / c->columns, height = (c->height - HEAD) / c->rows;
-    double x = c->next % c->columns * width, y = HEAD + c->next / c->columns % c->rows * height;
+    double width = c->width / c->columns, height = (c->height - c->head) / c->rows;
+    double x = c->next % c->columns * width, y = c->head + c->next / c->columns % c->rows * height;
 
     c->left = LEFT;
     c->right = right < 0.5 * width ? right : 0.5 * width;

@@ -22,7 +22,7 @@ typedef struct canvas {
     double turn; /* rad: drawings are turned by this angle, so that gravity acts downwards */
     int columns, rows, next;      /* of panels; the next panel */
     double width, height;         /* of the picture, in pixels */
-    double below;                 /* pixels under each panel */
+    double head, below;           /* pixels above all panels, under each panel */
     double box_width, box_height; /* within the axes of the present panel */
     double left, right;           /* its margins */
     int lines;                    /* above it */
@@ -31,7 +31,7 @@ typedef struct canvas {
 
 /* Begin a picture of panels of this size, with some room below each; in text they are below each other. */
 void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, double width,
-                 double height, double below);
+                 double height, double below, int has_title);
 
 /* Define title and source, shortened to fit; `rest`, the end of the source, is kept. */
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest);

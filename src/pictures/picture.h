@@ -82,6 +82,7 @@ typedef struct plot_request {
     const char *picture;      /* the file that the script writes; null: to standard output */
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
+    int is_figure;            /* 1: of a page, which has the title */
     fourlink_results *opened; /* of the deck */
     /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
     fourlink_results **kept;

@@ -61,6 +61,10 @@ plot_file plot_file_of(const char *name)
     return (plot_file)i;
 }
 
+/* A figure of a page is as wide as paper at 7 pt allows, and low: two of curves are a page. */
+#define FIGURE_WIDTH 1000.0
+#define FIGURE_LOW 0.68
+
 /* Find the links that are small beside the whole: the crank, and a rocker. */
 static void find_insets(picture *p)
 {
@@ -84,6 +88,10 @@ static void lay_out(picture *p, FILE *out)
     double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
     double width = info->width;
 
+    if (p->request->is_figure) {
+        width = GSL_MIN_DBL(width, FIGURE_WIDTH / columns);
+        height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : 1.05 * width / info->width;
+    }
     if (is_vectors && !p->v.problem.has_forces)
         rows = 1;
     if (is_vectors && !is_text &&
@@ -121,7 +129,8 @@ static void lay_out(picture *p, FILE *out)
         height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
-    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0);
+    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0,
+                !p->request->is_figure);
     p->on.turn = geometry_turn(&p->v);
 }
 
@@ -302,7 +311,9 @@ static const char *draw(picture *p)
     int i, drawn = 0;
 
     if (p->request->kind != PLOT_ANIMATION)
-        fputs("set multiplot title title . \"\\n\" . source noenhanced\n", p->on.out);
+        fputs(p->request->is_figure ? "set multiplot\n"
+                                    : "set multiplot title title . \"\\n\" . source noenhanced\n",
+              p->on.out);
     if (info->needs & PLOT_ANGLE_AXIS)
         fputs("set format '%g'\n", p->on.out);
     for (i = 0; i < (info->rows ? 1 : p->v.n_branches); i++)

@@ -2,18 +2,18 @@
 **
 ** cell.c - tables of names and values.
 */
-#include <string.h>
-
 #include <gsl/gsl_math.h>
 
 #include "cell.h"
 
 void cell_begin(page *p, const char *heading, const char *columns)
 {
+    if (heading)
+        page_print(p, "<h3>%s</h3>\n", heading);
     page_print(p,
-               "<h3>%s</h3>\n<div class=\"wide\"><table class=\"facts\">\n<thead><tr>%m</tr>"
-               "</thead>\n<tbody>\n",
-               heading, columns);
+               "<div class=\"wide\"><table class=\"facts\">\n<thead><tr>%m</tr></thead>\n"
+               "<tbody>\n",
+               columns);
 }
 
 void cell_end(page *p)
@@ -36,9 +36,4 @@ void cell_put(page *p, double value, int digits)
     page_print(p, "<td>");
     cell_number(p, value, digits);
     page_print(p, "</td>");
-}
-
-const char *cell_unit(const char *name)
-{
-    return strcmp(name, "1") == 0 ? "" : name;
 }

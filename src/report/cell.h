@@ -11,15 +11,12 @@
 #define CELL_HEAD(words) "<th scope=\"col\">" words "</th>"
 #define CELL_AT CELL_HEAD("at \316\270\342\202\202")
 
-/* Begin a table with a heading h3 and the headings of its columns; end it. */
+/* Begin a table with a heading h3, unless it is null, and the headings of its columns; end it. */
 void cell_begin(page *p, const char *heading, const char *columns);
 void cell_end(page *p);
 
 /* Write a number with the digits of a deck; undefined and unbounded ones as signs.  The same as a cell. */
 void cell_number(page *p, double value, int digits);
 void cell_put(page *p, double value, int digits);
-
-/* A unit; "" for "1", that of plain numbers. */
-const char *cell_unit(const char *name);
 
 #endif

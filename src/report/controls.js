@@ -136,7 +136,16 @@ function controls(find, seen) {
             drawing.layOut();
         }
     });
-    window.addEventListener("beforeprint", stop);
+    /* On paper the drawings have the width of paper, so that their letters keep their size. */
+    window.addEventListener("beforeprint", () => {
+        stop();
+        if (drawing)
+            drawing.layOut(true);
+    });
+    window.addEventListener("afterprint", () => {
+        if (drawing)
+            drawing.layOut();
+    });
     return {take, renew, go, stop};
 }
 
@@ -240,21 +249,60 @@ function printTables() {
     });
 }
 
+/* What is wider than its place can be scrolled with the keyboard too. */
+function reachScrolling() {
+    const parts = [...document.querySelectorAll(".equation, .wide")];
+    const look = () => parts.forEach((x) => {
+        if (x.scrollWidth > x.clientWidth + 1) {
+            x.tabIndex = 0;
+            x.setAttribute("role", "group");
+            x.setAttribute("aria-label", x.matches(".wide") ? "Table" : "Equation");
+        }
+    });
+    look();
+    window.addEventListener("resize", look);
+    window.addEventListener("toggle", look, true);
+}
+
+/* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */
+function printEquations() {
+    const equations = [...document.querySelectorAll(".equation math")];
+    window.addEventListener("beforeprint", () => {
+        const widths = equations.map((x) => {
+            const box = x.getBoundingClientRect(), edge = x.closest("main").getBoundingClientRect().right;
+            return (edge - box.left - 4) / box.width;
+        });
+        equations.forEach((x, k) => {
+            if (widths[k] < 1)
+                x.style.fontSize = Math.max(0.7, 0.86 * widths[k]) + "rem";
+        });
+    });
+    window.addEventListener("afterprint", () => equations.forEach((x) => x.style.removeProperty("font-size")));
+}
+
 /* ------------------------------------------------------------------------------------------------ the report */
 
 /* Of a report: the drawing takes the place of the pictures that stand there without a script. */
 function start() {
-    const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-drawing");
+    const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-panels");
     offerFiles();
     printTables();
+    fourlink.typed.start();
+    window.addEventListener("beforeprint", () => document.documentElement.classList.add("on-paper"));
+    window.addEventListener("afterprint", () => document.documentElement.classList.remove("on-paper"));
+    printEquations();
+    reachScrolling();
     if (!rows || !place)
         return;
     const data = JSON.parse(rows.textContent);
     if (!data.branches.length)
         return;
-    place.hidden = false;
-    controls((id) => document.getElementById("fourlink-" + id))
-        .take(data, fourlink.draw(data, document.getElementById("fourlink-panels")), data.start);
+    const spare = 16 - document.querySelectorAll("#results tr").length;
+    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(9, spare)));
+    const more = document.getElementById("fourlink-more");
+    for (const part of [place, more, document.getElementById("fourlink-controls")])
+        part.hidden = false;
+    controls((id) => document.getElementById("fourlink-" + id)).take(data, fourlink.draw(data, place, more), data.start);
     const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
     if (picture) {
         const number = picture.querySelector("figcaption").textContent.split(".")[0];

@@ -9,8 +9,8 @@
 */
 fourlink.draw = (function () {
 
-const {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
-       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
+const {html, svg, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+       makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
 /* ------------------------------------------------------------------------------------------- parts of machines */
@@ -45,23 +45,66 @@ function centre(panel, at) {
     panel.ink.append(svg("path", {class: "quarter", d: "M" + pairs([at]) + "h5a5,5 0 0 1 -5,5zh-5a5,5 0 0 1 5,-5z"}));
 }
 
+const dot = (p, q) => p[0] * q[0] + p[1] * q[1];
+const apart = (p, from, u) => Math.abs(u[0] * (p[1] - from[1]) - u[1] * (p[0] - from[0]));
+
+/* What a link carries beside its pins: tracer points, its centre of mass, the places of its loads. */
+function carriedBy(data, link) {
+    const loads = data.forces.filter((f) => f.on === link.link && f.pen === "load" && !f.inner).map((f) => f.at);
+    return [...new Set(link.points.concat(link.centre || [], loads))].filter((name) => !link.pins.includes(name));
+}
+
+/* A lever: from its pin to its slot, and on to the points that lie beyond. */
+function drawLever(panel, kind, place, slide, half, carried) {
+    const from = place("S1"), to = place("S2"), D = place("D"), R = place("R"), past = 1.6 * half;
+    const near = minus(from, times(past, slide)), far = add(to, times(past, slide));
+    const across = times(0.62 * half, [-slide[1], slide[0]]), along = (p) => dot(minus(p, from), slide);
+    const reach = carried.map(along), root = along(R) < along(near) ? R : near;
+    if (carried.some((p) => apart(p, from, slide) > 2))
+        area(panel, kind + " body", hull([D, near, far, ...carried]));
+    area(panel, kind + " slot", [add(near, across), add(far, across), minus(far, across), minus(near, across)]);
+    line(panel, kind, D, R, middle(from, to));
+    if (Math.max(...reach) > along(far))
+        line(panel, kind, far, add(from, times(Math.max(...reach), slide)));
+    if (Math.min(...reach) < along(root))
+        line(panel, kind, root, add(from, times(Math.min(...reach), slide)));
+}
+
+/* A bar between its pins, with a body where it carries something off its line or beyond its ends. */
+function drawBar(panel, kind, ends, carried, hasPoints) {
+    const axis = direction(minus(ends[1], ends[0])), along = (p) => dot(minus(p, ends[0]), axis);
+    const all = ends.concat(carried), isBeyond = (p) => along(p) < -2 || along(p) > along(ends[1]) + 2;
+    if (hasPoints || carried.some((p) => apart(p, ends[0], axis) > 2))
+        area(panel, kind + " body", hull(all));
+    else if (carried.some(isBeyond))
+        area(panel, kind + " body", all.sort((p, q) => along(p) - along(q)));
+    line(panel, kind, ...ends);
+}
+
 /* A link, its places in pixels: `place` gives that of a track. */
-function drawLink(panel, link, place, half) {
+function drawLink(panel, link, place, half, data) {
     const kind = "link" + link.link, ends = link.pins.map(place);
     const slide = place("S1") && place("S2") ? direction(minus(place("S2"), place("S1")), [1, 0]) : [1, 0];
+    const carried = carriedBy(data, link).map(place).filter((p) => p);
     if (link.shape === "slot") {
-        const root = place("R"), from = minus(place("S1"), times(1.6 * half, slide));
-        const to = add(place("S2"), times(1.6 * half, slide)), across = times(0.62 * half, [-slide[1], slide[0]]);
-        area(panel, kind + " slot", [add(from, across), add(to, across), minus(to, across), minus(from, across)]);
-        line(panel, kind, place("D"), root, middle(from, to));
-        return;
-    }
-    if (link.points.length)
-        area(panel, kind + " body", hull(ends.concat(link.points.map(place))));
-    if (link.shape === "block")
+        drawLever(panel, kind, place, slide, half, carried);
+    } else if (link.shape === "block") {
+        if (link.points.length)
+            area(panel, kind + " body", hull(ends.concat(link.points.map(place))));
         block(panel, kind + " block", ends[0], slide, half);
+    } else {
+        drawBar(panel, kind, ends, carried, link.points.length);
+    }
+}
+
+/* The number of a link, beside its middle. */
+function drawNumber(panel, link, place) {
+    const [from, to] = link.pins.map(place), label = [String(link.link), "", ""];
+    if (link.shape === "block")
+        text(panel, from, [0.7, 0.7], label, 16, "of-link");
     else
-        line(panel, kind, ...ends);
+        text(panel, link.shape === "slot" ? add(to, times(0.3, minus(from, to))) : middle(from, to),
+             [from[1] - to[1], to[0] - from[0]], label, 3, "of-link");
 }
 
 /* A spring, a damper, or both side by side; a torsional spring is a spiral around its pin. */
@@ -110,6 +153,8 @@ function forceScale(forces, tracks, i, longest) {
 
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
+const SHORT = 20; /* pixels of a crank */
+
 function mechanism(data, panel) {
     let tracks, rows, view, forces, torques, put, cached, now = 0;
     const handle = svg("g", {class: "handle"});
@@ -120,8 +165,12 @@ function mechanism(data, panel) {
         const v = tracks.vector(name, i);
         return v && add(view.origin, times(view.scale, v));
     };
-    const half = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
+    const carried = data.links.flatMap((link) => carriedBy(data, link));
+    const largest = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
+    /* Half a block: one at the crank pin does not cover a short crank. */
+    const atCrank = data.links.some((link) => link.shape === "slot");
+    const half = () => atCrank ? Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now))))) : largest();
     panel.drawing.append(panel.ink, handle);
 
     /* Take a branch; `held`: of the same drawing. */
@@ -138,10 +187,10 @@ function mechanism(data, panel) {
 
     /* Find the scale at which all rows fit, with their arrows. */
     function layOut() {
-        const marks = [], edge = 2.2 * half();
         measure(panel);
+        const marks = [], edge = 2.2 * largest();
         for (const i of rows.length ? rows : [0]) {
-            for (const name of places)
+            for (const name of places.concat(carried))
                 if (tracks.vector(name, i))
                     marks.push([...tracks.vector(name, i), 0, 0]);
             for (const name of ["S1", "S2"])
@@ -210,6 +259,22 @@ function mechanism(data, panel) {
         text(panel, points[16], minus(points[16], A), ["θ", "2", ""], 1);
     }
 
+    /* The sense in which the crank turns. */
+    function drawSense(i) {
+        const A = place("A", i), r = minus(place("B", i), A), v = tracks.vector("vB", i) || [0, 0];
+        const turning = r[0] * v[1] - r[1] * v[0], sign = turning > 0 ? 1 : -1, points = [];
+        const radius = Math.max(34, Math.min(58, 0.75 * size(r)));
+        if (Math.abs(turning) <= 1e-12 * size(r) * size(v))
+            return;
+        for (let k = 0; k <= 19; k++) {
+            const angle = Math.atan2(r[1], r[0]) + sign * (0.3 + k / 19);
+            points.push(add(A, times(radius, [Math.cos(angle), Math.sin(angle)])));
+        }
+        line(panel, "sense", ...points);
+        head(panel, "sense", points[19], direction(minus(points[19], points[16])));
+        text(panel, points[10], minus(points[10], A), ["ω", "2", ""], 2);
+    }
+
     function drawTorques(i) {
         for (const t of torques)
             if (tracks.number(t.of, i)) {
@@ -219,11 +284,11 @@ function mechanism(data, panel) {
     }
 
     function drawForces(i) {
-        const k = forceScale(forces, tracks, i, longest());
+        const k = forceScale(forces, tracks, i, view.part * longest());
         let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
         for (const f of forces) {
             const v = tracks.vector(f.of, i), at = place(f.at, i);
-            if (!v || k * size(v) < 0.02 * longest())
+            if (!v || k * size(v) < 0.02 * view.part * longest())
                 continue;
             arrow(panel, f.pen, at, times(k, v));
             text(panel, add(at, times(k, v)), v, f.label, 3);
@@ -236,6 +301,38 @@ function mechanism(data, panel) {
     function slideNormal(i) {
         const u = direction(minus(place("S2", i), place("S1", i)));
         return [u[1], -u[0]];
+    }
+
+    /* A crank that is too short to be seen is drawn again, enlarged, where there is room. */
+    function drawInset(i) {
+        const A = place("A", i), r = size(minus(place("B", i), A)), side = Math.max(90, Math.min(170, 0.38 * panel.height));
+        if (r >= SHORT || tracks.reason(i))
+            return;
+        const corners = [[1, 0], [1, 1], [0.5, 0], [0.5, 1], [0, 1], [0.2, 0]].map((c) => (
+            [6 + c[0] * (panel.width - side - 12), 6 + c[1] * (panel.height - side - 36)]));
+        const box = (at) => [at[0], at[1], at[0] + side, at[1] + side];
+        const inside = (at) => panel.dots.filter((p) => p[0] > at[0] && p[0] < at[0] + side && p[1] > at[1] && p[1] < at[1] + side);
+        const at = corners.reduce((best, x) => inside(x).length < inside(best).length ? x : best);
+        if (inside(at).length > 6)
+            return;
+        const k = 0.28 * side / r, heart = add(at, [side / 2, side / 2]);
+        const near = (name) => place(name, i) && add(heart, times(k, minus(place(name, i), A)));
+        const clip = svg("clipPath", {id: "fourlink-inset"}, svg("rect", {x: digits(at[0]), y: digits(at[1]), width: side, height: side}));
+        const ink = svg("g", {"clip-path": "url(#fourlink-inset)"}), own = {ink, boxes: [], dots: []};
+        const frame = svg("rect", {class: "frame", x: digits(at[0]), y: digits(at[1]), width: side, height: side});
+        support(own, heart);
+        for (const link of data.links.slice().reverse())
+            drawLink(own, link, near, 0.4 * k * r, data);
+        for (const pin of ["A", "B"]) {
+            const out = direction(minus(near(pin), near(pin === "A" ? "B" : "A")));
+            circle(own, "pivot", near(pin), 4.5);
+            ink.append(svg("text", {x: digits(near(pin)[0] + 15 * out[0] - 5), y: digits(near(pin)[1] + 15 * out[1] + 5)},
+                           svg("tspan", {class: "variable"}, pin)));
+        }
+        ink.append(svg("text", {x: digits(at[0] + 6), y: digits(at[1] + 16), class: "small"}, quantityText(k, "1", 2) + " : 1"));
+        panel.ink.append(svg("g", {class: "inset"}, clip, svg("circle", {class: "leader", cx: digits(A[0]), cy: digits(A[1]), r: digits(r + 8)}),
+                             frame, ink));
+        panel.boxes.push(box(at));
     }
 
     /* The letters at the pins, away from their links. */
@@ -282,8 +379,8 @@ function mechanism(data, panel) {
             line(panel, "link2", place("A", i), place("B", i));
             panel.ink.append(svg("text", {x: panel.width / 2, y: 24, class: "reason"}, reason));
         } else {
-            for (const link of data.links)
-                drawLink(panel, link, (track) => place(track, i), half());
+            for (const link of data.links.slice().reverse()) /* the crank is on top */
+                drawLink(panel, link, (track) => place(track, i), half(), data);
             for (const spring of data.springs)
                 drawSpring(panel, spring, data.links, (track) => place(track, i));
             for (const link of data.links)
@@ -291,6 +388,7 @@ function mechanism(data, panel) {
                     centre(panel, place(link.centre, i));
         }
         drawAngle(i);
+        drawSense(i);
         for (const pin of ["D", "A", "B", "C"])
             if (place(pin, i))
                 circle(panel, "pivot", place(pin, i), 4.5, pin);
@@ -300,6 +398,11 @@ function mechanism(data, panel) {
         drawTorques(i);
         drawLetters(i);
         drawForces(i);
+        drawInset(i);
+        if (!reason)
+            for (const link of data.links)
+                drawNumber(panel, link, (track) => place(track, i));
+        end(panel);
         drawHandle(i);
         forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
         torques.forEach((f, k) => put[forces.length + k](tracks.number(f.of, i)));
@@ -388,10 +491,11 @@ function polygon(data, panel, described) {
         put = makeValues(panel, described.sides.map((x) => ({label: x.label, unit, kind: "link" + x.pen})));
     }
 
-    function layOut() {
+    /* Find the scale of all rows; of one row alone, on paper. */
+    function layOut(only) {
         const marks = [];
         measure(panel);
-        const all = rows.map(corners).filter((found) => found);
+        const all = (rows.includes(only) ? [only] : rows).map(corners).filter((found) => found);
         const sizes = all.map((found) => Math.max(...Object.values(found).map(size)));
         const limit = usual(sizes);
         all.forEach((found, k) => {
@@ -448,6 +552,7 @@ function polygon(data, panel, described) {
             if (size(v) > 14)
                 text(panel, at, times(out, n), side.label, 3);
         }
+        end(panel);
     }
 
     return {panel, choose, layOut, show};
@@ -510,8 +615,8 @@ function freeBody(data, panel, link) {
             const v = tracks.vector(track, i);
             return v && add(view.origin, times(view.scale, minus(v, heart(i))));
         };
-        const k = forceScale(forces, tracks, i, longest());
-        drawLink(panel, link, place, half());
+        const k = forceScale(forces, tracks, i, view.part * longest());
+        drawLink(panel, link, place, half(), data);
         for (const f of forces) /* lines to loads that act off the link's line */
             if (!link.pins.includes(f.at) && f.pen === "load")
                 line(panel, "construction", ...link.pins.map(place), place(f.at));
@@ -532,13 +637,14 @@ function freeBody(data, panel, link) {
         });
         for (const f of forces) {
             const v = times(f.sign * k, tracks.vector(f.of, i));
-            if (size(v) < 0.02 * longest())
+            if (size(v) < 0.02 * view.part * longest())
                 continue;
             arrow(panel, f.pen, place(f.at), v);
             text(panel, add(place(f.at), v), v, f.label, 3);
         }
         if (forces.length)
             scaleBar(panel, "pin", 12, k, data.units.force);
+        end(panel);
     }
 
     return {panel, choose, layOut, show};
@@ -555,16 +661,11 @@ function cellText(column, value) {
     return text.replace(/^-(?=[0.]+$)/, "");
 }
 
-/* A name that may go on in a new line after each underscore. */
-function breakable(name) {
-    return name.split(/(?<=_)/).flatMap((part) => [part, html("wbr")]);
-}
-
 function tableRow(data, place) {
     const list = html("dl", {class: "cells"});
     const cells = data.columns.map((column) => {
         const cell = html("dd", {"data-column": column.name});
-        list.append(html("div", {title: column.meaning}, html("dt", {}, ...breakable(column.name)), cell));
+        list.append(html("div", {title: column.meaning}, html("dt", {}, htmlLabel(column.label)), cell));
         return cell;
     });
     place.append(html("section", {class: "panel whole", "aria-label": "Row of the table"},
@@ -572,8 +673,7 @@ function tableRow(data, place) {
     return {
         show(branch, i) {
             data.columns.forEach((column, j) => {
-                const unit = unitText(column.unit);
-                cells[j].textContent = cellText(column, branch.table[i][j]) + (unit ? " " + unit : "");
+                cells[j].textContent = withUnit(cellText(column, branch.table[i][j]), column.unit);
             });
         }
     };
@@ -604,18 +704,21 @@ function structure(data) {
                            data.branches.map((b) => b.name)]);
 }
 
-/* Make the drawing in `place`, an element, from `data`; returns its functions. */
-function draw(data, place) {
+/* Make the drawing in `place`, an element, from `data`, all but the mechanism in `more` if it is given; returns its
+** functions. */
+function draw(data, place, more) {
     const main = mechanism(data, makePanel("Mechanism", "whole"));
     const views = [main].concat(data.polygons.map((x) => polygon(data, makePanel(x.title, "half"), x)));
     if (data.forced)
         for (const link of data.links)
             views.push(freeBody(data, makePanel("Free body of the " + link.name, "third"), link));
-    const grid = html("div", {class: "panels"}, ...views.map((view) => view.panel.figure));
+    const grid = html("div", {class: "panels"}, ...views.slice(more ? 1 : 0).map((view) => view.panel.figure));
     const row = tableRow(data, grid);
     let branch = data.branches[0], now = data.start;
     main.panel.figure.append(keyOf(data));
-    place.replaceChildren(grid);
+    place.replaceChildren(more ? html("div", {class: "panels"}, main.panel.figure) : grid);
+    if (more)
+        more.replaceChildren(grid);
     main.shape();
 
     const name = () => (data.branches.length > 1 ? branch.name + ", " : "") +
@@ -624,11 +727,12 @@ function draw(data, place) {
         now = Math.max(0, Math.min(data.steps.length - 1, i));
         for (const view of views)
             view.show(now, name());
+        main.panel.caption.textContent = main.panel.title + " at " + name();
         row.show(branch, now);
     }
-    function layOut() {
+    function layOut(isOnPaper) {
         for (const view of views)
-            view.layOut();
+            view.layOut(isOnPaper ? now : null);
         show(now);
     }
     function choose(k) {

@@ -32,6 +32,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.kind = kind;
     request.file = PLOT_SVG;
     request.at = at;
+    request.is_figure = 1;
     request.opened = r->v.results;
     request.kept = &r->drawn;
     if (!script) {
@@ -93,11 +94,15 @@ static const char *at_angle(const report *r, const char *name, char out[200])
     return flk_text_join(out, 200, name, " at \316\270\342\202\202 = ", r->at, ".", (char *)NULL);
 }
 
-void report_put_mechanism(report *r)
+void report_put_mechanism(report *r, int is_drawn)
 {
     const char *at = r->drawn_at;
     char caption[200], alt[200];
 
+    if (!is_drawn) {
+        report_put_results(r);
+        return;
+    }
     page_section(&r->page, "mechanism", "Mechanism");
     at_angle(r, "The mechanism, with loads and pin forces,", caption);
     if (!r->v.problem.has_forces)
@@ -109,7 +114,6 @@ void report_put_mechanism(report *r)
         page_print(&r->page, "<p class=\"missing\">The pictures are missing: %s.</p>\n",
                    r->gnuplot);
     report_put_interactive(r);
-    page_print(&r->page, "</section>\n");
 }
 
 void report_put_curves(report *r)
@@ -118,10 +122,7 @@ void report_put_curves(report *r)
     const char *over = r->v.problem.by_time ? "over time." : "over the crank angle.";
     char caption[200];
 
-    page_section(&r->page, "curves", "Polygons and curves");
-    put_figure(r, PLOT_KLEIN, at,
-               "Klein's construction: lengths that stand for velocity and acceleration",
-               at_angle(r, "Klein's construction", caption));
+    page_section(&r->page, "curves", "Curves and diagrams");
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
                flk_text_join(caption, sizeof caption, "The motion ", over, (char *)NULL));
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
@@ -133,6 +134,9 @@ void report_put_curves(report *r)
                "The turning moment.");
     put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
                "Polar diagrams of the pin forces.");
+    put_figure(r, PLOT_KLEIN, at,
+               "Klein's construction: lengths that stand for velocity and acceleration",
+               at_angle(r, "Klein's construction", caption));
     if (r->gnuplot)
         page_print(&r->page, "<p class=\"missing\">The pictures are missing: %s.</p>\n",
                    r->gnuplot);

@@ -16,6 +16,7 @@
 #include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
+#include "view/notation.h"
 
 #define DIGITS 5       /* of what is drawn: a tenth of a pixel in 2000 */
 #define STEP_DIGITS 10 /* of a crank angle or a time */
@@ -43,6 +44,19 @@ void report_put_script(page *p)
 
 /* ----------------------------------------------------------------------------------------- the deck's table */
 
+void interactive_put_label(line *l, const char *name)
+{
+    char below[NOTATION_SIZE];
+    notation n;
+
+    notation_split(name, &n);
+    line_put(l, "[");
+    json_text_put(l, n.symbol, SCENE_ESCAPED);
+    line_put(l, ",");
+    json_text_put(l, notation_below(&n, below), SCENE_ESCAPED);
+    line_put(l, ",\"\"]");
+}
+
 static void put_column(line *l, const fourlink_value *c, const style *x)
 {
     line_put(l, "{\"name\":");
@@ -51,6 +65,8 @@ static void put_column(line *l, const fourlink_value *c, const style *x)
     json_text_put(l, c->unit, SCENE_ESCAPED);
     line_put(l, ",\"meaning\":");
     json_text_put(l, c->meaning, SCENE_ESCAPED);
+    line_put(l, ",\"label\":");
+    interactive_put_label(l, c->name);
     line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
              : x->exponent                   ? "exponent"
@@ -233,7 +249,7 @@ int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n
 /* ----------------------------------------------------------------------------------------------- the markup */
 
 static const char *const controls[] = {
-    "<div class=\"controls\">",
+    "<div class=\"controls\" id=\"fourlink-controls\" hidden=\"hidden\">",
     "<label for=\"fourlink-angle\">Crank angle <span "
     "class=\"theta\">\316\270<sub>2</sub></span></label>",
     "<input type=\"range\" id=\"fourlink-angle\" min=\"0\" max=\"1\" step=\"1\" value=\"0\"/>",
@@ -244,11 +260,27 @@ static const char *const controls[] = {
     "</div>",
     NULL};
 
+/* The drawing of the mechanism, with its controls; without rows the results alone.  The results are between it
+** and the other drawings. */
+static void put_drawing(report *r, rows *t, double start)
+{
+    page *p = &r->page;
+
+    page_print(p, "<div class=\"drawing\">\n");
+    put_lines(p, controls);
+    page_print(p, "<div id=\"fourlink-panels\" hidden=\"hidden\"></div>\n");
+    report_put_results(r);
+    page_print(p, "<div id=\"fourlink-more\" hidden=\"hidden\"></div>\n"
+                  "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
+                  "<script type=\"application/json\" id=\"fourlink-rows\">");
+    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start);
+    page_print(p, "</script>\n");
+}
+
 void report_put_interactive(report *r)
 {
     double start = r->now.status == FOURLINK_OK ? r->now.row.angle : GSL_NAN;
     rows *t = malloc(sizeof *t);
-    page *p = &r->page;
 
     if (!t) {
         r->out_of_memory = 1;
@@ -257,14 +289,11 @@ void report_put_interactive(report *r)
     if (rows_open(t, r->source, r->v.results, start)) {
         if (r->now.status == FOURLINK_OK)
             start = rows_step_of(t, &r->now);
-        page_print(p, "<div id=\"fourlink-drawing\" class=\"drawing\" hidden=\"hidden\">\n");
-        put_lines(p, controls);
-        page_print(p, "<div id=\"fourlink-panels\"></div>\n"
-                      "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
-                      "<script type=\"application/json\" id=\"fourlink-rows\">");
-        r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start);
-        page_print(p, "</script>\n");
+        put_drawing(r, t, start);
+    } else {
+        report_put_results(r);
     }
+    page_print(&r->page, "</section>\n");
     r->out_of_memory |= t->out_of_memory;
     rows_close(t);
     free(t);

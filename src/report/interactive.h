@@ -8,9 +8,13 @@
 #include <stdio.h>
 
 #include "rows.h"
+#include "tables/line.h"
 
 /* Write the rows of branches; the drawing begins at the step nearest to `start`, a crank angle or a time
 ** in the deck's unit.  Returns 0 without memory. */
 int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start);
+
+/* Write a name typeset, for the script: its symbol, what stands below it, and what above. */
+void interactive_put_label(line *l, const char *name);
 
 #endif

@@ -9,6 +9,29 @@
 #include "base/format.h"
 #include "base/xml.h"
 #include "page.h"
+#include "view/notation.h"
+
+/* A name with its index, as markup. */
+static void put_name(page *p, const char *name)
+{
+    char below[NOTATION_SIZE];
+    notation n;
+
+    page_print(p, notation_split(name, &n) || strlen(name) == 1 ? "<i>%s</i>" : "%s", n.symbol);
+    if (*notation_below(&n, below))
+        page_print(p, "<sub>%s</sub>", below);
+}
+
+/* A unit, nothing for "1"; with the gap to the number before it, unless it is the sign of degrees. */
+static void put_unit(page *p, const char *unit, int has_gap)
+{
+    char typeset[NOTATION_SIZE];
+
+    if (strcmp(unit, "1") == 0)
+        return;
+    page_print(p, has_gap && strcmp(unit, "deg") != 0 ? "\302\240%s" : "%s",
+               notation_unit(unit, typeset));
+}
 
 void page_print(page *p, const char *format, ...)
 {
@@ -24,6 +47,10 @@ void page_print(page *p, const char *format, ...)
         } else if (*format == 's') {
             words = va_arg(arguments, const char *);
             xml_put(p->out, words, strlen(words));
+        } else if (*format == 'n') {
+            put_name(p, va_arg(arguments, const char *));
+        } else if (*format == 'u' || *format == 'U') {
+            put_unit(p, va_arg(arguments, const char *), *format == 'U');
         } else if (*format == 'm') {
             fputs(va_arg(arguments, const char *), p->out);
         } else if (*format == 'd') {

@@ -17,6 +17,7 @@ typedef struct page {
 **
 **    %s     a text, harmless in an element and in an attribute in quotes
 **    %m     markup, as it is
+**    %n     the name of a value, typeset; %u, a unit; %U, the unit of the number before it
 **    %d     a whole number, an int; %lu, an unsigned long
 **    %.6g   a number with so many significant digits, -0 as 0; %.4f with so many decimals
 **    %%     a per cent sign */

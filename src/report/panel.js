@@ -29,7 +29,13 @@ function svg(name, attributes, ...children) {
 
 /* A unit as it is written by hand: m/s2 becomes m/s². */
 function unitText(unit) {
-    return unit === "1" ? "" : unit.replace(/2/g, "²").replace(/\./g, "·");
+    return unit === "1" ? "" : unit === "deg" ? "°" : unit.replace(/2/g, "²").replace(/3/g, "³").replace(/\./g, "·");
+}
+
+/* A number, already in words, with its unit. */
+function withUnit(words, unit) {
+    const shown = unitText(unit);
+    return words + (shown && shown !== "°" ? "\u00a0" : "") + shown;
 }
 
 /* Digits as superscripts. */
@@ -55,13 +61,13 @@ function quantityText(value, unit, precision) {
     }
     const digits = shown === 0 ? 1 : Math.floor(Math.log10(Math.abs(shown)) + 1e-9) + 1;
     const text = precision && value !== 0 ? shown.toFixed(Math.max(0, precision - digits)) : String(Number(shown.toPrecision(6)));
-    return (text.replace("-", "−") + end + " " + unitText(unit)).trim();
+    return withUnit(text.replace("-", "−") + end, unit).replace("\u00a0", " ");
 }
 
 /* Step i of the motion, in the deck's unit: its crank angle, or its time if the deck has rows by time. */
 function stepText(data, i) {
     const text = String(data.steps[i]).replace("-", "−"), unit = data.units[data.over === "time" ? "time" : "angle"];
-    return unit === "deg" ? text + "°" : text + " " + unitText(unit);
+    return withUnit(text, unit).replace("\u00a0", " ");
 }
 
 /* A label is [name, subscript, superscript].  A short name of the program's own is a variable, in italics. */
@@ -70,7 +76,8 @@ function isVariable(label) {
 }
 
 function htmlLabel(label) {
-    const made = html("span", {}, html(isVariable(label) ? "i" : "span", {}, label[0]));
+    const parts = label[0].split(/(?<=_)/).flatMap((part, k) => k ? [html("wbr"), part] : [part]); /* lines may end there */
+    const made = html("span", {}, html(isVariable(label) ? "i" : "span", {}, ...parts));
     if (label[1])
         made.append(html("sub", {}, label[1]));
     if (label[2])
@@ -78,8 +85,9 @@ function htmlLabel(label) {
     return made;
 }
 
-function svgLabel(label) {
-    const made = svg("text", {}, svg("tspan", {class: isVariable(label) ? "variable" : null}, label[0]));
+function svgLabel(label, kind) {
+    const made = svg("text", {class: kind || null},
+                     svg("tspan", {class: isVariable(label) && !kind ? "variable" : null}, label[0]));
     if (label[1])
         made.append(svg("tspan", {dy: 4, class: "small"}, label[1]));
     if (label[2]) /* a prime is high already */
@@ -143,16 +151,18 @@ function tracksOf(data, branch) {
 /* A panel is a figure with one drawing, a caption and a list of values, which stay while the drawing changes. */
 function makePanel(title, kind) {
     const drawing = svg("svg", {class: "sheet", role: "img"});
-    const list = html("ul", {class: "values"});
+    const list = html("ul", {class: "values"}), caption = html("span", {}, title);
     const figure = html("figure", {class: "panel " + kind}, drawing,
-                        html("figcaption", {}, title), list);
-    return {figure, drawing, list, title, ink: svg("g", {}), boxes: [], dots: [], width: 0, height: 0};
+                        html("figcaption", {}, caption), list);
+    return {figure, drawing, caption, list, title, ink: svg("g", {}), boxes: [], dots: [], labels: [], kept: new Map(),
+            width: 0, height: 0};
 }
 
 /* Begin a drawing: empty, in the pixels that the page gives it. */
 function begin(panel, name) {
     panel.boxes = []; /* of texts */
     panel.dots = [];  /* on lines: texts keep away from them */
+    panel.labels = []; /* to be placed */
     panel.ink.replaceChildren();
     panel.drawing.setAttribute("aria-label", panel.title + ": " + name);
 }
@@ -213,34 +223,77 @@ function torque(panel, kind, at, value, radius) {
     head(panel, kind, points[24], direction(minus(points[24], points[22])));
 }
 
-/* Put a label beside a place: in the direction d, or around it where it covers no other label. */
-function text(panel, at, d, label, gap) {
-    const made = svgLabel(label), u = direction(d, [0.7, -0.7]);
+/* A label beside a place: in the direction d, or around it where it covers nothing; `end` places all. */
+function text(panel, at, d, label, gap, kind) {
+    panel.labels.push({at, u: direction(d, [0.7, -0.7]), label, gap: gap || 6, kind});
+}
+
+const TURNS = [0, 45, -45, 90, -90, 135, -135, 180, 22, -22, 67, -67, 112, -112];
+const FAR = [0, 14, 24, 38, 54];
+const NEAR = 20; /* a label farther away has a line to its place */
+
+const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+
+/* The places that a label may have, with what is against each: lines crossed, the edge, the distance. */
+function candidates(panel, item) {
+    const {label, at, u, gap} = item, list = [];
     const half = [(label[0].length * 8.2 + (label[1] + label[2]).length * 7) / 2 + 1, 9];
-    let best = null;
-    for (const turn of [0, 45, -45, 90, -90, 135, -135, 180])
-        for (const far of [gap || 6, (gap || 6) + 14, (gap || 6) + 22]) {
+    const reach = [gap + FAR[4] + 2 * half[0], gap + FAR[4] + 2 * half[1]];
+    const dots = panel.dots.filter((p) => Math.abs(p[0] - at[0]) < reach[0] && Math.abs(p[1] - at[1]) < reach[1]);
+    for (const turn of TURNS)
+        for (const far of FAR) {
             const c = Math.cos(turn * Math.PI / 180), s = Math.sin(turn * Math.PI / 180);
             const v = [c * u[0] - s * u[1], s * u[0] + c * u[1]];
-            const place = add(at, [v[0] * (far + half[0]), v[1] * (far + half[1])]);
+            const place = add(at, [v[0] * (gap + far + half[0]), v[1] * (gap + far + half[1])]);
             const box = [place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1]];
-            const covered = panel.boxes.filter((b) => b[0] < box[2] && box[0] < b[2] && b[1] < box[3] &&
-                                               box[1] < b[3]).length;
-            const crossed = panel.dots.filter((p) => box[0] < p[0] && p[0] < box[2] && box[1] < p[1] &&
-                                              p[1] < box[3]).length;
+            const crossed = dots.filter((p) => box[0] < p[0] && p[0] < box[2] && box[1] < p[1] && p[1] < box[3]).length;
             const outside = box[0] < 0 || box[1] < 0 || box[2] > panel.width || box[3] > panel.height;
-            const cost = 200 * covered + 400 * outside + 25 * crossed + Math.abs(turn) / 2 + 2 * far;
-            if (!best || cost < best.cost)
-                best = {cost, box, place};
+            list.push({box, place, far, number: list.length,
+                       cost: 400 * outside + 25 * crossed + Math.abs(turn) / 2 + 2 * far});
         }
-    panel.boxes.push(best.box);
-    made.setAttribute("x", digits(best.box[0] + 1));
-    made.setAttribute("y", digits(best.place[1] + 5));
-    panel.ink.append(made);
+    return list;
+}
+
+/* Choose the best place beside the labels that have one; the place of the last drawing is as good as others. */
+function choose(panel, item, taken) {
+    const name = item.label.join() + item.name, kept = panel.kept.get(name);
+    let least = Infinity;
+    for (const one of item.list) {
+        const cost = one.cost - (one.number === kept ? 12 : 0) +
+            200 * panel.boxes.filter((box) => overlap(box, one.box)).length +
+            200 * taken.filter((other) => other !== item && other.best && overlap(other.best.box, one.box)).length;
+        if (cost < least) {
+            least = cost;
+            item.best = one;
+        }
+    }
+}
+
+/* Place the labels of a drawing, when all its lines are there. */
+function end(panel) {
+    const list = panel.labels;
+    list.forEach((item, k) => {
+        item.name = k;
+        item.list = candidates(panel, item);
+        choose(panel, item, list);
+    });
+    list.forEach((item) => choose(panel, item, list)); /* again: later ones may stand in the way */
+    for (const {best, label, kind, at, name} of list) {
+        const made = svgLabel(label, kind);
+        if (best.far > NEAR)
+            panel.ink.append(svg("polyline", {class: "leader", points: pairs([at, [
+                Math.max(best.box[0], Math.min(at[0], best.box[2])), Math.max(best.box[1], Math.min(at[1], best.box[3]))]])}));
+        made.setAttribute("x", digits(best.box[0] + 1));
+        made.setAttribute("y", digits(best.place[1] + 5));
+        panel.ink.append(made);
+        panel.kept.set(label.join() + name, best.number);
+    }
 }
 
 /* A scale: an arrow or a bar of a round value, `k` pixels for one unit; returns its right end. */
 function scaleBar(panel, kind, left, k, unit) {
+    if (!(k > 0 && k < Infinity))
+        return left;
     const value = roundDown(Math.min(110, panel.width / 5) / k), from = [left, panel.height - 14];
     const to = add(from, [value * k, 0]), words = quantityText(value, unit, 0);
     if (kind === "length")
@@ -253,36 +306,44 @@ function scaleBar(panel, kind, left, k, unit) {
 }
 
 /* The scale and the origin with which all marks [x, y, dx, dy] fit a panel: x and y are in the drawing's unit, dx
-** and dy in pixels. */
+** and dy, of arrows, in pixels.  Arrows become smaller, to `part` of their length, before the drawing itself does. */
 function fit(panel, marks, edge) {
-    const low = [0, 0], high = [0, 0];
-    const spread = (scale, j) => {
-        low[j] = Infinity;
-        high[j] = -Infinity;
-        for (const m of marks) {
-            low[j] = Math.min(low[j], m[j] * scale + m[j + 2]);
-            high[j] = Math.max(high[j], m[j] * scale + m[j + 2]);
+    const list = marks.filter((m) => m.every(Number.isFinite));
+    const border = Math.min(edge, panel.width / 8, panel.height / 8);
+    const room = [Math.max(panel.width - 2 * border, 10), Math.max(panel.height - 2 * border - 20, 10)];
+    const ends = (scale, part, j) => {
+        let low = Infinity, high = -Infinity;
+        for (const m of list) {
+            low = Math.min(low, m[j] * scale + part * m[j + 2]);
+            high = Math.max(high, m[j] * scale + part * m[j + 2]);
         }
-        return high[j] - low[j];
+        return low <= high ? [low, high] : [0, 0];
     };
-    const width = Math.max(panel.width - 2 * edge, 10), height = Math.max(panel.height - 2 * edge - 20, 10);
-    const bare = [0, 1].map((j) => {
-        const list = marks.map((m) => m[j]);
-        return list.reduce((a, b) => Math.max(a, b), -Infinity) - list.reduce((a, b) => Math.min(a, b), Infinity);
+    const fits = (scale, part) => [0, 1].every((j) => {
+        const [low, high] = ends(scale, part, j);
+        return high - low <= room[j];
     });
-    let least = 0, most = Math.min(width / bare[0], height / bare[1]);
-    if (!(most > 0 && most < Infinity))
-        most = least = 1;
-    for (let k = 0; k < 40; k++) {
-        const scale = (least + most) / 2;
-        if (spread(scale, 0) <= width && spread(scale, 1) <= height)
-            least = scale;
-        else
-            most = scale;
+    const most = Math.min(...[0, 1].map((j) => {
+        const [low, high] = ends(1, 0, j);
+        return room[j] / (high - low);
+    }));
+    const largest = most > 0 && most < Infinity ? most : 1;
+    let scale = 0, part = 1.25;
+    while (scale < 0.65 * largest && part > 0.2) {
+        let least = 0, upper = largest;
+        part *= 0.8;
+        for (let k = 0; k < 30; k++) {
+            scale = (least + upper) / 2;
+            if (fits(scale, part))
+                least = scale;
+            else
+                upper = scale;
+        }
+        scale = least;
     }
-    spread(least, 0);
-    spread(least, 1);
-    return {scale: least, origin: [(panel.width - low[0] - high[0]) / 2, (panel.height - 20 - low[1] - high[1]) / 2]};
+    scale = Math.max(scale, 0.5 * largest);
+    const [x, y] = [0, 1].map((j) => ends(scale, part, j));
+    return {scale, part, origin: [(panel.width - x[0] - x[1]) / 2, (panel.height - 20 - y[0] - y[1]) / 2]};
 }
 
 /* 1, 2 or 5 times a power of ten, at least x; 1 for 0. */
@@ -320,7 +381,7 @@ function present(list, tracks, rows) {
     }));
 }
 
-return {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
-        makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
+return {html, svg, unitText, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+        makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
         reached, present, pairs, digits};
 }());

@@ -2,6 +2,7 @@
 **
 ** report.c - the report of a deck: the order of its sections.
 */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,8 +10,9 @@
 #include "report.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
+#include "view/notation.h"
 
-#define BLANK_LINES 10 /* for the discussion */
+#define BLANK_LINES 12 /* for the discussion */
 
 static void put_head(report *r, const char *title)
 {
@@ -24,8 +26,10 @@ static void put_head(report *r, const char *title)
     report_put_style(&r->page);
     page_print(&r->page,
                "</head>\n<body>\n<main>\n<header>\n<h1>%s</h1>\n"
-               "<p class=\"lines\"><span class=\"line\">Name</span> "
-               "<span class=\"line\">Date</span></p>\n</header>\n",
+               "<p class=\"lines\"><label class=\"line\">Name <input id=\"typed-name\" "
+               "autocomplete=\"name\"/></label> <label class=\"line\">Date <input "
+               "id=\"typed-date\" autocomplete=\"off\"/></label></p>\n"
+               "<p id=\"typed-status\" class=\"typed-status\" role=\"status\"></p>\n</header>\n",
                title);
 }
 
@@ -34,7 +38,11 @@ static void put_discussion(report *r)
     int i;
 
     page_section(&r->page, "discussion", "Discussion");
-    page_print(&r->page, "<div class=\"blank-lines\">");
+    page_print(&r->page,
+               "<textarea id=\"typed-discussion\" rows=\"12\" aria-label=\"Discussion\">"
+               "</textarea>\n<div class=\"typed\"></div>\n"
+               "<p class=\"save\"><button type=\"button\" id=\"typed-save\" hidden=\"hidden\">"
+               "Save this report</button></p>\n<div class=\"blank-lines\">");
     for (i = 0; i < BLANK_LINES; i++)
         page_print(&r->page, "<div></div>");
     page_print(&r->page, "</div>\n</section>\n");
@@ -55,18 +63,18 @@ static void put_page(report *r)
     int is_drawn = r->v.results && has_rows(r);
 
     put_head(r, title);
-    report_put_deck(r);
     if (r->v.results) {
-        report_put_facts(r);
-        if (is_drawn)
-            report_put_mechanism(r);
+        report_put_mechanism(r, is_drawn);
         report_put_sample(r);
         if (is_drawn)
             report_put_curves(r);
-        report_put_tables(r);
+        report_put_facts(r);
         report_put_checks(r);
         put_discussion(r);
+        report_put_tables(r);
+        report_put_inputs(r);
     }
+    report_put_deck(r);
     page_print(&r->page, "<footer><p>Made by fourlink %s.</p></footer>\n</main>\n",
                fourlink_version());
     if (r->v.results)
@@ -95,7 +103,7 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
     const char *at = r->request->at;
-    char number[FORMAT_SIZE];
+    char number[FORMAT_SIZE], typeset[NOTATION_SIZE];
     double angle;
 
     if (at && !read_angle(r, &angle, mistake))
@@ -104,8 +112,9 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     if (r->v.problem.by_time && r->now.status == FOURLINK_OK)
         fourlink_results_at(r->v.results, r->v.branches[0], r->now.row.angle, NULL, &r->now,
                             r->loads);
-    flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
-                  r->v.units[QUANTITY_ANGLE].name, (char *)NULL);
+    notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
+    flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number),
+                  isalpha((unsigned char)*typeset) ? "\302\240" : "", typeset, (char *)NULL);
     r->drawn_at = r->request->at;
     if (r->v.problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =

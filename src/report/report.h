@@ -58,16 +58,18 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
 /* The parts that make the drawing interactive, in interactive.c.  The style goes to the head of the page, the
 ** drawing into a section, the script to the end of the body. */
 void report_put_style(page *p);
-void report_put_interactive(report *r);
+void report_put_interactive(report *r); /* with the results */
 void report_put_script(page *p);
 
 /* The sections. */
 void report_put_deck(report *r);
+void report_put_mechanism(report *r, int is_drawn); /* with the results */
+void report_put_results(report *r);
 void report_put_facts(report *r);
-void report_put_mechanism(report *r);
 void report_put_sample(report *r);
 void report_put_curves(report *r);
 void report_put_tables(report *r);
 void report_put_checks(report *r);
+void report_put_inputs(report *r);
 
 #endif

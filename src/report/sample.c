@@ -32,6 +32,7 @@ static void set_sizes(const report *r, math *m)
 void report_put_sample(report *r)
 {
     page *p = &r->page;
+    char why[VIEW_WHY];
     math m;
 
     page_section(p, "sample", "Sample calculation");
@@ -40,6 +41,9 @@ void report_put_sample(report *r)
                    fourlink_status_text(r->now.status));
         return;
     }
+    if (!r->request->at)
+        page_print(p, "<p>Chosen position: %s.</p>\n",
+                   view_tell_position(&r->v, &r->now, r->loads, why));
     memset(&m, 0, sizeof m);
     m.p = p;
     set_sizes(r, &m);

@@ -48,14 +48,13 @@ static void open_block(sheet *s, fourlink_branch branch)
     page_print(p,
                "<details class=\"table%s\">\n"
                "<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
-               "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n"
-               "<caption>%s branch</caption>\n<thead><tr>",
+               "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n<thead><tr>",
                s->v.problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
-               fourlink_branch_text((int)branch), s->v.problem.n_rows, letters,
-               branch == FOURLINK_OPEN ? "Open" : "Crossed");
+               fourlink_branch_text((int)branch), s->v.problem.n_rows, letters);
     for (j = 0; j < s->v.n_columns; j++)
-        page_print(p, "<th scope=\"col\" title=\"%s\">%s<br/>%s</th>", s->v.columns[j].meaning,
-                   s->v.columns[j].name, s->v.columns[j].unit);
+        page_print(p, "<th scope=\"col\" title=\"%s\" data-name=\"%s\">%n<br/>%u</th>",
+                   s->v.columns[j].meaning, s->v.columns[j].name, s->v.columns[j].name,
+                   s->v.columns[j].unit);
     page_print(p, "</tr></thead>\n<tbody>\n");
 }
 
@@ -90,10 +89,10 @@ static void put_row(sheet *s, const sheet_row *row)
         page_print(p, "</tr>\n<tr>");
     page_print(p, "<td colspan=\"%lu\">", s->v.n_columns);
     if (row->at && row->last != row->at->row.angle)
-        page_print(p, "%.9g to %.9g %s: ", row->at->row.angle, row->last,
+        page_print(p, "%.9g to %.9g%U: ", row->at->row.angle, row->last,
                    s->v.units[QUANTITY_ANGLE].name);
     else if (row->at)
-        page_print(p, "%.9g %s: ", row->at->row.angle, s->v.units[QUANTITY_ANGLE].name);
+        page_print(p, "%.9g%U: ", row->at->row.angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "%s</td></tr>\n", row->status);
 }
 
@@ -135,14 +134,14 @@ static void put_check(sheet *s, const fourlink_check *c)
                                                                                 : "differs",
                c->name);
     if (c->has_angle)
-        page_print(p, "%.9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
+        page_print(p, "%.9g%U", c->angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)
         cell_put(p, c->computed, 9);
     else
         page_print(p, "<td>%s</td>", c->words);
-    page_print(p, "<td>%s</td>", cell_unit(c->unit));
+    page_print(p, "<td>%u</td>", c->unit);
     if (is_number)
         cell_put(p, c->tolerance, 0);
     else

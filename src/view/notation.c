@@ -91,6 +91,12 @@ int notation_split(const char *name, notation *n)
     return 0;
 }
 
+char *notation_below(const notation *n, char out[NOTATION_SIZE])
+{
+    return flk_text_join(out, NOTATION_SIZE, n->sub, *n->sub && *n->rest ? " " : "", n->rest,
+                         (char *)NULL);
+}
+
 static void put_scripts(const char *plain, int is_raised, char out[NOTATION_SIZE])
 {
     for (; *plain; plain++) {

@@ -28,6 +28,9 @@ typedef struct notation {
 /* Take a name of a column or a fact apart; 0 if it is no such symbol: then `symbol` is the name. */
 int notation_split(const char *name, notation *n);
 
+/* All that stands below the symbol: "12x along". */
+char *notation_below(const notation *n, char out[NOTATION_SIZE]);
+
 /* The name in one line, with the subscripts of UTF-8; the unit: m/s2 with its power, deg as the sign. */
 char *notation_name(const char *name, char out[NOTATION_SIZE]);
 char *notation_unit(const char *unit, char out[NOTATION_SIZE]);

@@ -269,7 +269,7 @@ def number_of(cell):
     """The number of a cell; None if it has none."""
     words = re.sub(r'<[^>]*>', '', cell).strip().replace(MINUS, '-')
     try:
-        return float(words.split()[0])
+        return float(words.split()[0].rstrip('\u00b0'))
     except (ValueError, IndexError):
         return None
 
@@ -302,7 +302,7 @@ def check_printed_rows(report, table):
     """The tables of the page are those of the program, rounded to their digits."""
     blocks = re.findall(r'<table class="rows">(.*?)</table>', report.text, re.S)
     for block, (branch, rows) in zip(blocks, table.items()):
-        names = [re.sub(r'<br/>.*', '', cell) for cell in re.findall(r'<th scope="col"[^>]*>(.*?)</th>', block)]
+        names = re.findall(r'<th scope="col"[^>]* data-name="(.*?)">', block)
         printed = [re.findall(r'<td[^>]*>(.*?)</td>', row) for row in re.findall(r'<tr>(<td>.*?)</tr>', block, re.S)]
         printed = [cells for cells in printed if len(cells) == len(names)]
         sound = [row for row in rows if row.is_ok]
@@ -317,11 +317,12 @@ def check_printed_rows(report, table):
 def check_facts(report, deck):
     """Inputs, facts and extremes of the page are those of the summary."""
     printed, heading = {}, ''
-    for part in re.findall(r'<h3>(.*?)</h3>|<tr>(<th scope="row">.*?)</tr>', report.text, re.S):
+    for part in re.findall(r'<h[23]>([0-9]* ?)(.*?)</h[23]>|<tr>(<th scope="row".*?)</tr>', report.text, re.S):
+        part = part[1:]
         if part[0]:
             heading = part[0]
             continue
-        name = re.match(r'<th scope="row">(.*?)</th>', part[1]).group(1)
+        name = ''.join(re.match(r'<th scope="row"(?: data-name="(.*?)">.*?|>(.*?))</th>', part[1]).groups(''))
         cells = re.findall(r'<td[^>]*>(.*?)</td>', part[1])
         if heading.startswith('Smallest'):
             branch = 'open' if 'open' in heading else 'crossed'
@@ -341,7 +342,8 @@ def check_facts(report, deck):
         wanted = float(row['value'])
         checks.near('%s of the %s branch' % (row['name'], row['branch']), value, wanted, 1e-5 * abs(wanted) + 1e-9, 1)
         if len(cells) == 3:
-            checks.that(cells[2] == row['unit'] or row['unit'] == '1' and not cells[2], 'the unit of', row['name'], cells[2])
+            unit = {'1': '', 'deg': '\u00b0'}.get(row['unit'], row['unit'].replace('.', '\u00b7').replace('2', '\u00b2'))
+            checks.that(cells[2] == unit, 'the unit of', row['name'], cells[2])
         if row['theta2'] and cells[1]:
             checks.near('the angle of ' + row['name'], number_of(cells[1]), float(row['theta2']), 1e-4 + 1e-5 * abs(float(row['theta2'])), 1)
         elif row['theta2']:
@@ -438,6 +440,8 @@ class Sheet:
     def walk(self, element):
         tag, attributes, words, children = element
         kind = attributes.get('class', '')
+        if kind == 'inset':  # the crank again, enlarged
+            return
         if tag in ('polyline', 'polygon'):
             points = [complex(float(p.split(',')[0]), -float(p.split(',')[1])) for p in attributes['points'].split()]
             (self.lines if tag == 'polyline' else self.areas).append((kind, points, len(self.lines) + len(self.areas)))

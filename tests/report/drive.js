@@ -123,6 +123,15 @@
 
     if (window.parent !== window) { /* in a frame of a narrow page */
         const wide = document.documentElement.scrollWidth;
+        const wrong = [];
+        for (let k = 0; k <= 8; k++) {
+            move(Math.round(last * k / 8));
+            for (const x of document.querySelectorAll("svg.sheet *"))
+                wrong.push(...[...x.attributes].map((a) => a.name + "=" + a.value).concat(x.children.length ? [] : x.textContent)
+                    .filter((words) => /NaN|Infinity|undefined/.test(words)));
+        }
+        window.parent.postMessage((wrong.length || sheet.clientHeight < 250 ? "failed" : "ok") + " drawn, " + sheet.clientHeight +
+                                  " pixels high: " + wrong.slice(0, 3), "*");
         window.parent.postMessage((wide <= window.innerWidth ? "ok" : "failed") + " width " + window.innerWidth + ": " + wide, "*");
         return;
     }

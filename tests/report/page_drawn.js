@@ -84,7 +84,10 @@ class Element {
     get textContent() { return this.words + this.children.map((x) => x.textContent).join(""); }
 }
 
-if (typeof require === "function") {
+if (typeof module === "object")
+    module.exports = {Element};
+
+if (typeof require === "function" && require.main === module) {
     const fs = require("fs");
     const [script, input, output] = process.argv.slice(2);
     const document = {createElementNS: (space, name) => new Element(name), getElementById: () => null,

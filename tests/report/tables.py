@@ -22,8 +22,8 @@ def words_of(cell):
 
 
 def body(table):
-    """The cells of each row, as the page shows them."""
-    return [[words_of(cell) for cell in row] for row in table.find(H + 'tbody')]
+    """The cells of each row, as the page shows them; a name that is typeset, as the deck has it."""
+    return [[cell.get('data-name') or words_of(cell) for cell in row] for row in table.find(H + 'tbody')]
 
 
 def tables_by_heading(root):
@@ -32,6 +32,8 @@ def tables_by_heading(root):
     for element in root.iter():
         if element.tag == H + 'h3':
             heading = words_of(element)
+        if element.tag == H + 'h2':
+            heading = words_of(element).partition(' ')[2]
         if element.tag == H + 'table' and element.get('class') == 'facts':
             found[heading] = body(element)
     return found
@@ -46,11 +48,12 @@ def number(value, digits=6):
 
 
 def angle(fact, digits=6):
-    return '' if fact['theta2'] is None else '%.*g deg' % (digits, fact['theta2'])
+    return '' if fact['theta2'] is None else '%.*g°' % (digits, fact['theta2'])
 
 
 def unit(fact):
-    return '' if fact['unit'] == '1' else fact['unit']
+    """As it is written by hand."""
+    return {'1': '', 'deg': '°'}.get(fact['unit'], fact['unit'].replace('.', '·').replace('2', '²').replace('3', '³'))
 
 
 def is_words(fact):
@@ -112,9 +115,10 @@ def check_rows(root, text, branches):
             rows.append(line.split())
     found = [table for table in root.iter(H + 'table') if table.get('class') == 'rows']
     checks.that(len(found) == len(branches), 'tables of rows', len(found))
+    titles = [words_of(title) for title in root.iter(H + 'summary')]
+    checks.that(all(' %s branch ' % branch in title for branch, title in zip(branches, titles)), 'the titles of the tables', titles)
     for table, branch in zip(found, branches):
         rows = [row for row in body(table) if len(row) > 1]
-        checks.that(words_of(table.find(H + 'caption')).lower().startswith(branch), 'the caption of', branch)
         checks.that(len(rows) == len(wanted[branch]), 'rows of', branch, len(rows), len(wanted[branch]))
         for row, line in zip(rows, wanted[branch]):
             checks.that(row == line, 'the row', row, 'expected', line)

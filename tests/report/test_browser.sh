@@ -63,14 +63,37 @@ drive() {
     check "$1: too few checks" test "$(grep -c '^ok' "$1.out")" -ge 7
 }
 
-# narrow NAME: no horizontal overflow in a window of 360 pixels, which is a frame here.
+# narrow NAME: in windows of 360 and 320 pixels, which are frames here, nothing overflows, each attribute of a drawing
+# is sound, and the mechanism has its least height.
 narrow() {
-    cat >narrow.html <<END
-<!DOCTYPE html><body><iframe src="$1-test.html" width="360" height="800" style="border: 0"></iframe><pre></pre>
+    for width in 360 320; do
+        cat >narrow.html <<END
+<!DOCTYPE html><body><iframe src="$1-test.html" width="$width" height="800" style="border: 0"></iframe><pre></pre>
 <script>onmessage = (event) => { document.querySelector("pre").textContent += event.data + "\n"; };</script>
 END
-    browse --window-size=1000,1000 --dump-dom "file://$work/narrow.html" >narrow.out
-    check "$1: $(grep 'width 360' narrow.out)" grep -q 'ok width 360' narrow.out
+        browse --window-size=1000,1000 --dump-dom "file://$work/narrow.html" >narrow.out
+        check "$1: $(grep "width $width" narrow.out)" grep -q "ok width $width" narrow.out
+        check "$1: $(grep 'drawn' narrow.out)" grep -q 'ok drawn' narrow.out
+    done
+}
+
+# printed NAME SIZE PAGES: on this paper the report has at most so many pages, no letter is smaller than 7 pt, the
+# first page has the drawing and the results, the last the deck.
+printed() {
+    awk -v size="$2" '/<\/body>/ {print "<style>@page {size: " size "}</style>"} {print}' "$1.html" >paper.html
+    browse --no-pdf-header-footer --print-to-pdf="$work/printed.pdf" "file://$work/paper.html" >/dev/null
+    pdftohtml -q -xml -i -zoom 3 -stdout printed.pdf >printed.xml 2>/dev/null
+    pages=$(grep -c '<page ' printed.xml)
+    check "$1 on $2 has $pages pages, not $3 at most" test "$pages" -ge 3 -a "$pages" -le "$3"
+    awk -F'"' '/<fontspec/ && !($2 in size) {size[$2] = $4}
+        /<text / {for (i = 1; i < NF; i++) if ($i ~ / font=$/ && size[$(i + 1)] < 20.5) print size[$(i + 1)] / 3 " pt: " $0}' printed.xml >small.out
+    check "$1 on $2: $(head -n 2 small.out)" test ! -s small.out
+    pdftotext -f 1 -l 1 -layout printed.pdf first.out
+    pdftotext -f "$pages" -l "$pages" -layout printed.pdf last.out
+    for words in Name Date '1 Mechanism' '2 Results' 'Figure 1'; do
+        check "$1 on $2: no '$words' on the first page" grep -q "$words" first.out
+    done
+    check "$1 on $2: the deck is not at the end" grep -q 'Made by fourlink' last.out
 }
 
 # paper NAME SIZE: printed on this paper, each figure begins and ends on the same page and within its width.  For that
@@ -155,7 +178,7 @@ narrow alvi
 # The row of the table is the program's.
 run 0 -c theta2,theta3,theta4,omega4 "$alvi"
 check "the row at 80 deg: $(grep '^cell open 80 theta4' alvi.out)" \
-    test "$(awk '$1 == 80 {print $3; exit}' out)" = "$(awk '$1 == "cell" && $2 == "open" && $3 == 80 && $4 == "theta4" {print $5}' alvi.out)"
+    test "$(awk '$1 == 80 {print $3; exit}' out)" = "$(awk '$1 == "cell" && $2 == "open" && $3 == 80 && $4 == "theta4" {sub(/°$/, "", $5); print $5}' alvi.out)"
 
 run 0 --report=crusher.html "$data/me3491-exercise-4.deck"
 run 0 -f csv -c theta2,B.x,B.y,C.x,C.y,E.x,E.y -o crusher.csv "$data/me3491-exercise-4.deck"
@@ -224,6 +247,54 @@ for size in A4 Letter; do
     paper crusher $size
     paper engine $size
 done
+needs pdftohtml poppler-utils
+for deck in "$tests"/look/*.deck; do
+    name=$(basename "$deck" .deck)
+    "$fourlink" --report="$name.html" "$deck" 2>err
+    prepare "$name"
+    narrow "$name"
+done
+printed inverted A4 16
+printed inverted Letter 17
+printed friction A4 15
+printed runuptime A4 21
+printed tracers Letter 10
+
+# What is typed in survives a reload, is in the file that is saved, and on paper.
+cat >typed.js <<'END'
+const wait = (time) => new Promise((done) => setTimeout(done, time));
+(async () => {
+    const lines = [], field = (name) => document.getElementById("typed-" + name);
+    if (!location.hash) {
+        for (const [name, words] of [["name", "Ada L."], ["date", "3 May"], ["discussion", "First.\nSecond & <b>third</b>."]]) {
+            field(name).value = words;
+            field(name).dispatchEvent(new Event("input", {bubbles: true}));
+        }
+        const words = fourlink.typed.fileOf();
+        lines.push("saved " + /value="Ada L\."/.test(words) + " " + /Second &amp; &lt;b&gt;third/.test(words) + " " + /id="fourlink-panels" hidden/.test(words));
+        lines.push("told " + document.getElementById("typed-status").textContent);
+        const frame = document.createElement("iframe");
+        window.addEventListener("message", (event) => lines.push("again " + event.data));
+        frame.src = location.href + "#again";
+        document.body.append(frame);
+        for (let k = 0; k < 100 && lines.length < 3; k++)
+            await wait(100);
+        frame.remove();
+        document.title = lines.join(" | ");
+    } else {
+        window.parent.postMessage([field("name").value, field("date").value, field("discussion").value].join(" / "), "*");
+    }
+})();
+END
+awk '/<\/body>/ {print "<script>"; while ((getline l <"typed.js") > 0) print l; print "</script>"} {print}' alvi.html >typed.html
+browse --dump-dom "file://$work/typed.html" >typed.out
+check "saved: $(grep '<title>' typed.out)" grep -q '<title>saved true true true | told What you type is kept' typed.out
+check "after a reload: $(grep -A 1 '<title>' typed.out)" sh -c "grep -A 1 '<title>' typed.out | tr '\n' ' ' | grep -q 'again Ada L. / 3 May / First. Second'"
+browse --no-pdf-header-footer --print-to-pdf="$work/typed.pdf" "file://$work/typed.html" >/dev/null
+pdftotext -layout typed.pdf typed.out
+for words in 'Ada L.' '3 May' 'Second & <b>third</b>'; do
+    check "not on paper: $words" grep -qF "$words" typed.out
+done
 
 # The tables: with script and style, with one of the two, and divided where they are wide.
 "$fourlink" "$alvi" >alvi.table
@@ -245,7 +316,9 @@ rows long 's/<details /<details open="open" /'
 
 # ---------------------------------------------------------------------------------------- without a script, and size
 
-check "the drawing is hidden until the script starts" grep -q 'id="fourlink-drawing"[^>]*hidden' alvi.html
+for part in controls panels more; do
+    check "$part is hidden until the script starts" grep -q "id=\"fourlink-$part\"[^>]*hidden" alvi.html
+done
 check "the picture is not" grep -q '<figure class="mechanism" id="figure-[0-9]*">' alvi.html
 for report in alvi crusher engine cylinder; do
     check "$report: $(wc -c <$report.html) bytes" test "$(wc -c <$report.html)" -lt 1000000

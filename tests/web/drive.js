@@ -346,6 +346,144 @@ async function tryFiles() {
     check("a plain link", await value("deck") === words && await value("name") === "y.deck");
 }
 
+/* An address that carries a deck follows the text. */
+async function tryAddress() {
+    const words = fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8"), hash = () => b.evaluate("location.hash");
+    await b.go("about:blank");
+    await b.go(address);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
+    await put("alvi-5.1.deck", words.replace("length = 66 mm", "length = 67 mm"));
+    await wait(600);
+    check("no address without a link", await hash() === "");
+    await click("save-link");
+    await b.until("location.hash.length > 20", "a link");
+    const first = await hash();
+    await put("alvi-5.1.deck", words.replace("length = 66 mm", "length = 68 mm"));
+    await b.until("location.hash !== " + JSON.stringify(first), "another address");
+    const second = await hash();
+    await b.go("about:blank");
+    await b.go(address + second);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the linked deck");
+    check("the address has the text as it was edited", (await value("deck")).includes("length = 68 mm"));
+    await b.go("about:blank");
+    await b.go(address);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
+}
+
+/* A template for each mechanism, and the examples under their mechanisms. */
+async function tryExamples() {
+    const groups = await b.evaluate(`[...document.querySelectorAll("#example optgroup")].map((group) =>
+        [group.label, [...group.children].map((x) => x.value)])`);
+    check("groups: " + groups.map((x) => x[0]), groups.length === 4 && groups[0][0] === "New deck" && groups[0][1].length === 3);
+    const shown = groups.slice(1).flatMap((x) => x[1]).sort().join();
+    check("all examples: " + shown, shown === fs.readdirSync(path.join(root, "data")).filter((x) => x.endsWith(".deck")).sort().join());
+    const kinds = new Set();
+    for (const name of groups[0][1]) {
+        await load(name);
+        kinds.add(/mechanism = (\S+)/.exec(await value("deck"))[1]);
+        check(name + ": " + await messages(), (await messages()).length === 0);
+        check(name + " is drawn", await b.evaluate(`document.querySelectorAll(".panel svg circle").length > 5`));
+    }
+    check("mechanisms: " + [...kinds], kinds.size === 3);
+}
+
+/* Places in per cent of a link, and `mid`, can be dragged; they stay per cent. */
+async function tryShares() {
+    const deck = (at) => "mechanism = four-bar\n[units]\nlength = mm\n[ground]\nlength = 100\n[crank]\nlength = 35\n[coupler]\nlength = 90\n" +
+        "mass = 1 kg\ncg = " + at + "\ninertia = 0\n[rocker]\nlength = 70\n[motion]\nspeed = 10 rad/s\n";
+    await click("change");
+    for (const at of ["mid", "50 %", "50%"]) {
+        await put("share.deck", deck(at));
+        await b.until(`document.querySelector('[data-knob="G3"]')`, "a ring for G3 at " + at);
+        const [B, C] = [await pin("B"), await pin("C")], from = await middle('[data-knob="G3"] .ring');
+        await drag(from, [from[0] + 0.2 * (C[0] - B[0]), from[1] + 0.2 * (C[1] - B[1])]);
+        const made = changes(deck(at), await value("deck")), share = made && made.length === 1 && /^cg = ([\d.]+) %$/.exec(made[0][1]);
+        check(at + " is dragged to 70 %: " + JSON.stringify(made), share && Math.abs(share[1] - 70) < 1);
+        check("without a mistake: " + await messages(), !(await messages()).some((x) => /error/.test(x)));
+    }
+    await click("change");
+}
+
+/* Several curves, a diagram for each unit, with their extremes. */
+async function tryCurves() {
+    await load("me3491-exercise-4.deck");
+    await click("tab-curve");
+    await b.evaluate(`for (const [id, name] of [["curve-y", "omega4"], ["curve-y2", "F12"], ["curve-y3", "F14"]]) {
+        document.getElementById(id).value = name;
+        document.getElementById(id).dispatchEvent(new Event("change"));
+    }`);
+    await settled();
+    const found = await b.evaluate(`[...document.querySelectorAll("#curve-place figure")].map((figure) => ({
+        curves: figure.querySelectorAll("path.curve:not(.other)").length, dots: figure.querySelectorAll("[data-name=extreme]").length,
+        words: [...figure.querySelectorAll("li")].map((x) => x.textContent)}))`);
+    check("diagrams: " + JSON.stringify(found), found.length === 2 && found[0].curves === 1 && found[1].curves === 2 &&
+          found[0].dots === 2 && found[1].dots === 4);
+    const summary = command("x.deck", await value("deck"), "--summary", "--format=csv").out.split(/\r?\n/).map(cells);
+    for (const [name, words] of [["omega4", found[0].words[0]], ["F12", found[1].words[0]], ["F14", found[1].words[1]]]) {
+        const [most, least] = ["max", "min"].map((of) => Number(summary.find((x) => x[0] === of + "(" + name + ")")[1]));
+        const [, high, low] = /largest (\S+) at .*, smallest (\S+) at/.exec(words.replace(/\u2212/g, "-"));
+        check(name + ": " + words + ", not " + [most, least], Math.abs(high - most) <= 1e-2 * Math.abs(most) &&
+              Math.abs(low - least) <= 2e-2 * Math.max(Math.abs(most), Math.abs(least)));
+    }
+    await b.evaluate(`for (const id of ["curve-y2", "curve-y3"]) document.getElementById(id).value = "";
+        document.getElementById("curve-y").value = "theta4";
+        document.getElementById("curve-y").dispatchEvent(new Event("change"));`);
+    await settled();
+    check("one again", await b.evaluate(`document.querySelectorAll("#curve-place figure").length === 1`));
+    await click("tab-drawing");
+}
+
+/* A deck that is pasted in place of all is named after its title. */
+async function tryPasted() {
+    const words = fs.readFileSync(path.join(root, "tests/report/look/springs.deck"), "utf8");
+    await load("alvi-5.1.deck");
+    await b.evaluate(`(() => {
+        const area = document.getElementById("deck");
+        area.focus();
+        area.select();
+        area.dispatchEvent(new ClipboardEvent("paste", {bubbles: true, cancelable: true}));
+    })()`);
+    await b.type(words);
+    await wait(100);
+    await settled();
+    check("the name of what was pasted: " + await value("name"), await value("name") === "ruttelsieb-mit-federn-und-dampfer.deck");
+    await load("alvi-5.1.deck");
+}
+
+/* On a phone: the drawing is more than a blob, no attribute is without a number, a notice covers no drawing. */
+async function tryPhone() {
+    const folder = path.join(root, "tests/report/look");
+    for (const width of [320, 360]) {
+        await b.size(width, 740);
+        for (const file of fs.readdirSync(folder)) {
+            await put(file, fs.readFileSync(path.join(folder, file), "utf8"));
+            const found = await b.evaluate(`(() => {
+                const sheets = [...document.querySelectorAll("svg.sheet")], main = sheets[0].getBoundingClientRect();
+                const wrong = sheets.flatMap((sheet) => [...sheet.querySelectorAll("*")].flatMap((x) => [...x.attributes].map((a) => a.value)
+                    .concat(x.children.length ? [] : x.textContent)).filter((words) => /NaN|Infinity|undefined/.test(words)));
+                return {wrong: wrong.slice(0, 3), height: main.height, wide: document.documentElement.scrollWidth};
+            })()`);
+            check(width + " px, " + file + ": " + JSON.stringify(found), found.wrong.length === 0 && found.height >= 250 && found.wide <= width);
+        }
+        await click("save-link");
+        await b.until("document.getElementById('notice').textContent", "a notice");
+        const covered = await b.evaluate(`(() => {
+            const [x, y] = ["#notice", "svg.sheet"].map((s) => document.querySelector(s).getBoundingClientRect());
+            window.scrollTo(0, 0);
+            return x.bottom > y.top && x.top < y.bottom;
+        })()`);
+        check(width + " px: the notice covers the drawing", !covered);
+        await b.evaluate("history.replaceState(null, '', location.pathname)");
+    }
+    /* no blank block between the deck and its results where they are below each other */
+    await b.size(768, 900);
+    await load("alvi-5.1.deck");
+    const gap = await b.evaluate(`document.querySelector(".result-side").getBoundingClientRect().top -
+        document.querySelector(".editor").getBoundingClientRect().bottom`);
+    check("768 px: a blank block of " + gap + " px", gap < 40);
+    await b.size(1280, 900);
+}
+
 async function tryHostile() {
     const evil = '</script><img src=x onerror="window.evil=1"><b class="evil">';
     await put(evil + ".deck", "title = \"" + evil + "\"\nmechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n" +
@@ -529,6 +667,8 @@ async function main() {
     await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
     for (const [what, run] of [["tables", tryTables], ["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
                                ["exercises", tryExercises], ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
+                               ["address", tryAddress], ["examples", tryExamples], ["shares", tryShares], ["curves", tryCurves],
+                               ["pasted", tryPasted], ["phone", tryPhone],
                                ["layout", tryLayout], ["times", tryTimes],
                                ["decks", async () => {
                                    await compareAll(path.join(root, "data"));

@@ -23,10 +23,10 @@ module.exports = function (root) {
                        "dfa-example-2": 13, "whitworth-150-100": 2};
     return [
         {name: "the tutorial's crusher", deck: block("crusher.deck"),
-         row: [["theta3", "73.7398 deg"], ["omega4", "26.1799 rad/s"], ["mu", "53.1301 deg"]],
-         facts: ["type crank-rocker", "swing 49.2756 deg"]},
+         row: [["theta3", "73.7398°"], ["omega4", "26.1799\u00a0rad/s"], ["mu", "53.1301°"]],
+         facts: ["type crank-rocker", "swing 49.2756 °"]},
         {name: "the tutorial's engine", deck: block("engine.deck"),
-         row: [["v", "15.8436 m/s"], ["a", "856.53 m/s²"], ["omega3", "-40.1874 rad/s"]]},
+         row: [["v", "15.8436\u00a0m/s"], ["a", "856.53\u00a0m/s²"], ["omega3", "-40.1874\u00a0rad/s"]]},
         {name: "the tutorial's exercise", deck: read("data/me3491-exercise-4.deck"),
          facts: ["max(F12) 6539.01 N", "mean_power \u221232906.1 W", "time_ratio 1.02384"], score: "2 of 2"}
     ].concat(Object.entries(published).map(([name, count]) => (

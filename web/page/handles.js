@@ -70,6 +70,8 @@ const kindOf = (number) => number.name === "angle" ? ANGLE : LENGTH;
 
 /* The size of the unit of a number, in the deck's unit of length or in rad; undefined: it cannot be changed. */
 function factorOf(number) {
+    if (number.name === "share")
+        return 1;
     const kind = kindOf(number), si = factors[kind].get("1" + number.unit);
     return kind === ANGLE ? si : si && si / factors[LENGTH].get("1");
 }
@@ -77,10 +79,12 @@ function factorOf(number) {
 /* The numbers of the settings of a handle that stand in the text: [{setting, numbers}]. */
 function present(text, handle) {
     return handle.settings.map((setting) => ({setting, numbers: web.text.numbers(text, setting.section, setting.key)}))
-        .filter((x) => x.numbers);
+        .filter((x) => x.numbers && (x.numbers[0].name !== "share" || handle.link.shape === "bar"));
 }
 
-function localOf(text, numbers) {
+function localOf(text, numbers, link) {
+    if (numbers[0].name === "share")
+        return [numbers[0].value / 100 * lengthNow(link), 0];
     const value = (name) => {
         const number = numbers.find((x) => x.name === name);
         return number ? web.text.read(text, number) * factorOf(number) : 0;
@@ -89,16 +93,21 @@ function localOf(text, numbers) {
         : [value("r") * Math.cos(value("angle")), value("r") * Math.sin(value("angle"))];
 }
 
+/* The length of a bar, between its pins. */
+const lengthNow = (link) => size(minus(planeOf(link.pins[1]), planeOf(link.pins[0])));
+
 /* Where a point is in its link: the axes that take its own coordinates to its place. */
 function frameOf(text, handle, numbers) {
-    const axes = axesOf(handle.link), local = localOf(text, numbers), g = minus(planeOf(handle.at), axes.origin);
+    const axes = axesOf(handle.link), local = localOf(text, numbers, handle.link), g = minus(planeOf(handle.at), axes.origin);
     if (size(local) > 1e-9 * size(g) && size(g) > 0)
         axes.angle = Math.atan2(g[1], g[0]) - Math.atan2(local[1], local[0]);
     return axes;
 }
 
 /* The values of numbers for a place in a link's own axes. */
-function valuesOf(numbers, p, text) {
+function valuesOf(numbers, p, text, link) {
+    if (numbers[0].name === "share")
+        return {share: 100 * p[0] / lengthNow(link)};
     if (numbers[0].name === "x")
         return {x: p[0], y: p[1]};
     if (numbers.length === 1)
@@ -112,9 +121,13 @@ function changed(text, handle, frame, p) {
     const pixel = drawing.main.pixel(), changes = [];
     for (const {setting, numbers} of present(text, handle)) {
         const local = frame && turned(minus(p, frame.origin), -frame.angle);
-        const values = handle.link ? valuesOf(numbers, local, text) : {r: setting.value(p)};
+        const values = handle.link ? valuesOf(numbers, local, text, handle.link) : {r: setting.value(p)};
         for (const number of numbers) {
             const factor = factorOf(number);
+            if (number.name === "share") {
+                changes.push([number, web.text.rounded(values.share, 100 * pixel / lengthNow(handle.link)) + " %"]);
+                continue;
+            }
             const step = (number.name === "angle" ? pixel / Math.max(size(local), pixel) : pixel) / factor;
             let value = values[number.name] / factor;
             if (/^(length|stroke)$/.test(setting.key))
@@ -212,7 +225,7 @@ async function prepare() {
         return make();
     for (const handle of pins().concat(points()))
         for (const {numbers} of present(text, handle))
-            numbers.forEach((number) => wanted[kindOf(number)].add("1" + number.unit));
+            numbers.filter((number) => number.name !== "share").forEach((number) => wanted[kindOf(number)].add("1" + number.unit));
     const lists = {lengths: [...wanted.lengths], angles: [...wanted.angles]};
     try {
         const answer = await ask("quantities", lists);

@@ -6,7 +6,8 @@
 
 const {html} = fourlink;
 const find = (id) => document.getElementById(id);
-const examples = JSON.parse(find("examples").textContent);
+const examples = JSON.parse(find("examples").textContent), templates = JSON.parse(find("templates").textContent);
+const CURVES = ["curve-y", "curve-y2", "curve-y3", "curve-y4"];
 const MOST_TEXT = 1e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
 const TOO_LARGE = "larger than 100 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
@@ -16,6 +17,7 @@ let first = 0, shown = {}, filling = 0, halted = null; /* a view that was stoppe
 const program = web.program((is) => { find("busy").hidden = !is; });
 const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
     halted = null;
+    follow();
     evaluate();
 });
 const handles = web.handles(editor, program.ask);
@@ -132,15 +134,36 @@ async function evaluate() {
         evaluate();
 }
 
+/* Once the address carries a deck it follows the text. */
+let following = null;
+
+async function relink() {
+    history.replaceState(null, "", await web.link.make(name, editor.text()));
+}
+function follow() {
+    clearTimeout(following);
+    if (/^#(deck|plain)=/.test(location.hash))
+        following = setTimeout(relink, 300);
+}
+
+/* The name of a file for a text: its title in small letters. */
+function nameFor(text) {
+    const title = titleOf(text).normalize("NFKD").replace(/[\u0300-\u036f]/g, "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+    return (title.slice(0, 40).replace(/-$/, "") || "my") + ".deck";
+}
+function rename(newName) {
+    name = newName;
+    find("name").value = name;
+}
+
 function load(newName, text, isFirst) {
     if (text.length > MOST_TEXT) {
         tell(text.length > LARGEST ? newName + ": larger than 64 MB: not a deck"
             : newName + ": " + TOO_LARGE);
         return;
     }
-    name = newName;
+    rename(newName);
     fresh = true;
-    find("name").value = name;
     editor.close();
     const words = text.replace(/\r\n?/g, "\n");
     if (isFirst)
@@ -168,13 +191,15 @@ function seen(i) {
 
 /* The names that the curve can have. */
 function offer() {
-    for (const [id, usual] of [["curve-x", "theta2"], ["curve-y", "theta4"]]) {
-        const select = find(id), before = select.value || usual, names = deck.all.map((c) => c.name);
+    const names = deck.all.map((c) => c.name), further = html("option", {value: ""}, "none");
+    for (const [id, usual] of [["curve-x", "theta2"], ["curve-y", "theta4"], ["curve-y2", ""], ["curve-y3", ""], ["curve-y4", ""]]) {
+        const select = find(id), before = select.value || usual;
         if (select.dataset.names !== names.join()) {
-            const fallback = id === "curve-x" ? names[0] : (deck.columns.find((c) => c.name !== "theta2") || deck.all[0]).name;
-            select.replaceChildren(...deck.all.map((c) => html("option", {value: c.name, title: c.meaning}, c.name)));
+            const fallback = id === "curve-x" ? names[0] : usual ? (deck.columns.find((c) => c.name !== "theta2") || deck.all[0]).name : "";
+            select.replaceChildren(...(usual ? [] : [further.cloneNode(true)]),
+                                   ...deck.all.map((c) => html("option", {value: c.name, title: c.meaning}, c.name)));
             select.dataset.names = names.join();
-            select.value = names.includes(before) ? before : fallback;
+            select.value = names.includes(before) || before === "" ? before : fallback;
         }
     }
     find("tab-checks").disabled = false;
@@ -182,10 +207,11 @@ function offer() {
 
 const views = {
     async curve() {
-        const x = find("curve-x").value, y = find("curve-y").value;
-        const {curves} = await program.ask("curve", {x, y});
-        const same = x === y ? curves.map((c) => ({...c, columns: [c.columns[0], c.columns[0]]})) : curves;
-        curve.take(same, deck.all.find((c) => c.name === x), deck.all.find((c) => c.name === y));
+        const x = find("curve-x").value, names = [...new Set(CURVES.map((id) => find(id).value).filter((name) => name))];
+        const asked = [x].concat(names.filter((name) => name !== x)), column = (name) => deck.all.find((c) => c.name === name);
+        const {curves} = await program.ask("curve", {names: asked});
+        curve.take(curves.map((c) => ({...c, columns: [x, ...names].map((name) => c.columns[asked.indexOf(name)])})),
+                   column(x), names.map(column));
         curve.show(drawing ? drawing.row() : 0, branchNow());
     },
     async table() {
@@ -199,8 +225,8 @@ const views = {
         shown.table = branch + ":" + first;
     },
     async facts() {
-        const {text} = await program.ask("sheet", {format: "json", content: "summary"});
-        web.tables.facts(find("facts-place"), text, data ? data.units.angle : "deg");
+        const {facts} = await program.ask("facts", {});
+        web.tables.facts(find("facts-place"), facts, data ? data.units.angle : "deg");
     },
     async checks() {
         const {text} = deck.expected ? await program.ask("sheet", {format: "table", content: "check"}) : {text: ""};
@@ -300,8 +326,7 @@ const actions = {
              own("report-script") + text.slice(end + 9));
     },
     async link() {
-        const hash = await web.link.make(name, editor.text());
-        history.replaceState(null, "", hash);
+        await relink();
         try {
             await navigator.clipboard.writeText(location.href);
             tell("The link is in the address bar, and copied.");
@@ -336,20 +361,45 @@ find("deck").addEventListener("beforeinput", (event) => {
         tell(TOO_LARGE);
     }
 });
+/* A deck that is pasted in place of all has a name of its own. */
+let isPasted = false;
+find("deck").addEventListener("paste", () => {
+    const area = find("deck");
+    isPasted = area.selectionEnd - area.selectionStart >= area.value.trim().length;
+});
+find("deck").addEventListener("input", () => {
+    if (isPasted && /^\s*mechanism\s*=/m.test(find("deck").value)) {
+        fresh = true;
+        rename(nameFor(find("deck").value));
+        evaluate();
+    }
+    isPasted = false;
+});
 find("name").addEventListener("change", () => {
-    name = find("name").value.trim() || "my.deck";
+    rename(find("name").value.trim() || "my.deck");
+    follow();
     evaluate();
 });
 
 /* ------------------------------------------------------------------------------------------------ the rest */
 
-for (const file in examples) {
-    const title = /^\s*title\s*=\s*"?(.*?)"?\s*$/m.exec(examples[file]);
-    find("example").append(html("option", {value: file}, title ? title[1].replace(/\s[#;].*/, "") : file));
-}
+const KINDS = [["four-bar", "Four-bar linkages"], ["slider-crank", "Slider-cranks"],
+               ["inverted-slider-crank", "Inverted slider-cranks"]];
+const titleOf = (text) => {
+    const found = /^\s*title\s*=\s*"?(.*?)"?\s*$/m.exec(text);
+    return found ? found[1].replace(/\s[#;].*/, "") : "";
+};
+const offerGroup = (label, files, words) => find("example").append(html("optgroup", {label},
+    ...files.map((file) => html("option", {value: file}, words(file)))));
+
+offerGroup("New deck", Object.keys(templates), (file) => titleOf(templates[file]));
+for (const [kind, label] of KINDS)
+    offerGroup(label, Object.keys(examples).filter((file) => (/^\s*mechanism\s*=\s*(\S+)/m.exec(examples[file]) || [])[1] === kind),
+               (file) => titleOf(examples[file]) || file);
 find("example").addEventListener("change", () => {
-    if (examples[find("example").value] !== undefined)
-        load(find("example").value, examples[find("example").value]);
+    const file = find("example").value, text = {...examples, ...templates}[file];
+    if (text !== undefined)
+        load(file, text);
     find("example").value = "";
 });
 find("undo").addEventListener("click", () => editor.undo());
@@ -364,7 +414,7 @@ handles.onRelease(() => {
     if (drawing)
         evaluate();
 });
-for (const id of ["curve-x", "curve-y"])
+for (const id of ["curve-x", ...CURVES])
     find(id).addEventListener("change", () => {
         shown.curve = false;
         halted = null;
@@ -378,7 +428,9 @@ for (const [id, way] of [["rows-before", -PAGE], ["rows-after", PAGE]])
     });
 window.addEventListener("beforeprint", () => {
     find("printed").textContent = editor.text();
+    curve.draw();
 });
+window.addEventListener("afterprint", () => curve.draw());
 window.addEventListener("resize", () => {
     if (!find("view-curve").hidden)
         curve.draw();

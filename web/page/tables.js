@@ -4,7 +4,7 @@
 */
 web.tables = (function () {
 
-const {html, unitText} = fourlink;
+const {html, htmlLabel, unitText, withUnit} = fourlink;
 
 /* A number with so many significant digits, or words. */
 function shown(value, digits) {
@@ -34,19 +34,22 @@ function table(place, columns, forms, rows) {
                                  html("td", {colspan: columns.length - 1 || 1, class: "missing"}, row.status));
         return line;
     }));
-    const names = columns.map((c) => html("th", {scope: "col", title: c.meaning}, c.name, html("br"),
+    const names = columns.map((c) => html("th", {scope: "col", title: c.meaning}, htmlLabel(c.label), html("br"),
                                           html("span", {class: "unit"}, unitText(c.unit) || "\u00a0")));
     place.replaceChildren(html("table", {class: "rows"}, html("thead", {}, html("tr", {}, ...names)), body));
 }
 
-/* Facts, as the format json has them. */
-function facts(place, summary, angleUnit) {
-    const deck = JSON.parse(summary);
-    const lines = (deck.facts || []).map((f) => html("tr", {}, html("th", {scope: "row"}, f.name),
+/* A fact's name: a symbol, words, or the largest value of one. */
+function nameOf(fact) {
+    return fact.of ? [fact.of + "(", htmlLabel(fact.label), ")"] : [htmlLabel(fact.label)];
+}
+
+function facts(place, list, angleUnit) {
+    const lines = list.map((f) => html("tr", {}, html("th", {scope: "row", title: f.name}, ...nameOf(f)),
         html("td", {class: "figure"}, shown(f.value, 6)), html("td", {}, unitText(f.unit || "")),
-        html("td", {class: "figure"}, f.theta2 === null ? "" : shown(f.theta2, 6) + " " + unitText(angleUnit)),
+        html("td", {class: "figure"}, f.theta2 === null ? "" : withUnit(shown(f.theta2, 6), angleUnit)),
         html("td", {}, f.branch || ""), html("td", {}, f.meaning)));
-    place.replaceChildren(html("table", {class: "facts"}, head("fact", "value", "unit", "at", "branch", "meaning"),
+    place.replaceChildren(html("table", {class: "facts"}, head("Fact", "Value", "Unit", "at θ₂", "Branch", "Meaning"),
                                html("tbody", {}, ...lines)));
 }
 

@@ -37,12 +37,15 @@ function find(text, section, key) {
 }
 
 /* The numbers of a value: [{name, from, to, unit}], of a length "r", of a point "x" and "y", or "r" and "angle".
-** `unit` is what follows the number; "1" before it is a quantity.  Null if it has another form. */
+** `unit` is what follows the number; "1" before it is a quantity.  "mid" and "40 %" are a "share" of the link's length.
+** Null if it has another form. */
 function numbers(text, section, key) {
     const place = find(text, section, key);
     if (!place)
         return null;
-    const value = text.slice(place.from, place.to), both = pair.exec(value);
+    const value = text.slice(place.from, place.to), both = pair.exec(value), share = /^(?:mid|([-+]?[\d.]+)\s*%)$/.exec(value);
+    if (share)
+        return [{name: "share", ...place, unit: "", value: share[1] === undefined ? 50 : Number(share[1])}];
     if (both) {
         const x = place.from + both[1].length, y = x + both[2].length + both[3].length;
         return [{name: "x", from: x, to: x + both[2].length, unit: both[6]},
@@ -60,7 +63,7 @@ function numbers(text, section, key) {
     return list;
 }
 
-const read = (text, number) => Number(text.slice(number.from, number.to).replace("\u2212", "-"));
+const read = (text, number) => number.name === "share" ? number.value : Number(text.slice(number.from, number.to).replace("\u2212", "-"));
 
 /* A number rounded to 1, 10, 0.1 ... of which `step` is the eye's share. */
 function rounded(value, step) {
