@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/solve.h"
 #include "synthesis.h"
 
 /* Intervals of the search for the largest structural error. */
@@ -135,9 +134,7 @@ static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechan
     int status = fourlink_position(mechanism, branch, theta2 + s->crank_turn, &state);
 
     if (status == FOURLINK_OK)
-        *error = s->design.kind == FOURLINK_SLIDER_CRANK
-                     ? state.link[4].origin.x - wanted
-                     : flk_reduced(state.link[4].theta - s->rocker_turn - wanted);
+        *error = flk_output_error(&state, s->design.kind, wanted + s->rocker_turn);
     return status;
 }
 
@@ -213,44 +210,32 @@ static double size_of_error(double theta2, void *data)
     return is_found ? fabs(c->error) : FLK_UNDEFINED;
 }
 
-/* The largest error: of the points, or, if more is known, at equal steps, then at the peak beside it. */
+/* The largest error: of the points, or, if more is known, in the range. */
 static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
 {
     double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
-    double step = fabs(s->to - s->from) / INTERVALS;
     fourlink_mechanism mechanism;
-    flk_sample p[3], best = {0, -1};
+    flk_sample largest;
     error_curve c;
-    int i, k;
+    int i;
 
     for (i = 0; i < s->n_positions; i++)
-        if (fabs(s->position[i].error) > best.value) {
-            best.value = fabs(s->position[i].error);
+        if (fabs(s->position[i].error) > fabs(s->max_error)) {
             s->max_error = s->position[i].error;
             s->max_error_at = s->position[i].theta2;
         }
     if (!task->wanted)
         return;
+    fourlink_prepare(&s->design, &mechanism);
     c.task = task;
     c.solution = s;
     c.mechanism = &mechanism;
-    fourlink_prepare(&s->design, &mechanism);
-    best.value = -1;
-    for (i = 0; i <= INTERVALS; i++) {
-        for (k = 0; k < 3; k++) {
-            p[k].x = from + (i + k - 1) * step;
-            p[k].value = size_of_error(p[k].x, &c);
-        }
-        if (!(p[1].value > best.value))
-            continue;
-        best = p[1];
-        if (i > 0 && i < INTERVALS && p[1].value >= p[0].value && p[1].value >= p[2].value)
-            best = flk_find_peak(size_of_error, &c, p, 1e-14 * best.value);
-    }
-    if (best.value >= 0) {
-        size_of_error(best.x, &c);
+    largest =
+        flk_find_largest(size_of_error, &c, from, fabs(s->to - s->from) / INTERVALS, INTERVALS);
+    if (largest.value >= 0) {
+        size_of_error(largest.x, &c);
         s->max_error = c.error;
-        s->max_error_at = best.x + s->crank_turn;
+        s->max_error_at = largest.x + s->crank_turn;
     }
 }
 
@@ -321,7 +306,6 @@ static void set_positions(const generator *g, const double K[3], fourlink_soluti
 static int find_function(const void *data, fourlink_solution *s)
 {
     const fourlink_function_task *task = data;
-    flk_request request = {0, 0, 0, 0};
     generator g;
     double K[3], start[3] = {0, 0, 0};
     int status = check_task(task);
@@ -339,9 +323,7 @@ static int find_function(const void *data, fourlink_solution *s)
     if (status != FOURLINK_OK)
         return status;
     set_positions(&g, K, s);
-    request.is_exact = task->n == 3;
-    request.size = g.unit;
-    status = flk_check_solution(s, &request);
+    status = flk_check_solution(s, 0);
     if (status == FOURLINK_OK)
         find_largest_error(task, s);
     return status;
