@@ -177,7 +177,7 @@ TEST(best_transmission)
 
         task.slow = k % 2 ? FOURLINK_SLOW_WITH : FOURLINK_SLOW_AGAINST;
         status = fourlink_synthesis_quick_return(&task, 1, &s, &n);
-        for (int i = -1500; i <= 1500; i++) {
+        for (int i = -1750; i <= 1750; i++) {
             double value = transmission(task, i / 250.0);
 
             if (value > best) {
