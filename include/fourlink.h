@@ -2223,7 +2223,6 @@ FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigne
 **    always with the crank.
 ** 2) FOURLINK_INFINITE_LINK for the largest mu_min: it grows as links become longer and longer (a time ratio
 **    of 1).
-** 3) A slotted lever with an offset needs the ground.
 ** Reference:
 **    E. Soylemez, "Mechanisms" (METU), 7.1.4 and 7.2; see synthesis/quick_return.c.
 */

@@ -103,16 +103,11 @@ static int turns_fully(const fourlink_reach *reach)
 /* 1 if the crank can go from one angle to the other. */
 static int has_way(const fourlink_reach *reach, double from, double to)
 {
-    double low = GSL_MIN_DBL(from, to), high = GSL_MAX_DBL(from, to), counted = 0;
-    int range;
+    double low = GSL_MIN_DBL(from, to), counted = 0;
+    int range = range_of(reach, low, &counted);
 
-    if (turns_fully(reach))
-        return 1;
-    if (!reach->n_ranges || !(high - low < 2 * M_PI))
-        return 0;
-    range = range_of(reach, 0.5 * (low + high), &counted);
-    return reach->from[range] < counted - 0.5 * (high - low) &&
-           counted + 0.5 * (high - low) < reach->to[range];
+    return turns_fully(reach) || (reach->n_ranges > 0 && reach->from[range] < counted &&
+                                  counted + fabs(to - from) < reach->to[range]);
 }
 
 /* 1 if the angles rise throughout, or fall. */

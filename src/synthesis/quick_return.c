@@ -99,54 +99,31 @@ static int find_slider(quick_return *q)
 }
 
 /* Slotted lever: the crank is at right angles to the slide in both limits, and the swing is alpha.  With the
-** slide at the distance h from D,
+** slide at the distance h from D, and sums of sines as products,
 **
-**    asin((a + h) / d) + asin((a - h) / d) = alpha;   h = 0: a = d sin(alpha / 2)
+**    asin((a + h) / d) + asin((a - h) / d) = alpha
+**    d^2 = (a / sin(alpha / 2))^2 + (h / cos(alpha / 2))^2
 **
-** h is of either sign.  A tool at the distance L on the lever has the stroke 2 L sin(alpha / 2). */
-static double swing_of_lever(double crank, void *data)
-{
-    const quick_return *q = data;
-    double h = fabs(q->offset) / q->length[FOURLINK_GROUND];
-
-    return asin(GSL_MIN_DBL(1, crank + h)) + asin(GSL_MAX_DBL(-1, crank - h)) - q->alpha;
-}
-
+** A tool at the distance L on the lever has the stroke 2 L sin(alpha / 2).
+**
+** Whitworth: the tool reverses where the lever is at right angles to AD; the quick stroke takes
+** sigma = 360 deg / (Q + 1) = 180 deg - alpha of the crank, and cos(sigma / 2) = d / a = sin(alpha / 2). */
 static int find_lever(quick_return *q)
 {
-    double *d = &q->length[FOURLINK_GROUND], *a = &q->length[FOURLINK_CRANK], most, beyond;
-    double sine = sin(0.5 * q->alpha);
-    flk_bracket b;
+    int is_whitworth = q->task->type == FOURLINK_WHITWORTH;
+    double *longer = &q->length[is_whitworth ? FOURLINK_CRANK : FOURLINK_GROUND];
+    double *shorter = &q->length[is_whitworth ? FOURLINK_GROUND : FOURLINK_CRANK];
+    double sine = sin(0.5 * q->alpha), h = q->offset / cos(0.5 * q->alpha);
 
-    if (q->offset == 0) {
-        *a = *d > 0 ? *d * sine : *a;
-        *d = *a / sine;
-    } else {
-        if (*d == 0)
-            return FOURLINK_BAD_CHOICE;
-        most = 1 - fabs(q->offset) / *d;
-        beyond = swing_of_lever(most, q);
-        if (!(most > 0 && beyond > 0))
-            return FOURLINK_NO_FULL_TURN;
-        b = flk_bracket_of(0, most, -q->alpha, beyond);
-        *a = *d * flk_find_zero(swing_of_lever, q, &b, 0);
-    }
+    if (!(q->alpha > FLK_NOTHING))
+        return FOURLINK_NO_LENGTH;
+    if (*longer > 0)
+        *shorter = sine * root((*longer - h) * (*longer + h), *longer * *longer);
+    else
+        *longer = gsl_hypot(*shorter / sine, h);
     if (q->task->stroke > 0)
         q->length[FOURLINK_FOLLOWER] = 0.5 * q->task->stroke / sine;
-    return FOURLINK_OK;
-}
-
-/* Whitworth: the tool reverses where the lever is at right angles to AD; the quick stroke takes
-**
-**    sigma = 360 deg / (Q + 1) = 180 deg - alpha of the crank,   cos(sigma / 2) = d / a
-*/
-static int find_whitworth(quick_return *q)
-{
-    double *d = &q->length[FOURLINK_GROUND], *a = &q->length[FOURLINK_CRANK];
-
-    *a = *d > 0 ? *d / sin(0.5 * q->alpha) : *a;
-    *d = *a * sin(0.5 * q->alpha);
-    return FOURLINK_OK;
+    return *shorter > 0 ? FOURLINK_OK : FOURLINK_NO_FULL_TURN;
 }
 
 /* The mechanism of the lengths found.  Its positions are the limits of the output, on the open branch.
@@ -261,9 +238,7 @@ static int find_lengths(quick_return *q)
         return n == 1 ? find_best(q) : find_rocker(q);
     if (task->type == FOURLINK_ENGINE)
         return crank + coupler + offset ? find_slider(q) : find_best(q);
-    if (!(q->alpha > FLK_NOTHING))
-        return FOURLINK_NO_LENGTH;
-    return is_lever ? find_lever(q) : find_whitworth(q);
+    return find_lever(q);
 }
 
 static int check_task(const fourlink_quick_return_task *task)

@@ -297,7 +297,7 @@ TEST(levers)
 
         task.time_ratio = ratio;
         task.length[1 + k / 2 % 2] = 0.3;
-        if (k % 2 && k / 2 % 2 == 0) {
+        if (k % 2) {
             task.offset = uniform(&seed, -0.05, 0.05);
             task.stroke = uniform(&seed, 0.1, 0.5);
         }
