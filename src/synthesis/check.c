@@ -222,6 +222,9 @@ int flk_check_solution(fourlink_solution *s, int is_free)
         return FOURLINK_INFINITE_LINK;
     if (status != FOURLINK_OK)
         return FOURLINK_NO_LENGTH;
+    s->a = s->design.link[FOURLINK_CRANK].length * (s->crank_turn > 0 ? -1 : 1);
+    s->c = s->design.link[FOURLINK_FOLLOWER].length * (s->rocker_turn > 0 ? -1 : 1);
+    s->condition = GSL_MAX_DBL(s->condition, 1);
     fourlink_type_of(&mechanism, &s->type);
     fourlink_reach_of(&mechanism, &reach);
     s->defects = 0;

@@ -102,9 +102,6 @@ static int set_linkage(const fourlink_cognate_task *task, fourlink_solution *s)
     s->design.kind = FOURLINK_FOUR_BAR;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         s->design.link[i].length = gsl_complex_abs(scale) * link[source_of[is_right][i]].length;
-    s->a = s->design.link[FOURLINK_CRANK].length;
-    s->c = s->design.link[FOURLINK_FOLLOWER].length;
-    s->condition = 1;
     s->direction = gsl_complex_arg(scale);
     if (is_right)
         s->origin = flk_vector_of(gsl_complex_mul_real(sigma, link[FOURLINK_GROUND].length));

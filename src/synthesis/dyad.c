@@ -183,9 +183,9 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
         return FOURLINK_NO_LENGTH;
     s->design.kind = FOURLINK_FOUR_BAR;
     link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
-    s->a = link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
+    link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
     link[FOURLINK_COUPLER].length = gsl_complex_abs(coupler);
-    s->c = link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
+    link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
     s->condition = GSL_MAX_DBL(left->condition, right->condition);
     s->origin = flk_vector_of(gsl_complex_add(left->fixed, flk_plane(first)));
     s->direction = gsl_complex_arg(ground);

@@ -122,8 +122,6 @@ static int set_lengths(const fourlink_function_task *task, const double K[3], fo
     if (!(square > FLK_NOTHING * size))
         return FOURLINK_NO_LINKAGE;
     memcpy(s->K, K, sizeof s->K);
-    s->a = a;
-    s->c = c;
     s->design.kind = task->kind;
     s->design.link[FOURLINK_CRANK].length = fabs(a);
     s->design.link[FOURLINK_COUPLER].length = sqrt(square);

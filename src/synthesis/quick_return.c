@@ -288,9 +288,6 @@ static int find_quick_return(const void *data, fourlink_solution *s)
     s->n_positions = 2;
     s->from = s->position[0].theta2;
     s->to = s->from + 2 * M_PI;
-    s->condition = 1;
-    s->a = q.length[FOURLINK_CRANK];
-    s->c = q.length[FOURLINK_FOLLOWER];
     return flk_check_solution(s, 0);
 }
 
