@@ -2245,7 +2245,9 @@ FOURLINK_API int fourlink_synthesis_quick_return(const fourlink_quick_return_tas
 ** Notes:
 ** 1) Left has the pivot A and the third pivot E; right has E and D.  The right one's crank turns as the given
 **    one's; the left one's turns as the given coupler does.
-** 2) The left one of a crank-rocker does not turn fully: it has dead positions on the way
+** 2) The working range of the right one is that of the given linkage; the left one's goes from its first to its
+**    last position.
+** 3) The left one of a crank-rocker does not turn fully: it has dead positions on the way
 **    (FOURLINK_DEFECT_WAY, FOURLINK_DEFECT_BRANCH), unless the range is small.
 ** Reference:
 **    Roberts and Chebyshev; see synthesis/cognate.c.

@@ -65,31 +65,6 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
     return FOURLINK_OK;
 }
 
-/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these
-** places. */
-static int from_fixed(const positions *at, gsl_complex m, pivots *p)
-{
-    gsl_complex place[3];
-    int j;
-
-    for (j = 0; j < 3; j++)
-        place[j] = gsl_complex_div(gsl_complex_sub(m, at->delta[j]), at->turn[j]);
-    p->fixed = m;
-    return find_centre(place, &p->moving, &p->condition);
-}
-
-/* A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these places. */
-static int from_moving(const positions *at, gsl_complex k, pivots *p)
-{
-    gsl_complex place[3];
-    int j;
-
-    for (j = 0; j < 3; j++)
-        place[j] = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], k));
-    p->moving = k;
-    return find_centre(place, &p->fixed, &p->condition);
-}
-
 /* Rotations beta_2, beta_3 of the link:
 **
 **    W (e^(i beta_j) - 1) + Z (e^(i alpha_j) - 1) = delta_j,   j = 2, 3
@@ -120,24 +95,26 @@ static int from_rotations(const positions *at, const double beta[2], pivots *p)
     return FOURLINK_OK;
 }
 
+/* Both pivots of a dyad.  A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these
+** places.  Seen from the coupler, a fixed pivot m is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these. */
 static int find_pivots(const fourlink_dyad *given, const positions *at,
                        const fourlink_vector *first, pivots *p)
 {
-    gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first));
+    gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first)), place[3];
+    int j, is_fixed = given->choice == FOURLINK_FIXED_PIVOT;
 
     if (!flk_points_within(&given->pivot, 1) ||
         !flk_are_within(given->rotation, 2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    switch (given->choice) {
-    case FOURLINK_FIXED_PIVOT:
-        return from_fixed(at, pivot, p);
-    case FOURLINK_MOVING_PIVOT:
-        return from_moving(at, pivot, p);
-    case FOURLINK_ROTATIONS:
+    if (given->choice == FOURLINK_ROTATIONS)
         return from_rotations(at, given->rotation, p);
-    default:
+    if (!is_fixed && given->choice != FOURLINK_MOVING_PIVOT)
         return FOURLINK_BAD_CHOICE;
-    }
+    for (j = 0; j < 3; j++)
+        place[j] = is_fixed ? gsl_complex_div(gsl_complex_sub(pivot, at->delta[j]), at->turn[j])
+                            : gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], pivot));
+    p->fixed = p->moving = pivot;
+    return find_centre(place, is_fixed ? &p->moving : &p->fixed, &p->condition);
 }
 
 /* Positions relative to the first.  FOURLINK_DEPENDENT if two are equal. */

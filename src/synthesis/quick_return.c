@@ -130,7 +130,7 @@ static int find_lever(quick_return *q)
 ** Whitworth's lever has none: its tool reverses where the lever is at right angles to AD.
 ** FOURLINK_NO_FULL_TURN if the mechanism is of another type or moves otherwise: the equations hold also where C1
 ** or C2 is reached on the other branch only. */
-static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits *limits)
+static int prepare(const quick_return *q, fourlink_solution *s)
 {
     fourlink_kind kind = q->task->type == FOURLINK_CRANK_ROCKER ? FOURLINK_FOUR_BAR
                          : q->task->type == FOURLINK_ENGINE     ? FOURLINK_SLIDER_CRANK
@@ -143,6 +143,7 @@ static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits 
     fourlink_precision *p = s->position;
     fourlink_mechanism mechanism;
     fourlink_state first, last;
+    fourlink_limits limits;
     int i;
 
     s->design.kind = kind;
@@ -152,10 +153,11 @@ static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits 
     if (fourlink_prepare(&s->design, &mechanism) != FOURLINK_OK)
         return FOURLINK_INFINITE_LINK;
     fourlink_type_of(&mechanism, &s->type);
-    fourlink_limits_of(&mechanism, FOURLINK_OPEN, limits);
-    p[0].theta2 = limits->has_stroke  ? limits->inner
-                  : limits->has_swing ? limits->theta2_min
-                                      : M_PI / (limits->time_ratio + 1);
+    fourlink_limits_of(&mechanism, FOURLINK_OPEN, &limits);
+    s->mu_min = limits.mu_min;
+    p[0].theta2 = limits.has_stroke  ? limits.inner
+                  : limits.has_swing ? limits.theta2_min
+                                     : M_PI / (limits.time_ratio + 1);
     p[1].theta2 = p[0].theta2 + M_PI + q->alpha;
     if (s->type != q->task->type ||
         fourlink_position(&mechanism, FOURLINK_OPEN, p[0].theta2, &first) != FOURLINK_OK ||
@@ -175,7 +177,6 @@ static double transmission_of(double x, void *data)
 {
     quick_return *q = data;
     double ratio = 1 / (1 + exp(-x));
-    fourlink_limits limits;
     fourlink_solution s;
     int status;
 
@@ -191,7 +192,7 @@ static double transmission_of(double x, void *data)
             0.5 * q->task->stroke / gsl_hypot(ratio * cos(0.5 * q->alpha), sin(0.5 * q->alpha));
         status = find_slider(q);
     }
-    return status == FOURLINK_OK && prepare(q, &s, &limits) == FOURLINK_OK ? limits.mu_min : -1;
+    return status == FOURLINK_OK && prepare(q, &s) == FOURLINK_OK ? s.mu_min : -1;
 }
 
 /* The largest of these.  All lengths of a crank-rocker are scaled to the one that is given. */
@@ -267,7 +268,6 @@ static int check_task(const fourlink_quick_return_task *task)
 static int find_quick_return(const void *data, fourlink_solution *s)
 {
     const fourlink_quick_return_task *task = data;
-    fourlink_limits limits;
     quick_return q;
     int status = check_task(task);
 
@@ -282,7 +282,7 @@ static int find_quick_return(const void *data, fourlink_solution *s)
     memcpy(q.length, task->length, sizeof q.length);
     status = find_lengths(&q);
     if (status == FOURLINK_OK)
-        status = prepare(&q, s, &limits);
+        status = prepare(&q, s);
     if (status != FOURLINK_OK)
         return status;
     s->n_positions = 2;
