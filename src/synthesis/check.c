@@ -38,8 +38,8 @@ static double measure(fourlink_solution *s)
     return longest + gsl_hypot(s->point.x, s->point.y);
 }
 
-/* Find the branch on which the output is nearer to the wanted one.  Returns defects.  Least squares, which meet
-** no position, have more than three. */
+/* Find the branch on which the output is nearer to the wanted one.  Returns defects.  Least squares have more
+** than three positions and meet none. */
 static int place(const fourlink_solution *s, const fourlink_mechanism *mechanism, double size,
                  fourlink_precision *p)
 {

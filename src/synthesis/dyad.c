@@ -96,7 +96,7 @@ static int from_rotations(const positions *at, const double beta[2], pivots *p)
 }
 
 /* Both pivots of a dyad.  A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these
-** places.  Seen from the coupler, a fixed pivot m is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these. */
+** places.  Seen from the coupler, a fixed pivot m is at e^(-i alpha_j) (m - P_j), and k_1 is the centre. */
 static int find_pivots(const fourlink_dyad *given, const positions *at,
                        const fourlink_vector *first, pivots *p)
 {

@@ -128,8 +128,8 @@ static int find_lever(quick_return *q)
 
 /* The mechanism of the lengths found.  Its positions are the limits of the output, on the open branch.
 ** Whitworth's lever has none: its tool reverses where the lever is at right angles to AD.
-** FOURLINK_NO_FULL_TURN if the mechanism is of another type or moves otherwise: the equations hold also where C1
-** or C2 is reached on the other branch only. */
+** FOURLINK_NO_FULL_TURN if the mechanism is of another type or moves otherwise: the equations hold also where
+** C1 or C2 is reached on the other branch only. */
 static int prepare(const quick_return *q, fourlink_solution *s)
 {
     fourlink_kind kind = q->task->type == FOURLINK_CRANK_ROCKER ? FOURLINK_FOUR_BAR
