@@ -126,9 +126,9 @@ TEST(random_motions)
     print_message("%d of 2000 without a defect\n", n_clean);
 }
 
-/* How far rounding moves a pivot, over rounding itself.  It is the centre of a circle through three places of the
-** other one, seen from the ground or from the coupler: besides the condition, which is that of the directions of
-** the chords, the error is larger by size / shortest chord. */
+/* How far rounding moves a pivot, over rounding itself.  It is the centre of a circle through three places
+** of the other one, seen from the ground or from the coupler: besides the condition, which is that of the
+** directions of the chords, the error is larger by size / shortest chord. */
 static double amplified(const fourlink_solution *s)
 {
     double shortest = size_of(s);

@@ -51,8 +51,7 @@ TEST(crank_rocker)
     assert_near(limits.theta4_max - limits.theta4_min, 80 * DEG, 1e-13);
     task.length[2] = 0;
     FOUND(quick_return, &task, &s);
-    /* with 40 digits a = 46.67174032527 mm: the top is flat, and half of the digits are lost there, wherever the
-    ** search begins */
+    /* with 40 digits a = 46.67174032527 mm: the top is flat, and half of the digits are lost there */
     assert_near(length_of(&s, 2), 0.04667174032527, 0.04667174032527 * sqrt(DBL_EPSILON));
     assert_near(length_of(&s, 3), 0.116161029, 1e-9);
     assert_near(length_of(&s, 4), 0.073883177, 1e-9);
@@ -160,8 +159,8 @@ static double transmission(fourlink_quick_return_task task, double x)
     return fourlink_synthesis_quick_return(&task, 1, &s, &n) == FOURLINK_OK ? s.mu_min : -1;
 }
 
-/* The best is not below any of a fine scan, and not above the lines through two neighbours of the scan's best,
-** which is where mu_min is concave; it is the same for each length that may be given. */
+/* The best is not below any of a fine scan.  As mu_min is concave there, it is not above the lines through
+** the scan's best and its neighbours; it is the same for each length that may be given. */
 TEST(best_transmission)
 {
     uint64_t seed = 42;
