@@ -2230,7 +2230,6 @@ FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigne
 **    always with the crank.
 ** 2) FOURLINK_INFINITE_LINK for the largest mu_min: it grows as links become longer and longer (a time ratio
 **    of 1).
-** 3) A slotted lever with an offset needs the ground.
 ** Reference:
 **    E. Soylemez, "Mechanisms" (METU), 7.1.4 and 7.2; see synthesis/quick_return.c.
 */
@@ -2253,7 +2252,9 @@ FOURLINK_API int fourlink_synthesis_quick_return(const fourlink_quick_return_tas
 ** Notes:
 ** 1) Left has the pivot A and the third pivot E; right has E and D.  The right one's crank turns as the given
 **    one's; the left one's turns as the given coupler does.
-** 2) The left one of a crank-rocker does not turn fully: it has dead positions on the way
+** 2) The working range of the right one is that of the given linkage; the left one's goes from its first to its
+**    last position.
+** 3) The left one of a crank-rocker does not turn fully: it has dead positions on the way
 **    (FOURLINK_DEFECT_WAY, FOURLINK_DEFECT_BRANCH), unless the range is small.
 ** Reference:
 **    Roberts and Chebyshev; see synthesis/cognate.c.

@@ -13,53 +13,38 @@
 
 #include "synthesis.h"
 
-/* What rounding adds to a length, relative to the largest. */
-#define ROUNDED 1e-11
+/* A position is missed by more than this, relative to the size of the linkage (or in rad): far more than
+** rounding makes of a useful linkage, and less than a workshop can see. */
+#define MISSED 1e-6
 
-/* Output minus the wanted one: rad, m. */
-static double output_error(const fourlink_solution *s, const fourlink_state *state, double wanted)
+double flk_output_error(const fourlink_state *state, fourlink_kind kind, double wanted)
 {
-    return s->design.kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted
-                                                   : flk_reduced(state->link[4].theta - wanted);
+    return kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted
+                                         : flk_reduced(state->link[4].theta - wanted);
 }
 
-/* By the cosine rule, an error of the lengths moves C across the rocker by
-**
-**    (sum of a da) / (b sin(theta4 - theta3)),
-**
-** and a point of the coupler by as much as it is farther from B than C is. */
-static double rounding_at(const fourlink_solution *s, const fourlink_state *state, double size)
+/* `ratio` of the links.  Returns the size of the linkage. */
+static double measure(fourlink_solution *s)
 {
-    double b = s->design.kind == FOURLINK_INVERTED_SLIDER_CRANK ? s->design.link[1].length
-                                                                : s->design.link[3].length;
-    double reach = 1 + gsl_hypot(s->point.x, s->point.y) / b;
+    double longest = 0, shortest = GSL_POSINF;
+    int i;
 
-    return ROUNDED * size * (size / b) * reach / fabs(state->sine);
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (s->design.link[i].length > 0) {
+            longest = GSL_MAX_DBL(longest, s->design.link[i].length);
+            shortest = GSL_MIN_DBL(shortest, s->design.link[i].length);
+        }
+    s->ratio = longest / shortest;
+    return longest + gsl_hypot(s->point.x, s->point.y);
 }
 
-/* How far a position is from the wanted one, m. */
-static double distance_to(const fourlink_solution *s, const fourlink_state *state, int is_traced,
-                          double size, fourlink_precision *p)
-{
-    double arm = s->design.kind == FOURLINK_SLIDER_CRANK ? 1
-                 : s->design.kind == FOURLINK_FOUR_BAR   ? s->c
-                                                         : size;
-    double off = fabs(p->error * arm);
-    fourlink_vector at;
-
-    if (!is_traced)
-        return off;
-    p->error = GSL_POSINF;
-    if (fourlink_point(state, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) == FOURLINK_OK)
-        p->error = gsl_hypot(at.x - p->point.x, at.y - p->point.y);
-    return GSL_MAX_DBL(off, p->error);
-}
-
-/* Find the branch on which the output is nearer to the wanted one.  Returns defects. */
-static int place(fourlink_solution *s, const fourlink_mechanism *mechanism,
-                 const flk_request *request, double size, fourlink_precision *p)
+/* Find the branch on which the output is nearer to the wanted one.  Returns defects.  Least squares have more
+** than three positions and meet none. */
+static int place(const fourlink_solution *s, const fourlink_mechanism *mechanism, double size,
+                 fourlink_precision *p)
 {
     fourlink_state open, crossed, *found = &open;
+    fourlink_vector at;
     double off;
 
     p->branch = 0;
@@ -72,16 +57,23 @@ static int place(fourlink_solution *s, const fourlink_mechanism *mechanism,
     if (p->status != FOURLINK_OK ||
         fourlink_position(mechanism, FOURLINK_CROSSED, p->theta2, &crossed) != FOURLINK_OK)
         return FOURLINK_DEFECT_REACH;
-    p->error = output_error(s, &open, p->output);
-    off = output_error(s, &crossed, p->output);
+    p->error = flk_output_error(&open, s->design.kind, p->output);
+    off = flk_output_error(&crossed, s->design.kind, p->output);
     if (fabs(off) < fabs(p->error)) {
         found = &crossed;
         p->error = off;
     }
     p->branch = found->branch;
     p->mu = found->mu;
-    off = distance_to(s, found, request->is_traced, size, p);
-    return request->is_exact && !(off <= rounding_at(s, found, size)) ? FOURLINK_DEFECT_MISSED : 0;
+    off = fabs(p->error);
+    if (s->design.kind == FOURLINK_SLIDER_CRANK)
+        off /= size;
+    if (s->has_point &&
+        fourlink_point(found, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) == FOURLINK_OK) {
+        p->error = gsl_hypot(at.x - p->point.x, at.y - p->point.y);
+        off = GSL_MAX_DBL(off, p->error / size);
+    }
+    return s->n_positions <= 3 && !(off <= MISSED) ? FOURLINK_DEFECT_MISSED : 0;
 }
 
 /* The range of the reach that an angle is in, and the angle as the range counts it. */
@@ -111,16 +103,11 @@ static int turns_fully(const fourlink_reach *reach)
 /* 1 if the crank can go from one angle to the other. */
 static int has_way(const fourlink_reach *reach, double from, double to)
 {
-    double low = GSL_MIN_DBL(from, to), high = GSL_MAX_DBL(from, to), counted = 0;
-    int range;
+    double low = GSL_MIN_DBL(from, to), counted = 0;
+    int range = range_of(reach, low, &counted);
 
-    if (turns_fully(reach))
-        return 1;
-    if (!reach->n_ranges || !(high - low < 2 * M_PI))
-        return 0;
-    range = range_of(reach, 0.5 * (low + high), &counted);
-    return reach->from[range] < counted - 0.5 * (high - low) &&
-           counted + 0.5 * (high - low) < reach->to[range];
+    return turns_fully(reach) || (reach->n_ranges > 0 && reach->from[range] < counted &&
+                                  counted + fabs(to - from) < reach->to[range]);
 }
 
 /* 1 if the angles rise throughout, or fall. */
@@ -224,43 +211,30 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
     }
 }
 
-/* The largest length that has to do with the linkage; `ratio` of its links. */
-static double measure(fourlink_solution *s, double size)
-{
-    double longest = 0, shortest = GSL_POSINF;
-    int i;
-
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        if (s->design.link[i].length > 0) {
-            longest = GSL_MAX_DBL(longest, s->design.link[i].length);
-            shortest = GSL_MIN_DBL(shortest, s->design.link[i].length);
-        }
-    s->ratio = longest / shortest;
-    size = GSL_MAX_DBL(GSL_MAX_DBL(size, longest), fabs(s->design.offset));
-    return GSL_MAX_DBL(size, gsl_hypot(s->point.x, s->point.y));
-}
-
-int flk_check_solution(fourlink_solution *s, const flk_request *request)
+int flk_check_solution(fourlink_solution *s, int is_free)
 {
     fourlink_mechanism mechanism;
     fourlink_reach reach;
-    double size = measure(s, request->size);
+    double size = measure(s);
     int i, has_range = s->from != s->to, status = fourlink_prepare(&s->design, &mechanism);
 
     if (!(size <= FOURLINK_LENGTH_MAX))
         return FOURLINK_INFINITE_LINK;
     if (status != FOURLINK_OK)
         return FOURLINK_NO_LENGTH;
+    s->a = s->design.link[FOURLINK_CRANK].length * (s->crank_turn > 0 ? -1 : 1);
+    s->c = s->design.link[FOURLINK_FOLLOWER].length * (s->rocker_turn > 0 ? -1 : 1);
+    s->condition = GSL_MAX_DBL(s->condition, 1);
     fourlink_type_of(&mechanism, &s->type);
     fourlink_reach_of(&mechanism, &reach);
     s->defects = 0;
     s->branch = FOURLINK_OPEN;
     for (i = s->n_positions - 1; i >= 0; i--) {
-        s->defects |= place(s, &mechanism, request, size, &s->position[i]);
+        s->defects |= place(s, &mechanism, size, &s->position[i]);
         if (s->position[i].branch)
             s->branch = (fourlink_branch)s->position[i].branch;
     }
-    s->defects |= find_order(s, &reach, request->is_free);
+    s->defects |= find_order(s, &reach, is_free);
     if (!has_range) {
         s->from = s->position[0].theta2;
         s->to = s->position[s->n_positions - 1].theta2;
@@ -268,6 +242,28 @@ int flk_check_solution(fourlink_solution *s, const flk_request *request)
     s->defects |= find_way(s, &reach);
     find_transmission(s, &mechanism);
     return FOURLINK_OK;
+}
+
+flk_sample flk_find_largest(flk_function *f, void *data, double from, double step, int n)
+{
+    flk_sample p[3], largest = {0, -1};
+    int i, at = 0;
+
+    for (i = 0; i <= n; i++) {
+        double value = f(from + i * step, data);
+
+        if (value > largest.value) {
+            largest.x = from + i * step;
+            largest.value = value;
+            at = i;
+        }
+    }
+    for (i = 0; i < 3; i++) {
+        p[i].x = largest.x + (i - 1) * step;
+        p[i].value = f(p[i].x, data);
+    }
+    return largest.value > 0 && at > 0 && at < n ? flk_find_peak(f, data, p, 1e-16 * largest.value)
+                                                 : largest;
 }
 
 int flk_find_one(flk_finder *find, const void *task, unsigned long max,

@@ -22,61 +22,52 @@
 /* Place of the links of a cognate in those of the given linkage. */
 static const int source_of[2][5] = {{0, 1, 3, 2, 4}, {0, 1, 2, 4, 3}};
 
-/* The working range of the given linkage: as given, or a turn, or the middle of its first range. */
-static int find_range(const fourlink_cognate_task *task, const fourlink_mechanism *mechanism,
-                      double *from, double *to)
-{
-    fourlink_reach reach;
-    double margin;
-
-    *from = task->from;
-    *to = task->to;
-    if (*from != *to)
-        return FOURLINK_OK;
-    fourlink_reach_of(mechanism, &reach);
-    if (!reach.n_ranges)
-        return FOURLINK_NOT_REACHED;
-    margin = reach.to[0] - reach.from[0] < 2 * M_PI ? (reach.to[0] - reach.from[0]) / 6 : 0;
-    *from = reach.from[0] + margin;
-    *to = reach.to[0] - margin;
-    return FOURLINK_OK;
-}
-
-/* A position of the cognate, from that of the given linkage. */
-static int set_position(const fourlink_cognate_task *task, const fourlink_mechanism *mechanism,
-                        double theta2, gsl_complex origin, double turn, fourlink_precision *p)
-{
-    fourlink_state state;
-    fourlink_vector at;
-    int is_left = task->side == FOURLINK_LEFT;
-    int status = fourlink_position(mechanism, task->branch, theta2, &state);
-
-    if (status != FOURLINK_OK)
-        return status;
-    fourlink_point(&state, FOURLINK_COUPLER, &task->point, &at, NULL, NULL);
-    p->theta2 = is_left ? state.link[3].theta : theta2;
-    p->theta3 = is_left ? flk_reduced(theta2) : flk_reduced(state.link[4].theta + M_PI);
-    p->output = is_left ? state.link[4].theta : flk_reduced(state.link[3].theta + M_PI);
-    p->point = flk_vector_of(
-        gsl_complex_mul(gsl_complex_sub(flk_plane(&at), origin), gsl_complex_polar(1, -turn)));
-    return FOURLINK_OK;
-}
-
+/* The positions of the cognate, from those of the given linkage.  The working range is that of the task, or a
+** turn, or the middle of the first range that the given crank reaches. */
 static int set_positions(const fourlink_cognate_task *task, const fourlink_mechanism *mechanism,
                          fourlink_solution *s)
 {
-    double from, to;
-    int j, status = find_range(task, mechanism, &from, &to);
+    double from = task->from, to = task->to, margin;
+    fourlink_reach reach;
+    fourlink_state state;
+    fourlink_vector at;
+    int j;
 
+    if (from == to) {
+        fourlink_reach_of(mechanism, &reach);
+        if (!reach.n_ranges)
+            return FOURLINK_NOT_REACHED;
+        margin = reach.to[0] - reach.from[0] < 2 * M_PI ? (reach.to[0] - reach.from[0]) / 6 : 0;
+        from = reach.from[0] + margin;
+        to = reach.to[0] - margin;
+    }
     s->n_positions = 3;
-    for (j = 0; j < 3 && status == FOURLINK_OK; j++)
-        status = set_position(task, mechanism, from + (2 * j + 1) * (to - from) / 6,
-                              flk_plane(&s->origin), s->direction, &s->position[j]);
+    for (j = 0; j < 3; j++) {
+        fourlink_precision *p = &s->position[j];
+        double theta2 = from + (2 * j + 1) * (to - from) / 6;
+        int status = fourlink_position(mechanism, task->branch, theta2, &state);
+
+        if (status != FOURLINK_OK)
+            return status;
+        fourlink_point(&state, FOURLINK_COUPLER, &task->point, &at, NULL, NULL);
+        p->point =
+            flk_vector_of(gsl_complex_mul(gsl_complex_sub(flk_plane(&at), flk_plane(&s->origin)),
+                                          gsl_complex_polar(1, -s->direction)));
+        if (task->side == FOURLINK_LEFT) {
+            p->theta2 = state.link[3].theta;
+            p->theta3 = flk_reduced(theta2);
+            p->output = state.link[4].theta;
+        } else {
+            p->theta2 = theta2;
+            p->theta3 = flk_reduced(state.link[4].theta + M_PI);
+            p->output = flk_reduced(state.link[3].theta + M_PI);
+        }
+    }
     if (task->side == FOURLINK_RIGHT) {
         s->from = from;
         s->to = to;
     }
-    return status;
+    return FOURLINK_OK;
 }
 
 static int check_task(const fourlink_cognate_task *task)
@@ -111,9 +102,6 @@ static int set_linkage(const fourlink_cognate_task *task, fourlink_solution *s)
     s->design.kind = FOURLINK_FOUR_BAR;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         s->design.link[i].length = gsl_complex_abs(scale) * link[source_of[is_right][i]].length;
-    s->a = s->design.link[FOURLINK_CRANK].length;
-    s->c = s->design.link[FOURLINK_FOLLOWER].length;
-    s->condition = 1;
     s->direction = gsl_complex_arg(scale);
     if (is_right)
         s->origin = flk_vector_of(gsl_complex_mul_real(sigma, link[FOURLINK_GROUND].length));
@@ -127,7 +115,6 @@ static int set_linkage(const fourlink_cognate_task *task, fourlink_solution *s)
 static int find_cognate(const void *data, fourlink_solution *s)
 {
     const fourlink_cognate_task *task = data;
-    flk_request request = {1, 0, 1, 0};
     fourlink_mechanism mechanism;
     int status = check_task(task);
 
@@ -139,10 +126,7 @@ static int find_cognate(const void *data, fourlink_solution *s)
         status = set_positions(task, &mechanism, s);
     if (status != FOURLINK_OK)
         return status;
-    request.is_free = task->side == FOURLINK_LEFT;
-    request.size = gsl_hypot(task->point.x, task->point.y) + mechanism.design.link[1].length +
-                   mechanism.design.link[2].length;
-    return flk_check_solution(s, &request);
+    return flk_check_solution(s, task->side == FOURLINK_LEFT);
 }
 
 int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,

@@ -65,31 +65,6 @@ static int find_centre(const gsl_complex z[3], gsl_complex *centre, double *cond
     return FOURLINK_OK;
 }
 
-/* A fixed pivot m, seen from the coupler, is at e^(-i alpha_j) (m - P_j); k_1 is the centre of these
-** places. */
-static int from_fixed(const positions *at, gsl_complex m, pivots *p)
-{
-    gsl_complex place[3];
-    int j;
-
-    for (j = 0; j < 3; j++)
-        place[j] = gsl_complex_div(gsl_complex_sub(m, at->delta[j]), at->turn[j]);
-    p->fixed = m;
-    return find_centre(place, &p->moving, &p->condition);
-}
-
-/* A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these places. */
-static int from_moving(const positions *at, gsl_complex k, pivots *p)
-{
-    gsl_complex place[3];
-    int j;
-
-    for (j = 0; j < 3; j++)
-        place[j] = gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], k));
-    p->moving = k;
-    return find_centre(place, &p->fixed, &p->condition);
-}
-
 /* Rotations beta_2, beta_3 of the link:
 **
 **    W (e^(i beta_j) - 1) + Z (e^(i alpha_j) - 1) = delta_j,   j = 2, 3
@@ -120,19 +95,26 @@ static int from_rotations(const positions *at, const double beta[2], pivots *p)
     return FOURLINK_OK;
 }
 
+/* Both pivots of a dyad.  A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these
+** places.  Seen from the coupler, a fixed pivot m is at e^(-i alpha_j) (m - P_j), and k_1 is the centre. */
 static int find_pivots(const fourlink_dyad *given, const positions *at,
                        const fourlink_vector *first, pivots *p)
 {
-    gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first));
+    gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first)), place[3];
+    int j, is_fixed = given->choice == FOURLINK_FIXED_PIVOT;
 
-    switch (given->choice) {
-    case FOURLINK_FIXED_PIVOT:
-        return from_fixed(at, pivot, p);
-    case FOURLINK_MOVING_PIVOT:
-        return from_moving(at, pivot, p);
-    default:
+    if (!flk_points_within(&given->pivot, 1) ||
+        !flk_are_within(given->rotation, 2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (given->choice == FOURLINK_ROTATIONS)
         return from_rotations(at, given->rotation, p);
-    }
+    if (!is_fixed && given->choice != FOURLINK_MOVING_PIVOT)
+        return FOURLINK_BAD_CHOICE;
+    for (j = 0; j < 3; j++)
+        place[j] = is_fixed ? gsl_complex_div(gsl_complex_sub(pivot, at->delta[j]), at->turn[j])
+                            : gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], pivot));
+    p->fixed = p->moving = pivot;
+    return find_centre(place, is_fixed ? &p->moving : &p->fixed, &p->condition);
 }
 
 /* Positions relative to the first.  FOURLINK_DEPENDENT if two are equal. */
@@ -140,6 +122,8 @@ static int set_positions(const fourlink_vector point[3], const double alpha[3], 
 {
     int i, j;
 
+    if (!flk_points_within(point, 3) || !flk_are_within(alpha, 3, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
     at->size = 0;
     for (j = 0; j < 3; j++) {
         at->delta[j] = gsl_complex_sub(flk_plane(&point[j]), flk_plane(&point[0]));
@@ -176,9 +160,9 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
         return FOURLINK_NO_LENGTH;
     s->design.kind = FOURLINK_FOUR_BAR;
     link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
-    s->a = link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
+    link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
     link[FOURLINK_COUPLER].length = gsl_complex_abs(coupler);
-    s->c = link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
+    link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
     s->condition = GSL_MAX_DBL(left->condition, right->condition);
     s->origin = flk_vector_of(gsl_complex_add(left->fixed, flk_plane(first)));
     s->direction = gsl_complex_arg(ground);
@@ -206,7 +190,6 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
                           const fourlink_dyad *left, const fourlink_dyad *right,
                           const double *timing, fourlink_solution *s)
 {
-    flk_request request = {1, 1, 1, 0};
     pivots first, second;
     positions at;
     int status = set_positions(point, alpha, &at);
@@ -221,37 +204,17 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
     if (status != FOURLINK_OK)
         return status;
     if (timing) {
-        request.is_free = 0;
         s->position[1].theta2 = s->position[0].theta2 + timing[0];
         s->position[2].theta2 = s->position[0].theta2 + timing[1];
     }
-    request.size = at.size + gsl_complex_abs(first.fixed) + gsl_complex_abs(second.fixed);
-    return flk_check_solution(s, &request);
-}
-
-static int check_dyad(const fourlink_dyad *dyad)
-{
-    if (dyad->choice < FOURLINK_FIXED_PIVOT || dyad->choice > FOURLINK_ROTATIONS)
-        return FOURLINK_BAD_CHOICE;
-    return flk_points_within(&dyad->pivot, 1) &&
-                   flk_are_within(dyad->rotation, 2, FOURLINK_NUMBER_MAX)
-               ? FOURLINK_OK
-               : FOURLINK_BAD_NUMBER;
+    return flk_check_solution(s, !timing);
 }
 
 static int find_motion(const void *data, fourlink_solution *s)
 {
     const fourlink_motion_task *task = data;
-    int status;
 
-    if (!flk_points_within(task->point, 3) || !flk_are_within(task->angle, 3, FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
-    status = check_dyad(&task->left);
-    if (status == FOURLINK_OK)
-        status = check_dyad(&task->right);
-    if (status == FOURLINK_OK)
-        status = design_linkage(task->point, task->angle, &task->left, &task->right, NULL, s);
-    return status;
+    return design_linkage(task->point, task->angle, &task->left, &task->right, NULL, s);
 }
 
 int fourlink_synthesis_motion(const fourlink_motion_task *task, unsigned long max,
@@ -266,11 +229,17 @@ static int design_path(const fourlink_path_task *task, double alpha2, double alp
     fourlink_dyad left = {FOURLINK_ROTATIONS, {0, 0}, {0, 0}};
     double alpha[3] = {0, 0, 0};
 
-    left.rotation[0] = task->timing[0];
-    left.rotation[1] = task->timing[1];
+    memcpy(left.rotation, task->timing, sizeof left.rotation);
     alpha[1] = alpha2;
     alpha[2] = alpha3;
     return design_linkage(task->point, alpha, &left, &task->right, task->timing, s);
+}
+
+static int find_path(const void *data, fourlink_solution *s)
+{
+    const fourlink_path_task *task = data;
+
+    return design_path(task, task->rotation[0], task->rotation[1], s);
 }
 
 /* How good a linkage of a search is: mu_min, with the cranks that turn fully before others.  0: it has a
@@ -289,22 +258,18 @@ static void rank(const fourlink_solution *s, unsigned long max, fourlink_solutio
 {
     unsigned long i = *n < max ? *n : max;
 
-    while (i > 0 && grade(&solutions[i - 1]) < grade(s)) {
+    for (; i > 0 && grade(&solutions[i - 1]) < grade(s); i--)
         if (i < max)
             solutions[i] = solutions[i - 1];
-        i--;
-    }
     if (i < max)
         solutions[i] = *s;
     (*n)++;
 }
 
 /* Of a grid of the coupler's rotations, over a turn each. */
-static double grade_at(const fourlink_path_task *task, int i, int j, int steps,
+static double grade_at(const fourlink_path_task *task, double step, int i, int j,
                        fourlink_solution *s)
 {
-    double step = 2 * M_PI / steps;
-
     return design_path(task, i * step, j * step, s) == FOURLINK_OK ? grade(s) : 0;
 }
 
@@ -313,15 +278,16 @@ static int search(const fourlink_path_task *task, int steps, unsigned long max,
                   fourlink_solution *solutions, unsigned long *n)
 {
     fourlink_solution s, beside;
+    double step = 2 * M_PI / steps;
     unsigned long found = 0;
     int i, j, k;
 
     for (i = 0; i < steps; i++)
         for (j = 0; j < steps; j++) {
-            double value = grade_at(task, i, j, steps, &s);
+            double value = grade_at(task, step, i, j, &s);
 
             for (k = 0; value > 0 && k < 9; k++)
-                if (grade_at(task, i + k / 3 - 1, j + k % 3 - 1, steps, &beside) > value)
+                if (grade_at(task, step, i + k / 3 - 1, j + k % 3 - 1, &beside) > value)
                     value = 0;
             if (value > 0)
                 rank(&s, max, solutions, &found);
@@ -332,36 +298,21 @@ static int search(const fourlink_path_task *task, int steps, unsigned long max,
     return FOURLINK_OK;
 }
 
-static double step_of(const fourlink_path_task *task)
-{
-    return task->step == 0 ? STEP : task->step;
-}
-
-static int check_path(const fourlink_path_task *task)
-{
-    if (!flk_points_within(task->point, 3) ||
-        !flk_are_within(task->timing, 2, FOURLINK_NUMBER_MAX) ||
-        !flk_are_within(task->rotation, 2, FOURLINK_NUMBER_MAX) ||
-        !(step_of(task) >= SMALLEST_STEP && step_of(task) <= M_PI_2))
-        return FOURLINK_BAD_NUMBER;
-    return check_dyad(&task->right);
-}
-
-static int find_path(const void *data, fourlink_solution *s)
-{
-    const fourlink_path_task *task = data;
-
-    return design_path(task, task->rotation[0], task->rotation[1], s);
-}
-
 int fourlink_synthesis_path(const fourlink_path_task *task, unsigned long max,
                             fourlink_solution *solutions, unsigned long *n)
 {
-    int status = task && n && (solutions || !max) ? check_path(task) : FOURLINK_NULL;
+    double step = task && task->step != 0 ? task->step : STEP;
+    fourlink_solution first;
+    int status;
 
-    if (status != FOURLINK_OK)
+    if (!task || !n || (max && !solutions))
+        return FOURLINK_NULL;
+    if (!task->search)
+        return flk_find_one(find_path, task, max, solutions, n);
+    status = find_path(task, &first);
+    if (status == FOURLINK_BAD_NUMBER || status == FOURLINK_BAD_CHOICE)
         return status;
-    return task->search
-               ? search(task, (int)floor(2 * M_PI / step_of(task) + 0.5), max, solutions, n)
-               : flk_find_one(find_path, task, max, solutions, n);
+    return step >= SMALLEST_STEP && step <= M_PI_2
+               ? search(task, (int)floor(2 * M_PI / step + 0.5), max, solutions, n)
+               : FOURLINK_BAD_NUMBER;
 }

@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/solve.h"
 #include "synthesis.h"
 
 /* Intervals of the search for the largest structural error. */
@@ -20,30 +19,22 @@
 #define STEPS 100
 #define SHORTEST 1e-12
 
-typedef struct generator {
-    const fourlink_function_task *task;
-    double unit;                           /* m, the largest |X|; four-bar: the ground */
-    double output[FOURLINK_PRECISION_MAX]; /* X / unit; four-bar: theta4 */
-    double root_w[FOURLINK_PRECISION_MAX]; /* root of the weights, the largest is 1 */
-} generator;
-
 /* The equation of a point, linear in K, or in S1, S2, S3:
 **
 **    four-bar        K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4)      Freudenstein 1955
 **    slider-crank    S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2
 **
-** from b^2 = |C - B|^2, with X and S divided by the unit and its square.  F is the left side minus the right
-** side, y the output.
+** from b^2 = |C - B|^2.  F is the left side minus the right side, y the output.
 */
 typedef struct equation {
     double row[3], F, dF_dy;
 } equation;
 
-static equation equation_at(const generator *g, const double K[3], double theta2, double y)
+static equation equation_at(fourlink_kind kind, const double K[3], double theta2, double y)
 {
     equation e;
 
-    if (g->task->kind == FOURLINK_FOUR_BAR) {
+    if (kind == FOURLINK_FOUR_BAR) {
         e.row[0] = cos(y);
         e.row[1] = -cos(theta2);
         e.row[2] = 1;
@@ -60,28 +51,46 @@ static equation equation_at(const generator *g, const double K[3], double theta2
     return e;
 }
 
+/* Three points are met whatever they weigh. */
+static double weight_of(const fourlink_function_task *task, unsigned long i)
+{
+    return task->weight && task->n > 3 ? task->weight[i] : 1;
+}
+
 /* The change of K that makes the sum of w F^2 the least or, to first order, that of w error^2 if errors
 ** are given. At the output of the linkage F is 0, so that
 **
 **    d error / dK = -(dF/dK) / (dF/dy),   dF/dK = row
 */
-static int find_step(const generator *g, const double K[3], const double *error, double step[3],
-                     double *condition)
+static int find_step(const fourlink_function_task *task, const double K[3], const double *error,
+                     double step[3], double *condition)
 {
     double A[FOURLINK_PRECISION_MAX][3], b[FOURLINK_PRECISION_MAX];
     unsigned long i;
     int j;
 
-    for (i = 0; i < g->task->n; i++) {
-        double y = g->output[i] + (error ? error[i] : 0);
-        equation e = equation_at(g, K, g->task->theta2[i], y);
-        double factor = error ? -g->root_w[i] / e.dF_dy : g->root_w[i];
+    for (i = 0; i < task->n; i++) {
+        double y = task->output[i] + (error ? error[i] : 0), root = sqrt(weight_of(task, i));
+        equation e = equation_at(task->kind, K, task->theta2[i], y);
 
         for (j = 0; j < 3; j++)
-            A[i][j] = factor * e.row[j];
-        b[i] = -g->root_w[i] * (error ? error[i] : e.F);
+            A[i][j] = root * e.row[j] / (error ? -e.dF_dy : 1);
+        b[i] = -root * (error ? error[i] : e.F);
     }
-    return flk_least_squares(g->task->n, (const double(*)[3])A, b, step, condition);
+    return flk_least_squares(task->n, (const double(*)[3])A, b, step, condition);
+}
+
+/* The length that the others are compared with, m: the ground, or the largest |X|. */
+static double unit_of(const fourlink_function_task *task)
+{
+    double unit = 0;
+    unsigned long i;
+
+    if (task->kind == FOURLINK_FOUR_BAR)
+        return task->ground;
+    for (i = 0; i < task->n; i++)
+        unit = GSL_MAX_DBL(unit, fabs(task->output[i]));
+    return unit;
 }
 
 /* Lengths from K or S.  A negative a or c is that of a link which is turned by 180 deg, so it keeps its
@@ -90,12 +99,11 @@ static int find_step(const generator *g, const double K[3], const double *error,
 **    four-bar        a = d / K1,  c = d / K2,  b^2 = a^2 + c^2 + d^2 - 2 a c K3
 **    slider-crank    r = S1 / 2,  e = S2 / S1,  l^2 = r^2 + e^2 - S3
 */
-static int set_lengths(const generator *g, const double K[3], fourlink_solution *s)
+static int set_lengths(const fourlink_function_task *task, const double K[3], fourlink_solution *s)
 {
-    double a, c = 0, d = g->unit, square, size;
+    double a, c = 0, d = unit_of(task), square, size;
 
-    s->design.kind = g->task->kind;
-    if (g->task->kind == FOURLINK_FOUR_BAR) {
+    if (task->kind == FOURLINK_FOUR_BAR) {
         if (!(fabs(K[0]) > FLK_NOTHING && fabs(K[1]) > FLK_NOTHING))
             return FOURLINK_INFINITE_LINK;
         a = d / K[0];
@@ -103,22 +111,18 @@ static int set_lengths(const generator *g, const double K[3], fourlink_solution 
         size = a * a + c * c + d * d;
         square = size - 2 * a * c * K[2];
         s->design.link[FOURLINK_GROUND].length = d;
-        memcpy(s->K, K, sizeof s->K);
     } else {
-        if (!(fabs(K[0]) > FLK_NOTHING))
+        if (!(fabs(K[0]) > FLK_NOTHING * d))
             return FOURLINK_NO_LENGTH;
-        a = 0.5 * K[0] * d;
-        s->design.offset = K[1] / K[0] * d;
+        a = 0.5 * K[0];
+        s->design.offset = K[1] / K[0];
         size = a * a + s->design.offset * s->design.offset;
-        square = size - K[2] * d * d;
-        s->K[0] = K[0] * d;
-        s->K[1] = K[1] * d * d;
-        s->K[2] = K[2] * d * d;
+        square = size - K[2];
     }
     if (!(square > FLK_NOTHING * size))
         return FOURLINK_NO_LINKAGE;
-    s->a = a;
-    s->c = c;
+    memcpy(s->K, K, sizeof s->K);
+    s->design.kind = task->kind;
     s->design.link[FOURLINK_CRANK].length = fabs(a);
     s->design.link[FOURLINK_COUPLER].length = sqrt(square);
     s->design.link[FOURLINK_FOLLOWER].length = fabs(c);
@@ -135,57 +139,53 @@ static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechan
     int status = fourlink_position(mechanism, branch, theta2 + s->crank_turn, &state);
 
     if (status == FOURLINK_OK)
-        *error = s->design.kind == FOURLINK_SLIDER_CRANK
-                     ? state.link[4].origin.x - wanted
-                     : flk_reduced(state.link[4].theta - s->rocker_turn - wanted);
+        *error = flk_output_error(&state, s->design.kind, wanted + s->rocker_turn);
     return status;
 }
 
-/* The errors of all points on a branch, in the generator's unit, and the sum of w error^2: infinite if there
-** is no linkage or it does not reach a point. */
-static double errors_of(const generator *g, const double K[3], fourlink_branch branch,
-                        double *error)
+/* The errors of all points on a branch, and the sum of w error^2: infinite if there is no linkage or it does
+** not reach a point. */
+static double errors_of(const fourlink_function_task *task, const double K[3],
+                        fourlink_branch branch, double *error)
 {
-    const fourlink_function_task *task = g->task;
-    double unit = task->kind == FOURLINK_FOUR_BAR ? 1 : g->unit, sum = 0;
     fourlink_mechanism mechanism;
     fourlink_solution s;
+    double sum = 0;
     unsigned long i;
 
     memset(&s.design, 0, sizeof s.design);
-    if (set_lengths(g, K, &s) != FOURLINK_OK ||
+    if (set_lengths(task, K, &s) != FOURLINK_OK ||
         fourlink_prepare(&s.design, &mechanism) != FOURLINK_OK)
         return GSL_POSINF;
     for (i = 0; i < task->n; i++) {
         if (error_at(&s, &mechanism, branch, task->theta2[i], task->output[i], &error[i]) !=
             FOURLINK_OK)
             return GSL_POSINF;
-        error[i] /= unit;
-        sum += g->root_w[i] * g->root_w[i] * error[i] * error[i];
+        sum += weight_of(task, i) * error[i] * error[i];
     }
     return sum;
 }
 
 /* Make the errors of the output small, by Gauss's method with shortened steps, on the branch that starts with
 ** smaller ones.  If no branch reaches all points, K is left as it is. */
-static void fit_output(const generator *g, double K[3])
+static void fit_output(const fourlink_function_task *task, double K[3])
 {
     double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, sum, next;
     fourlink_branch branch = FOURLINK_OPEN;
     int j, n;
 
-    sum = errors_of(g, K, FOURLINK_CROSSED, error);
-    if (!(errors_of(g, K, FOURLINK_OPEN, error) <= sum))
+    sum = errors_of(task, K, FOURLINK_CROSSED, error);
+    if (!(errors_of(task, K, FOURLINK_OPEN, error) <= sum))
         branch = FOURLINK_CROSSED;
-    sum = errors_of(g, K, branch, error);
+    sum = errors_of(task, K, branch, error);
     for (n = 0; n < STEPS && sum < GSL_POSINF && sum > 0; n++) {
-        if (find_step(g, K, error, step, &condition) != FOURLINK_OK)
+        if (find_step(task, K, error, step, &condition) != FOURLINK_OK)
             return;
         next = GSL_POSINF;
         for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
             for (j = 0; j < 3; j++)
                 trial[j] = K[j] + part * step[j];
-            next = errors_of(g, trial, branch, error);
+            next = errors_of(task, trial, branch, error);
         }
         if (!(next < sum))
             return;
@@ -213,44 +213,32 @@ static double size_of_error(double theta2, void *data)
     return is_found ? fabs(c->error) : FLK_UNDEFINED;
 }
 
-/* The largest error: of the points, or, if more is known, at equal steps, then at the peak beside it. */
+/* The largest error: of the points, or, if more is known, in the range. */
 static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
 {
     double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
-    double step = fabs(s->to - s->from) / INTERVALS;
     fourlink_mechanism mechanism;
-    flk_sample p[3], best = {0, -1};
+    flk_sample largest;
     error_curve c;
-    int i, k;
+    int i;
 
     for (i = 0; i < s->n_positions; i++)
-        if (fabs(s->position[i].error) > best.value) {
-            best.value = fabs(s->position[i].error);
+        if (fabs(s->position[i].error) > fabs(s->max_error)) {
             s->max_error = s->position[i].error;
             s->max_error_at = s->position[i].theta2;
         }
     if (!task->wanted)
         return;
+    fourlink_prepare(&s->design, &mechanism);
     c.task = task;
     c.solution = s;
     c.mechanism = &mechanism;
-    fourlink_prepare(&s->design, &mechanism);
-    best.value = -1;
-    for (i = 0; i <= INTERVALS; i++) {
-        for (k = 0; k < 3; k++) {
-            p[k].x = from + (i + k - 1) * step;
-            p[k].value = size_of_error(p[k].x, &c);
-        }
-        if (!(p[1].value > best.value))
-            continue;
-        best = p[1];
-        if (i > 0 && i < INTERVALS && p[1].value >= p[0].value && p[1].value >= p[2].value)
-            best = flk_find_peak(size_of_error, &c, p, 1e-14 * best.value);
-    }
-    if (best.value >= 0) {
-        size_of_error(best.x, &c);
+    largest =
+        flk_find_largest(size_of_error, &c, from, fabs(s->to - s->from) / INTERVALS, INTERVALS);
+    if (largest.value >= 0) {
+        size_of_error(largest.x, &c);
         s->max_error = c.error;
-        s->max_error_at = best.x + s->crank_turn;
+        s->max_error_at = largest.x + s->crank_turn;
     }
 }
 
@@ -280,39 +268,20 @@ static int check_task(const fourlink_function_task *task)
     return is_four_bar && task->ground < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_LENGTH : FOURLINK_OK;
 }
 
-static void scale(const fourlink_function_task *task, generator *g)
+/* The positions are the points; a residual of a slider-crank is relative to the largest X^2. */
+static void set_positions(const fourlink_function_task *task, fourlink_solution *s)
 {
-    int is_four_bar = task->kind == FOURLINK_FOUR_BAR;
-    double heaviest = 0;
-    unsigned long i;
-
-    g->task = task;
-    g->unit = is_four_bar ? task->ground : 0;
-    for (i = 0; i < task->n; i++) {
-        if (!is_four_bar)
-            g->unit = GSL_MAX_DBL(g->unit, fabs(task->output[i]));
-        if (task->weight)
-            heaviest = GSL_MAX_DBL(heaviest, task->weight[i]);
-    }
-    for (i = 0; i < task->n; i++) {
-        g->output[i] = task->output[i] / (is_four_bar ? 1 : g->unit);
-        g->root_w[i] = task->weight && task->n > 3 ? sqrt(task->weight[i] / heaviest) : 1;
-    }
-}
-
-static void set_positions(const generator *g, const double K[3], fourlink_solution *s)
-{
-    const fourlink_function_task *task = g->task;
-    int i, is_four_bar = task->kind == FOURLINK_FOUR_BAR;
+    int i, is_slider = task->kind == FOURLINK_SLIDER_CRANK;
+    double unit = is_slider ? unit_of(task) : 1;
 
     s->n_positions = (int)task->n;
     for (i = 0; i < s->n_positions; i++) {
-        equation e = equation_at(g, K, task->theta2[i], g->output[i]);
+        double y = task->output[i];
 
         s->position[i].theta2 = task->theta2[i] + s->crank_turn;
-        s->position[i].output =
-            is_four_bar ? flk_reduced(task->output[i] + s->rocker_turn) : task->output[i];
-        s->position[i].residual = e.F;
+        s->position[i].output = is_slider ? y : flk_reduced(y + s->rocker_turn);
+        s->position[i].residual =
+            equation_at(task->kind, s->K, task->theta2[i], y).F / (unit * unit);
     }
     s->from = task->from + s->crank_turn;
     s->to = task->to + s->crank_turn;
@@ -321,27 +290,22 @@ static void set_positions(const generator *g, const double K[3], fourlink_soluti
 static int find_function(const void *data, fourlink_solution *s)
 {
     const fourlink_function_task *task = data;
-    flk_request request = {0, 0, 0, 0};
-    generator g;
     double K[3], start[3] = {0, 0, 0};
     int status = check_task(task);
 
     if (status != FOURLINK_OK)
         return status;
-    scale(task, &g);
-    if (!(g.unit >= FOURLINK_LENGTH_MIN))
+    if (!(unit_of(task) >= FOURLINK_LENGTH_MIN))
         return FOURLINK_DEPENDENT;
-    status = find_step(&g, start, NULL, K, &s->condition);
+    status = find_step(task, start, NULL, K, &s->condition);
     if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
-        fit_output(&g, K);
+        fit_output(task, K);
     if (status == FOURLINK_OK)
-        status = set_lengths(&g, K, s);
+        status = set_lengths(task, K, s);
     if (status != FOURLINK_OK)
         return status;
-    set_positions(&g, K, s);
-    request.is_exact = task->n == 3;
-    request.size = g.unit;
-    status = flk_check_solution(s, &request);
+    set_positions(task, s);
+    status = flk_check_solution(s, 0);
     if (status == FOURLINK_OK)
         find_largest_error(task, s);
     return status;

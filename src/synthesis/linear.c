@@ -5,6 +5,7 @@
 ** Jacobi's singular value decomposition works in place.  gsl_multifit_linear and GSL's other decompositions
 ** allocate memory and call GSL's error handler if there is none.
 */
+#include <float.h>
 #include <math.h>
 
 #include <gsl/gsl_complex_math.h>
@@ -21,36 +22,29 @@
 int flk_least_squares(unsigned long n, const double A[][3], const double *b, double x[3],
                       double *condition)
 {
-    double U[3 * FOURLINK_PRECISION_MAX], V[9], s[3], length[3] = {0, 0, 0};
-    gsl_matrix_view U_view = gsl_matrix_view_array(U, n, 3),
-                    V_view = gsl_matrix_view_array(V, 3, 3);
-    gsl_vector_view s_view = gsl_vector_view_array(s, 3);
+    double U[3 * FOURLINK_PRECISION_MAX], V[9], s[3], length[3], along[3], rest;
+    gsl_matrix_view u = gsl_matrix_view_array(U, n, 3), v = gsl_matrix_view_array(V, 3, 3);
+    gsl_vector_view singular = gsl_vector_view_array(s, 3);
     unsigned long i;
     int j, k, pass;
 
-    for (i = 0; i < n; i++)
-        for (j = 0; j < 3; j++) {
-            if (!gsl_finite(A[i][j]) || !gsl_finite(b[i]))
-                return FOURLINK_DEPENDENT;
+    for (j = 0; j < 3; j++) {
+        for (i = 0, length[j] = 0; i < n; i++)
             length[j] = gsl_hypot(length[j], A[i][j]);
-        }
-    for (j = 0; j < 3; j++)
-        if (!(length[j] > 0))
+        if (!(length[j] > 0 && length[j] <= DBL_MAX))
             return FOURLINK_DEPENDENT;
-    for (i = 0; i < n; i++)
-        for (j = 0; j < 3; j++)
+        for (i = 0; i < n; i++)
             U[3 * i + (unsigned long)j] = A[i][j] / length[j];
-    gsl_linalg_SV_decomp_jacobi(&U_view.matrix, &V_view.matrix, &s_view.vector);
+    }
+    gsl_linalg_SV_decomp_jacobi(&u.matrix, &v.matrix, &singular.vector);
     if (!(s[2] > FLK_NOTHING * s[0]))
         return FOURLINK_DEPENDENT;
     *condition = s[0] / s[2];
     x[0] = x[1] = x[2] = 0;
     for (pass = 0; pass < 2; pass++) {
-        double along[3] = {0, 0, 0};
-
+        along[0] = along[1] = along[2] = 0;
         for (i = 0; i < n; i++) {
-            double rest = b[i] - A[i][0] * x[0] - A[i][1] * x[1] - A[i][2] * x[2];
-
+            rest = b[i] - A[i][0] * x[0] - A[i][1] * x[1] - A[i][2] * x[2];
             for (k = 0; k < 3; k++)
                 along[k] += U[3 * i + (unsigned long)k] * rest;
         }

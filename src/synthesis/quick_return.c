@@ -15,13 +15,11 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/solve.h"
 #include "synthesis.h"
 
-/* The search for the best crank / coupler: from, and a factor for each step. */
-#define SMALLEST_CRANK 1e-3
-#define FACTOR 1.02
-#define TRIALS 348 /* up to almost 1 */
+/* The search for the best crank / coupler, e^x / (1 + e^x): x from -FARTHEST to FARTHEST, 0.001 to 0.999. */
+#define FARTHEST 7.0
+#define TRIALS 560
 
 /* rad, 1: the limits of the mechanism agree with the wanted ones. */
 #define AGREED 1e-6
@@ -101,128 +99,84 @@ static int find_slider(quick_return *q)
 }
 
 /* Slotted lever: the crank is at right angles to the slide in both limits, and the swing is alpha.  With the
-** slide at the distance h from D,
+** slide at the distance h from D, and sums of sines as products,
 **
-**    asin((a + h) / d) + asin((a - h) / d) = alpha;   h = 0: a = d sin(alpha / 2)
+**    asin((a + h) / d) + asin((a - h) / d) = alpha
+**    d^2 = (a / sin(alpha / 2))^2 + (h / cos(alpha / 2))^2
 **
-** h is of either sign.  A tool at the distance L on the lever has the stroke 2 L sin(alpha / 2). */
-static double swing_of_lever(double crank, void *data)
-{
-    const quick_return *q = data;
-    double h = fabs(q->offset) / q->length[FOURLINK_GROUND];
-
-    return asin(GSL_MIN_DBL(1, crank + h)) + asin(GSL_MAX_DBL(-1, crank - h)) - q->alpha;
-}
-
+** A tool at the distance L on the lever has the stroke 2 L sin(alpha / 2).
+**
+** Whitworth: the tool reverses where the lever is at right angles to AD; the quick stroke takes
+** sigma = 360 deg / (Q + 1) = 180 deg - alpha of the crank, and cos(sigma / 2) = d / a = sin(alpha / 2). */
 static int find_lever(quick_return *q)
 {
-    double *d = &q->length[FOURLINK_GROUND], *a = &q->length[FOURLINK_CRANK], most, beyond;
-    double sine = sin(0.5 * q->alpha);
-    flk_bracket b;
+    int is_whitworth = q->task->type == FOURLINK_WHITWORTH;
+    double *longer = &q->length[is_whitworth ? FOURLINK_CRANK : FOURLINK_GROUND];
+    double *shorter = &q->length[is_whitworth ? FOURLINK_GROUND : FOURLINK_CRANK];
+    double sine = sin(0.5 * q->alpha), h = q->offset / cos(0.5 * q->alpha);
 
-    if (q->offset == 0) {
-        *a = *d > 0 ? *d * sine : *a;
-        *d = *a / sine;
-    } else {
-        if (*d == 0)
-            return FOURLINK_BAD_CHOICE;
-        most = 1 - fabs(q->offset) / *d;
-        beyond = swing_of_lever(most, q);
-        if (!(most > 0 && beyond > 0))
-            return FOURLINK_NO_FULL_TURN;
-        b = flk_bracket_of(0, most, -q->alpha, beyond);
-        *a = *d * flk_find_zero(swing_of_lever, q, &b, 0);
-    }
+    if (!(q->alpha > FLK_NOTHING))
+        return FOURLINK_NO_LENGTH;
+    if (*longer > 0)
+        *shorter = sine * root((*longer - h) * (*longer + h), *longer * *longer);
+    else
+        *longer = gsl_hypot(*shorter / sine, h);
     if (q->task->stroke > 0)
         q->length[FOURLINK_FOLLOWER] = 0.5 * q->task->stroke / sine;
-    return FOURLINK_OK;
+    return *shorter > 0 ? FOURLINK_OK : FOURLINK_NO_FULL_TURN;
 }
 
-/* Whitworth: the tool reverses where the lever is at right angles to AD; the quick stroke takes
-**
-**    sigma = 360 deg / (Q + 1) = 180 deg - alpha of the crank,   cos(sigma / 2) = d / a
-*/
-static int find_whitworth(quick_return *q)
+/* The mechanism of the lengths found.  Its positions are the limits of the output, on the open branch.
+** Whitworth's lever has none: its tool reverses where the lever is at right angles to AD.
+** FOURLINK_NO_FULL_TURN if the mechanism is of another type or moves otherwise: the equations hold also where
+** C1 or C2 is reached on the other branch only. */
+static int prepare(const quick_return *q, fourlink_solution *s)
 {
-    double *d = &q->length[FOURLINK_GROUND], *a = &q->length[FOURLINK_CRANK];
-
-    *a = *d > 0 ? *d / sin(0.5 * q->alpha) : *a;
-    *d = *a * sin(0.5 * q->alpha);
-    return FOURLINK_OK;
-}
-
-/* Set the crank angles and outputs at the limits of the output, on the open branch.  Whitworth's lever has
-** none: its tool reverses where the lever is at right angles to AD. */
-static void set_positions(const fourlink_mechanism *mechanism, const fourlink_limits *limits,
-                          fourlink_precision p[2])
-{
-    fourlink_state state;
-
-    p[0].theta2 = M_PI / (limits->time_ratio + 1);
-    p[1].theta2 = 2 * M_PI - p[0].theta2;
-    p[0].output = M_PI_2;
-    p[1].output = -M_PI_2;
-    if (limits->has_stroke) {
-        p[0].theta2 = limits->inner;
-        p[1].theta2 = limits->outer + (limits->outer < limits->inner ? 2 * M_PI : 0);
-        p[0].output = FLK_UNDEFINED;
-        if (fourlink_position(mechanism, FOURLINK_OPEN, limits->inner, &state) == FOURLINK_OK)
-            p[0].output = state.link[4].origin.x;
-        p[1].output = p[0].output - limits->stroke;
-    } else if (limits->has_swing) {
-        p[0].theta2 = limits->theta2_min;
-        p[1].theta2 = limits->theta2_max;
-        p[0].output = limits->theta4_min;
-        p[1].output = limits->theta4_max;
-    }
-}
-
-/* The mechanism of the lengths found, and its limits.  FOURLINK_NO_FULL_TURN if it is of another type or
-** moves otherwise: the equations hold also where C1 or C2 is reached on the other branch only. */
-static int prepare(const quick_return *q, fourlink_solution *s, fourlink_limits *limits)
-{
-    const fourlink_quick_return_task *task = q->task;
-    double unit = 1, extent = -M_PI;
+    fourlink_kind kind = q->task->type == FOURLINK_CRANK_ROCKER ? FOURLINK_FOUR_BAR
+                         : q->task->type == FOURLINK_ENGINE     ? FOURLINK_SLIDER_CRANK
+                                                                : FOURLINK_INVERTED_SLIDER_CRANK;
+    double unit = kind == FOURLINK_SLIDER_CRANK ? q->task->stroke : 1;
+    double extent = kind == FOURLINK_FOUR_BAR                 ? q->task->swing
+                    : kind == FOURLINK_SLIDER_CRANK           ? -unit
+                    : q->task->type == FOURLINK_SLOTTED_LEVER ? q->alpha
+                                                              : M_PI;
     fourlink_precision *p = s->position;
     fourlink_mechanism mechanism;
+    fourlink_state first, last;
+    fourlink_limits limits;
     int i;
 
-    s->design.kind = FOURLINK_INVERTED_SLIDER_CRANK;
-    if (task->type == FOURLINK_CRANK_ROCKER) {
-        s->design.kind = FOURLINK_FOUR_BAR;
-        extent = task->swing;
-    } else if (task->type == FOURLINK_ENGINE) {
-        s->design.kind = FOURLINK_SLIDER_CRANK;
-        unit = task->stroke;
-        extent = -unit;
-    } else if (task->type == FOURLINK_SLOTTED_LEVER) {
-        extent = q->alpha;
-    }
+    s->design.kind = kind;
     s->design.offset = q->offset;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         s->design.link[i].length = q->length[i];
     if (fourlink_prepare(&s->design, &mechanism) != FOURLINK_OK)
         return FOURLINK_INFINITE_LINK;
     fourlink_type_of(&mechanism, &s->type);
-    if (s->type != task->type)
+    fourlink_limits_of(&mechanism, FOURLINK_OPEN, &limits);
+    s->mu_min = limits.mu_min;
+    p[0].theta2 = limits.has_stroke  ? limits.inner
+                  : limits.has_swing ? limits.theta2_min
+                                     : M_PI / (limits.time_ratio + 1);
+    p[1].theta2 = p[0].theta2 + M_PI + q->alpha;
+    if (s->type != q->task->type ||
+        fourlink_position(&mechanism, FOURLINK_OPEN, p[0].theta2, &first) != FOURLINK_OK ||
+        fourlink_position(&mechanism, FOURLINK_OPEN, p[1].theta2, &last) != FOURLINK_OK)
         return FOURLINK_NO_FULL_TURN;
-    fourlink_limits_of(&mechanism, FOURLINK_OPEN, limits);
-    set_positions(&mechanism, limits, p);
-    if (!(fabs(p[1].theta2 - p[0].theta2 - M_PI - q->alpha) < AGREED &&
-          fabs(p[1].output - p[0].output - extent) < AGREED * unit))
-        return FOURLINK_NO_FULL_TURN;
+    p[0].output = flk_output_error(&first, kind, 0);
     p[1].output = p[0].output + extent;
-    for (i = 0; i < 2 && task->type != FOURLINK_ENGINE; i++)
-        p[i].output = flk_reduced(p[i].output);
-    return FOURLINK_OK;
+    if (kind != FOURLINK_SLIDER_CRANK)
+        p[1].output = flk_reduced(p[1].output);
+    return fabs(flk_output_error(&last, kind, p[1].output)) < AGREED * unit ? FOURLINK_OK
+                                                                            : FOURLINK_NO_FULL_TURN;
 }
 
-/* The smallest transmission angle for crank / coupler = e^x; below 0 if there is no such mechanism. */
+/* The smallest transmission angle for crank / coupler = e^x / (1 + e^x); below 0 if there is no such
+** mechanism. */
 static double transmission_of(double x, void *data)
 {
     quick_return *q = data;
-    double ratio = exp(x);
-    fourlink_limits limits;
+    double ratio = 1 / (1 + exp(-x));
     fourlink_solution s;
     int status;
 
@@ -238,33 +192,22 @@ static double transmission_of(double x, void *data)
             0.5 * q->task->stroke / gsl_hypot(ratio * cos(0.5 * q->alpha), sin(0.5 * q->alpha));
         status = find_slider(q);
     }
-    return status == FOURLINK_OK && prepare(q, &s, &limits) == FOURLINK_OK ? limits.mu_min : -1;
+    return status == FOURLINK_OK && prepare(q, &s) == FOURLINK_OK ? s.mu_min : -1;
 }
 
-/* The largest of these: the best of many, then the peak beside it.  All lengths of a crank-rocker are
-** scaled to the one that is given. */
+/* The largest of these.  All lengths of a crank-rocker are scaled to the one that is given. */
 static int find_best(quick_return *q)
 {
-    double start = log(SMALLEST_CRANK), step = log(FACTOR), factor = 1;
-    flk_sample p[3];
-    int i, at = -1;
+    flk_sample best =
+        flk_find_largest(transmission_of, q, -FARTHEST, 2 * FARTHEST / TRIALS, TRIALS);
+    double factor = 1;
+    int i;
 
-    p[1].value = 0;
-    for (i = 0; i < TRIALS; i++) {
-        double value = transmission_of(start + i * step, q);
-
-        if (value > p[1].value) {
-            p[1].value = value;
-            at = i;
-        }
-    }
-    if (at <= 0)
-        return at < 0 ? FOURLINK_NO_FULL_TURN : FOURLINK_INFINITE_LINK;
-    for (i = 0; i < 3; i++) {
-        p[i].x = start + (at + i - 1) * step;
-        p[i].value = transmission_of(p[i].x, q);
-    }
-    transmission_of(flk_find_peak(transmission_of, q, p, 1e-16).x, q);
+    if (!(best.value > 0))
+        return FOURLINK_NO_FULL_TURN;
+    if (best.x == -FARTHEST)
+        return FOURLINK_INFINITE_LINK;
+    transmission_of(best.x, q);
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         if (q->task->length[i] > 0)
             factor = q->task->length[i] / q->length[i];
@@ -296,9 +239,7 @@ static int find_lengths(quick_return *q)
         return n == 1 ? find_best(q) : find_rocker(q);
     if (task->type == FOURLINK_ENGINE)
         return crank + coupler + offset ? find_slider(q) : find_best(q);
-    if (!(q->alpha > FLK_NOTHING))
-        return FOURLINK_NO_LENGTH;
-    return is_lever ? find_lever(q) : find_whitworth(q);
+    return find_lever(q);
 }
 
 static int check_task(const fourlink_quick_return_task *task)
@@ -311,9 +252,9 @@ static int check_task(const fourlink_quick_return_task *task)
     if (task->slow < FOURLINK_SLOW_AGAINST || task->slow > FOURLINK_SLOW_WITH)
         return FOURLINK_BAD_CHOICE;
     if (!flk_are_within(task->length + 1, 4, FOURLINK_LENGTH_MAX) ||
-        !flk_are_within(&task->stroke, 1, FOURLINK_LENGTH_MAX) ||
-        !flk_are_within(&task->offset, 1, FOURLINK_LENGTH_MAX) ||
-        !flk_are_within(&task->time_ratio, 1, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(task->stroke, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(task->offset, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(task->time_ratio, FOURLINK_NUMBER_MAX) ||
         !(task->swing >= 0 && task->swing < M_PI))
         return FOURLINK_BAD_NUMBER;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
@@ -327,8 +268,6 @@ static int check_task(const fourlink_quick_return_task *task)
 static int find_quick_return(const void *data, fourlink_solution *s)
 {
     const fourlink_quick_return_task *task = data;
-    flk_request request = {0, 0, 1, 0};
-    fourlink_limits limits;
     quick_return q;
     int status = check_task(task);
 
@@ -343,16 +282,13 @@ static int find_quick_return(const void *data, fourlink_solution *s)
     memcpy(q.length, task->length, sizeof q.length);
     status = find_lengths(&q);
     if (status == FOURLINK_OK)
-        status = prepare(&q, s, &limits);
+        status = prepare(&q, s);
     if (status != FOURLINK_OK)
         return status;
     s->n_positions = 2;
     s->from = s->position[0].theta2;
     s->to = s->from + 2 * M_PI;
-    s->condition = 1;
-    s->a = q.length[FOURLINK_CRANK];
-    s->c = q.length[FOURLINK_FOLLOWER];
-    return flk_check_solution(s, &request);
+    return flk_check_solution(s, 0);
 }
 
 int fourlink_synthesis_quick_return(const fourlink_quick_return_task *task, unsigned long max,

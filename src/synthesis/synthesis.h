@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_complex.h>
 
+#include "base/solve.h"
 #include "mechanics/mechanics.h"
 
 /* Below this a determinant, a singular value or a length is rounding error, relative to what it is made
@@ -30,18 +31,18 @@ int flk_points_within(const fourlink_vector *v, unsigned long n);
 /* An angle reduced to (-pi, pi] (linear.c). */
 double flk_reduced(double angle);
 
-/* What a solution is checked for. */
-typedef struct flk_request {
-    int is_traced; /* 1: point, theta3 and output are wanted; 0: the output alone */
-    int is_free; /* 1: the crank may run either way; 0: it runs as theta2 of the positions goes on */
-    int is_exact; /* 1: the positions have to be met */
-    double size;  /* m, the largest length or coordinate that the lengths were computed from */
-} flk_request;
+/* Output of a state minus the wanted one: theta4 (rad), or X of a piston (m) (check.c). */
+double flk_output_error(const fourlink_state *state, fourlink_kind kind, double wanted);
 
-/* Check a solution that has its design, wanted positions and, if they are not to follow from the positions,
-** `from` and `to`.  Sets all that follows from these.  FOURLINK_OK, FOURLINK_INFINITE_LINK,
-** FOURLINK_NO_LENGTH (check.c). */
-int flk_check_solution(fourlink_solution *s, const flk_request *request);
+/* The largest of n + 1 values from x = from on, then the peak beside it; value < 0: there is none.  Negative
+** values and NaN mean that the function is not defined there (check.c). */
+flk_sample flk_find_largest(flk_function *f, void *data, double from, double step, int n);
+
+/* Check a solution that has its design, turned links, wanted positions (at most three are met exactly) and,
+** if they are not to follow from the positions, `from` and `to`.  `is_free`: the crank may run either way;
+** else it runs as theta2 of the positions goes on.  Sets all that follows from these.  FOURLINK_OK,
+** FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH (check.c). */
+int flk_check_solution(fourlink_solution *s, int is_free);
 
 /* Find the only solution of a task, which is 0 before, and write it to the caller's array (check.c). */
 typedef int flk_finder(const void *task, fourlink_solution *s);
