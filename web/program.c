@@ -347,7 +347,8 @@ CALLED(web_report) int web_report(void)
     drawn.is_drawn = 1;
     request.opened = NULL;
     request.at = *input ? input : NULL;
-    if ((v.results && fourlink_results_open(&drawn, 0, &request.opened, NULL, NULL) != FOURLINK_OK) ||
+    if ((v.results &&
+         fourlink_results_open(&drawn, 0, &request.opened, NULL, NULL) != FOURLINK_OK) ||
         !begin_answer())
         return 0;
     done = report_write(out, &drawn, &request, &outcome, &mistake);

@@ -85,8 +85,8 @@ int system_caught(void);
 
 typedef struct system_outcome {
     int is_found; /* 0: there is no such program */
-    int status;  /* exit status; -1: ended by a signal */
-    long copied; /* bytes of its output */
+    int status;   /* exit status; -1: ended by a signal */
+    long copied;  /* bytes of its output */
 } system_outcome;
 
 /* Take a variable out of the environment, also that of programs. */

@@ -10,7 +10,7 @@
 #include "base/format.h"
 #include "base/text.h"
 
-#define HEAD (4 * CANVAS_LINE)      /* title and source */
+#define HEAD (4 * CANVAS_LINE) /* title and source */
 #define NO_HEAD (0.4 * CANVAS_LINE)
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
 #define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */

@@ -29,8 +29,8 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
     int group = flk_fact_group(handle);
     unsigned long n = flk_fact_list(
         &o->a, NULL, (int)e->branch,
-        group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-        0, NULL, 0, o->facts, NULL);
+        group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION, 0,
+        NULL, 0, o->facts, NULL);
     const char *meant = flk_column_meant(&o->a, e->name);
     unsigned long i;
 
