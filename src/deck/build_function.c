@@ -120,8 +120,9 @@ static int read_function(parser *p, setting *s)
 
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_POINTS)))
         return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
-    if (!read_name(p, s, w) || !flk_task_require(p, KEY_SYNTHESIS_ARGUMENT) ||
-        !flk_task_require(p, KEY_SYNTHESIS_CRANK) || !flk_task_require(p, t->kind->range))
+    if (!read_name(p, s, w) || !flk_task_require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4") ||
+        !flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") ||
+        !flk_task_require(p, t->kind->range, t->kind->example))
         return 0;
     is_angle = w->f >= SIN;
     if (is_angle &&

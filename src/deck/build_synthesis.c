@@ -7,16 +7,17 @@
 #include "mechanics/kind.h"
 #include "task.h"
 
-#define POSITIONS 3       /* of motion and path */
+#define POSITIONS 3 /* of motion and path */
+#define DYAD "fixed (50, 0) mm"
+#define THREE_POSITIONS "(0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg"
 #define MU_MIN_USUAL 40.0 /* deg */
 
 static const deck_task_kind kinds[] = {
     {FOURLINK_FOUR_BAR,
-     1 << TASK_FUNCTION | 1 << TASK_MOTION | 1 << TASK_PATH | 1 << TASK_QUICK_RETURN |
-         1 << TASK_COGNATE,
      QUANTITY_ANGLE,
      KEY_SYNTHESIS_ROCKER,
      "theta4",
+     "60 deg to 150 deg",
      {1, "the length of one link",
       "task = function needs the length of one link, such as that of the [ground]"},
      {"# K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4) at the points:",
@@ -24,6 +25,7 @@ static const deck_task_kind kinds[] = {
       "# a = d/K1, c = d/K2, b^2 = a^2 + c^2 + d^2 - 2 a c K3"},
      FOURLINK_CRANK_ROCKER,
      KEY_SYNTHESIS_SWING,
+     "50 deg",
      {2, "two lengths, or one and choose = best",
       "the crank-rocker needs two lengths, or one for the best transmission angle"},
      "one length is given",
@@ -31,57 +33,38 @@ static const deck_task_kind kinds[] = {
      {"ground_length crank_length coupler_length rocker_length mu_range defects",
       "crank_length coupler_length rocker_length mu_range theta4_error defects"}},
     {FOURLINK_SLIDER_CRANK,
-     1 << TASK_FUNCTION | 1 << TASK_QUICK_RETURN,
      QUANTITY_LENGTH,
      KEY_SYNTHESIS_PISTON,
      "C.x",
+     "100 mm to 30 mm",
      {0, "no lengths", NULL},
      {"# S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2 at the points:",
       "#   %.6g S1 %s %.6g S2 - S3 = %.6g", "# S1 = %g, S2 = %g, S3 = %g",
       "# r = S1/2, e = S2/S1, l^2 = r^2 + e^2 - S3"},
      FOURLINK_ENGINE,
      KEY_SYNTHESIS_STROKE,
+     "100 mm",
      {1, "the crank, the rod or the offset, or none", NULL},
      "no length is given",
      KEY_GROUND_OFFSET,
      {"crank_length coupler_length line_offset mu_range defects",
       "crank_length coupler_length line_offset mu_range x_error defects"}},
     {FOURLINK_INVERTED_SLIDER_CRANK,
-     1 << TASK_QUICK_RETURN,
      QUANTITY_ANGLE,
      KEY_COUNT,
+     NULL,
      NULL,
      {0, NULL, NULL},
      {NULL, NULL, NULL, NULL},
      FOURLINK_SLOTTED_LEVER,
      KEY_COUNT,
+     NULL,
      {2, "the ground or the crank, and the lever", NULL},
      NULL,
      KEY_LEVER_ANGLE,
      {"ground_length crank_length defects", NULL}}};
 
-/* Positions of the coupler; returns how many have an angle, or -1 after a mistake. */
-static int read_positions(parser *p, fourlink_vector at[POSITIONS], double angle[POSITIONS])
-{
-    setting *s = flk_task_find(p, KEY_SYNTHESIS_POSITIONS);
-    text rest = s->value, item, after;
-    int n = 0, n_angles = 0;
-
-    while (flk_curve_text_item(&rest, &item)) {
-        if (n == POSITIONS || !flk_task_point(p, s, item, &at[n], &after))
-            break;
-        if (after.length && !flk_values_piece(p, s, after, QUANTITY_ANGLE, &angle[n]))
-            return -1;
-        n_angles += after.length > 0;
-        n++;
-    }
-    if (n == POSITIONS && !rest.start)
-        return n_angles;
-    flk_task_refuse(p, KEY_SYNTHESIS_POSITIONS,
-                    "three positions, such as (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 "
-                    "deg");
-    return -1;
-}
+/* -------------------------------------------------------------------------------- motion and path */
 
 /* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg */
 static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
@@ -107,38 +90,50 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
                                         "expected one point, such as (24, 10) mm, not '%t'", rest));
 }
 
-/* -------------------------------------------------------------------------------- motion and path */
+/* Check the keys of both, and read positions of the coupler; returns how many have an angle, -1 after a mistake. */
+static int read_positions(parser *p, key_code other, const char *example,
+                          fourlink_vector at[POSITIONS], double angle[POSITIONS])
+{
+    static const deck_given no_lengths = {0, "no lengths", NULL};
+    setting *s = flk_task_find(p, KEY_SYNTHESIS_POSITIONS);
+    text rest = s->value, item, after;
+    int n = 0, n_angles = 0;
 
-static const deck_given no_lengths = {0, "no lengths", NULL};
+    flk_task_check_lengths(p, 0, &no_lengths);
+    if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) ||
+        !flk_task_require(p, other, example) || !flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD))
+        return -1;
+    while (n < POSITIONS && flk_curve_text_item(&rest, &item) &&
+           flk_task_point(p, s, item, &at[n], &after)) {
+        if (after.length && !flk_values_piece(p, s, after, QUANTITY_ANGLE, &angle[n]))
+            return -1;
+        n_angles += after.length > 0;
+        n++;
+    }
+    if (n == POSITIONS && (!rest.start || !rest.length)) /* a comma at the very end */
+        return n_angles;
+    flk_task_refuse(p, KEY_SYNTHESIS_POSITIONS, "three positions, such as " THREE_POSITIONS);
+    return -1;
+}
 
 static int build_motion(parser *p)
 {
-    fourlink_motion_task *m = &p->d->synthesis->motion;
-    int n_angles;
+    fourlink_motion_task *t = &p->d->synthesis->motion;
+    int n_angles = read_positions(p, KEY_SYNTHESIS_LEFT, DYAD, t->point, t->angle);
 
-    flk_task_check_lengths(p, 0, &no_lengths);
-    if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS) || !flk_task_require(p, KEY_SYNTHESIS_LEFT) ||
-        !flk_task_require(p, KEY_SYNTHESIS_RIGHT))
-        return 0;
-    n_angles = read_positions(p, m->point, m->angle);
     if (n_angles >= 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "each position needs an angle of the coupler, such as (24, 10) mm -30 deg");
-    return n_angles == POSITIONS && read_dyad(p, KEY_SYNTHESIS_LEFT, &m->left) &
-                                        read_dyad(p, KEY_SYNTHESIS_RIGHT, &m->right);
+    return n_angles == POSITIONS && read_dyad(p, KEY_SYNTHESIS_LEFT, &t->left) &
+                                        read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
 }
 
 static int build_path(parser *p)
 {
     fourlink_path_task *t = &p->d->synthesis->path;
     double angle[POSITIONS] = {0, 0, 0};
-    int n_angles;
+    int n_angles = read_positions(p, KEY_SYNTHESIS_TIMING, "40 deg, 85 deg", t->point, angle);
 
-    flk_task_check_lengths(p, 0, &no_lengths);
-    if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS) ||
-        !flk_task_require(p, KEY_SYNTHESIS_TIMING) || !flk_task_require(p, KEY_SYNTHESIS_RIGHT))
-        return 0;
-    n_angles = read_positions(p, t->point, angle);
     if (n_angles > 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "give the angle of the coupler at all positions, or at none: then they are "
@@ -182,12 +177,12 @@ static int build_quick_return(parser *p)
     if (IS_SET(choose) && n >= kind->quick_return.most)
         flk_mistake(p->mistakes, choose->place, "with choose = best, %s: give fewer lengths",
                     kind->best);
-    if (kind->size != KEY_COUNT && !flk_task_require(p, kind->size))
+    if (kind->size != KEY_COUNT && !flk_task_require(p, kind->size, kind->size_example))
         return 0;
     if (t->type == FOURLINK_WHITWORTH && (IS_SET(swing) || IS_SET(stroke)))
         return flk_mistake(p->mistakes, (IS_SET(swing) ? swing : stroke)->place,
                            "the lever of a Whitworth mechanism turns fully: give the time_ratio");
-    if (!is_by_swing && !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO))
+    if (!is_by_swing && !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO, "1.2"))
         return 0;
     if (is_by_swing && IS_SET(ratio))
         return flk_mistake(p->mistakes, swing->place,
@@ -217,7 +212,7 @@ static int build_cognate(parser *p)
     double length[5];
     int i;
 
-    if (!flk_task_require(p, KEY_SYNTHESIS_WHICH))
+    if (!flk_task_require(p, KEY_SYNTHESIS_WHICH, "left"))
         return 0;
     if (flk_task_lengths(p, length) < 4)
         return flk_mistake(p->mistakes, place,
@@ -239,40 +234,43 @@ static int build_cognate(parser *p)
 
 /* ------------------------------------------------------------------------------------------- all */
 
-static int (*const builders[])(parser *p) = {NULL,       flk_task_function,  build_motion,
-                                             build_path, build_quick_return, build_cognate};
+/* The tasks by deck_task: kinds that have them, and their keys between two of the schema, but for one. */
+static const struct {
+    const char *name;
+    int kinds;
+    key_code first, last, other;
+    int (*build)(parser *p);
+} tasks[] = {
+    {NULL, 0, KEY_COUNT, KEY_COUNT, KEY_COUNT, NULL},
+    {"function", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POINTS,
+     KEY_SYNTHESIS_PRECISION, KEY_COUNT, flk_task_function},
+    {"motion", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT,
+     KEY_SYNTHESIS_TIMING, build_motion},
+    {"path", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT,
+     build_path},
+    {"quick-return", FLK_EVERY_KIND, KEY_SYNTHESIS_TIME_RATIO, KEY_SYNTHESIS_CHOOSE, KEY_COUNT,
+     build_quick_return},
+    {"cognate", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_WHICH, KEY_SYNTHESIS_WHICH, KEY_COUNT,
+     build_cognate},
+};
 
-/* The record of the deck's kind, if it has the task; null and a mistake. */
-static const deck_task_kind *find_kind(parser *p, const setting *task)
+static void refuse_others(parser *p, deck_task task)
 {
-    const char *words = fourlink_kind_text((int)p->d->design.kind);
-    const deck_task_kind *kind = kinds;
-
-    while (kind->kind != p->d->design.kind)
-        kind++;
-    if (kind->tasks & 1 << task->word)
-        return kind;
-    flk_mistake(p->mistakes, task->place, "task = %s does not exist for %s %s",
-                flk_task_names[task->word], flk_text_article(words), words);
-    return NULL;
-}
-
-static void refuse_others(parser *p)
-{
-    const deck_synthesis *t = p->d->synthesis;
     key_code key;
 
-    for (key = flk_first_key(SECTION_SYNTHESIS); key < flk_first_key(SECTION_SYNTHESIS + 1); key++)
-        if (IS_SET(flk_task_find(p, key)) && !flk_task_has(t->task, key))
+    for (key = KEY_SYNTHESIS_POINTS; key <= KEY_SYNTHESIS_WHICH; key++)
+        if (IS_SET(flk_task_find(p, key)) &&
+            (key < tasks[task].first || key > tasks[task].last || key == tasks[task].other))
             flk_mistake(p->mistakes, flk_task_find(p, key)->place,
                         "'%s' does not belong to task = %s", flk_key_table[key].name,
-                        flk_task_names[t->task]);
+                        tasks[task].name);
 }
 
 int flk_synthesis_read(parser *p)
 {
     section_use *use = flk_section_find(p, SECTION_SYNTHESIS, NULL);
     size_t before = flk_mistakes_count(p->mistakes);
+    const char *words = fourlink_kind_text((int)p->d->design.kind);
     const setting *task;
     deck_synthesis *t;
 
@@ -288,15 +286,21 @@ int flk_synthesis_read(parser *p)
                            "[synthesis] needs 'task = function', 'motion', 'path', 'quick-return' "
                            "or 'cognate'");
     t = p->d->synthesis = flk_reader_keep(p, sizeof *t);
-    if (!t || (t->kind = find_kind(p, task)) == NULL)
+    if (!t)
         return 0;
     t->task = (deck_task)task->word;
+    t->name = tasks[t->task].name;
+    if (!(tasks[t->task].kinds & (int)p->d->design.kind))
+        return flk_mistake(p->mistakes, task->place, "task = %s does not exist for %s %s", t->name,
+                           flk_text_article(words), words);
+    for (t->kind = kinds; t->kind->kind != p->d->design.kind; t->kind++)
+        ;
     t->place = use->place;
     t->mu_min = flk_setting_or(p, KEY_SYNTHESIS_MU_MIN, MU_MIN_USUAL * (M_PI / 180));
     if (IS_SET(flk_setting_find(p, KEY_UNITS_LENGTH)))
         t->length = p->d->bare[QUANTITY_LENGTH];
-    refuse_others(p);
-    if (!builders[t->task](p) || flk_mistakes_count(p->mistakes) > before)
+    refuse_others(p, t->task);
+    if (!tasks[t->task].build(p) || flk_mistakes_count(p->mistakes) > before)
         return 0;
     if (!t->length.name[0])
         t->length = p->d->bare[QUANTITY_LENGTH];

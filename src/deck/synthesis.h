@@ -27,18 +27,18 @@ typedef struct deck_given {
 /* What a kind of mechanism has in its tasks. */
 typedef struct deck_task_kind {
     fourlink_kind kind;
-    int tasks; /* 1 << TASK_FUNCTION ... */
 
     /* a function generator: its output, and its equations as a student writes them, see found_text.c */
     quantity output;
     key_code range;
-    const char *column;
+    const char *column, *example; /* its name; a range */
     deck_given function;
     const char *equations[4];
 
     /* a quick return */
     fourlink_type type;
-    key_code size; /* swing or stroke, which is needed; or KEY_COUNT */
+    key_code size; /* swing or stroke, which is needed, and an example; or KEY_COUNT */
+    const char *size_example;
     deck_given quick_return;
     const char *best; /* what is given with choose = best */
 
@@ -57,6 +57,7 @@ typedef struct deck_wanted {
 
 typedef struct deck_synthesis {
     deck_task task;
+    const char *name; /* of the task */
     const deck_task_kind *kind;
     text_place place;
     fourlink_function_task function;

@@ -8,15 +8,9 @@
 #include "reader.h"
 #include "synthesis.h"
 
-/* By deck_task. */
-extern const char *const flk_task_names[];
-
-/* 1 if a key belongs to the task. */
-int flk_task_has(deck_task task, key_code key);
-
 /* A key of [synthesis]; 1 if it is given. */
 setting *flk_task_find(parser *p, key_code key);
-int flk_task_require(parser *p, key_code key);
+int flk_task_require(parser *p, key_code key, const char *example);
 
 /* Report what was expected of a key, unless one of its items has been reported; returns 0. */
 int flk_task_refuse(parser *p, key_code key, const char *expected);

@@ -7,64 +7,19 @@
 #include "mechanics/kind.h"
 #include "task.h"
 
-const char *const flk_task_names[] = {"", "function", "motion", "path", "quick-return", "cognate"};
-
-/* ------------------------------------------------------------------------------------------ keys */
-
-#define F (1 << TASK_FUNCTION)
-#define M (1 << TASK_MOTION)
-#define P (1 << TASK_PATH)
-#define Q (1 << TASK_QUICK_RETURN)
-#define C (1 << TASK_COGNATE)
-#define DYAD "fixed (50, 0) mm"
-
-/* The keys in the order of the schema: the tasks that have them, and examples of those that one needs. */
-static const struct {
-    int tasks;
-    const char *example;
-} keys[] = {{F | M | P | Q | C, NULL}, /* task */
-            {F, NULL},                 /* points */
-            {F, NULL},                 /* weights */
-            {F, NULL},                 /* fit */
-            {F, NULL},                 /* function */
-            {F, "1 to 4"},             /* x */
-            {F, "30 deg to 120 deg"},  /* crank */
-            {F, "60 deg to 150 deg"},  /* rocker */
-            {F, "100 mm to 30 mm"},    /* piston */
-            {F, NULL},                 /* precision */
-            {M | P, "(0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg"},
-            {P, "40 deg, 85 deg"}, /* timing */
-            {M, DYAD},             /* left */
-            {M | P, DYAD},         /* right */
-            {Q, "1.2"},            /* time_ratio */
-            {Q, "50 deg"},         /* swing */
-            {Q, "100 mm"},         /* stroke */
-            {Q, NULL},             /* slow */
-            {Q, NULL},             /* type */
-            {Q, NULL},             /* choose */
-            {C, "left"},           /* which */
-            {F | M | P | Q | C, NULL}};
-
-#define KEY_AT(key) keys[(key)-KEY_SYNTHESIS_TASK]
-
-int flk_task_has(deck_task task, key_code key)
-{
-    return (KEY_AT(key).tasks & 1 << task) != 0;
-}
-
 setting *flk_task_find(parser *p, key_code key)
 {
     return flk_setting_of(flk_section_find(p, SECTION_SYNTHESIS, NULL), key);
 }
 
-int flk_task_require(parser *p, key_code key)
+int flk_task_require(parser *p, key_code key, const char *example)
 {
     const deck_synthesis *t = p->d->synthesis;
     const char *name = flk_key_table[key].name;
 
     return IS_SET(flk_task_find(p, key)) ||
-           flk_mistake(p->mistakes, t->place, "task = %s needs '%s', such as %s = %s",
-                       flk_task_names[t->task], name, name, KEY_AT(key).example);
+           flk_mistake(p->mistakes, t->place, "task = %s needs '%s', such as %s = %s", t->name,
+                       name, name, example);
 }
 
 int flk_task_refuse(parser *p, key_code key, const char *expected)
@@ -105,7 +60,9 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
 
     if (!flk_text_cut(s->value, " to ", &first, &last))
         return flk_mistake(p->mistakes, s->place, "expected a range, such as %s, not '%t'",
-                           KEY_AT(q == QUANTITY_ANGLE ? KEY_SYNTHESIS_CRANK : key).example,
+                           q == QUANTITY_ANGLE    ? "30 deg to 120 deg"
+                           : q == QUANTITY_LENGTH ? "100 mm to 30 mm"
+                                                  : "1 to 4",
                            s->value);
     if (!read_quantity(p, s, last, q, &range[1]))
         return 0;
@@ -213,7 +170,7 @@ void flk_task_check_lengths(parser *p, int n, const deck_given *given)
         if (IS_SET(s) && (!is_link || most-- <= 0))
             flk_mistake(p->mistakes, s->place,
                         "task = %s finds this: remove it, or comment it out; the task takes %s",
-                        flk_task_names[t->task], given->takes);
+                        t->name, given->takes);
     }
     if (!n && given->needs)
         flk_mistake(p->mistakes, t->place, "%s", given->needs);
