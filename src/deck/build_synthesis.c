@@ -90,7 +90,8 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
                                         "expected one point, such as (24, 10) mm, not '%t'", rest));
 }
 
-/* Check the keys of both, and read positions of the coupler; returns how many have an angle, -1 after a mistake. */
+/* Check the keys of both, and read positions of the coupler; returns how many have an angle, -1 after a
+** mistake. */
 static int read_positions(parser *p, key_code other, const char *example,
                           fourlink_vector at[POSITIONS], double angle[POSITIONS])
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** found_text.c - the linkage found for [synthesis] in the text of its deck: comments on what was found and checked, and
-** [expect] sections with the wanted values.
+** found_text.c - the linkage found for [synthesis] in the text of its deck: comments on what was found and
+** checked, and [expect] sections with the wanted values.
 */
 #include <math.h>
 #include <string.h>

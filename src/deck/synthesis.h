@@ -10,14 +10,6 @@
 
 struct parser;
 
-typedef enum deck_task {
-    TASK_FUNCTION = 1,
-    TASK_MOTION,
-    TASK_PATH,
-    TASK_QUICK_RETURN,
-    TASK_COGNATE
-} deck_task;
-
 /* The lengths that a task takes. */
 typedef struct deck_given {
     int most;
