@@ -193,8 +193,10 @@ static int build_quick_return(parser *p)
         return flk_mistake(p->mistakes, ratio->place,
                            "a time ratio is at least 1: slow stroke / quick stroke, in time; which "
                            "is slow is said by 'slow'");
-    flk_task_unit(p, flk_quantity_unit_text(stroke->value));
-    flk_task_unit(p, flk_quantity_unit_text(offset->value));
+    if (IS_SET(stroke))
+        flk_task_unit(p, flk_quantity_unit_text(stroke->value));
+    if (IS_SET(offset))
+        flk_task_unit(p, flk_quantity_unit_text(offset->value));
     t->time_ratio = ratio->si[0];
     t->swing = swing->si[0];
     t->stroke = stroke->si[0];

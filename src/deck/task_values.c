@@ -45,13 +45,6 @@ void flk_task_unit(parser *p, text name)
     u->unit = read;
 }
 
-static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
-{
-    if (q == QUANTITY_LENGTH)
-        flk_task_unit(p, flk_quantity_unit_text(t));
-    return flk_values_piece(p, s, t, q, si);
-}
-
 int flk_task_range(parser *p, key_code key, quantity q, double range[2])
 {
     setting *s = flk_task_find(p, key);
@@ -64,11 +57,13 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
                            : q == QUANTITY_LENGTH ? "100 mm to 30 mm"
                                                   : "1 to 4",
                            s->value);
-    if (!read_quantity(p, s, last, q, &range[1]))
+    flk_task_unit(p, flk_quantity_unit_text(last));
+    flk_task_unit(p, flk_quantity_unit_text(first));
+    if (!flk_values_piece(p, s, last, q, &range[1]))
         return 0;
     u = s->unit;
     if (flk_quantity_unit_text(first).length || !flk_quantity_unit_text(last).length) {
-        if (!read_quantity(p, s, first, q, &range[0]))
+        if (!flk_values_piece(p, s, first, q, &range[0]))
             return 0;
     } else {
         if (!flk_values_number(p, s, &first, q, &range[0]))
@@ -90,7 +85,7 @@ unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long m
             flk_mistake(p->mistakes, s->place, "more than %ld values", (long)most);
             return 0;
         }
-        if (!read_quantity(p, s, item, q, &list[n++]))
+        if (!flk_values_piece(p, s, item, q, &list[n++]))
             return 0;
     }
     return n;
