@@ -2,7 +2,6 @@
 **
 ** message.c - messages, and the mistakes of a deck.
 */
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,7 +38,7 @@ static void put_hint(writer *w, const char *nearest)
     }
 }
 
-static void write_message(char *out, size_t size, const char *format, va_list values)
+char *flk_message_list(char *out, size_t size, const char *format, va_list values)
 {
     char copy[WORD_SIZE];
     writer w;
@@ -57,7 +56,7 @@ static void write_message(char *out, size_t size, const char *format, va_list va
         put(&w, piece);
         format += plain;
         if (!*format++)
-            return;
+            return out;
         if (*format == '.') {
             digits = format[1] - '0';
             format += 2;
@@ -83,6 +82,7 @@ static void write_message(char *out, size_t size, const char *format, va_list va
             put_string(&w, "%");
         }
     }
+    return out;
 }
 
 char *flk_message(char *out, size_t size, const char *format, ...)
@@ -90,7 +90,7 @@ char *flk_message(char *out, size_t size, const char *format, ...)
     va_list values;
 
     va_start(values, format);
-    write_message(out, size, format, values);
+    flk_message_list(out, size, format, values);
     va_end(values);
     return out;
 }
@@ -110,7 +110,7 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     new = &m->list[m->count++];
     new->place = place;
     va_start(values, format);
-    write_message(new->message, sizeof new->message, format, values);
+    flk_message_list(new->message, sizeof new->message, format, values);
     va_end(values);
     return 0;
 }

@@ -5,6 +5,8 @@
 #ifndef FOURLINK_MESSAGE_H
 #define FOURLINK_MESSAGE_H
 
+#include <stdarg.h>
+
 #include "text.h"
 
 #define MESSAGE_SIZE 400
@@ -20,6 +22,7 @@
 **
 ** A message that does not fit is cut off. */
 char *flk_message(char *out, size_t size, const char *format, ...);
+char *flk_message_list(char *out, size_t size, const char *format, va_list values);
 
 /* The place of something: "FILE:LINE", or an option of the command line (line 0). */
 typedef struct text_place {

@@ -8,8 +8,9 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
-#include "reader.h"
-#include "synthesis.h"
+#include "task.h"
+
+#define RATIO_USUAL 10.0 /* longest / shortest link, above which there is a note */
 
 /* ------------------------------------------------------------------------------------- searching */
 
@@ -39,22 +40,6 @@ static int run_scaled(deck_synthesis *t, unsigned long max)
         return status;
     t->function.ground = t->scaled_length / t->solutions[0].design.link[t->scaled_link].length;
     return run_task(t, max);
-}
-
-/* The defects in words of a line. */
-static void name_defects(deck_synthesis *t)
-{
-    static const char *const names[] = {
-        "branch", "circuit", "order", "dead position", "dead position on the way",
-        "reach",  "missed"};
-    char *end = t->defects;
-    int bit;
-
-    strcpy(end, t->chosen->defects ? "" : "none");
-    for (bit = 0; bit < (int)(sizeof names / sizeof names[0]); bit++)
-        if (t->chosen->defects & 1 << bit)
-            flk_text_join(end + strlen(end), sizeof t->defects - strlen(end), *end ? ", " : "",
-                          names[bit], (char *)NULL);
 }
 
 static void note(parser *p)
@@ -88,7 +73,7 @@ int flk_synthesis_run(parser *p)
         return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
                            (long)p->d->solution, (long)t->n);
     t->chosen = &t->solutions[p->d->solution - 1];
-    name_defects(t);
+    flk_synthesis_name_defects(t);
     note(p);
     return 1;
 }
@@ -113,40 +98,36 @@ double flk_synthesis_error(const deck_synthesis *t, double theta2)
 static void set(parser *p, const char *section, const char *key, const char *value)
 {
     char name[3 * DECK_NAME_SIZE];
+    const char *kept;
 
     flk_text_join(name, sizeof name, section, ".", key, (char *)NULL);
-    flk_setting_assign(p, p->d->synthesis->place,
-                       flk_text_of(flk_reader_copy(p, flk_text_of(name), "")),
-                       flk_text_of(flk_reader_copy(p, flk_text_of(value), "")));
-}
-
-static void set_quantity(parser *p, const char *section, const char *key, double si, quantity q)
-{
-    char value[FLK_VALUE_SIZE];
-
-    set(p, section, key, flk_found_value(p, si, q, value));
+    kept = flk_reader_copy(p, flk_text_of(name), "");
+    if (kept)
+        flk_setting_assign(p, p->d->synthesis->place, flk_text_of(kept), flk_text_of(value));
 }
 
 /* The lengths that were found; a length that was given stays as it is written. */
 static void set_lengths(parser *p)
 {
-    const fourlink_design *design = &p->d->synthesis->chosen->design;
+    const deck_synthesis *t = p->d->synthesis;
+    const fourlink_design *design = &t->chosen->design;
     const flk_kind *kind = flk_kind_of(design->kind);
-    int is_cognate = p->d->synthesis->task == TASK_COGNATE, i;
+    int i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
         section_code section = flk_find_section(flk_text_of(kind->link[i]));
-        int is_given = IS_SET(flk_setting_by_name(p, section, "length")) && !is_cognate;
+        const setting *given = flk_setting_by_name(p, section, "length");
 
-        if (design->link[i].length > 0 && !is_given && flk_setting_by_name(p, section, "length") &&
-            kind->has_length[i] != FLK_NO_LENGTH)
-            set_quantity(p, kind->link[i], "length", design->link[i].length, QUANTITY_LENGTH);
+        if (design->link[i].length > 0 && kind->has_length[i] != FLK_NO_LENGTH &&
+            (!IS_SET(given) || t->task == TASK_COGNATE))
+            set(p, kind->link[i], "length",
+                flk_found_value(p, design->link[i].length, QUANTITY_LENGTH));
     }
-    if (design->kind == FOURLINK_SLIDER_CRANK && design->offset != 0)
-        set_quantity(p, "ground", "offset", design->offset, QUANTITY_LENGTH);
-    if (design->kind == FOURLINK_INVERTED_SLIDER_CRANK &&
-        design->link[FOURLINK_FOLLOWER].length > 0 && !IS_SET(flk_setting_find(p, KEY_LEVER_ANGLE)))
-        set_quantity(p, "lever", "angle", design->angle, QUANTITY_ANGLE);
+    if (t->kind->besides == KEY_GROUND_OFFSET && design->offset != 0)
+        set(p, "ground", "offset", flk_found_value(p, design->offset, QUANTITY_LENGTH));
+    if (t->kind->besides == KEY_LEVER_ANGLE && design->link[FOURLINK_FOLLOWER].length > 0 &&
+        !IS_SET(flk_setting_find(p, KEY_LEVER_ANGLE)))
+        set(p, "lever", "angle", flk_found_value(p, design->angle, QUANTITY_ANGLE));
 }
 
 /* The working range with all positions, which an order defect may have outside it, unless it is a full turn,
@@ -171,60 +152,38 @@ static void set_range(parser *p)
     }
     if (high - low > 2 * M_PI - 1e-9 || high == low)
         return;
-    set_quantity(p, "motion", "from", rises ? low : high, QUANTITY_ANGLE);
-    set_quantity(p, "motion", "to", rises ? high : low, QUANTITY_ANGLE);
+    set(p, "motion", "from", flk_found_value(p, rises ? low : high, QUANTITY_ANGLE));
+    set(p, "motion", "to", flk_found_value(p, rises ? high : low, QUANTITY_ANGLE));
 }
 
 /* The coupler point: of a cognate that of the deck, else [point P].  Returns its name. */
 static const char *set_point(parser *p)
 {
     const deck_synthesis *t = p->d->synthesis;
-    char section[2 * DECK_NAME_SIZE] = "point ", value[FLK_VALUE_SIZE];
-    text name = flk_text_of("P");
-    size_t i;
+    char section[2 * DECK_NAME_SIZE] = "point ";
+    text name = t->task == TASK_COGNATE ? flk_task_coupler_point(p)->name : flk_text_of("P");
 
-    for (i = 0; i < p->n_uses && t->task == TASK_COGNATE; i++)
-        if (p->uses[i].section == SECTION_POINT &&
-            flk_setting_of(&p->uses[i], KEY_POINT_LINK)->word == FOURLINK_COUPLER) {
-            name = p->uses[i].name;
-            break;
-        }
     if (!flk_section_find(p, SECTION_POINT, &name))
         flk_section_open(p, SECTION_POINT, name, t->place, NULL);
     flk_text_copy(name, section + strlen(section), DECK_NAME_SIZE);
     set(p, section, "link", "coupler");
-    set(p, section, "at", flk_found_point(p, t->chosen->point, value));
+    set(p, section, "at", flk_found_point(p, t->chosen->point));
     return flk_reader_copy(p, name, "");
-}
-
-/* What a [sweep] prints unless it names other outputs. */
-static const char *outputs_of(const deck_synthesis *t)
-{
-    int is_function = t->task == TASK_FUNCTION;
-
-    if (t->chosen->design.kind == FOURLINK_FOUR_BAR)
-        return is_function
-                   ? "crank_length coupler_length rocker_length mu_range theta4_error defects"
-                   : "ground_length crank_length coupler_length rocker_length mu_range defects";
-    if (t->chosen->design.kind == FOURLINK_SLIDER_CRANK)
-        return is_function ? "crank_length coupler_length line_offset mu_range x_error defects"
-                           : "crank_length coupler_length line_offset mu_range defects";
-    return "ground_length crank_length defects";
 }
 
 void flk_synthesis_assign(parser *p)
 {
-    deck_synthesis *t = p->d->synthesis;
-    const setting *branch = flk_setting_find(p, KEY_TABLE_BRANCH);
+    const deck_synthesis *t = p->d->synthesis;
+    deck_sweep *sweep = &p->d->sweep;
     const char *point_name = NULL;
 
-    if (!p->d->sweep.output.names.start && !p->d->sweep.yield.names.start)
-        p->d->sweep.output.names = flk_text_of(outputs_of(t));
+    if (!sweep->output.names.start && !sweep->yield.names.start)
+        sweep->output.names = flk_text_of(t->kind->outputs[t->task == TASK_FUNCTION]);
     set_lengths(p);
     if (t->chosen->has_point)
         point_name = set_point(p);
     set_range(p);
-    if (branch->word != BRANCH_BOTH)
+    if (flk_setting_find(p, KEY_TABLE_BRANCH)->word != BRANCH_BOTH)
         set(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
     flk_values_read(p, 0);
     flk_found_write(p, point_name);

@@ -6,7 +6,6 @@
 
 #include "deck.h"
 #include "schema.h"
-#include "synthesis.h"
 
 #define SECTION_INFO(code, name, repeats, kinds, first) {name, repeats, kinds, first},
 const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0, KEY_COUNT}};

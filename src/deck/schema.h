@@ -264,6 +264,15 @@ enum { PIN_ORIGIN, PIN_END, PIN_POINT };
 
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
+/* The tasks of [synthesis]. */
+typedef enum deck_task {
+    TASK_FUNCTION = 1,
+    TASK_MOTION,
+    TASK_PATH,
+    TASK_QUICK_RETURN,
+    TASK_COGNATE
+} deck_task;
+
 /* The words that keys of FORM_WORD take, with their values. */
 typedef struct word_info {
     key_code key;

@@ -6,16 +6,37 @@
 #define FOURLINK_DECK_SYNTHESIS_H
 
 #include "deck.h"
+#include "schema.h"
 
 struct parser;
 
-typedef enum deck_task {
-    TASK_FUNCTION = 1,
-    TASK_MOTION,
-    TASK_PATH,
-    TASK_QUICK_RETURN,
-    TASK_COGNATE
-} deck_task;
+/* The lengths that a task takes. */
+typedef struct deck_given {
+    int most;
+    const char *takes, *needs; /* in words; what is needed if there is none, or null */
+} deck_given;
+
+/* What a kind of mechanism has in its tasks. */
+typedef struct deck_task_kind {
+    fourlink_kind kind;
+
+    /* a function generator: its output, and its equations as a student writes them, see found_text.c */
+    quantity output;
+    key_code range;
+    const char *column, *example; /* its name; a range */
+    deck_given function;
+    const char *equations[4];
+
+    /* a quick return */
+    fourlink_type type;
+    key_code size; /* swing or stroke, which is needed, and an example; or KEY_COUNT */
+    const char *size_example;
+    deck_given quick_return;
+    const char *best; /* what is given with choose = best */
+
+    key_code besides;       /* what is found besides lengths: offset or angle; or KEY_COUNT */
+    const char *outputs[2]; /* of a [sweep]; of one with a function */
+} deck_task_kind;
 
 /* The wanted function y = f(x): crank angle and output are linear in x and y.  Two numbers are those at both
 ** ends of the range. */
@@ -28,6 +49,8 @@ typedef struct deck_wanted {
 
 typedef struct deck_synthesis {
     deck_task task;
+    const char *name; /* of the task */
+    const deck_task_kind *kind;
     text_place place;
     fourlink_function_task function;
     fourlink_motion_task motion;
@@ -55,14 +78,10 @@ typedef struct deck_synthesis {
 
 #define FLK_DEGREES(angle) ((angle) * (180 / M_PI))
 
-#define MOST_LISTED 10   /* solutions of a search */
-#define MU_MIN_USUAL 40  /* deg */
-#define RATIO_USUAL 10.0 /* longest / shortest link, above which there is a note */
+#define MOST_LISTED 10 /* solutions of a search */
 
-/* Read the task; 0 after a mistake. */
+/* Read the task; find the linkage.  They return 0 after a mistake, or if there is no linkage. */
 int flk_synthesis_read(struct parser *p);
-
-/* Find the linkage; 0 after a mistake, or if there is none. */
 int flk_synthesis_run(struct parser *p);
 
 /* Set the lengths of the linkage found, its working range, branch and coupler point, and write its text. */
@@ -72,15 +91,17 @@ void flk_synthesis_assign(struct parser *p);
 ** defined, or the linkage does not reach. */
 double flk_synthesis_error(const deck_synthesis *t, double theta2);
 
-/* A quantity, or a point, with its unit, so that it is read again as the same number. */
-#define FLK_VALUE_SIZE 256
-char *flk_found_value(const struct parser *p, double si, quantity q, char out[FLK_VALUE_SIZE]);
-char *flk_found_point(const struct parser *p, fourlink_vector at, char out[FLK_VALUE_SIZE]);
+/* A quantity, or a point, with its unit, so that it is read again as the same number; valid as long as the
+** deck. */
+const char *flk_found_value(struct parser *p, double si, quantity q);
+const char *flk_found_point(struct parser *p, fourlink_vector at);
 
 /* Write what the text of the deck begins and ends with; the coupler point has this name. */
 void flk_found_write(struct parser *p, const char *point_name);
 
-/* Defect i of the linkage found in words, 0 ...; 0 if there are fewer. */
+/* The defects of the linkage found in the words of a line.  Defect i in a sentence, from 0; 0 if there are
+** fewer. */
+void flk_synthesis_name_defects(deck_synthesis *t);
 int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE]);
 
 #endif

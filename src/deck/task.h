@@ -8,14 +8,8 @@
 #include "reader.h"
 #include "synthesis.h"
 
-/* By deck_task. */
-extern const char *const flk_task_names[];
-
-/* A key of [synthesis]; the task being built. */
+/* A key of [synthesis]; 1 if it is given. */
 setting *flk_task_find(parser *p, key_code key);
-deck_synthesis *flk_task_of(const parser *p);
-
-/* 1 if a key is given. */
 int flk_task_require(parser *p, key_code key, const char *example);
 
 /* Report what was expected of a key, unless one of its items has been reported; returns 0. */
@@ -28,14 +22,21 @@ void flk_task_unit(parser *p, text name);
 int flk_task_range(parser *p, key_code key, quantity q, double range[2]);
 unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long most, double *list);
 
+/* An angle and a value: 36 deg 64 deg. */
+int flk_task_pair(parser *p, setting *s, text t, quantity q, double *angle, double *value);
+
 /* (24, 10) mm -30 deg: a point, and the text after its unit. */
 int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *rest);
 
 /* The lengths that are given, by link number; returns their number. */
 int flk_task_lengths(parser *p, double length[5]);
 
-/* Refuse lengths beside those that a task takes: they would not be those of the linkage found. */
-void flk_task_refuse_lengths(parser *p, int most, const char *takes);
+/* Report lengths beside those that a task takes, which would not be those of the linkage found; or that there
+** is none of n. */
+void flk_task_check_lengths(parser *p, int n, const deck_given *given);
+
+/* The first point of the coupler; null if there is none. */
+const section_use *flk_task_coupler_point(const parser *p);
 
 /* Build the task of a function generator. */
 int flk_task_function(parser *p);

@@ -12,26 +12,27 @@ setting *flk_task_find(parser *p, key_code key)
     return flk_setting_of(flk_section_find(p, SECTION_SYNTHESIS, NULL), key);
 }
 
-deck_synthesis *flk_task_of(const parser *p)
-{
-    return p->d->synthesis;
-}
-
-const char *const flk_task_names[] = {"", "function", "motion", "path", "quick-return", "cognate"};
-
-/* 1 if a key is given; otherwise 0 and a mistake. */
 int flk_task_require(parser *p, key_code key, const char *example)
 {
+    const deck_synthesis *t = p->d->synthesis;
+    const char *name = flk_key_table[key].name;
+
     return IS_SET(flk_task_find(p, key)) ||
-           flk_mistake(p->mistakes, flk_task_of(p)->place, "task = %s needs '%s', such as %s = %s",
-                       flk_task_names[flk_task_of(p)->task], flk_key_table[key].name,
-                       flk_key_table[key].name, example);
+           flk_mistake(p->mistakes, t->place, "task = %s needs '%s', such as %s = %s", t->name,
+                       name, name, example);
 }
 
-/* The first unit of length that is written is that of the lengths found. */
+int flk_task_refuse(parser *p, key_code key, const char *expected)
+{
+    return flk_mistakes_count(p->mistakes) == 0 &&
+           flk_mistake(p->mistakes, flk_task_find(p, key)->place, "expected %s", expected);
+}
+
+/* ------------------------------------------------------------------------------ pieces of values */
+
 void flk_task_unit(parser *p, text name)
 {
-    deck_unit *u = &flk_task_of(p)->length;
+    deck_unit *u = &p->d->synthesis->length;
     unit read;
     text bad;
 
@@ -44,28 +45,10 @@ void flk_task_unit(parser *p, text name)
     u->unit = read;
 }
 
-/* Report a mistake in a list unless one of its items has been reported; returns 0. */
-int flk_task_refuse(parser *p, key_code key, const char *expected)
-{
-    return flk_mistakes_count(p->mistakes) == 0 &&
-           flk_mistake(p->mistakes, flk_task_find(p, key)->place, "expected %s", expected);
-}
-
-/* ------------------------------------------------------------------------------ pieces of values */
-
-/* A quantity, or a range of it: 30 deg to 120 deg, 100 to 30 mm. */
-static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
-{
-    if (q == QUANTITY_LENGTH)
-        flk_task_unit(p, flk_quantity_unit_text(t));
-    return flk_values_piece(p, s, t, q, si);
-}
-
 int flk_task_range(parser *p, key_code key, quantity q, double range[2])
 {
     setting *s = flk_task_find(p, key);
     text first, last;
-    double number;
     unit u;
 
     if (!flk_text_cut(s->value, " to ", &first, &last))
@@ -74,24 +57,23 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
                            : q == QUANTITY_LENGTH ? "100 mm to 30 mm"
                                                   : "1 to 4",
                            s->value);
-    if (!read_quantity(p, s, last, q, &range[1]))
+    flk_task_unit(p, flk_quantity_unit_text(last));
+    flk_task_unit(p, flk_quantity_unit_text(first));
+    if (!flk_values_piece(p, s, last, q, &range[1]))
         return 0;
     u = s->unit;
     if (flk_quantity_unit_text(first).length || !flk_quantity_unit_text(last).length) {
-        if (!read_quantity(p, s, first, q, &range[0]))
+        if (!flk_values_piece(p, s, first, q, &range[0]))
             return 0;
     } else {
-        text rest = first;
-
-        if (!flk_values_number(p, s, &rest, q, &number))
+        if (!flk_values_number(p, s, &first, q, &range[0]))
             return 0;
-        range[0] = flk_unit_to_si(number, u);
+        range[0] = flk_unit_to_si(range[0], u);
     }
     return range[0] != range[1] ||
            flk_mistake(p->mistakes, s->place, "the range begins and ends at the same value");
 }
 
-/* A list of numbers, at most `most`; returns how many, 0 after a mistake. */
 unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long most, double *list)
 {
     setting *s = flk_task_find(p, key);
@@ -103,13 +85,25 @@ unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long m
             flk_mistake(p->mistakes, s->place, "more than %ld values", (long)most);
             return 0;
         }
-        if (!read_quantity(p, s, item, q, &list[n++]))
+        if (!flk_values_piece(p, s, item, q, &list[n++]))
             return 0;
     }
     return n;
 }
 
-/* (24, 10) mm -30 deg: a point, and the text after its unit. */
+int flk_task_pair(parser *p, setting *s, text t, quantity q, double *angle, double *value)
+{
+    point pair;
+
+    memset(&pair, 0, sizeof pair);
+    p->argument = QUANTITY_ANGLE;
+    if (!flk_curve_point_read(p, s, t, q, 0, &pair))
+        return 0;
+    *angle = pair.x;
+    *value = pair.y[0];
+    return 1;
+}
+
 int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *rest)
 {
     text after = t, numbers;
@@ -132,7 +126,7 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
     return 1;
 }
 
-/* --------------------------------------------------------------------------------------- lengths */
+/* ---------------------------------------------------------------------------- the rest of the deck */
 
 static const setting *length_of(parser *p, int link)
 {
@@ -141,7 +135,6 @@ static const setting *length_of(parser *p, int link)
     return flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[link])), "length");
 }
 
-/* The lengths that are given, by link number; returns their number. */
 int flk_task_lengths(parser *p, double length[5])
 {
     int i, n = 0;
@@ -157,22 +150,34 @@ int flk_task_lengths(parser *p, double length[5])
     return n;
 }
 
-/* Refuse lengths beside those that a task takes: they would not be those of the linkage found. */
-void flk_task_refuse_lengths(parser *p, int most, const char *takes)
+void flk_task_check_lengths(parser *p, int n, const deck_given *given)
 {
     static const key_code others[] = {KEY_CRANK_STROKE, KEY_LEVER_ANGLE, KEY_GROUND_OFFSET,
                                       KEY_LEVER_OFFSET};
-    int n_others = flk_task_of(p)->task == TASK_QUICK_RETURN ? 2 : 4, i;
+    const deck_synthesis *t = p->d->synthesis;
+    int n_others = t->task == TASK_QUICK_RETURN ? 2 : 4, most = given->most, i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + n_others; i++) {
-        const setting *s = i <= FOURLINK_FOLLOWER
-                               ? length_of(p, i)
-                               : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
+        int is_link = i <= FOURLINK_FOLLOWER;
+        const setting *s =
+            is_link ? length_of(p, i) : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
 
-        if (!IS_SET(s) || (i <= FOURLINK_FOLLOWER && most-- > 0))
-            continue;
-        flk_mistake(p->mistakes, s->place,
-                    "task = %s finds this: remove it, or comment it out; the task takes %s",
-                    flk_task_names[flk_task_of(p)->task], takes);
+        if (IS_SET(s) && (!is_link || most-- <= 0))
+            flk_mistake(p->mistakes, s->place,
+                        "task = %s finds this: remove it, or comment it out; the task takes %s",
+                        t->name, given->takes);
     }
+    if (!n && given->needs)
+        flk_mistake(p->mistakes, t->place, "%s", given->needs);
+}
+
+const section_use *flk_task_coupler_point(const parser *p)
+{
+    const section_use *use;
+
+    for (use = p->uses; use < p->uses + p->n_uses; use++)
+        if (use->section == SECTION_POINT &&
+            flk_setting_of(use, KEY_POINT_LINK)->word == FOURLINK_COUPLER)
+            return use;
+    return NULL;
 }

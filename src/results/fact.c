@@ -298,7 +298,7 @@ static void add_found(listing *t)
         add(t, FACT_LINE_OFFSET, s->design.offset);
     add_at(t, FACT_MU_RANGE, s->mu_min, s->mu_min_at);
     if (found->task == TASK_FUNCTION)
-        add_at(t, s->design.kind == FOURLINK_FOUR_BAR ? FACT_ERROR_ANGLE : FACT_ERROR_LENGTH,
+        add_at(t, found->kind->output == QUANTITY_ANGLE ? FACT_ERROR_ANGLE : FACT_ERROR_LENGTH,
                s->max_error, s->max_error_at);
     add(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
 }

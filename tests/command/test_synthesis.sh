@@ -169,6 +169,10 @@ refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[sy
 refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
+refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' \
+    'positions = (1, 2) mm 3 deg, (2, 2) mm 4 deg, (3, 2) mm 5 deg, (4, 3) mm 6 deg' 'left = fixed (0, 0) mm' 'right = fixed (1, 0) mm'
+refuses 'expected a function' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = cubic 3' 'x = 1 to 2' \
+    'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses "did you mean 'fixed'?" "$four_bar" '[synthesis]' 'task = motion' \
     'positions = (1, 2) mm 3 deg, (2, 2) mm 4 deg, (3, 2) mm 5 deg' 'left = fixd (0, 0) mm' 'right = fixed (1, 0) mm'
 refuses 'a time ratio is at least 1' "$four_bar" "$ground" '[crank]' 'length = 20 mm' '[synthesis]' 'task = quick-return' \
