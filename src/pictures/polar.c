@@ -344,8 +344,8 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), ", ",
-                  p->v.kind.link[by], " on ", link, ", in the ", link, "'s axes", (char *)NULL);
+    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), " on the ", link,
+                  ", in its axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));
