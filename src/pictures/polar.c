@@ -141,6 +141,15 @@ static void put_gap(bearing *b)
     room_break(&b->r);
 }
 
+/* gnuplot cuts a curve at the axes, but not an arrow. */
+static int is_drawn(const bearing *b, fourlink_vector F)
+{
+    double x = (b->box.x_min + b->box.x_max) / 2, y = (b->box.y_min + b->box.y_max) / 2;
+
+    return fabs(F.x - x) < b->scale * b->p->on.box_width / 2 &&
+           fabs(F.y - y) < b->scale * b->p->on.box_height / 2;
+}
+
 /* Go on from one sample to the next. */
 static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlink_vector F)
 {
@@ -154,7 +163,7 @@ static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlin
         put_gap(b);
         put_point(b, found.to);
         c->jumps[c->n_jumps++] = found;
-    } else if (distance(last, F) > c->longest) {
+    } else if (is_drawn(b, last) && is_drawn(b, F) && distance(last, F) > c->longest) {
         c->longest = distance(last, F);
         c->tail = last;
         c->head = F;
@@ -335,8 +344,8 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), ", ",
-                  p->v.kind.link[by], " on ", link, ", in the ", link, "'s axes", (char *)NULL);
+    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), " on the ", link,
+                  ", in its axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));

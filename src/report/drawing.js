@@ -154,12 +154,13 @@ function forceScale(forces, tracks, i, longest) {
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
 const SHORT = 20; /* pixels of a crank */
+const ENLARGED = 1.7; /* at least, in an inset */
 
 function mechanism(data, panel) {
     let tracks, rows, view, forces, torques, put, cached, now = 0;
     const handle = svg("g", {class: "handle"});
-    const names = data.forces.filter((f) => f.sign > 0 && f.pen !== "inertia" && !f.inner);
-    const turning = data.torques.filter((f) => f.sign > 0 && f.pen !== "inertia" && !f.inner);
+    const isOfWhole = (f) => f.sign > 0 && f.pen !== "inertia" && (!f.inner || f.spring);
+    const names = data.forces.filter(isOfWhole), turning = data.torques.filter(isOfWhole);
     const places = ["A", "B", "C", "D"].concat(data.points.map((p) => p.of), ...data.springs.map((x) => x.ends || []));
     const place = (name, i) => {
         const v = tracks.vector(name, i);
@@ -278,8 +279,9 @@ function mechanism(data, panel) {
     function drawTorques(i) {
         for (const t of torques)
             if (tracks.number(t.of, i)) {
-                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), 20);
-                text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
+                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), t.spring ? 25 : 20);
+                if (!t.spring) /* the spring has the name */
+                    text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
             }
     }
 
@@ -291,7 +293,8 @@ function mechanism(data, panel) {
             if (!v || k * size(v) < 0.02 * view.part * longest())
                 continue;
             arrow(panel, f.pen, at, times(k, v));
-            text(panel, add(at, times(k, v)), v, f.label, 3);
+            if (!f.spring)
+                text(panel, add(at, times(k, v)), v, f.label, 3);
         }
         if (forces.length)
             scaleBar(panel, "pin", bar, k, data.units.force);
@@ -306,7 +309,8 @@ function mechanism(data, panel) {
     /* A crank that is too short to be seen is drawn again, enlarged, where there is room. */
     function drawInset(i) {
         const A = place("A", i), r = size(minus(place("B", i), A)), side = Math.max(90, Math.min(170, 0.38 * panel.height));
-        if (r >= SHORT || tracks.reason(i))
+        const k = 0.28 * side / r;
+        if (r >= SHORT || k < ENLARGED || tracks.reason(i))
             return;
         const corners = [[1, 0], [1, 1], [0.5, 0], [0.5, 1], [0, 1], [0.2, 0]].map((c) => (
             [6 + c[0] * (panel.width - side - 12), 6 + c[1] * (panel.height - side - 36)]));
@@ -315,7 +319,7 @@ function mechanism(data, panel) {
         const at = corners.reduce((best, x) => inside(x).length < inside(best).length ? x : best);
         if (inside(at).length > 6)
             return;
-        const k = 0.28 * side / r, heart = add(at, [side / 2, side / 2]);
+        const heart = add(at, [side / 2, side / 2]);
         const near = (name) => place(name, i) && add(heart, times(k, minus(place(name, i), A)));
         const clip = svg("clipPath", {id: "fourlink-inset"}, svg("rect", {x: digits(at[0]), y: digits(at[1]), width: side, height: side}));
         const ink = svg("g", {"clip-path": "url(#fourlink-inset)"}), own = {ink, boxes: [], dots: []};
@@ -323,13 +327,14 @@ function mechanism(data, panel) {
         support(own, heart);
         for (const link of data.links.slice().reverse())
             drawLink(own, link, near, 0.4 * k * r, data);
-        for (const pin of ["A", "B"]) {
-            const out = direction(minus(near(pin), near(pin === "A" ? "B" : "A")));
+        const towards = direction(minus(near("B"), heart)), isUp = towards[1] < 0;
+        for (const [pin, out] of [["A", [towards[0] > 0 ? -1 : 1, 0]], ["B", towards]]) { /* A is beside its support */
             circle(own, "pivot", near(pin), 4.5);
-            ink.append(svg("text", {x: digits(near(pin)[0] + 15 * out[0] - 5), y: digits(near(pin)[1] + 15 * out[1] + 5)},
+            ink.append(svg("text", {x: digits(near(pin)[0] + 16 * out[0] - 5), y: digits(near(pin)[1] + 15 * out[1] + 5)},
                            svg("tspan", {class: "variable"}, pin)));
         }
-        ink.append(svg("text", {x: digits(at[0] + 6), y: digits(at[1] + 16), class: "small"}, quantityText(k, "1", 2) + " : 1"));
+        ink.append(svg("text", {x: digits(at[0] + 6), y: digits(at[1] + (isUp ? side - 7 : 16)), class: "small"},
+                       quantityText(k, "1", 2) + " : 1"));
         panel.ink.append(svg("g", {class: "inset"}, clip, svg("circle", {class: "leader", cx: digits(A[0]), cy: digits(A[1]), r: digits(r + 8)}),
                              frame, ink));
         panel.boxes.push(box(at));
@@ -353,7 +358,7 @@ function mechanism(data, panel) {
     function drawDirections() {
         if (data.gravity) {
             arrow(panel, "load", [18, 14], [0, 36]);
-            text(panel, [18, 44], [1, 0], ["g", "", ""], 3);
+            text(panel, [18, 44], [1, 0], ["g", "", ""], 6);
         }
         if (data.turn) {
             arrow(panel, "scale", [48, 44], times(30, tracks.x));
@@ -690,7 +695,7 @@ function keyOf(data) {
     if (data.forces.some((f) => f.pen === "pin"))
         entry("pin", "pin force ", htmlLabel(["F", "ij", ""]), ", by link i on link j; 1 is the ground");
     if (data.forces.some((f) => f.pen === "load"))
-        entry("load", "load or weight");
+        entry("load", data.springs.length ? "load, weight or spring" : "load or weight");
     if (data.forces.some((f) => f.pen === "inertia"))
         entry("inertia", "inertia force and torque, in the free bodies");
     data.points.forEach((p, k) => entry("path" + k % 6, "path of " + p.label[0]));

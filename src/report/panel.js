@@ -249,7 +249,7 @@ function candidates(panel, item) {
             const crossed = dots.filter((p) => box[0] < p[0] && p[0] < box[2] && box[1] < p[1] && p[1] < box[3]).length;
             const outside = box[0] < 0 || box[1] < 0 || box[2] > panel.width || box[3] > panel.height;
             list.push({box, place, far, number: list.length,
-                       cost: 400 * outside + 25 * crossed + Math.abs(turn) / 2 + 2 * far});
+                       cost: 4000 * outside + 25 * crossed + Math.abs(turn) / 2 + 2 * far});
         }
     return list;
 }

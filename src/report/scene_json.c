@@ -206,7 +206,9 @@ static void put_forces(line *l, const char *name, const scene_force *list, int n
         put_label(l, is_minus ? words : f->name, f->sub, "");
         line_put(l, ",\"of\":\"%s\",\"sign\":%s1,\"at\":\"%s\",\"on\":%lu,\"pen\":\"%s\"%s}", f->of,
                  f->sign < 0 ? "-" : "", f->at, (unsigned long)f->on, pens[f->sort],
-                 f->is_inner ? ",\"inner\":true" : "");
+                 !f->is_inner                      ? ""
+                 : f->load == FOURLINK_LOAD_SPRING ? ",\"inner\":true,\"spring\":true"
+                                                   : ",\"inner\":true");
     }
     line_put(l, "],\n");
 }

@@ -34,7 +34,7 @@ shows coupler-point-motion.svg open crossed 'θ₂ (°)' 'θ₃ (°)' 'θ₄ (°
 shows coupler-point-forces.svg open crossed F₁₂ F₂₃ F₃₄ F₁₄ Tₛ 'force (N)' 'Tₛ (N·m)' 'θ₂ (°)'
 shows coupler-point-turning-moment.svg 'θ₂ (°)' 'turning moment -Tₛ (N·m)' -Tₛ mean above below
 shows coupler-point-polar.svg open '30° apart' 'F₁₂ along (N)' 'F₁₂ across (N)' 'F₃₂ along (N)' 'F₂₃ along (N)' \
-    'F₄₃ across (N)' 'F₃₄ along (N)' 'F₁₄ along (N)' 'F₁₄ across (N)' "F₁₄, ground on rocker, in the rocker's axes"
+    'F₄₃ across (N)' 'F₃₄ along (N)' 'F₁₄ along (N)' 'F₁₄ across (N)' "F₁₄ on the rocker, in its axes"
 shows coupler-point-vectors.svg 'open, θ₂ = 60°, a sixth of the way' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
     'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s²)' \

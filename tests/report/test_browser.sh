@@ -169,7 +169,7 @@ END
 # ---------------------------------------------------------------- the drawing follows the slider, the crank, the keys
 
 run 0 --report=alvi.html "$alvi"
-run 0 -f csv -c theta2,B.x,B.y,C.x,C.y -o alvi.csv --set table.branch=both --set motion.interval='20 deg' "$alvi"
+run 0 -f csv --units=mm -c theta2,B.x,B.y,C.x,C.y -o alvi.csv --set table.branch=both --set motion.interval='20 deg' "$alvi"
 drive alvi
 places alvi 'B C' 0
 check "alvi: both branches" grep -q '^place crossed' alvi.out
@@ -191,7 +191,7 @@ narrow crusher
 sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 10 ms\nduration = 0.4 s/' \
     "$data/../doc/motor-pump.deck" >motor.deck
 run 0 -b open --report=motor.html motor.deck
-run 0 -b open -f csv -c time,B.x,B.y,C.x,C.y -o motor.csv motor.deck
+run 0 -b open -f csv --units=mm -c time,B.x,B.y,C.x,C.y -o motor.csv motor.deck
 drive motor
 places motor 'B C' 0
 
@@ -204,7 +204,7 @@ places engine 'B C' 90
 check "engine: the instant is a row" grep -q '^place open 45 B' engine.out
 
 run 0 --report=cylinder.html "$data/oscillating-cylinder.deck"
-run 0 -f csv -c theta2,B.x,B.y -o cylinder.csv "$data/oscillating-cylinder.deck"
+run 0 -f csv --units=mm -c theta2,B.x,B.y -o cylinder.csv "$data/oscillating-cylinder.deck"
 drive cylinder
 places cylinder 'B' 0
 
@@ -235,7 +235,7 @@ interval = 10 deg
 END
 "$fourlink" --report=limited.html limited.deck 2>err
 check "limited: $(head -n 2 err)" test -s limited.html
-"$fourlink" -f csv -c theta2,B.x,B.y,C.x,C.y -o limited.csv limited.deck 2>/dev/null
+"$fourlink" -f csv --units=mm -c theta2,B.x,B.y,C.x,C.y -o limited.csv limited.deck 2>/dev/null
 drive limited
 places limited 'B C' 0
 check "limited: the crank alone" grep -q '^place open 180 B' limited.out

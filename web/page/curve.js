@@ -82,7 +82,7 @@ function put(diagram) {
     diagram.view = {u, v};
     nameAxis(panel, [x], {x: panel.width - 18, y: panel.height - 8, class: "right"});
     nameAxis(panel, columns, {x: 8, y: 14});
-    panel.boxes.push([0, 0, 200, 20]);
+    panel.boxes.push([0, 0, 200, 20], [0, panel.height - 38, panel.width, panel.height]); /* names and numbers of the axes */
     for (const column of columns)
         curves.forEach((curve, k) => {
             let way = "", broken = true;
