@@ -697,8 +697,8 @@ def check_main(sheet, deck, position, row, report, branch, i):
         return
     acting = []
     for link in (2, 3, 4):
-        acting += [x for x in pictures.acting_on(deck, position, row, link, is_free=False)
-                   if x.name not in ('F₃₂', 'F₄₃')]
+        acting += [x for x in pictures.acting_on(deck, position, row, link)
+                   if x.name not in ('F₃₂', 'F₄₃', '-m aG')]
     wanted = [x for x in acting if x.force]
     if not wanted:
         return
