@@ -32,7 +32,10 @@ static size_t answer_length;
 static FILE *out; /* into `answer` */
 static line l;    /* into `out` */
 static fourlink_source source;
-static view v;          /* of the deck; its results are null if it has mistakes */
+static view v; /* of the deck; its results are null if it has mistakes */
+static fourlink_source drawn_source;
+static fourlink_results
+    *drawn;             /* with lengths in the unit in which the deck writes that of the crank */
 static double *numbers; /* of web_rows */
 
 /* Room for a text of this length; null if there is none. */
@@ -182,6 +185,16 @@ static void put_deck(void)
     put_names("all", FOURLINK_ALL_COLUMNS);
 }
 
+/* Open the deck again, unless it is drawn in its unit of length; a status. */
+static int open_drawn(void)
+{
+    drawn_source.design = v.problem.design;
+    drawn = v.results;
+    return strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0
+               ? FOURLINK_OK
+               : fourlink_results_open(&drawn_source, 0, &drawn, NULL, NULL);
+}
+
 /* Open the deck whose name, of this length and with its final zero, and whose text are in the room.  Answers with its
 ** messages and, if it has no mistakes, what there is to see.  Returns a status. */
 CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
@@ -191,8 +204,10 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     fourlink_results *results = NULL;
     int status = FOURLINK_NO_MEMORY;
 
+    if (drawn != v.results)
+        fourlink_results_free(drawn);
     fourlink_results_free(v.results);
-    v.results = NULL;
+    drawn = v.results = NULL;
     free(deck);
     deck = input;
     input = NULL;
@@ -202,11 +217,14 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     source.length = length;
     source.design = FOURLINK_ANY_DESIGN;
     source.synthesis = 1;
+    drawn_source = source;
+    drawn_source.is_drawn = 1;
     if (list)
         status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
     if (status == FOURLINK_OK) {
         view_take(&v, results);
         source.design = v.problem.design;
+        status = open_drawn();
         fourlink_results_notes(results, MOST_MISTAKES, list, &n);
     }
     if (status != FOURLINK_NO_MEMORY && begin_answer()) {
@@ -231,7 +249,7 @@ CALLED(web_scene) int web_scene(int branch, double at)
     rows *t = malloc(sizeof *t);
     int done = 0;
 
-    if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
+    if (t && rows_open(t, &drawn_source, drawn, at) && begin_answer()) {
         done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at);
         done &= end_answer();
     }
@@ -338,21 +356,16 @@ CALLED(web_sheet) int web_sheet(int format, int content)
 /* Answer with the report; the room has the crank angle of its sample calculation, or nothing. */
 CALLED(web_report) int web_report(void)
 {
-    fourlink_source drawn = source;
     report_outcome outcome;
     fourlink_mistake mistake;
     report_request request;
-    int done = -1;
+    int done;
 
-    drawn.is_drawn = 1;
-    request.opened = NULL;
-    request.at = *input ? input : NULL;
-    if ((v.results &&
-         fourlink_results_open(&drawn, 0, &request.opened, NULL, NULL) != FOURLINK_OK) ||
-        !begin_answer())
+    if (!begin_answer())
         return 0;
-    done = report_write(out, &drawn, &request, &outcome, &mistake);
-    fourlink_results_free(request.opened);
+    request.opened = drawn;
+    request.at = *input ? input : NULL;
+    done = report_write(out, &drawn_source, &request, &outcome, &mistake);
     return end_answer() && done > 0;
 }
 

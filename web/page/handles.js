@@ -3,7 +3,7 @@
 ** handles.js - pins, centres of mass and tracer points that can be dragged: each changes numbers of the deck.
 **
 ** A handle knows which settings of the text it changes and how a place in the plane of the mechanism becomes their
-** values, in the deck's unit of length.
+** values, in the drawing's unit of length.
 */
 web.handles = function (editor, ask) {
 
@@ -68,12 +68,12 @@ function axesOf(link) {
 const LENGTH = "lengths", ANGLE = "angles";
 const kindOf = (number) => number.name === "angle" ? ANGLE : LENGTH;
 
-/* The size of the unit of a number, in the deck's unit of length or in rad; undefined: it cannot be changed. */
+/* The size of the unit of a number, in the drawing's unit of length or in rad; undefined: it cannot be changed. */
 function factorOf(number) {
     if (number.name === "share")
         return 1;
     const kind = kindOf(number), si = factors[kind].get("1" + number.unit);
-    return kind === ANGLE ? si : si && si / factors[LENGTH].get("1");
+    return kind === ANGLE ? si : si && si / factors[LENGTH].get("1 " + data.units.length);
 }
 
 /* The numbers of the settings of a handle that stand in the text: [{setting, numbers}]. */
@@ -220,9 +220,10 @@ function make() {
 
 /* Learn the units of all numbers that a handle may change, then show the handles. */
 async function prepare() {
-    const text = editor.text(), wanted = {lengths: new Set(["1"]), angles: new Set()};
+    const text = editor.text(), wanted = {lengths: new Set(), angles: new Set()};
     if (!on || !data)
         return make();
+    wanted.lengths.add("1 " + data.units.length);
     for (const handle of pins().concat(points()))
         for (const {numbers} of present(text, handle))
             numbers.filter((number) => number.name !== "share").forEach((number) => wanted[kindOf(number)].add("1" + number.unit));
