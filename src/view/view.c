@@ -251,7 +251,7 @@ static long find_busiest(const view *v, fourlink_branch branch, int *most, fourl
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads)
 {
-    int first, status, most = 0, acting = -1, of;
+    int first, status, most = 0, acting, of;
     const char *name;
     unsigned long i;
     long row;
@@ -262,6 +262,8 @@ int view_find_position(const view *v, fourlink_branch branch, const double *angl
     if (first == FOURLINK_OK) {
         acting = count_acting(v, loads, &of, &name);
         most = acting + is_clear(v, &now->state); /* then only a row with more of them */
+        if (most > of)
+            return FOURLINK_OK;
     }
     row = find_busiest(v, branch, &most, loads);
     if (row >= 0)
