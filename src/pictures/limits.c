@@ -31,7 +31,7 @@
 
 /* ------------------------------------------------------------------------------------------- limits */
 
-/* Draw the mechanism at a crank angle in rad, with the angle beside B; returns its pins. */
+/* Draw the mechanism at a crank angle in rad, with the angle beside B; 0 if it cannot be assembled there. */
 static int put_position(sketch *s, const picture *p, fourlink_branch branch, double theta2,
                         fourlink_state *state)
 {
