@@ -42,8 +42,8 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 /* The functions are called in this order.  The crank and its pin B are placed before `position`,
 ** moved before `velocity`, accelerated before `acceleration`.
 **
-** prepare       sets the constants of the mechanism, from its lengths reach         whether links 3 and 4
-** meet, given sine and cosine of half the crank angle; `sine` is that
+** prepare       sets the constants of the mechanism, from its lengths
+** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that
 **               of the open branch, smooth through change points
 ** position, velocity, acceleration
 **               axis and origin; k, omega and the origin's k and velocity; alpha and the origin's

@@ -14,9 +14,10 @@ typedef struct flk_actual flk_actual;
 
 /* Find the motion of a deck, for flk_actual_free; null if out of memory.
 **
-** acting  memory for the loads of a row; it and the corners must remain valid as long end     the crank angle
-** of the last row, in the deck's unit; unused by time period  rad, of a steady motion winds   1: each cycle
-** winds up a spring, so there is no steady motion */
+** acting  memory for the loads of a row; it and the corners must remain valid as long
+** end     the crank angle of the last row, in the deck's unit; unused by time
+** period  rad, of a steady motion
+** winds   1: each cycle winds up a spring, so there is no steady motion */
 flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
                             double period, int winds);
 void flk_actual_free(flk_actual *m);

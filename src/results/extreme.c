@@ -236,7 +236,7 @@ static flk_sample find_peak(sought *k, size_t i)
 /* The peak between sample i, which has no neighbour on one side, and the next sample.  It is sample i
 ** itself, unless the column rises beside it, or jumps there, as where a joint with friction stands still.
 ** The search runs over the distance from the end, or where the column behaves as its root, over that. */
-#define BESIDE_END 1e-3 /* of the distance to the next sample */
+#define BESIDE_END 4e-4 /* of the distance to the next sample */
 
 static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 {
@@ -352,6 +352,12 @@ static int may_hide(const sought *k, size_t i)
     return rough > ROUGH * size && is_wanted(k, v[0], rough);
 }
 
+static void offer_sample(const sought *k, size_t i)
+{
+    offer_at(k, 0, k->c->v[i], k->x->s[i]);
+    offer_at(k, 1, k->c->v[i], k->x->s[i]);
+}
+
 /* Insert samples where a better value may hide. */
 static void resolve_narrow(sought *k, flk_samples *x)
 {
@@ -363,8 +369,8 @@ static void resolve_narrow(sought *k, flk_samples *x)
         if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
             !flk_samples_insert(x, i, 0.5 * (x->s[i - 1] + x->s[i])))
             return;
-        offer_samples(k, 0);
-        offer_samples(k, 1);
+        offer_sample(k, i);
+        offer_sample(k, i + 2);
         i = i > 4 ? i - 4 : 1;
     }
 }

@@ -12,7 +12,7 @@
 #include "base/solve.h"
 #include "samples.h"
 
-#define STEP (M_PI / 80) /* rad, */
+#define STEP (M_PI / 48) /* rad, */
 #define MOST_STEPS 1e5   /* ... longer over more than 625 turns */
 #define LEAST_STEPS 12   /* of a piece */
 #define SHORT 1e-9       /* rad, of a piece of which one row is computed */
