@@ -1411,7 +1411,8 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 */
 FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row);
 
-/* The largest or the smallest value of a quantity over a motion, refined between rows, for hosts without a deck.
+/* The largest or the smallest value of a quantity over a motion, refined between rows, for hosts without
+** a deck.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -1422,7 +1423,8 @@ FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle,
 **    name       max(COLUMN) or min(COLUMN), such as "max(Ts)", "min(omega4)": any column of decks
 ** Returned:
 **    value      in SI units and radians; infinite if the quantity is unbounded
-**    angle      crank angle at which it occurs, in the motion's unit; NaN if the value is infinite; may be null
+**    angle      crank angle at which it occurs, in the motion's unit; NaN if the value is infinite.  May be
+**               null
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NOT_REACHED, FOURLINK_LONG_SEARCH; FOURLINK_NO_SUCH_NAME, FOURLINK_NULL,
 **    FOURLINK_NO_MEMORY, or as from fourlink_motion_range and fourlink_solve
@@ -1669,8 +1671,8 @@ FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned 
 **    max        size of `values`, `low` and `high`
 ** Returned:
 **    values     of the list FOURLINK_VARIABLES, in the deck's units
-**    low, high  the values before and after them in their ranges; the same value at an end of a range, and for
-**               a list.  May be null
+**    low, high  the values before and after them in their ranges; the same value at an end of a range, and
+**               for a list.  May be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_BAD_NUMBER if there is no such design, FOURLINK_NULL
 */
@@ -1703,7 +1705,8 @@ FOURLINK_API int fourlink_results_variables(const fourlink_results *results, uns
 FOURLINK_API int fourlink_results_set(fourlink_results *results, const char *name, double value,
                                       fourlink_mistake *mistake);
 
-/* Set several numbers at once, by their handles: in one step, so that no deck with only some of them is built.
+/* Set several numbers at once, by their handles: in one step, so that no deck with only some of them is
+** built.
 **
 ** Given:
 **    results    as for fourlink_results_set
@@ -2252,8 +2255,8 @@ FOURLINK_API int fourlink_synthesis_quick_return(const fourlink_quick_return_tas
 ** Notes:
 ** 1) Left has the pivot A and the third pivot E; right has E and D.  The right one's crank turns as the given
 **    one's; the left one's turns as the given coupler does.
-** 2) The working range of the right one is that of the given linkage; the left one's goes from its first to its
-**    last position.
+** 2) The working range of the right one is that of the given linkage; the left one's goes from its first to
+**    its last position.
 ** 3) The left one of a crank-rocker does not turn fully: it has dead positions on the way
 **    (FOURLINK_DEFECT_WAY, FOURLINK_DEFECT_BRANCH), unless the range is small.
 ** Reference:
@@ -2393,7 +2396,8 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLFIND looks up a name once, and FLGET returns its values without a search: ID is the handle of
 ** fourlink_results_find.  For the statistics of a column add 1 (max), 2 (min), 3 (mean) or 4 (rms).
 **
-** FLSET sets a number of the deck, such as crank.length; FLPUT sets N of them at once, by their IDs from FLFIND.
+** FLSET sets a number of the deck, such as crank.length; FLPUT sets N of them at once, by their IDs from
+** FLFIND.
 **
 ** Given:
 **    VALUE      in the unit that fourlink_results_set says

@@ -34,7 +34,7 @@ int flk_step_take(flk_step *step, double *error);
 int flk_step_end(flk_step *step);
 int flk_step_within(flk_step *step, flk_curve_of_step *within);
 
-/* The change of y[i] from the beginning of the step to its fraction `part`, 0 to 1; its derivative to that. */
+/* The change of y[i] from the beginning of the step to its fraction `part`, 0 to 1; its derivative there. */
 double flk_step_change(const flk_curve_of_step *within, int i, double part, double *slope);
 
 #endif
