@@ -237,12 +237,8 @@ static void put_statistic(sheet *s, const sheet_statistic *x)
 
     put_words(&s->l, x->output->name);
     line_put(&s->l, ",%s,%s,%lu", x->output->unit, fourlink_branch_text((int)x->branch), x->count);
-    put_next(s, x->mean);
-    put_next(s, x->deviation);
-    put_next(s, x->least);
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        put_next(s, x->quantiles[i]);
-    put_next(s, x->most);
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        put_next(s, x->values[i]);
     line_put(&s->l, ",,,\n");
 }
 
