@@ -11,7 +11,6 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "options.h"
-#include "tables/formats.h"
 #include "terminal.h"
 
 #define MOST_DESIGNS 4294967295.0
