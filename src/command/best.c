@@ -298,7 +298,7 @@ static int find_best(FILE *out, search *s)
                 s->n_conditions ? "no design has a value of %s and meets the yield"
                                 : "no design has a value of %s",
                 s->name);
-    command_tell_mistake("--best", 0, message, NULL);
+    command_tell("error", "--best", 0, message, NULL);
     return EXIT_ROWS;
 }
 

@@ -125,10 +125,10 @@ static void tell_statistics(const input *in)
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
     if (in->problem.has_statistics && n && !in->o->statistics && !in->o->parts &&
         in->o->format != &table_format)
-        command_tell_note(in->name, 0,
-                          "with a yield, statistics are printed, not designs; "
-                          "--set=sweep.statistics=no prints the designs",
-                          NULL);
+        command_tell("note", in->name, 0,
+                     "with a yield, statistics are printed, not designs; "
+                     "--set=sweep.statistics=no prints the designs",
+                     NULL);
 }
 
 int designs_write(FILE *out, const input *in)

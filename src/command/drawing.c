@@ -94,7 +94,7 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
         return fflush(script) == 0 && !ferror(script)
                    ? 0
                    : command_complain("cannot draw", in->name, strerror(errno));
-    command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
+    command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
 
@@ -182,7 +182,7 @@ int reporting_write(const input *in)
     if (written < 0)
         return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));
     if (!written) {
-        command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
+        command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
         return EXIT_USAGE;
     }
     if (status)

@@ -85,7 +85,7 @@ static void keep_mistake(input *in, const char *file, long at, const char *messa
 static void tell_mistake(input *in, const char *file, const char *message)
 {
     keep_mistake(in, file, 1, message);
-    command_tell_mistake(file, 1, message, NULL);
+    command_tell("error", file, 1, message, NULL);
 }
 
 /* The mistake in the list of --at, or null. */
@@ -164,7 +164,7 @@ static int serves_options(input *in)
                           o->report ? "report" : "picture",
                           p->by_time ? "time_step with --set=motion.time_step" : "--interval");
     } else if ((why = mistake_in_angles(in, message)) != NULL) {
-        command_tell_mistake("--at", 0, why, NULL);
+        command_tell("error", "--at", 0, why, NULL);
         return 0;
     }
     if (why)
@@ -174,15 +174,15 @@ static int serves_options(input *in)
 
 /* Print the mistakes of a deck, or the notes on it. */
 static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
-                     void tell(const char *, long, const char *, const char *), const char *what)
+                     const char *what, const char *noun)
 {
     const char *name = in->o->n_decks > 1 ? in->name : in->o->variant;
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
-            tell(list[i].file, list[i].line, list[i].message, name);
-    command_tell_more(n, what);
+            command_tell(what, list[i].file, list[i].line, list[i].message, name);
+    command_tell_more(n, noun);
 }
 
 /* Make a deck unusable. */
@@ -213,10 +213,10 @@ static int open_results(input *in)
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK || is_no_linkage(status)) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
-        tell_all(in, list, n, command_tell_mistake, "mistake");
+        tell_all(in, list, n, "error", "mistake");
         in->has_mistakes = 1;
         if (in->no_file)
-            command_tell_note(in->name, 0, in->no_file, NULL);
+            command_tell("note", in->name, 0, in->no_file, NULL);
         status = status == FOURLINK_BAD_DECK ? EXIT_USAGE : EXIT_ROWS;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
@@ -224,7 +224,7 @@ static int open_results(input *in)
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
         if (!in->o->is_again)
-            tell_all(in, list, n, command_tell_note, "note");
+            tell_all(in, list, n, "note", "note");
     }
     free(list);
     return status;
@@ -323,7 +323,7 @@ static void tell_defects(input *in)
 
     fourlink_deck_defects(fourlink_results_deck(in->results), MOST_DEFECTS, list, &n);
     for (i = 0; i < n && i < MOST_DEFECTS; i++)
-        command_tell_defect(list[i].file, list[i].line, list[i].message);
+        command_tell("defect", list[i].file, list[i].line, list[i].message, NULL);
     in->has_defects = n > 0;
 }
 

@@ -22,7 +22,7 @@
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
 {
-    command_tell_mistake(check->file, check->message_line, check->message, deck_name);
+    command_tell("error", check->file, check->message_line, check->message, deck_name);
 }
 
 /* The columns of all decks, each name with each unit once; null if out of memory. */

@@ -137,10 +137,10 @@ void marks_tell(const marks *m, const char *name)
     int n = 0;
 
     if (m->set_tolerances)
-        command_tell_note(name, 0,
-                          "answers set their own tolerance, by 'tolerance' or their last digit; "
-                          "--tolerance='1 %' or a [grading] section sets it for all",
-                          NULL);
+        command_tell("note", name, 0,
+                     "answers set their own tolerance, by 'tolerance' or their last digit; "
+                     "--tolerance='1 %' or a [grading] section sets it for all",
+                     NULL);
     if (!m->are_guessed)
         return;
     for (i = 0; i < m->n; i++)
@@ -150,7 +150,7 @@ void marks_tell(const marks *m, const char *name)
                 "have: %s%s",
                 (long)m->n, note,
                 m->is_class ? "; an [expect] in the deck says what is asked" : "");
-    command_tell_note(name, 0, words, NULL);
+    command_tell("note", name, 0, words, NULL);
 }
 
 /* Find which questions an input answers, and whether all its answers to one are right. */
