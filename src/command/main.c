@@ -76,20 +76,6 @@ static int status_of(const sheet *s, const input *in)
                                                                                        : 0;
 }
 
-/* Find what is asked, and tell; returns the exit status. */
-static int find_marks(marks *m, const options *o, const input *inputs, size_t n)
-{
-    const input *deck = inputs[0].deck;
-
-    memset(m, 0, sizeof *m);
-    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
-        return 0;
-    if (!marks_find(m, deck, inputs, n))
-        return command_complain("cannot start", "", "not enough memory");
-    marks_tell(m, o->check_file);
-    return 0;
-}
-
 /* Write an input, or its score alone; returns the exit status. */
 static int write_input(sheet *s, const options *o, const input *in, marks *m)
 {
@@ -120,7 +106,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs, size_t 
     marks m;
     sheet s;
 
-    status = find_marks(&m, o, inputs, n);
+    status = marks_find(&m, inputs, n);
     if (status)
         return status;
     memset(&s, 0, sizeof s);
