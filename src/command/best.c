@@ -165,8 +165,8 @@ static double value_at(const gsl_vector *x, void *data)
     return value;
 }
 
-/* Let a simplex of this size go down from the best point.  GSL's own error handler would abort where there is no
-** memory. */
+/* Let a simplex of this size go down from the best point.  GSL's own error handler would abort where there
+** is no memory. */
 static void go_down(search *s, double size)
 {
     gsl_error_handler_t *handler = gsl_set_error_handler_off();

@@ -12,6 +12,7 @@
 #include "command.h"
 #include "files.h"
 #include "input.h"
+#include "tables/content.h"
 #include "view/view.h"
 
 #define MOST_DEFECTS 10
@@ -256,8 +257,8 @@ static int read_text(input *in, const char *path)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.  Returns the exit
-** status. */
+/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.  Returns the
+** exit status. */
 static int take_answers(input *in, const char *path, const grade_answers *answers, const char *file)
 {
     int status = 0;

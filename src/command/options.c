@@ -11,6 +11,7 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "options.h"
+#include "tables/content.h"
 #include "terminal.h"
 
 #define MOST_DESIGNS 4294967295.0
@@ -181,8 +182,8 @@ static int set_answers(options *o, const char *value, char message[400])
     return *value || say(message, "--answers= needs a folder", "", "");
 }
 
-/* An option: what it sets of a key, of the content and, by a function or directly, of a member of the options: a text,
-** or a flag if it takes no value or has a key. */
+/* An option sets what its entry names: a key of the deck, the content, a member of the options (a text, or a flag
+** if it takes no value), and what its function does. */
 typedef struct option_info {
     char letter; /* 0: it has none */
     const char *name;

@@ -42,8 +42,8 @@ static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink
     take_row(s, branch, at, row);
 }
 
-/* Write all rows of a branch, and why it ends before; where the format is brief, rows without numbers, for the same
-** reason, as one. */
+/* Write all rows of a branch, and why it ends before; where the format is brief, rows without numbers, for the
+** same reason, as one. */
 static void write_all_rows(sheet *s, fourlink_branch branch)
 {
     fourlink_instant at, first;
@@ -466,18 +466,24 @@ static void write_lines(sheet *s)
     }
 }
 
+/* Count a design that could not be computed. */
+static void refuse_statistics(sheet *s)
+{
+    int i;
+
+    for (i = 0; i < s->v.n_branches; i++)
+        statistics_add(s, s->v.branches[i], NULL);
+}
+
 void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
                           unsigned long i, const double *varied, const char *why)
 {
-    int b;
-
     s->design = i + 1;
     s->varied = varied;
     if (!open_results(s, results ? results : first))
         s->out_of_memory = 1;
     else if (!results && s->statistics)
-        for (b = 0; b < s->v.n_branches; b++)
-            statistics_add(s, s->v.branches[b], NULL);
+        refuse_statistics(s);
     else if (!results)
         s->format->refuse(s, why);
     else if (s->content == SHEET_DESIGNS)
@@ -486,4 +492,32 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
         write_content(s);
     s->failed += !results;
     close_results(s);
+}
+
+/* ------------------------------------------------------------------------------------------- formats */
+
+#define FORMATS_ENTRY(name) &name##_format,
+const sheet_format *const formats_all[] = {SHEET_FORMATS(FORMATS_ENTRY) NULL};
+
+const sheet_format *formats_find(const char *name)
+{
+    const sheet_format *const *f = formats_all;
+
+    while (*f && strcmp((*f)->name, name) != 0)
+        f++;
+    return *f;
+}
+
+char *formats_of(sheet_content content, const char *between, const char *last,
+                 char names[FORMATS_NAMES])
+{
+    const char *list[sizeof formats_all / sizeof formats_all[0]];
+    const sheet_format *const *f;
+    int n = 0;
+
+    for (f = formats_all; *f; f++)
+        if ((*f)->writes & 1 << content)
+            list[n++] = (*f)->name;
+    list[n] = NULL;
+    return flk_text_list(list, between, last, names, FORMATS_NAMES);
 }

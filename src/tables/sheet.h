@@ -146,15 +146,6 @@ typedef struct sheet_format {
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* All formats, with null at the end; the format of this name, or null. */
-extern const sheet_format *const formats_all[];
-const sheet_format *formats_find(const char *name);
-
-/* The names of the formats that can show this, as flk_text_list joins them. */
-#define FORMATS_NAMES 100
-char *formats_of(sheet_content content, const char *between, const char *last,
-                 char names[FORMATS_NAMES]);
-
 /* The deck's column that belongs under column i of the header; -1 if there is none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
