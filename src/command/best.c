@@ -17,7 +17,7 @@
 #include "base/number.h"
 #include "base/system.h"
 #include "command.h"
-#include "progress.h"
+#include "terminal.h"
 #include "tables/statistics.h"
 #include "writers.h"
 
@@ -165,16 +165,20 @@ static double value_at(const gsl_vector *x, void *data)
     return value;
 }
 
-/* Let a simplex of this size go down from the best point, with memory for it and for its first point and
-** steps. */
-static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vector *x,
-                    gsl_vector *steps)
+/* Let a simplex of this size go down from the best point.  GSL's own error handler would abort where there
+** is no memory. */
+static void go_down(search *s, double size)
 {
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    gsl_multimin_fminimizer *m =
+        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, s->n_free);
+    gsl_vector *x = gsl_vector_alloc(s->n_free), *steps = gsl_vector_alloc(s->n_free);
     gsl_multimin_function f;
     size_t k;
-    int step;
+    int step = 0;
 
-    for (k = 0; k < s->n_free; k++) {
+    s->out_of_memory |= !m || !x || !steps;
+    for (k = 0; k < s->n_free && !s->out_of_memory; k++) {
         double share = (s->refined[k] - s->low[k]) / (s->high[k] - s->low[k]);
 
         gsl_vector_set(x, k, share);
@@ -183,25 +187,12 @@ static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vect
     f.n = s->n_free;
     f.f = value_at;
     f.params = s;
-    gsl_multimin_fminimizer_set(m, &f, x, steps);
-    for (step = 0; step < MOST_STEPS && !s->out_of_memory && !system_caught(); step++)
-        if (gsl_multimin_fminimizer_iterate(m) != GSL_SUCCESS ||
-            gsl_multimin_fminimizer_size(m) < TOLERANCE)
-            break;
-}
-
-/* GSL's own error handler would abort where there is no memory. */
-static void go_down(search *s, double size)
-{
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    gsl_multimin_fminimizer *m =
-        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, s->n_free);
-    gsl_vector *x = gsl_vector_alloc(s->n_free), *steps = gsl_vector_alloc(s->n_free);
-
-    if (m && x && steps)
-        iterate(s, size, m, x, steps);
-    else
-        s->out_of_memory = 1;
+    if (!s->out_of_memory)
+        gsl_multimin_fminimizer_set(m, &f, x, steps);
+    while (step++ < MOST_STEPS && !s->out_of_memory && !system_caught() &&
+           gsl_multimin_fminimizer_iterate(m) == GSL_SUCCESS &&
+           gsl_multimin_fminimizer_size(m) >= TOLERANCE)
+        ;
     gsl_multimin_fminimizer_free(m);
     gsl_vector_free(x);
     gsl_vector_free(steps);
@@ -307,11 +298,11 @@ static int find_best(FILE *out, search *s)
                 s->n_conditions ? "no design has a value of %s and meets the yield"
                                 : "no design has a value of %s",
                 s->name);
-    command_tell_mistake("--best", 0, message, NULL);
+    command_tell("error", "--best", 0, message, NULL);
     return EXIT_ROWS;
 }
 
-int best_write(FILE *out, const input *in, int *signal_number)
+int best_write(FILE *out, const input *in)
 {
     search s;
     int status;
@@ -321,7 +312,6 @@ int best_write(FILE *out, const input *in, int *signal_number)
                  ? find_best(out, &s)
                  : command_complain("cannot analyse", in->name, "not enough memory");
     system_catch(0);
-    *signal_number = system_caught();
     close_search(&s);
     return status;
 }

@@ -52,8 +52,8 @@ int command_complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
-static void tell(const char *what, const char *file, long line, const char *message,
-                 const char *deck_name)
+void command_tell(const char *what, const char *file, long line, const char *message,
+                  const char *deck_name)
 {
     int is_elsewhere = deck_name && strcmp(file, deck_name) != 0;
     char where[40] = "";
@@ -63,21 +63,6 @@ static void tell(const char *what, const char *file, long line, const char *mess
     command_say(line ? "" : "fourlink: ", file, where, ": ", what, ": ", message,
                 is_elsewhere ? " (" : "", is_elsewhere ? deck_name : "", is_elsewhere ? ")" : "",
                 (char *)NULL);
-}
-
-void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
-{
-    tell("error", file, line, message, deck_name);
-}
-
-void command_tell_note(const char *file, long line, const char *message, const char *deck_name)
-{
-    tell("note", file, line, message, deck_name);
-}
-
-void command_tell_defect(const char *file, long line, const char *message)
-{
-    tell("defect", file, line, message, NULL);
 }
 
 void command_tell_more(unsigned long n, const char *what)

@@ -16,11 +16,11 @@ void command_say(const char *first, ...);
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 
-/* Print a mistake: FILE:LINE: error: MESSAGE, or a note or defect, without the line if it is 0.  `deck_name` is null
-** if there is only one deck; otherwise it is added if the mistake is in another file. */
-void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name);
-void command_tell_note(const char *file, long line, const char *message, const char *deck_name);
-void command_tell_defect(const char *file, long line, const char *message);
+/* Print a message about a file, FILE:LINE: error: MESSAGE, or another word for "error"; without the line if it
+** is 0.  `deck_name` is null if there is only one deck; otherwise it is added if the message is about another
+** file. */
+void command_tell(const char *what, const char *file, long line, const char *message,
+                  const char *deck_name);
 
 /* After the first MOST_MISTAKES of `n` mistakes or notes, print how many more there are. */
 void command_tell_more(unsigned long n, const char *what);

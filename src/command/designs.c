@@ -10,7 +10,6 @@
 
 #include "base/system.h"
 #include "command.h"
-#include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
 #include "tables/content.h"
@@ -71,7 +70,7 @@ static void set_up(sheet *s, FILE *out, const input *in)
 }
 
 /* Go through the designs; returns the exit status. */
-static int run(sheet *s, FILE *out, const input *in, int *signal_number)
+static int run(sheet *s, FILE *out, const input *in)
 {
     double *varied = malloc((s->n_variables + 1) * sizeof *varied);
     int enough = varied != NULL;
@@ -83,17 +82,16 @@ static int run(sheet *s, FILE *out, const input *in, int *signal_number)
     }
     system_catch(0);
     free(varied);
-    *signal_number = system_caught();
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
-    if (*signal_number)
+    if (system_caught())
         return command_complain("stopped", in->name,
                                 in->o->parts ? "interrupted; run this part again" : "interrupted");
     return s->failed ? EXIT_ROWS : 0;
 }
 
 /* Collect the designs, then write their statistics. */
-static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_number)
+static int write_statistics(sheet *s, FILE *out, const input *in)
 {
     const fourlink_value *conditions;
     unsigned long n;
@@ -106,7 +104,7 @@ static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_nu
         return command_complain("cannot analyse", in->name, "not enough memory");
     }
     s->statistics = &x;
-    status = run(s, out, in, signal_number);
+    status = run(s, out, in);
     if (status < EXIT_FILES) {
         s->content = SHEET_STATISTICS;
         s->n_variables = 0;
@@ -127,19 +125,18 @@ static void tell_statistics(const input *in)
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
     if (in->problem.has_statistics && n && !in->o->statistics && !in->o->parts &&
         in->o->format != &table_format)
-        command_tell_note(in->name, 0,
-                          "with a yield, statistics are printed, not designs; "
-                          "--set=sweep.statistics=no prints the designs",
-                          NULL);
+        command_tell("note", in->name, 0,
+                     "with a yield, statistics are printed, not designs; "
+                     "--set=sweep.statistics=no prints the designs",
+                     NULL);
 }
 
-int designs_write(FILE *out, const input *in, int *signal_number)
+int designs_write(FILE *out, const input *in)
 {
     sheet s;
 
     set_up(&s, out, in);
     tell_statistics(in);
-    return in->problem.has_statistics && !in->o->parts
-               ? write_statistics(&s, out, in, signal_number)
-               : run(&s, out, in, signal_number);
+    return in->problem.has_statistics && !in->o->parts ? write_statistics(&s, out, in)
+                                                       : run(&s, out, in);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** drawing.c - the picture of a deck, drawn by gnuplot, or its script.
+** drawing.c - the picture of a deck, drawn by gnuplot, or its script; its report.
 */
 #include <errno.h>
 #include <stdio.h>
@@ -11,6 +11,35 @@
 #include "drawing.h"
 #include "output.h"
 #include "pictures/gnuplot.h"
+#include "report/report.h"
+#include "writers.h"
+
+/* What pictures and reports show: the deck with lengths in the unit in which it writes them. */
+typedef struct shown {
+    fourlink_source source;
+    fourlink_results *results; /* null: the deck has mistakes */
+    fourlink_results *own;     /* null: they are those of the input */
+} shown;
+
+/* Returns 0 if out of memory. */
+static int open_shown(const input *in, shown *x)
+{
+    view v;
+
+    x->source = in->source;
+    x->source.is_drawn = 1;
+    x->results = in->results;
+    x->own = NULL;
+    if (!in->results)
+        return 1;
+    view_take(&v, in->results);
+    if (strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0)
+        return 1;
+    if (fourlink_results_open(&x->source, 0, &x->own, NULL, NULL) != FOURLINK_OK)
+        return 0;
+    x->results = x->own;
+    return 1;
+}
 
 /* Let gnuplot draw a script; returns the exit status. */
 static int draw(const options *o, FILE *script, const plot_caption *caption)
@@ -48,24 +77,24 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
     plot_request request = in->o->drawing;
     fourlink_mistake mistake;
     fourlink_value error;
-    input_drawn drawn;
+    shown x;
     int written = -1;
 
     if (in->o->no_kind &&
         fourlink_results_find(in->results, "structural_error", &error) == FOURLINK_OK)
         request.kind = PLOT_ERROR;
-    if (input_open_drawn(in, &drawn) == FOURLINK_OK) {
-        request.opened = drawn.results;
-        written = plot_write(script, &drawn.source, &request, caption, &mistake);
+    if (open_shown(in, &x)) {
+        request.opened = x.results;
+        written = plot_write(script, &x.source, &request, caption, &mistake);
     }
-    input_close_drawn(&drawn);
+    fourlink_results_free(x.own);
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
     if (written > 0)
         return fflush(script) == 0 && !ferror(script)
                    ? 0
                    : command_complain("cannot draw", in->name, strerror(errno));
-    command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
+    command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
 
@@ -127,4 +156,41 @@ int drawing_end(drawing *d, int keep)
         return tell_missing(d->in, d->caption.n_missing, d->caption.n_lines, "lines of the [sweep]",
                             "");
     return tell_missing_rows(d->in);
+}
+
+/* ---------------------------------------------------------------------------------------- the report */
+
+int reporting_write(const input *in)
+{
+    const char *path = in->o->report;
+    report_outcome outcome;
+    fourlink_mistake mistake;
+    report_request request;
+    shown x;
+    output file;
+    int status = output_begin(&file, path), written = -1;
+
+    if (status)
+        return status;
+    request.at = in->o->drawing.at;
+    if (open_shown(in, &x)) {
+        request.opened = x.results;
+        written = report_write(file.file, &x.source, &request, &outcome, &mistake);
+    }
+    fourlink_results_free(x.own);
+    status = output_end(&file, path, written > 0);
+    if (written < 0)
+        return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));
+    if (!written) {
+        command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
+        return EXIT_USAGE;
+    }
+    if (status)
+        return status;
+    if (outcome.gnuplot[0])
+        command_say("fourlink: ", path, " has no pictures: ", outcome.gnuplot, (char *)NULL);
+    if (outcome.has_failed)
+        command_say("fourlink: ", path, ": rows could not be computed, or expected values differ",
+                    (char *)NULL);
+    return outcome.has_failed ? EXIT_ROWS : 0;
 }

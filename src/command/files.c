@@ -38,19 +38,26 @@ static char *read_stream(FILE *file, size_t *length)
     return NULL;
 }
 
-char *files_read_path(const char *path, size_t *length)
+/* The same of a file that has been opened, or null. */
+static char *read_opened(FILE *file, size_t *length)
 {
-    FILE *file = system_open(path, "rb");
-    char *contents;
-    int reason;
+    char *contents = file ? read_stream(file, length) : NULL;
+    int reason = errno;
 
-    if (!file)
-        return NULL;
-    contents = read_stream(file, length);
-    reason = errno;
-    fclose(file);
+    if (file)
+        fclose(file);
     errno = reason;
     return contents;
+}
+
+char *files_read_path(const char *path, size_t *length)
+{
+    return read_opened(system_open(path, "rb"), length);
+}
+
+char *files_read_regular(const char *path, size_t *length)
+{
+    return read_opened(system_open_regular(path), length);
 }
 
 char *files_read(const char *path, size_t *length)
@@ -86,18 +93,6 @@ int files_is_beside(const char *path, const char *name)
     free(folder);
     free(file);
     return is_beside;
-}
-
-char *files_read_regular(const char *path, size_t *length)
-{
-    FILE *file = system_open_regular(path);
-    char *contents = file ? read_stream(file, length) : NULL;
-    int reason = errno;
-
-    if (file)
-        fclose(file);
-    errno = reason;
-    return contents;
 }
 
 int files_is_missing(int reason)
@@ -172,21 +167,26 @@ static int replaces(const char *output, const char *input)
                                     : system_is_same(output, input));
 }
 
-int files_is_output(const options *o, const char *path)
+#define OUTPUTS 4
+
+/* The files that will be written; null: none. */
+static void list_outputs(const options *o, const char *outputs[OUTPUTS])
 {
-    return replaces(o->output, path) || replaces(o->plot, path) || replaces(o->plot_script, path) ||
-           replaces(o->report, path);
+    outputs[0] = o->output;
+    outputs[1] = o->plot_script;
+    outputs[2] = o->plot;
+    outputs[3] = o->report;
 }
 
-/* 1 if an output is one of the decks, or the file of answers. */
-static int is_input(const char *output, const options *o)
+int files_is_output(const options *o, const char *path)
 {
-    size_t i;
+    const char *outputs[OUTPUTS];
+    int i, is_one = 0;
 
-    for (i = 0; i < o->n_decks; i++)
-        if (replaces(output, o->decks[i]))
-            return 1;
-    return o->check_file && replaces(output, o->check_file);
+    list_outputs(o, outputs);
+    for (i = 0; i < OUTPUTS; i++)
+        is_one |= replaces(outputs[i], path);
+    return is_one;
 }
 
 /* 1 if two paths, without links at their ends, name the same file of one folder. */
@@ -221,17 +221,19 @@ static int is_same_place(const char *x, const char *y)
 
 int files_tell_clash(const options *o)
 {
-    const char *outputs[4];
-    int i, k;
+    const char *outputs[OUTPUTS];
+    size_t deck;
+    int i, k, is_read;
 
-    outputs[0] = o->output;
-    outputs[1] = o->plot_script;
-    outputs[2] = o->plot;
-    outputs[3] = o->report;
-    for (i = 0; i < 4; i++)
-        if (is_input(outputs[i], o))
+    list_outputs(o, outputs);
+    for (i = 0; i < OUTPUTS; i++) {
+        is_read = o->check_file && replaces(outputs[i], o->check_file);
+        for (deck = 0; deck < o->n_decks; deck++)
+            is_read |= replaces(outputs[i], o->decks[deck]);
+        if (is_read)
             return command_complain("cannot write", outputs[i], "it is also read");
-    for (i = 1; i < 4; i++)
+    }
+    for (i = 1; i < OUTPUTS; i++)
         for (k = 0; k < i; k++)
             if (is_same_place(outputs[k], outputs[i]))
                 return command_complain("cannot write", outputs[i], "two outputs have this name");

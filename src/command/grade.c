@@ -92,7 +92,7 @@ int grade_open(grade_answers *a, const options *o)
         flk_message(words, sizeof words,
                     "no file has the name of the deck, so all %ld are answers to it",
                     (long)a->n_files);
-        command_tell_note(o->check_file, 0, words, NULL);
+        command_tell("note", o->check_file, 0, words, NULL);
     }
     return status;
 }
@@ -105,7 +105,7 @@ int grade_read(grade_answers *a, const options *o, const char *deck, const char 
     memset(a, 0, sizeof *a);
     if (!file && strcmp(deck, "-") == 0) {
         flk_message(why, 400, "standard input has no name: --check needs a file, not a folder");
-        command_tell_mistake("<stdin>", 0, why, NULL);
+        command_tell("error", "<stdin>", 0, why, NULL);
         return EXIT_USAGE;
     }
     a->path = file ? files_beside("", file) : path_of(o->check_file, deck);

@@ -12,7 +12,7 @@
 #include "command.h"
 #include "files.h"
 #include "input.h"
-#include "tables/formats.h"
+#include "tables/content.h"
 #include "view/view.h"
 
 #define MOST_DEFECTS 10
@@ -80,6 +80,13 @@ static void keep_mistake(input *in, const char *file, long at, const char *messa
         flk_message(in->refusal, sizeof in->refusal, "%s:%ld: %s", file, at, message);
     else
         flk_message(in->refusal, sizeof in->refusal, "%s: %s", file, message);
+}
+
+/* Tell the only mistake of a file, and keep it. */
+static void tell_mistake(input *in, const char *file, const char *message)
+{
+    keep_mistake(in, file, 1, message);
+    command_tell("error", file, 1, message, NULL);
 }
 
 /* The mistake in the list of --at, or null. */
@@ -158,27 +165,25 @@ static int serves_options(input *in)
                           o->report ? "report" : "picture",
                           p->by_time ? "time_step with --set=motion.time_step" : "--interval");
     } else if ((why = mistake_in_angles(in, message)) != NULL) {
-        command_tell_mistake("--at", 0, why, NULL);
+        command_tell("error", "--at", 0, why, NULL);
         return 0;
     }
-    if (!why)
-        return 1;
-    keep_mistake(in, name, 1, why);
-    command_tell_mistake(name, 1, why, NULL);
-    return 0;
+    if (why)
+        tell_mistake(in, name, why);
+    return !why;
 }
 
 /* Print the mistakes of a deck, or the notes on it. */
 static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
-                     void tell(const char *, long, const char *, const char *), const char *what)
+                     const char *what, const char *noun)
 {
     const char *name = in->o->n_decks > 1 ? in->name : in->o->variant;
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
-            tell(list[i].file, list[i].line, list[i].message, name);
-    command_tell_more(n, what);
+            command_tell(what, list[i].file, list[i].line, list[i].message, name);
+    command_tell_more(n, noun);
 }
 
 /* Make a deck unusable. */
@@ -209,10 +214,10 @@ static int open_results(input *in)
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK || is_no_linkage(status)) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
-        tell_all(in, list, n, command_tell_mistake, "mistake");
+        tell_all(in, list, n, "error", "mistake");
         in->has_mistakes = 1;
         if (in->no_file)
-            command_tell_note(in->name, 0, in->no_file, NULL);
+            command_tell("note", in->name, 0, in->no_file, NULL);
         status = status == FOURLINK_BAD_DECK ? EXIT_USAGE : EXIT_ROWS;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
@@ -220,7 +225,7 @@ static int open_results(input *in)
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
         if (!in->o->is_again)
-            tell_all(in, list, n, command_tell_note, "note");
+            tell_all(in, list, n, "note", "note");
     }
     free(list);
     return status;
@@ -229,7 +234,6 @@ static int open_results(input *in)
 /* Read the text of a deck; returns the exit status. */
 static int read_text(input *in, const char *path)
 {
-    static const char too_large[] = "larger than 64 MB: not a deck";
     size_t length = 0;
     int reason;
 
@@ -244,8 +248,7 @@ static int read_text(input *in, const char *path)
     if (in->text)
         return 0;
     if (errno == EFBIG) {
-        keep_mistake(in, in->name, 1, too_large);
-        command_tell_mistake(in->name, 1, too_large, NULL);
+        tell_mistake(in, in->name, "larger than 64 MB: not a deck");
         return EXIT_USAGE;
     }
     reason = errno;
@@ -254,14 +257,15 @@ static int read_text(input *in, const char *path)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck; returns the exit status. */
-static int find_answers(input *in, const char *path, const grade_answers *answers)
+/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.  Returns the
+** exit status. */
+static int take_answers(input *in, const char *path, const grade_answers *answers, const char *file)
 {
     int status = 0;
 
     in->source.answers_name = in->o->check_file;
     if (answers->folder) {
-        status = grade_read(&in->answers, in->o, path, NULL, in->refusal);
+        status = grade_read(&in->answers, in->o, path, file, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }
@@ -320,7 +324,7 @@ static void tell_defects(input *in)
 
     fourlink_deck_defects(fourlink_results_deck(in->results), MOST_DEFECTS, list, &n);
     for (i = 0; i < n && i < MOST_DEFECTS; i++)
-        command_tell_defect(list[i].file, list[i].line, list[i].message);
+        command_tell("defect", list[i].file, list[i].line, list[i].message, NULL);
     in->has_defects = n > 0;
 }
 
@@ -365,7 +369,7 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
     in->o = o;
     status = read_text(in, path);
     if (!status)
-        status = find_answers(in, path, answers);
+        status = take_answers(in, path, answers, NULL);
     return status ? status : open_input(in);
 }
 
@@ -379,35 +383,8 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->name = deck->name;
     in->source = deck->source;
     in->is_design = deck->is_design;
-    status = grade_read(&in->answers, o, in->name, answers->files[i], in->refusal);
-    in->source.answers_name = in->answers.path;
-    in->source.answers = in->answers.text;
-    in->source.answers_length = (unsigned long)in->answers.length;
+    status = take_answers(in, in->name, answers, answers->files[i]);
     return status ? status : open_input(in);
-}
-
-int input_open_drawn(const input *in, input_drawn *drawn)
-{
-    view v;
-    int status;
-
-    drawn->source = in->source;
-    drawn->source.is_drawn = 1;
-    drawn->results = in->results;
-    drawn->own = NULL;
-    if (!in->results)
-        return FOURLINK_OK;
-    view_take(&v, in->results);
-    if (strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0)
-        return FOURLINK_OK;
-    status = fourlink_results_open(&drawn->source, 0, &drawn->own, NULL, NULL);
-    drawn->results = drawn->own;
-    return status;
-}
-
-void input_close_drawn(input_drawn *drawn)
-{
-    fourlink_results_free(drawn->own);
 }
 
 void input_close(input *in)

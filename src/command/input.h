@@ -42,17 +42,6 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
 
 void input_close(input *in);
 
-/* What pictures and reports show: the deck with lengths in the unit in which it writes them. */
-typedef struct input_drawn {
-    fourlink_source source;
-    fourlink_results *results; /* null: the deck has mistakes */
-    fourlink_results *own;     /* null: they are those of the input */
-} input_drawn;
-
-/* Open and close them; a status, as from fourlink_results_open. */
-int input_open_drawn(const input *in, input_drawn *drawn);
-void input_close_drawn(input_drawn *drawn);
-
 /* The text of a deck with the values that are computed: memory to free, null if there is not enough. */
 char *input_deck_text(const fourlink_results *results, unsigned long *length);
 

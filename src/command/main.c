@@ -22,7 +22,7 @@
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
 {
-    command_tell_mistake(check->file, check->message_line, check->message, deck_name);
+    command_tell("error", check->file, check->message_line, check->message, deck_name);
 }
 
 /* The columns of all decks, each name with each unit once; null if out of memory. */
@@ -76,20 +76,6 @@ static int status_of(const sheet *s, const input *in)
                                                                                        : 0;
 }
 
-/* Find what is asked, and tell; returns the exit status. */
-static int find_marks(marks *m, const options *o, const input *inputs, size_t n)
-{
-    const input *deck = inputs[0].deck;
-
-    memset(m, 0, sizeof *m);
-    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
-        return 0;
-    if (!marks_find(m, deck, inputs, n))
-        return command_complain("cannot start", "", "not enough memory");
-    marks_tell(m, o->check_file);
-    return 0;
-}
-
 /* Write an input, or its score alone; returns the exit status. */
 static int write_input(sheet *s, const options *o, const input *in, marks *m)
 {
@@ -120,7 +106,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs, size_t 
     marks m;
     sheet s;
 
-    status = find_marks(&m, o, inputs, n);
+    status = marks_find(&m, inputs, n);
     if (status)
         return status;
     memset(&s, 0, sizeof s);
@@ -173,7 +159,7 @@ static int prints_found(const options *o, const input *in)
 }
 
 /* Write what the options ask for; returns the exit status. */
-static int write_sheet(const options *o, const input *inputs, size_t n, int *signal_number)
+static int write_sheet(const options *o, const input *inputs, size_t n)
 {
     output out;
     int status = output_begin(&out, o->output), written;
@@ -183,11 +169,11 @@ static int write_sheet(const options *o, const input *inputs, size_t n, int *sig
     if (o->print_deck || (prints_found(o, &inputs[0]) && !o->has_format))
         written = write_deck(out.file, &inputs[0]);
     else if (o->best)
-        written = best_write(out.file, &inputs[0], signal_number);
+        written = best_write(out.file, &inputs[0]);
     else if (prints_found(o, &inputs[0]) && !inputs[0].is_design)
         written = solutions_write(out.file, &inputs[0]);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
-        written = designs_write(out.file, &inputs[0], signal_number);
+        written = designs_write(out.file, &inputs[0]);
     else
         written = write_decks(out.file, o, inputs, n);
     /* incomplete results are not kept */
@@ -195,8 +181,7 @@ static int write_sheet(const options *o, const input *inputs, size_t n, int *sig
 }
 
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
-static int write_all(const options *o, const input *inputs, size_t n, int usable,
-                     int *signal_number)
+static int write_all(const options *o, const input *inputs, size_t n, int usable)
 {
     drawing d;
     int status = 0;
@@ -208,16 +193,15 @@ static int write_all(const options *o, const input *inputs, size_t n, int usable
         return status;
     if (options_want_table(o) &&
         (usable || (o->content == SHEET_CHECK && (n > 1 || inputs[0].deck || o->scores))))
-        status = command_worse(status, write_sheet(o, inputs, n, signal_number));
+        status = command_worse(status, write_sheet(o, inputs, n));
     if (d.script)
-        status = command_worse(status, drawing_end(&d, !*signal_number));
+        status = command_worse(status, drawing_end(&d, !system_caught()));
     return status;
 }
 
 /* Read n inputs, write what is asked for, and close them; returns the exit status.  `deck` is not null for a deck with
 ** the answers of many. */
-static int run_inputs(const options *o, const grade_answers *answers, const input *deck,
-                      int *signal_number)
+static int run_inputs(const options *o, const grade_answers *answers, const input *deck)
 {
     size_t n = deck ? answers->n_files : o->n_decks, i;
     input *inputs = calloc(n + 1, sizeof *inputs);
@@ -231,8 +215,8 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
         usable += inputs[i].results != NULL;
         status = command_worse(status, inputs[i].has_defects ? EXIT_ROWS : 0);
     }
-    status = command_worse(status, write_all(o, inputs, n, usable, signal_number));
-    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !*signal_number)
+    status = command_worse(status, write_all(o, inputs, n, usable));
+    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !system_caught())
         status = command_worse(status, reporting_write(&inputs[0]));
     for (i = 0; i < n; i++)
         input_close(&inputs[i]);
@@ -243,7 +227,7 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
 static const grade_answers no_answers = {NULL, NULL, 0, NULL, NULL, 0};
 
 /* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
-static int run_class(const options *o, const grade_answers *answers, int *signal_number)
+static int run_class(const options *o, const grade_answers *answers)
 {
     options of_deck = *o;
     input deck;
@@ -254,13 +238,13 @@ static int run_class(const options *o, const grade_answers *answers, int *signal
     of_deck.check_file = NULL;
     status = input_read(&deck, o->decks[0], &of_deck, &no_answers);
     if (deck.results)
-        status = command_worse(status, run_inputs(o, answers, &deck, signal_number));
+        status = command_worse(status, run_inputs(o, answers, &deck));
     input_close(&deck);
     return status;
 }
 
 /* Run one design of a [sweep] for a file of its own; returns the exit status. */
-static int run_variant(const options *o, const char *path, unsigned long i, int *signal_number)
+static int run_variant(const options *o, const char *path, unsigned long i)
 {
     options one = *o;
     int status;
@@ -271,11 +255,11 @@ static int run_variant(const options *o, const char *path, unsigned long i, int 
     one.variant = path;
     *(o->report ? &one.report : &one.output) = path;
     status = files_tell_clash(&one);
-    return status ? status : run_inputs(&one, &no_answers, NULL, signal_number);
+    return status ? status : run_inputs(&one, &no_answers, NULL);
 }
 
 /* Write a file for each design of a [sweep]; returns the exit status. */
-static int run_variants(const options *o, int *signal_number)
+static int run_variants(const options *o)
 {
     const char *folder = o->report ? o->report : o->output;
     options of_deck = *o;
@@ -293,14 +277,14 @@ static int run_variants(const options *o, int *signal_number)
         status = variants_open(&v, &deck);
         may_write = status == 0;
     }
-    for (i = 0; i < v.n && may_write && status != EXIT_FILES && !*signal_number; i++) {
+    for (i = 0; i < v.n && may_write && status != EXIT_FILES && !system_caught(); i++) {
         char *path = variants_path(&v, folder, &deck, i,
                                    o->report       ? ".html"
                                    : o->print_deck ? ".deck"
                                                    : ".expect");
 
         status = command_worse(
-            status, path ? run_variant(o, path, i, signal_number)
+            status, path ? run_variant(o, path, i)
                          : command_complain("cannot write", folder, "not enough memory"));
         free(path);
     }
@@ -311,18 +295,18 @@ static int run_variants(const options *o, int *signal_number)
 
 static int run(const options *o)
 {
-    int status, signal_number = 0;
+    int status;
     grade_answers answers;
 
     status = grade_open(&answers, o);
     if (!status)
-        status = o->all_designs    ? run_variants(o, &signal_number)
-                 : answers.n_files ? run_class(o, &answers, &signal_number)
-                                   : run_inputs(o, &answers, NULL, &signal_number);
+        status = o->all_designs    ? run_variants(o)
+                 : answers.n_files ? run_class(o, &answers)
+                                   : run_inputs(o, &answers, NULL);
     grade_close(&answers);
-    if (signal_number) {
+    if (system_caught()) {
         fflush(stdout);
-        raise(signal_number); /* so that the caller sees the signal */
+        raise(system_caught()); /* so that the caller sees the signal */
     }
     return status;
 }

@@ -69,14 +69,11 @@ static void add(marks *m, const input *in, size_t number)
     }
 }
 
-int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
+/* Find the questions: those of the deck, else those that a quarter of the answers have. */
+static void find_questions(marks *m, const input *deck, const input *inputs, size_t n)
 {
     unsigned long i, kept = 0, readable = 0, from_deck;
 
-    m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
-    if (!m->list)
-        return 0;
-    m->is_class = deck != NULL;
     if (deck)
         add(m, deck, 0);
     from_deck = m->n;
@@ -86,19 +83,12 @@ int marks_find(marks *m, const input *deck, const input *inputs, size_t n)
             add(m, &inputs[i], i + 1);
             readable++;
         }
-    if (from_deck) {
-        m->n = from_deck;
-        return 1;
-    }
-    for (i = 0; i < m->n; i++) {
-        if (SHARE * m->list[i].answers < readable)
-            continue;
+    for (i = 0; i < m->n && !from_deck; i++) {
+        if (SHARE * m->list[i].answers >= readable)
+            m->list[kept++] = m->list[i];
         m->are_guessed |= m->list[i].answers < readable;
-        m->list[kept++] = m->list[i];
     }
-    m->are_guessed |= kept < m->n;
-    m->n = kept;
-    return 1;
+    m->n = from_deck ? from_deck : kept;
 }
 
 /* Add words to a note; what does not fit is left out. */
@@ -130,17 +120,18 @@ static void put_name(char *note, size_t size, const char *title, int *n, const f
                     q->branch == FOURLINK_CROSSED ? " (crossed)" : "", angle));
 }
 
-void marks_tell(const marks *m, const char *name)
+/* Print notes on tolerances and on values that were found in the answers. */
+static void tell(const marks *m, const char *name, int is_class)
 {
     char note[MESSAGE_SIZE] = "", words[MESSAGE_SIZE];
     unsigned long i;
     int n = 0;
 
     if (m->set_tolerances)
-        command_tell_note(name, 0,
-                          "answers set their own tolerance, by 'tolerance' or their last digit; "
-                          "--tolerance='1 %' or a [grading] section sets it for all",
-                          NULL);
+        command_tell("note", name, 0,
+                     "answers set their own tolerance, by 'tolerance' or their last digit; "
+                     "--tolerance='1 %' or a [grading] section sets it for all",
+                     NULL);
     if (!m->are_guessed)
         return;
     for (i = 0; i < m->n; i++)
@@ -148,9 +139,24 @@ void marks_tell(const marks *m, const char *name)
     flk_message(words, sizeof words,
                 "not all answers have the same values; %ld are asked, those that a quarter of them "
                 "have: %s%s",
-                (long)m->n, note,
-                m->is_class ? "; an [expect] in the deck says what is asked" : "");
-    command_tell_note(name, 0, words, NULL);
+                (long)m->n, note, is_class ? "; an [expect] in the deck says what is asked" : "");
+    command_tell("note", name, 0, words, NULL);
+}
+
+int marks_find(marks *m, const input *inputs, size_t n)
+{
+    const input *deck = inputs[0].deck;
+    const options *o = inputs[0].o;
+
+    memset(m, 0, sizeof *m);
+    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
+        return 0;
+    m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
+    if (!m->list)
+        return command_complain("cannot start", "", "not enough memory");
+    find_questions(m, deck, inputs, n);
+    tell(m, o->check_file, deck != NULL);
+    return 0;
 }
 
 /* Find which questions an input answers, and whether all its answers to one are right. */

@@ -11,7 +11,7 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "options.h"
-#include "tables/formats.h"
+#include "tables/content.h"
 #include "terminal.h"
 
 #define MOST_DESIGNS 4294967295.0
@@ -24,6 +24,13 @@ static int say(char message[400], const char *a, const char *b, const char *c)
     char word[200];
 
     flk_message(message, 400, "%s%s%s", a, flk_text_copy(flk_text_of(b), word, sizeof word), c);
+    return 0;
+}
+
+/* The same of a value, which the format quotes. */
+static int refuse(char message[400], const char *format, const char *value)
+{
+    flk_message(message, 400, format, flk_text_of(value));
     return 0;
 }
 
@@ -47,10 +54,15 @@ static int set_format(options *o, const char *value, char message[400])
 static const char *const content_options[] = {"",         "--summary", "--check", "--list",
                                               "--matrix", "",          "--expect"};
 
-static int set_content(options *o, sheet_content content)
+/* 1 if a text is a whole number from 1. */
+static int is_whole(text words, double most, unsigned long *number)
 {
-    o->n_contents += o->content != content;
-    o->content = content;
+    double n = 0;
+
+    if (flk_number_read(&words, &n) != NUMBER_OK || words.length || n != floor(n) || n < 1 ||
+        n > most)
+        return 0;
+    *number = (unsigned long)n;
     return 1;
 }
 
@@ -58,18 +70,11 @@ static int set_content(options *o, sheet_content content)
 static int set_part(options *o, const char *value, char message[400])
 {
     text rest = flk_text_of(value), k;
-    double part = 0, parts = 0;
 
     flk_text_split(&rest, '/', &k);
-    if (!rest.start || flk_number_read(&k, &part) != NUMBER_OK || k.length ||
-        flk_number_read(&rest, &parts) != NUMBER_OK || rest.length || part != floor(part) ||
-        parts != floor(parts) || part < 1 || parts < 1 || parts > 1e6)
+    if (!rest.start || !is_whole(k, MOST_DESIGNS, &o->part) || !is_whole(rest, 1e6, &o->parts))
         return say(message, "--part must be K/N, such as 1/4, not '", value, "'");
-    if (part > parts)
-        return say(message, "--part=", value, ": K must be from 1 to N");
-    o->part = (unsigned long)part;
-    o->parts = (unsigned long)parts;
-    return 1;
+    return o->part <= o->parts || say(message, "--part=", value, ": K must be from 1 to N");
 }
 
 static int set_plot_kind(options *o, const char *value, char message[400])
@@ -115,7 +120,7 @@ static int set_report(options *o, const char *value, char message[400])
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
 
-/* Change a key of the deck: `key` ends in "=". */
+/* Change a key of the deck: the assignment is both texts. */
 static int set_change(options *o, const char *origin, const char *key, const char *value)
 {
     fourlink_change *change = &o->changes[o->n_changes++];
@@ -141,35 +146,19 @@ static int set_best(options *o, const char *value, char message[400])
     return set_change(o, "--best", "sweep.output=", name.start);
 }
 
-/* A whole number from 1; 0 and the reason in `message` if it is none. */
-static int read_number(const char *name, const char *value, double most, const char *other,
-                       unsigned long *number, char message[400])
-{
-    text rest = flk_text_of(value);
-    double n = 0;
-
-    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
-        n > most) {
-        flk_message(message, 400, "%s must be a number from 1%s, not '%t'", name, other,
-                    flk_text_of(value));
-        return 0;
-    }
-    *number = (unsigned long)n;
-    return 1;
-}
-
 /* N or all */
 static int set_design(options *o, const char *value, char message[400])
 {
     o->all_designs = strcmp(value, "all") == 0;
     o->design = 0;
-    return o->all_designs ||
-           read_number("--design", value, MOST_DESIGNS, ", or all", &o->design, message);
+    return o->all_designs || is_whole(flk_text_of(value), MOST_DESIGNS, &o->design) ||
+           refuse(message, "--design must be a number from 1, or all, not '%t'", value);
 }
 
 static int set_solution(options *o, const char *value, char message[400])
 {
-    return read_number("--solution", value, MOST_SOLUTIONS, " to 1000", &o->solution, message);
+    return is_whole(flk_text_of(value), MOST_SOLUTIONS, &o->solution) ||
+           refuse(message, "--solution must be a number from 1 to 1000, not '%t'", value);
 }
 
 static int set_output(options *o, const char *value, char message[400])
@@ -184,42 +173,26 @@ static int set_check(options *o, const char *value, char message[400])
     if (!*value && value != no_value)
         return say(message, "--check= needs a file name", "", "");
     o->check_file = *value ? value : NULL;
-    return set_content(o, SHEET_CHECK);
+    return 1;
 }
 
 static int set_answers(options *o, const char *value, char message[400])
 {
     o->answers = value;
-    return *value ? set_content(o, SHEET_CHECK) : say(message, "--answers= needs a folder", "", "");
+    return *value || say(message, "--answers= needs a folder", "", "");
 }
 
-static int set_scores(options *o, const char *value, char message[400])
-{
-    (void)value;
-    (void)message;
-    o->scores = 1;
-    return set_content(o, SHEET_CHECK);
-}
-
-static int set_statistics(options *o, const char *value, char message[400])
-{
-    (void)value;
-    (void)message;
-    o->statistics = 1;
-    return set_change(o, "--statistics", "sweep.statistics=", "yes");
-}
-
-/* An option.  It has a key, a function, a content, or a member of the options: a text, or a flag if it takes
-** no value. */
+/* An option sets what its entry names: a key of the deck, the content, a member of the options (a text, or a flag
+** if it takes no value), and what its function does. */
 typedef struct option_info {
     char letter; /* 0: it has none */
     const char *name;
     const char *value; /* its name; null: it takes none; [=FILE]: one may follow after '=' */
     const char *key;   /* of the deck, and "=" */
     int (*set)(options *o, const char *value, char message[400]);
-    sheet_content content;
-    size_t member;
-    const char *words; /* of the help */
+    sheet_content content; /* SHEET_ROWS: any */
+    size_t member;         /* 0: none */
+    const char *words;     /* of the help */
 } option_info;
 
 #define KEY(key) key, NULL, SHEET_ROWS, 0
@@ -241,11 +214,12 @@ static const option_info table[] = {
     {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side"},
     {'s', "--set", "[SECTION[ NAME].]KEY=VALUE", KEY(""),
      "change the deck: --set 'motion.speed=100 rpm'"},
-    {'C', "--check", "[=FILE]", OWN(set_check),
+    {'C', "--check", "[=FILE]", NULL, set_check, SHEET_CHECK, 0,
      "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck"},
-    {0, "--answers", "FOLDER", OWN(set_answers),
+    {0, "--answers", "FOLDER", NULL, set_answers, SHEET_CHECK, 0,
      "compare one deck with each file of answers in FOLDER"},
-    {0, "--scores", NULL, OWN(set_scores), "print a score for each deck or file, not each value"},
+    {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
+     "print a score for each deck or file, not each value"},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'"},
     {0, "--expect", NULL, CONTENT(SHEET_EXPECT),
@@ -272,8 +246,8 @@ static const option_info table[] = {
     {0, "--report", "FILE", OWN(set_report),
      "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
      "tables"},
-    {0, "--statistics", NULL, OWN(set_statistics),
-     "print statistics of the designs of the deck's [sweep]"},
+    {0, "--statistics", NULL, "sweep.statistics=yes", NULL, SHEET_ROWS,
+     offsetof(options, statistics), "print statistics of the designs of the deck's [sweep]"},
     {0, "--best", "'max|min NAME'", OWN(set_best),
      "print the best design of the deck's [sweep], refined, as a deck"},
     {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]"},
@@ -305,16 +279,16 @@ static int set(options *o, const option_info *info, const char *value, char mess
     void *member = (char *)o + info->member;
 
     if (info->key)
-        return set_change(o, info->name, info->key, value);
-    if (info->set)
-        return info->set(o, value, message);
-    if (info->content != SHEET_ROWS)
-        return set_content(o, info->content);
-    if (info->value)
+        set_change(o, info->name, info->key, value);
+    if (info->member && info->value)
         *(const char **)member = value;
-    else
+    else if (info->member)
         *(int *)member = 1;
-    return 1;
+    if (info->content != SHEET_ROWS) {
+        o->n_contents += o->content != info->content;
+        o->content = info->content;
+    }
+    return !info->set || info->set(o, value, message);
 }
 
 /* --name, --name=value, --name value */

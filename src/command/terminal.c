@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** terminal.c - the terminal that results are shown on.
+** terminal.c - the terminal that results are shown on, and the progress of long work there.
 */
 #include <stdlib.h>
 
@@ -29,4 +29,30 @@ unsigned long terminal_width(FILE *out)
     if (!width)
         width = system_width(out);
     return width ? width : USUAL_WIDTH;
+}
+
+void progress_begin(progress *p, FILE *out)
+{
+    p->is_shown = system_is_terminal(stderr) && !system_is_terminal(out);
+    p->is_told = 0;
+    p->start = p->last = time(NULL);
+}
+
+void progress_tell(progress *p, unsigned long done, unsigned long of)
+{
+    double share = (double)done / (double)of;
+    time_t now = p->is_shown ? time(NULL) : p->last;
+
+    if (now == p->last || now <= p->start + 1)
+        return;
+    p->last = now;
+    p->is_told = 1;
+    fprintf(stderr, "\rfourlink: %lu of %lu designs, %.0f %%, %.0f s to go    ", done, of,
+            100 * share, difftime(now, p->start) * (1 / share - 1));
+}
+
+void progress_end(const progress *p)
+{
+    if (p->is_told)
+        fprintf(stderr, "\r%75s\r", "");
 }

@@ -6,9 +6,21 @@
 #define FOURLINK_TERMINAL_H
 
 #include <stdio.h>
+#include <time.h>
 
 /* The width of the terminal in characters; 0 if the stream is a file or a pipe.  COLUMNS comes first, then
 ** what the terminal says; a terminal that says nothing has 80. */
 unsigned long terminal_width(FILE *out);
+
+/* Progress on a terminal, once a second. */
+typedef struct progress {
+    int is_shown, is_told;
+    time_t start, last;
+} progress;
+
+/* It is not shown if the output is on the terminal too. */
+void progress_begin(progress *p, FILE *out);
+void progress_tell(progress *p, unsigned long done, unsigned long of);
+void progress_end(const progress *p);
 
 #endif

@@ -20,7 +20,7 @@ static int refuse(const char *file, long where, const char *format, text name)
 {
     char words[MESSAGE_SIZE];
 
-    command_tell_mistake(file, where, flk_message(words, sizeof words, format, name), NULL);
+    command_tell("error", file, where, flk_message(words, sizeof words, format, name), NULL);
     return EXIT_USAGE;
 }
 
@@ -92,7 +92,7 @@ int variants_open(variants *v, const input *deck)
         return 0;
     flk_message(words, sizeof words, "%ld names, but the [sweep] of %s has %ld designs", (long)v->n,
                 deck->name, (long)designs);
-    command_tell_mistake(file, 0, words, NULL);
+    command_tell("error", file, 0, words, NULL);
     return EXIT_USAGE;
 }
 

@@ -9,19 +9,18 @@
 
 #include "input.h"
 
-/* Each returns the exit status.  If a signal stops it, after a whole line, its number is `signal_number`,
-** otherwise 0. */
+/* Each returns the exit status.  A signal stops a sweep after a whole line. */
 
 /* In designs.c: the designs of a [sweep] that are asked for. */
-int designs_write(FILE *out, const input *in, int *signal_number);
+int designs_write(FILE *out, const input *in);
 
 /* In best.c: the design that --best asks for, as a deck. */
-int best_write(FILE *out, const input *in, int *signal_number);
+int best_write(FILE *out, const input *in);
 
 /* In solutions.c: a line for each solution of a [synthesis]. */
 int solutions_write(FILE *out, const input *in);
 
-/* In reporting.c: the report that the options ask for. */
+/* In drawing.c: the report that the options ask for. */
 int reporting_write(const input *in);
 
 #endif

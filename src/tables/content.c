@@ -42,21 +42,9 @@ static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink
     take_row(s, branch, at, row);
 }
 
-/* Returns 0 if the machine does not come to this row. */
-static int write_row(sheet *s, fourlink_branch branch, unsigned long k)
-{
-    fourlink_instant at;
-    sheet_row row;
-
-    find_row(s, branch, k, &at, &row);
-    if (sheet_is_over(s, &at))
-        return 0;
-    s->format->row(s, &row);
-    return 1;
-}
-
-/* Write all rows of a branch; rows without numbers, for the same reason, as one. */
-static void write_rows_briefly(sheet *s, fourlink_branch branch)
+/* Write all rows of a branch, and why it ends before; where the format is brief, rows without numbers, for the
+** same reason, as one. */
+static void write_all_rows(sheet *s, fourlink_branch branch)
 {
     fourlink_instant at, first;
     sheet_row row, stretch;
@@ -73,7 +61,7 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
         }
         if (is_open)
             s->format->row(s, &stretch);
-        is_open = at.status != FOURLINK_OK;
+        is_open = s->format->is_brief && at.status != FOURLINK_OK;
         if (is_open) {
             first = at;
             stretch = row;
@@ -84,6 +72,7 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
     }
     if (is_open)
         s->format->row(s, &stretch);
+    sheet_write_stop(s, branch);
 }
 
 static void write_row_at(sheet *s, fourlink_branch branch, double angle)
@@ -197,18 +186,6 @@ static void write_extremes(sheet *s)
         }
 }
 
-/* Write all rows of the motion on a branch, and why it ends before. */
-static void write_all_rows(sheet *s, fourlink_branch branch)
-{
-    unsigned long k;
-
-    if (s->format->is_brief)
-        write_rows_briefly(s, branch);
-    for (k = 0; k < s->v.problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
-        ;
-    sheet_write_stop(s, branch);
-}
-
 /* Write the rows of a branch, once for each page. */
 static void write_block(sheet *s, fourlink_branch branch)
 {
@@ -230,14 +207,19 @@ static void write_block(sheet *s, fourlink_branch branch)
 static void write_by_angle(sheet *s)
 {
     unsigned long n_rows = s->v.problem.n_rows, k;
+    fourlink_instant at;
+    sheet_row row;
     int i;
 
     if (s->v.problem.one_revolution && s->v.problem.mode == FOURLINK_MODE_GIVEN &&
         !s->v.range.stops && n_rows > 1)
         n_rows--;
     for (k = 0; k < n_rows; k++)
-        for (i = s->v.n_branches - 1; i >= 0; i--)
-            write_row(s, s->v.branches[i], k);
+        for (i = s->v.n_branches - 1; i >= 0; i--) {
+            find_row(s, s->v.branches[i], k, &at, &row);
+            if (!sheet_is_over(s, &at))
+                s->format->row(s, &row);
+        }
     for (i = 0; i < s->v.n_branches && (i == 0 || s->v.problem.mode != FOURLINK_MODE_GIVEN); i++)
         sheet_write_stop(s, s->v.branches[i]);
 }
@@ -484,6 +466,15 @@ static void write_lines(sheet *s)
     }
 }
 
+/* Count a design that could not be computed. */
+static void refuse_statistics(sheet *s)
+{
+    int i;
+
+    for (i = 0; i < s->v.n_branches; i++)
+        statistics_add(s, s->v.branches[i], NULL);
+}
+
 void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
                           unsigned long i, const double *varied, const char *why)
 {
@@ -492,7 +483,7 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
     if (!open_results(s, results ? results : first))
         s->out_of_memory = 1;
     else if (!results && s->statistics)
-        statistics_refuse(s);
+        refuse_statistics(s);
     else if (!results)
         s->format->refuse(s, why);
     else if (s->content == SHEET_DESIGNS)
@@ -501,4 +492,32 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
         write_content(s);
     s->failed += !results;
     close_results(s);
+}
+
+/* ------------------------------------------------------------------------------------------- formats */
+
+#define FORMATS_ENTRY(name) &name##_format,
+const sheet_format *const formats_all[] = {SHEET_FORMATS(FORMATS_ENTRY) NULL};
+
+const sheet_format *formats_find(const char *name)
+{
+    const sheet_format *const *f = formats_all;
+
+    while (*f && strcmp((*f)->name, name) != 0)
+        f++;
+    return *f;
+}
+
+char *formats_of(sheet_content content, const char *between, const char *last,
+                 char names[FORMATS_NAMES])
+{
+    const char *list[sizeof formats_all / sizeof formats_all[0]];
+    const sheet_format *const *f;
+    int n = 0;
+
+    for (f = formats_all; *f; f++)
+        if ((*f)->writes & 1 << content)
+            list[n++] = (*f)->name;
+    list[n] = NULL;
+    return flk_text_list(list, between, last, names, FORMATS_NAMES);
 }

@@ -191,38 +191,6 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_byte(&s->l, '\n');
 }
 
-/* The last line of a deck's comparisons is its score. */
-static void close_deck(sheet *s)
-{
-
-    if (s->content != SHEET_CHECK)
-        return;
-    put_labels(s);
-    put_words(&s->l, s->mark ? s->mark->path : "");
-    line_put(&s->l, ",,score,,,,,,,,%12g,%12g,", s->right, s->of);
-    put_words(&s->l, s->mark ? s->mark->note : "");
-    line_byte(&s->l, '\n');
-}
-
-/* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
-static void refuse(sheet *s, const char *why)
-{
-    int n = s->design ? s->v.n_branches : 0, i;
-
-    if (!s->design) {
-        put_labels(s);
-        put_words(&s->l, s->mark ? s->mark->path : "");
-        line_put(&s->l, ",,%s,,,,,,,,0,", s->mark ? "bad answers" : "bad deck");
-        if (s->mark)
-            line_put(&s->l, "%12g", s->mark->of);
-        line_byte(&s->l, ',');
-        put_words(&s->l, why);
-        line_byte(&s->l, '\n');
-    }
-    for (i = 0; i < n; i++)
-        put_design(s, s->v.branches[i], NULL, why);
-}
-
 /* A comma and a number; nothing after it if it is not defined. */
 static void put_next(sheet *s, double value)
 {
@@ -231,18 +199,44 @@ static void put_next(sheet *s, double value)
         line_number(&s->l, value, DIGITS);
 }
 
+/* The line of a deck that has a score, or mistakes; `of` is NaN if nothing is known of what is asked. */
+static void put_score(sheet *s, const char *result, double right, double of, const char *note)
+{
+    put_labels(s);
+    put_words(&s->l, s->mark ? s->mark->path : "");
+    line_put(&s->l, ",,%s,,,,,,,,%12g,", result, right);
+    if (!gsl_isnan(of))
+        line_put(&s->l, "%12g", of);
+    line_byte(&s->l, ',');
+    put_words(&s->l, note);
+    line_byte(&s->l, '\n');
+}
+
+static void close_deck(sheet *s)
+{
+    if (s->content == SHEET_CHECK)
+        put_score(s, "score", s->right, s->of, s->mark ? s->mark->note : "");
+}
+
+/* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
+static void refuse(sheet *s, const char *why)
+{
+    int n = s->design ? s->v.n_branches : 0, i;
+
+    if (!s->design)
+        put_score(s, s->mark ? "bad answers" : "bad deck", 0, s->mark ? s->mark->of : GSL_NAN, why);
+    for (i = 0; i < n; i++)
+        put_design(s, s->v.branches[i], NULL, why);
+}
+
 static void put_statistic(sheet *s, const sheet_statistic *x)
 {
     int i;
 
     put_words(&s->l, x->output->name);
     line_put(&s->l, ",%s,%s,%lu", x->output->unit, fourlink_branch_text((int)x->branch), x->count);
-    put_next(s, x->mean);
-    put_next(s, x->deviation);
-    put_next(s, x->least);
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        put_next(s, x->quantiles[i]);
-    put_next(s, x->most);
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        put_next(s, x->values[i]);
     line_put(&s->l, ",,,\n");
 }
 

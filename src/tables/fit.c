@@ -36,27 +36,6 @@ static int is_angle(const sheet *s, unsigned long j)
     return (s->v.columns[j].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
-unsigned long fit_column(const sheet *s, unsigned long k)
-{
-    unsigned long angle = 0;
-
-    while (angle < s->v.n_columns && !is_angle(s, angle))
-        angle++;
-    if (s->n_pages == 1 || angle == s->v.n_columns || k > angle)
-        return k;
-    return k == 0 ? angle : k - 1;
-}
-
-int fit_has_lead(const sheet *s)
-{
-    return is_angle(s, fit_column(s, 0));
-}
-
-int fit_has(const sheet *s, const style *styles, unsigned long j)
-{
-    return styles[j].page == s->page || (s->n_pages > 1 && is_angle(s, j));
-}
-
 /* The pages so far, and what is used of the last one's width. */
 typedef struct filling {
     const sheet *s;
@@ -106,35 +85,54 @@ static void place(filling *f, int subject)
     }
 }
 
-/* The width that is used on each page: by the crank angle, or by the label of the extremes. */
-static size_t width_of_lead(const sheet *s, const style *styles)
+int fit_has(const sheet *s, const style *x)
 {
-    unsigned long j;
+    return x->page == s->page || x->page == EACH_PAGE;
+}
 
-    for (j = 0; j < s->v.n_columns; j++)
-        if (is_angle(s, j))
-            return styles[j].width;
-    return sizeof "  at theta2" - 1;
+int fit_has_lead(const sheet *s)
+{
+    const style *styles = s->layout;
+
+    return is_angle(s, styles[0].column);
+}
+
+/* On several pages the crank angle is the first column. */
+static void put_angle_first(const sheet *s, style *styles, unsigned long angle)
+{
+    unsigned long k;
+
+    if (angle == s->v.n_columns)
+        return;
+    for (k = angle; k > 0; k--)
+        styles[k].column = styles[k - 1].column;
+    styles[0].column = angle;
 }
 
 int fit_columns(const sheet *s, style *styles)
 {
-    size_t total = fit_has_lead(s) ? 0 : sizeof "  at theta2" - 1;
+    unsigned long angle = s->v.n_columns, j;
+    size_t label = sizeof "  at theta2" - 1, total = 0;
     filling f;
-    unsigned long j;
     int subject;
 
     for (j = 0; j < s->v.n_columns; j++) {
-        styles[j].page = 0;
+        styles[j].page = is_angle(s, j) ? EACH_PAGE : 0;
+        styles[j].column = j;
         total += styles[j].width;
+        if (is_angle(s, j) && angle == s->v.n_columns)
+            angle = j;
     }
-    if (!s->width || total <= s->width)
+    if (!s->width || total + (angle == 0 ? 0 : label) <= s->width)
         return 1;
     f.s = s;
     f.styles = styles;
-    f.used = f.first = width_of_lead(s, styles);
+    /* on each page there is the crank angle, or the label of the extremes */
+    f.used = f.first = angle < s->v.n_columns ? styles[angle].width : label;
     f.page = 0;
     for (subject = KINEMATICS; subject < SUBJECTS; subject++)
         place(&f, subject);
+    if (f.page > 0)
+        put_angle_first(s, styles, angle);
     return f.page + 1;
 }

@@ -11,12 +11,8 @@
 ** several of them where they fit.  Returns the number of pages, 1 if there is no width. */
 int fit_columns(const sheet *s, style *styles);
 
-/* The k-th column that is printed, as a number in the deck's list: if there are several pages, the crank
-** angle is the first and stands on each of them. */
-unsigned long fit_column(const sheet *s, unsigned long k);
-
 /* 1 if a column stands on the present page. */
-int fit_has(const sheet *s, const style *styles, unsigned long j);
+int fit_has(const sheet *s, const style *x);
 
 /* 1 if the first column that is printed is the crank angle. */
 int fit_has_lead(const sheet *s);

@@ -306,7 +306,6 @@ static void close_deck(sheet *s)
 
 static void put_statistic(sheet *s, const sheet_statistic *x)
 {
-    static const char *const shares[SHEET_QUANTILES] = {"5 %", "25 %", "50 %", "75 %", "95 %"};
     int i;
 
     put_item(s, "statistics");
@@ -314,12 +313,8 @@ static void put_statistic(sheet *s, const sheet_statistic *x)
     put_text(&s->l, "unit", x->output->unit);
     put_text(&s->l, "branch", fourlink_branch_text((int)x->branch));
     put_named_number(&s->l, "count", (double)x->count);
-    put_named_number(&s->l, "mean", x->mean);
-    put_named_number(&s->l, "std_dev", x->deviation);
-    put_named_number(&s->l, "min", x->least);
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        put_named_number(&s->l, shares[i], x->quantiles[i]);
-    put_named_number(&s->l, "max", x->most);
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        put_named_number(&s->l, sheet_statistic_names[i], x->values[i]);
     line_text(&s->l, "}", 1);
 }
 

@@ -91,16 +91,15 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
-#define SHEET_QUANTILES 5
-
-/* Statistics of one output on one branch; NaN: not defined. */
+/* Statistics of one output on one branch: mean, standard deviation, least, quantiles, largest. */
+#define SHEET_STATISTICS_COUNT 9
 typedef struct sheet_statistic {
     const fourlink_value *output;
     fourlink_branch branch;
     unsigned long count;
-    double mean, deviation, least, most;
-    double quantiles[SHEET_QUANTILES]; /* 5, 25, 50, 75, 95 per cent */
+    double values[SHEET_STATISTICS_COUNT]; /* NaN: not defined */
 } sheet_statistic;
+extern const char *const sheet_statistic_names[SHEET_STATISTICS_COUNT];
 
 /* How many designs meet a condition. */
 typedef struct sheet_yield {

@@ -41,30 +41,30 @@ void statistics_close(statistics *x)
     free(x->passed);
 }
 
+/* Returns 0 if out of memory.  There is room for a power of two. */
 static int add_value(statistics_sample *sample, double value)
 {
-    if (sample->n == sample->capacity) {
-        size_t capacity = sample->capacity ? 2 * sample->capacity : 64;
-        double *more = realloc(sample->values, capacity * sizeof *more);
+    if ((sample->n & (sample->n - 1)) == 0) {
+        double *more = realloc(sample->values, (2 * sample->n + 1) * sizeof *more);
 
         if (!more)
             return 0;
         sample->values = more;
-        sample->capacity = capacity;
     }
     sample->values[sample->n++] = value;
     return 1;
 }
 
-/* The value of a condition's output; NaN if there is none. */
-static double value_of(const statistics *x, const fourlink_value *condition, const double *values)
+/* 1 if a design meets a condition of the yield. */
+static int is_met(const sheet *s, const fourlink_value *condition, const sheet_output *outputs)
 {
     unsigned long i;
 
-    for (i = 0; values && i < x->n_outputs; i++)
-        if (x->outputs[i].handle == condition->handle)
-            return values[i];
-    return GSL_NAN;
+    for (i = 0; i < s->n_header; i++)
+        if (s->header[i].handle == condition->handle)
+            return outputs[i].has_value && !outputs[i].v.words &&
+                   statistics_meets(condition, outputs[i].v.value);
+    return 0;
 }
 
 int statistics_meets(const fourlink_value *condition, double value)
@@ -76,51 +76,39 @@ int statistics_meets(const fourlink_value *condition, double value)
            ((condition->flags & FOURLINK_OR_EQUAL) && value == limit);
 }
 
-/* Add a design on a branch: its values by output, NaN for none; null: it has no values at all. */
-static void add_values(statistics *x, fourlink_branch branch, const double *values)
+void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *outputs)
 {
-    int of = index_of(branch), all = 1;
+    statistics *x = s->statistics;
+    int of = index_of(branch), all = outputs != NULL;
     unsigned long *passed = x->passed + (unsigned long)of * (x->n_conditions + 1), i;
 
     x->designs[of]++;
-    for (i = 0; values && i < x->n_outputs; i++)
-        if (!gsl_isnan(values[i]) &&
-            !add_value(&x->samples[(unsigned long)of * x->n_outputs + i], values[i]))
-            x->out_of_memory = 1;
-    for (i = 0; i < x->n_conditions; i++) {
-        int is_met = statistics_meets(&x->conditions[i], value_of(x, &x->conditions[i], values));
+    for (i = 0; outputs && i < x->n_outputs; i++) {
+        statistics_sample *sample = &x->samples[(unsigned long)of * x->n_outputs + i];
 
-        passed[i] += is_met ? 1 : 0;
-        all &= is_met;
+        if (!outputs[i].has_value)
+            continue;
+        if (outputs[i].v.words)
+            sample->has_words = 1;
+        else if (!gsl_isnan(outputs[i].v.value) && !add_value(sample, outputs[i].v.value))
+            s->out_of_memory = 1;
     }
-    passed[x->n_conditions] += all ? 1 : 0;
-}
+    for (i = 0; outputs && i < x->n_conditions; i++) {
+        int meets = is_met(s, &x->conditions[i], outputs);
 
-/* --------------------------------------------------------------------------- designs of a sheet */
-
-void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *outputs)
-{
-    double values[SHEET_OUTPUTS];
-    unsigned long i;
-
-    for (i = 0; i < s->n_header; i++) {
-        if (outputs[i].has_value && outputs[i].v.words)
-            s->statistics->samples[(unsigned long)index_of(branch) * s->n_header + i].has_words = 1;
-        values[i] = outputs[i].has_value && !outputs[i].v.words ? outputs[i].v.value : GSL_NAN;
+        passed[i] += (unsigned long)meets;
+        all &= meets;
     }
-    add_values(s->statistics, branch, values);
-    s->out_of_memory |= s->statistics->out_of_memory;
-}
-
-void statistics_refuse(sheet *s)
-{
-    int i;
-
-    for (i = 0; i < s->v.n_branches; i++)
-        add_values(s->statistics, s->v.branches[i], NULL);
+    passed[x->n_conditions] += (unsigned long)all;
 }
 
 /* ------------------------------------------------------------------------------------- results */
+
+const char *const sheet_statistic_names[] = {"mean", "std_dev", "min",  "5 %", "25 %",
+                                             "50 %", "75 %",    "95 %", "max"};
+
+/* The shares of the last seven. */
+static const double shares[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
 
 /* By linear interpolation between sorted values, the first being the quantile of 0, the last that of 1.
 ** GSL's has 0 * inf where the value after it is unbounded. */
@@ -135,27 +123,24 @@ static double quantile(const double *sorted, size_t n, double share)
 /* With unbounded values the mean is unbounded too. */
 static void summarise(statistics_sample *sample, sheet_statistic *to)
 {
-    static const double shares[SHEET_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
+    double *x = sample->values;
     size_t n = sample->n, i;
 
     to->count = (unsigned long)n;
-    to->mean = to->deviation = to->least = to->most = GSL_NAN;
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        to->quantiles[i] = GSL_NAN;
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        to->values[i] = GSL_NAN;
     if (!n)
         return;
-    gsl_sort(sample->values, 1, n);
-    to->least = sample->values[0];
-    to->most = sample->values[n - 1];
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        to->quantiles[i] = quantile(sample->values, n, shares[i]);
-    if (!gsl_finite(to->least) || !gsl_finite(to->most)) {
-        to->mean = to->least + to->most;
+    gsl_sort(x, 1, n);
+    for (i = 2; i < SHEET_STATISTICS_COUNT; i++)
+        to->values[i] = quantile(x, n, shares[i - 2]);
+    if (!gsl_finite(x[0]) || !gsl_finite(x[n - 1])) {
+        to->values[0] = x[0] + x[n - 1];
         return;
     }
-    to->mean = gsl_stats_mean(sample->values, 1, n);
+    to->values[0] = gsl_stats_mean(x, 1, n);
     if (n > 1)
-        to->deviation = gsl_stats_sd_m(sample->values, 1, n, to->mean);
+        to->values[1] = gsl_stats_sd_m(x, 1, n, to->values[0]);
 }
 
 /* The interval that holds the true share of successes with 95 per cent probability:

@@ -10,7 +10,7 @@
 /* The values of one output on one branch, but for NaN. */
 typedef struct statistics_sample {
     double *values;
-    size_t n, capacity;
+    size_t n;
     int has_words; /* 1: some are words, which have no statistics */
 } statistics_sample;
 
@@ -21,7 +21,6 @@ typedef struct statistics {
     statistics_sample *samples; /* by branch and output */
     unsigned long designs[2];   /* by branch: open, crossed */
     unsigned long *passed;      /* by branch and condition; after these, all conditions */
-    int out_of_memory;
 } statistics;
 
 /* Begin; the lists stay the caller's.  Returns 0 if out of memory. */
@@ -32,9 +31,8 @@ void statistics_close(statistics *x);
 /* 1 if a value meets a condition of the yield; NaN meets none. */
 int statistics_meets(const fourlink_value *condition, double value);
 
-/* Add a design to s->statistics: its outputs on a branch; on all branches, one that could not be computed. */
+/* Add a design to s->statistics: its outputs on a branch; null: it could not be computed. */
 void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *outputs);
-void statistics_refuse(sheet *s);
 
 /* Write them as a sheet of their own, which the caller has begun. */
 void statistics_write(sheet *s, fourlink_results *results, statistics *x);

@@ -7,6 +7,8 @@
 
 #include "sheet.h"
 
+#define EACH_PAGE (-1)
+
 /* Of a column. */
 typedef struct style {
     int decimals;
@@ -14,7 +16,8 @@ typedef struct style {
     size_t width;
     double limit;                  /* numbers below it fit the width, with a sign and a blank */
     double size;                   /* the largest finite magnitude of the column */
-    int page;                      /* from fit_columns */
+    int page;                      /* from fit_columns; EACH_PAGE: on each of them */
+    unsigned long column;          /* of the k-th style: the k-th column that is printed */
     const fourlink_value *extreme; /* that is being written; null: none */
 } style;
 

@@ -30,7 +30,7 @@ static void put_names(sheet *s, int units)
 
     line_put(&s->l, "#");
     for (k = 0; k < s->v.n_columns; k++)
-        if (fit_has(s, styles, j = fit_column(s, k))) {
+        if (fit_has(s, &styles[j = styles[k].column])) {
             line_field(&s->l, units ? s->v.columns[j].unit : s->v.columns[j].name,
                        styles[j].width - hash);
             hash = 0;
@@ -53,7 +53,7 @@ static void block_begins(sheet *s, fourlink_branch branch)
 /* The field of an extreme, or of its crank angle. */
 static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 {
-    static const style angle = {3, 0, 0, 0, 0, 0, NULL};
+    static const style angle = {3, 0, 0, 0, 0, 0, 0, NULL};
 
     if (x->extreme && at_angle && x->extreme->has_angle)
         style_put(&s->l, x->extreme->angle, &angle, width);
@@ -73,7 +73,7 @@ static void put_extremes(sheet *s, const char *label, int at_angle)
 
     line_put(&s->l, "#");
     for (k = 0; k < s->v.n_columns; k++) {
-        if (!fit_has(s, styles, j = fit_column(s, k)))
+        if (!fit_has(s, &styles[j = styles[k].column]))
             continue;
         if (has_lead && k == 0)
             line_field(&s->l, at_angle ? "at" : label, styles[j].width - 1);
@@ -143,10 +143,10 @@ static void put_numbers(sheet *s, const double *values)
     unsigned long k;
 
     for (k = 0; k < s->v.n_columns; k++) {
-        unsigned long j = s->n_pages > 1 ? fit_column(s, k) : k;
+        unsigned long j = styles[k].column;
         const style *x = &styles[j];
 
-        if (s->n_pages > 1 && !fit_has(s, styles, j))
+        if (!fit_has(s, x))
             continue;
         if (!(fabs(values[j]) < x->limit) || !line_fixed(&s->l, values[j], x->decimals, x->width))
             style_put(&s->l, values[j], x, x->width);

@@ -34,13 +34,11 @@ static void put_number(sheet *s, double value)
 
 static void put_heading(sheet *s)
 {
-    static const char *const names[] = {"mean", "std_dev", "min",  "5 %", "25 %",
-                                        "50 %", "75 %",    "95 %", "max"};
-    size_t i;
+    int i;
 
     line_put(&s->l, "#  count");
-    for (i = 0; i < sizeof names / sizeof names[0]; i++)
-        line_field(&s->l, names[i], width_of(s));
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        line_field(&s->l, sheet_statistic_names[i], width_of(s));
     line_put(&s->l, "\n");
     s->list = "statistics";
 }
@@ -54,12 +52,8 @@ void table_put_statistic(sheet *s, const sheet_statistic *x)
     line_put(&s->l, "# %s%s%s%s, %s branch\n", x->output->name, x->output->unit[0] ? " (" : "",
              x->output->unit, x->output->unit[0] ? ")" : "", fourlink_branch_text((int)x->branch));
     line_value(&s->l, (double)x->count, 17, 8);
-    put_number(s, x->mean);
-    put_number(s, x->deviation);
-    put_number(s, x->least);
-    for (i = 0; i < SHEET_QUANTILES; i++)
-        put_number(s, x->quantiles[i]);
-    put_number(s, x->most);
+    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
+        put_number(s, x->values[i]);
     line_put(&s->l, "\n");
 }
 
