@@ -121,9 +121,9 @@ with_c() {
     caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
     answer=answer
 
-    # Python, by ctypes
+    # Python, as doc/library.md says
     if python3 -c 'import numpy' 2>/dev/null && ! echo "$CFLAGS" | grep -q sanitize; then
-        cp "$callers/by_ctypes.py" .
+        awk '/^```python/ {on = 1; next} /^```/ {on = 0} on' "$callers/../../doc/library.md" >by_ctypes.py
         LD_LIBRARY_PATH=$lib python3 by_ctypes.py <usr/share/fourlink/data/me3491-matrix.deck >by_ctypes
         sed '$d' "$varied" >three
         sed '$d' by_ctypes >printed
