@@ -66,6 +66,19 @@ if command -v gnuplot >/dev/null; then
 fi
 run 2 --plot=x.svg --plot-kind=error first.deck
 says 'needs --synthesis'
+# a table: all its rows by least squares, or points between them; part of it
+{ echo 'x; log10 x' && awk 'BEGIN {for (i = 0; i <= 20; i++) printf "%.2f; %.6f\n", 1 + i / 20, log(1 + i / 20) / log(10)}'; } >log.csv
+table='function = file log.csv'
+ranges='crank = 45 to 105 deg
+rocker = 135 deg to 225 deg'
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" "$ranges"
+proves 0 21
+check 'all rows' grep -q 'structural error: largest -0.1706' found.deck
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'precision = 3' "$ranges"
+proves 0
+check 'the function of the table' grep -q ': ground 100, crank 185.09[0-9]*, coupler 286.80[0-9]*, rocker 192.05' found.deck
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1.2 to 1.5' "$ranges"
+proves 0 7
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = linear' 'x = 0 to 1' 'crank = 45 to 135 deg' \
     'piston = 100 to 30 mm'
 proves 0
@@ -166,6 +179,13 @@ refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task 
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
     'crank = 1 deg' 'rocker = 1 deg to 2 deg'
+refuses 'the table goes from x = 1 to 2' "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1 to 3' "$ranges"
+refuses '2 rows of the table' "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1.2 to 1.25' "$ranges"
+refuses "cannot read the file 'exp.csv'" "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file exp.csv' "$ranges"
+printf '1 2\n2 4\n2 5\n' >bad.csv
+refuses 'bad.csv:3: error: x must rise' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file bad.csv' "$ranges"
+printf '1 2\n2 4\n' >two.csv
+refuses 'three or more rows' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file two.csv' "$ranges"
 refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
