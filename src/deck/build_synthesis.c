@@ -66,10 +66,10 @@ static const deck_task_kind kinds[] = {
 
 /* -------------------------------------------------------------------------------- motion and path */
 
-/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg */
+/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg; slider 30 deg */
 static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
 {
-    static const char *const words[] = {"fixed", "moving", "rotations", NULL};
+    static const char *const words[] = {"fixed", "moving", "rotations", "slider", NULL};
     setting *s = flk_task_find(p, key);
     text word = s->value, rest;
     int i;
@@ -80,11 +80,13 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
     dyad->choice = (fourlink_choice)(FOURLINK_FIXED_PIVOT + i);
     if (!words[i])
         return flk_mistake(p->mistakes, s->place,
-                           "expected fixed (x, y) mm, moving (x, y) mm or rotations 20 deg 50 deg, "
-                           "not '%t'%h",
+                           "expected fixed (x, y) mm, moving (x, y) mm, rotations 20 deg 50 deg or "
+                           "slider 30 deg, not '%t'%h",
                            s->value, flk_text_nearest(word, words));
     if (dyad->choice == FOURLINK_ROTATIONS)
         return flk_task_pair(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0], &dyad->rotation[1]);
+    if (dyad->choice == FOURLINK_SLIDER)
+        return flk_values_piece(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0]);
     return flk_task_point(p, s, rest, &dyad->pivot, &word) &&
            (!word.length || flk_mistake(p->mistakes, s->place,
                                         "expected one point, such as (24, 10) mm, not '%t'", rest));
@@ -247,10 +249,10 @@ static const struct {
     {NULL, 0, KEY_COUNT, KEY_COUNT, KEY_COUNT, NULL},
     {"function", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POINTS,
      KEY_SYNTHESIS_PRECISION, KEY_COUNT, flk_task_function},
-    {"motion", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT,
-     KEY_SYNTHESIS_TIMING, build_motion},
-    {"path", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT,
-     build_path},
+    {"motion", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
+     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_TIMING, build_motion},
+    {"path", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
+     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT, build_path},
     {"quick-return", FLK_EVERY_KIND, KEY_SYNTHESIS_TIME_RATIO, KEY_SYNTHESIS_CHOOSE, KEY_COUNT,
      build_quick_return},
     {"cognate", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_WHICH, KEY_SYNTHESIS_WHICH, KEY_COUNT,

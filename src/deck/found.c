@@ -73,6 +73,13 @@ int flk_synthesis_run(parser *p)
         return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
                            (long)p->d->solution, (long)t->n);
     t->chosen = &t->solutions[p->d->solution - 1];
+    if (t->chosen->design.kind != p->d->design.kind)
+        return flk_mistake(
+            p->mistakes, t->place,
+            p->d->design.kind == FOURLINK_FOUR_BAR
+                ? "the right pivot moves along a line: write mechanism = slider-crank"
+                : "the right pivot does not move along a line: write right = slider "
+                  "30 deg, or mechanism = four-bar");
     flk_synthesis_name_defects(t);
     note(p);
     return 1;
@@ -166,7 +173,7 @@ static const char *set_point(parser *p)
     if (!flk_section_find(p, SECTION_POINT, &name))
         flk_section_open(p, SECTION_POINT, name, t->place, NULL);
     flk_text_copy(name, section + strlen(section), DECK_NAME_SIZE);
-    set(p, section, "link", "coupler");
+    set(p, section, "link", flk_kind_of(t->chosen->design.kind)->link[FOURLINK_COUPLER]);
     set(p, section, "at", flk_found_point(p, t->chosen->point));
     return flk_reader_copy(p, name, "");
 }

@@ -353,7 +353,8 @@ static void put_task(page *g)
             flk_unit_from_si(s->c, u->unit), u->name, FLK_DEGREES(s->rocker_turn));
     if (s->has_point) {
         put(g, "# The pivot A is at %s in the axes of the task,", flk_found_point(g->p, s->origin));
-        put(g, "# where the line from A to D is at %s.",
+        put(g, "# where the %s is at %s.",
+            s->design.kind == FOURLINK_FOUR_BAR ? "line from A to D" : "direction of stroke",
             flk_found_value(g->p, s->direction, QUANTITY_ANGLE));
     }
 }

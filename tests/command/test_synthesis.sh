@@ -87,6 +87,11 @@ task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) m 0 deg, (1.2
 proves 0 6
 check 'where A is' grep -q 'pivot A is at (0.5, 3.5) m' found.deck
 check 'the crank' grep -q '^length = 0.97986206560052[0-9]* m' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
+    'left = fixed (10, -30) mm' 'right = slider 10 deg'
+proves 0 6
+check 'the line of the slider' grep -q 'the direction of stroke is at -170 deg' found.deck
+check 'the offset' grep -q '^offset = 39.3007466283' found.deck
 task "$four_bar" '[synthesis]' 'task = path' 'positions = (0, 0) mm, (12, 5) mm, (21, 16) mm' 'timing = 40 deg, 85 deg' \
     'right = fixed (50, -10) mm'
 proves 0 6
@@ -197,7 +202,12 @@ refuses "did you mean 'fixed'?" "$four_bar" '[synthesis]' 'task = motion' \
     'positions = (1, 2) mm 3 deg, (2, 2) mm 4 deg, (3, 2) mm 5 deg' 'left = fixd (0, 0) mm' 'right = fixed (1, 0) mm'
 refuses 'a time ratio is at least 1' "$four_bar" "$ground" '[crank]' 'length = 20 mm' '[synthesis]' 'task = quick-return' \
     'time_ratio = 0.8' 'swing = 40 deg'
-refuses 'task = motion does not exist for a slider-crank' 'mechanism = slider-crank' '[synthesis]' 'task = motion'
+positions='positions = (0, 0) mm 0 deg, (3, 1) mm 18 deg, (6, 2) mm 29 deg'
+refuses 'the right pivot moves along a line: write mechanism = slider-crank' "$four_bar" '[synthesis]' 'task = motion' \
+    "$positions" 'left = fixed (5, 7) mm' 'right = moving (0, 0) mm'
+refuses 'the right pivot does not move along a line: write right = slider 30 deg' 'mechanism = slider-crank' \
+    '[synthesis]' 'task = motion' "$positions" 'left = fixed (5, 7) mm' 'right = moving (1, 0) mm'
+refuses 'task = motion does not exist for an inverted slider-crank' 'mechanism = inverted-slider-crank' '[synthesis]' 'task = motion'
 refuses 'cognate needs a [point]' "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 mm' '[rocker]' \
     'length = 80 mm' '[synthesis]' 'task = cognate' 'which = left'
 
