@@ -1964,6 +1964,9 @@ enum {
                                     squares, which meet none */
 };
 
+/* The name of one of them: a constant string in English, never null. */
+FOURLINK_API const char *fourlink_defect_text(int defect);
+
 /* The most precision points of a task. */
 #define FOURLINK_PRECISION_MAX 100
 

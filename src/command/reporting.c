@@ -22,6 +22,7 @@ int reporting_write(const input *in)
     if (status)
         return status;
     request.at = in->o->drawing.at;
+    request.found = in->found;
     if (input_open_drawn(in, &drawn) == FOURLINK_OK) {
         request.opened = drawn.results;
         written = report_write(file.file, &drawn.source, &request, &outcome, &mistake);

@@ -20,12 +20,12 @@ typedef struct deck_given {
 typedef struct deck_task_kind {
     fourlink_kind kind;
 
-    /* a function generator: its output, and its equations as a student writes them, see found_text.c */
+    /* a function generator: its output; K of its equations, and what follows from them */
     quantity output;
     key_code range;
     const char *column, *example; /* its name; a range */
     deck_given function;
-    const char *equations[4];
+    const char *constants;
 
     /* a quick return */
     fourlink_type type;

@@ -52,6 +52,7 @@ run 0 --synthesis --check t.deck
 prints 'score: 3 of 3'
 run 0 --synthesis --report=t.html t.deck
 check 'the checks in the report' grep -q 'condition of the linear equations' t.html
+check 'the steps in the report' grep -q '<h3>Checks</h3>' t.html
 
 # each task; positions, facts, points
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = log10' 'x = 1 to 2' 'crank = 45 to 105 deg' 'rocker = 135 deg to 225 deg'
