@@ -121,7 +121,7 @@ extern "C" {
       "no linkage whose crank turns fully has this time ratio with these lengths")                \
     X(FOURLINK_NONE_FOUND, 57, "the search found no linkage without a defect")                    \
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
-    X(FOURLINK_BAD_TIME_RATIO, 59, "the time ratio is below 1")                                   \
+    X(FOURLINK_BAD_TIME_RATIO, 59, "a time ratio is at least 1: slow stroke / quick stroke, in time")\
     X(FOURLINK_BAD_CHOICE, 60,                                                                    \
       "too much or too little is given, or a choice that the task does not have")
 

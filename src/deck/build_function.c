@@ -224,26 +224,28 @@ static int read_points(parser *p, setting *s)
                                       KEY_SYNTHESIS_PISTON, KEY_SYNTHESIS_PRECISION};
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
-    text rest = s->value, item, before, unit_text;
     double range[2] = {0, 0};
+    setting read = *s;
     size_t i;
 
     for (i = 0; i < sizeof others / sizeof others[0]; i++)
         if (IS_SET(flk_task_find(p, others[i])))
             return flk_mistake(p->mistakes, flk_task_find(p, others[i])->place,
                                "'%s' needs a 'function'", flk_key_table[others[i]].name);
-    for (; flk_curve_text_item(&rest, &item); task->n++) {
-        if (task->n == FOURLINK_PRECISION_MAX)
-            return flk_mistake(p->mistakes, s->place, "more than %ld values",
-                               (long)FOURLINK_PRECISION_MAX);
-        if (!flk_task_pair(p, s, item, t->kind->output, &t->theta2[task->n], &t->output[task->n]))
-            return 0;
-        if (flk_text_cut_last(item, " ", &before, &unit_text))
-            flk_task_unit(p, unit_text);
-    }
-    if (task->n < 3)
-        return flk_mistake(p->mistakes, s->place, "give three or more points, such as %s",
+    read.n_points = 0;
+    p->argument = QUANTITY_ANGLE;
+    if (!flk_curve_text_read(p, &read, t->kind->output))
+        return 0;
+    if (read.n_points < 3 || read.n_points > FOURLINK_PRECISION_MAX)
+        return flk_mistake(p->mistakes, s->place,
+                           "give three or more points, at most 100, such as %s",
                            flk_curve_point_example(t->kind->output));
+    task->n = read.n_points;
+    for (i = 0; i < task->n && read.curve; i++) {
+        t->theta2[i] = read.curve[i].x;
+        t->output[i] = read.curve[i].y[0];
+    }
+    flk_task_unit(p, flk_quantity_unit_text(s->value));
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK)) &&
         !flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, range))
         return 0;
@@ -274,9 +276,12 @@ int flk_task_function(parser *p)
             *function = flk_task_find(p, KEY_SYNTHESIS_FUNCTION);
     const setting *weights = flk_task_find(p, KEY_SYNTHESIS_WEIGHTS);
     double length[5];
-    int i;
+    int i, is_four_bar = t->kind->kind == FOURLINK_FOUR_BAR;
 
-    flk_task_check_lengths(p, flk_task_lengths(p, length), &t->kind->function);
+    flk_task_check_lengths(p, is_four_bar);
+    if (flk_task_lengths(p, length) < is_four_bar)
+        flk_mistake(p->mistakes, t->place,
+                    "task = function needs the length of one link, such as that of the [ground]");
     if (!IS_SET(points) && !IS_SET(function))
         return flk_mistake(p->mistakes, t->place, "task = function needs 'points' or a 'function'");
     if (!(IS_SET(function) ? read_function(p, function) : read_points(p, points)))

@@ -66,6 +66,9 @@ int flk_synthesis_run(parser *p)
     if (!t->solutions)
         return 0;
     t->status = run_scaled(t, max);
+    if (t->status == FOURLINK_BAD_CHOICE)
+        return flk_mistake(p->mistakes, t->place, "%s: the task takes %s",
+                           fourlink_status_text(t->status), t->kind->quick_return);
     if (t->status != FOURLINK_OK)
         return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));
     t->n_kept = GSL_MIN(t->n, max);

@@ -10,12 +10,6 @@
 
 struct parser;
 
-/* The lengths that a task takes. */
-typedef struct deck_given {
-    int most;
-    const char *takes, *needs; /* in words; what is needed if there is none, or null */
-} deck_given;
-
 /* What a kind of mechanism has in its tasks. */
 typedef struct deck_task_kind {
     fourlink_kind kind;
@@ -24,15 +18,12 @@ typedef struct deck_task_kind {
     quantity output;
     key_code range;
     const char *column, *example; /* its name; a range */
-    deck_given function;
     const char *constants;
 
-    /* a quick return */
+    /* a quick return: its type; how many lengths are given for the best one; what is given, in words */
     fourlink_type type;
-    key_code size; /* swing or stroke, which is needed, and an example; or KEY_COUNT */
-    const char *size_example;
-    deck_given quick_return;
-    const char *best; /* what is given with choose = best */
+    int n_best;
+    const char *quick_return;
 
     key_code besides;       /* what is found besides lengths: offset or angle; or KEY_COUNT */
     const char *outputs[2]; /* of a [sweep]; of one with a function */
