@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** synthesis.c - how the linkage of a report was found: its task, the equations with their numbers, the lengths
-** that follow, and the checks.
+** synthesis.c - how the linkage of a report was found: the equations with their numbers, the lengths that
+** follow, the wanted positions, and the checks.
 */
 #include <math.h>
 #include <string.h>

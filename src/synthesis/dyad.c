@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** dyad.c - motion and path generators: linkages made of two dyads, links from a fixed pivot m to a moving
-** pivot k of the coupler, for three positions.  Where the places of k are on a line, the right link is a slider.
+** pivot k of the coupler, for three positions.  Where the places of k are on a line, the right link is a
+** slider.
 **
 ** P_j is the coupler point in position j, alpha_j the coupler's rotation from position 1,
 ** delta_j = P_j - P_1.  Of a dyad, W = k_1 - m, Z = P_1 - k_1, and beta_j is the rotation of W.  All is
@@ -111,7 +112,7 @@ static int from_line(const positions *at, double direction, pivots *p)
     for (j = 0; j < 2; j++) {
         c[j] = gsl_complex_sub(at->turn[j + 1], gsl_complex_rect(1, 0));
         c[j] = gsl_complex_div(c[j], p->line);
-        b[j] = -GSL_IMAG(gsl_complex_div(at->delta[j + 1], p->line));
+        b[j] = -flk_vector_of(gsl_complex_div(at->delta[j + 1], p->line)).y;
         length *= gsl_complex_abs(c[j]);
     }
     determinant = GSL_IMAG(c[0]) * GSL_REAL(c[1]) - GSL_REAL(c[0]) * GSL_IMAG(c[1]);
@@ -208,13 +209,13 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
     s->condition = GSL_MAX_DBL(left->condition, right->condition);
     s->origin = flk_vector_of(gsl_complex_add(left->fixed, flk_plane(first)));
     u = slides ? right->line : ground;
-    if (slides && GSL_REAL(gsl_complex_div(coupler, u)) < 0)
+    if (slides && flk_vector_of(gsl_complex_div(coupler, u)).x < 0)
         u = gsl_complex_negative(u);
     s->direction = gsl_complex_arg(u);
     u = gsl_complex_polar(1, s->direction);
     if (slides) {
-        s->design.offset =
-            GSL_IMAG(gsl_complex_div(gsl_complex_sub(right->moving, left->fixed), u));
+        X = gsl_complex_div(gsl_complex_sub(right->moving, left->fixed), u);
+        s->design.offset = GSL_IMAG(X);
     } else {
         link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
         link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);

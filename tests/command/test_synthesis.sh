@@ -80,6 +80,10 @@ proves 0
 check 'the function of the table' grep -q ': ground 100, crank 185.09[0-9]*, coupler 286.80[0-9]*, rocker 192.05' found.deck
 task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1.2 to 1.5' "$ranges"
 proves 0 7
+printf 'theta2 [deg]; theta4 [deg]\n36; 64\n75; 98\n114; 142\n' >points.csv
+task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = file points.csv'
+proves 0
+check 'points of a file' grep -q '^length = 60.005448180335[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = linear' 'x = 0 to 1' 'crank = 45 to 135 deg' \
     'piston = 100 to 30 mm'
 proves 0
