@@ -97,10 +97,7 @@ double flk_synthesis_error(const deck_synthesis *t, double theta2)
         return GSL_NAN;
     at -= turn * floor((at - low) / turn + 1e-12);
     output = t->function.wanted(t->function.host, at);
-    if (!gsl_finite(output) ||
-        fourlink_synthesis_error(t->chosen, at, output, &error) != FOURLINK_OK)
-        return GSL_NAN;
-    return error;
+    return fourlink_synthesis_error(t->chosen, at, output, &error) == FOURLINK_OK ? error : GSL_NAN;
 }
 
 /* --------------------------------------------------------------------------------------- the deck */

@@ -112,8 +112,10 @@ static void put_guided(report *r, math *m)
     fourlink_vector A = s->origin, D = beside(s, A, link[FOURLINK_GROUND].length, 0), B, C;
 
     put_words(
-        r, "In the axes of the task, each fixed pivot is the centre of a circle through the three "
-           "places of its moving pivot:");
+        r, slides ? "In the axes of the task, A is the centre of a circle through the places of B:"
+                  : "In the axes of the task, each fixed pivot is the centre of a circle through "
+                    "the three "
+                    "places of its moving pivot:");
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
 

@@ -229,7 +229,6 @@ static void fit_output(const fourlink_function_task *task, double K[3])
 typedef struct error_curve {
     const fourlink_function_task *task;
     const fourlink_solution *solution;
-    const fourlink_mechanism *mechanism;
     double error; /* with its sign */
 } error_curve;
 
@@ -237,17 +236,15 @@ static double size_of_error(double theta2, void *data)
 {
     error_curve *c = data;
     double wanted = c->task->wanted(c->task->host, theta2);
-    int is_found = gsl_finite(wanted) && error_at(c->solution, c->mechanism, c->solution->branch,
-                                                  theta2, wanted, &c->error) == FOURLINK_OK;
+    int status = fourlink_synthesis_error(c->solution, theta2, wanted, &c->error);
 
-    return is_found ? fabs(c->error) : FLK_UNDEFINED;
+    return status == FOURLINK_OK ? fabs(c->error) : FLK_UNDEFINED;
 }
 
 /* The largest error: of the points, or, if more is known, in the range. */
 static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
 {
     double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
-    fourlink_mechanism mechanism;
     flk_sample largest;
     error_curve c;
     int i;
@@ -259,10 +256,8 @@ static void find_largest_error(const fourlink_function_task *task, fourlink_solu
         }
     if (!task->wanted)
         return;
-    fourlink_prepare(&s->design, &mechanism);
     c.task = task;
     c.solution = s;
-    c.mechanism = &mechanism;
     largest =
         flk_find_largest(size_of_error, &c, from, fabs(s->to - s->from) / INTERVALS, INTERVALS);
     if (largest.value >= 0) {
