@@ -276,10 +276,10 @@ int flk_task_function(parser *p)
             *function = flk_task_find(p, KEY_SYNTHESIS_FUNCTION);
     const setting *weights = flk_task_find(p, KEY_SYNTHESIS_WEIGHTS);
     double length[5];
-    int i, is_four_bar = t->kind->kind == FOURLINK_FOUR_BAR;
+    int i, needs_length = t->kind->output == QUANTITY_ANGLE;
 
-    flk_task_check_lengths(p, is_four_bar);
-    if (flk_task_lengths(p, length) < is_four_bar)
+    flk_task_check_lengths(p, needs_length);
+    if (flk_task_lengths(p, length) < needs_length)
         flk_mistake(p->mistakes, t->place,
                     "task = function needs the length of one link, such as that of the [ground]");
     if (!IS_SET(points) && !IS_SET(function))

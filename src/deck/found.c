@@ -79,7 +79,7 @@ int flk_synthesis_run(parser *p)
     if (t->chosen->design.kind != p->d->design.kind)
         return flk_mistake(
             p->mistakes, t->place,
-            p->d->design.kind == FOURLINK_FOUR_BAR
+            !(t->chosen->design.link[FOURLINK_GROUND].length > 0)
                 ? "the right pivot moves along a line: write mechanism = slider-crank"
                 : "the right pivot does not move along a line: write right = slider "
                   "30 deg, or mechanism = four-bar");

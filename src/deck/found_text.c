@@ -301,7 +301,7 @@ static void put_task(page *g)
     if (s->has_point) {
         put(g, "# The pivot A is at %s in the axes of the task,", flk_found_point(g->p, s->origin));
         put(g, "# where the %s is at %s.",
-            s->design.kind == FOURLINK_FOUR_BAR ? "line from A to D" : "direction of stroke",
+            s->design.link[FOURLINK_GROUND].length > 0 ? "line from A to D" : "direction of stroke",
             flk_found_value(g->p, s->direction, QUANTITY_ANGLE));
     }
 }

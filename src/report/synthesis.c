@@ -20,6 +20,11 @@
 #define THETA2 THETA "\342\202\202"
 #define DEG ", \302\260"
 
+static int is_slider_crank(const fourlink_solution *s)
+{
+    return s->design.kind == FOURLINK_SLIDER_CRANK;
+}
+
 static void put_words(report *r, const char *words)
 {
     page_print(&r->page, "<p>%s</p>\n", words);
@@ -28,7 +33,7 @@ static void put_words(report *r, const char *words)
 /* The four lengths by their letters, those of a slider-crank too. */
 static void set_lengths(const fourlink_solution *s, math *m)
 {
-    int slides = s->design.kind == FOURLINK_SLIDER_CRANK;
+    int slides = is_slider_crank(s);
 
     math_set(m, "d", s->design.link[FOURLINK_GROUND].length);
     math_set(m, slides ? "r" : "a", s->a);
@@ -41,7 +46,7 @@ static void set_lengths(const fourlink_solution *s, math *m)
 static void put_function(report *r, math *m)
 {
     const fourlink_solution *s = r->request->found;
-    int slides = s->design.kind == FOURLINK_SLIDER_CRANK, i;
+    int slides = is_slider_crank(s), i;
     const char *equation = slides
                                ? "S1 * X * cos theta2 + S2 * sin theta2 - S3 = X ^2"
                                : "K1 * cos theta4 - K2 * cos theta2 + K3 = cos ( theta2 - theta4 )";
@@ -108,7 +113,7 @@ static void put_guided(report *r, math *m)
 {
     const fourlink_solution *s = r->request->found;
     const fourlink_link *link = s->design.link;
-    int slides = s->design.kind == FOURLINK_SLIDER_CRANK, i;
+    int slides = is_slider_crank(s), i;
     fourlink_vector A = s->origin, D = beside(s, A, link[FOURLINK_GROUND].length, 0), B, C;
 
     put_words(
@@ -161,7 +166,7 @@ static void put_quick_return(report *r, math *m)
     math_let_angle(m, "alpha",
                    alpha < 0 ? "- 180deg * { Q - 1 | Q + 1 }" : "180deg * { Q - 1 | Q + 1 }",
                    alpha);
-    if (s->design.kind == FOURLINK_FOUR_BAR) {
+    if (s->type == FOURLINK_CRANK_ROCKER) {
         double psi = extent > M_PI ? 2 * M_PI - extent : extent;
 
         math_set_angle(m, "psi", psi);
@@ -179,7 +184,7 @@ static void put_quick_return(report *r, math *m)
                   gsl_pow_2(a * cos((psi - alpha) / 2)) + gsl_pow_2(b * sin((psi - alpha) / 2)) -
                       gsl_pow_2(d * sin(psi / 2)),
                   b * b, M2);
-    } else if (s->design.kind == FOURLINK_SLIDER_CRANK) {
+    } else if (is_slider_crank(s)) {
         math_set(m, "s", extent);
         put_words(r, "The crank and the rod are in line at both ends of the stroke s:");
         math_zero(m, "( r * cos { alpha | 2 } )^2 + ( l * sin { alpha | 2 } )^2 - { s ^2 | 4 }",
@@ -212,7 +217,7 @@ static void put_angle(report *r, double angle)
 static void put_positions(report *r)
 {
     const fourlink_solution *s = r->request->found;
-    int is_angle = !s->has_point && s->design.kind != FOURLINK_SLIDER_CRANK, i;
+    int is_angle = !s->has_point && !is_slider_crank(s), i;
     const char *wanted = s->has_point ? CELL_HEAD("x, m") CELL_HEAD("y, m")
                                             CELL_HEAD(THETA "\342\202\203" DEG)
                          : is_angle ? CELL_HEAD(THETA "\342\202\204" DEG)
@@ -246,7 +251,7 @@ static void put_positions(report *r)
 static void put_checks(report *r)
 {
     const fourlink_solution *s = r->request->found;
-    int is_length = s->design.kind == FOURLINK_SLIDER_CRANK, bit;
+    int is_length = is_slider_crank(s), bit;
     page *p = &r->page;
 
     page_print(p, "<h3>Checks</h3>\n<ul>\n<li>%s; longest / shortest link %.4g</li>\n",

@@ -29,7 +29,7 @@ typedef struct positions {
 typedef struct pivots {
     gsl_complex fixed, moving, line;
     double condition;
-    int slides;
+    int is_on_line;
 } pivots;
 
 static int is_zero(gsl_complex z, double size)
@@ -107,7 +107,7 @@ static int from_line(const positions *at, double direction, pivots *p)
     double b[2], length = 1, determinant;
     int j;
 
-    p->slides = 1;
+    p->is_on_line = 1;
     p->line = gsl_complex_polar(1, direction);
     for (j = 0; j < 2; j++) {
         c[j] = gsl_complex_sub(at->turn[j + 1], gsl_complex_rect(1, 0));
@@ -133,7 +133,7 @@ static int find_pivots(const fourlink_dyad *given, const positions *at,
     gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first)), place[3];
     int j, status, is_fixed = given->choice == FOURLINK_FIXED_PIVOT;
 
-    p->slides = 0;
+    p->is_on_line = 0;
     if (!flk_points_within(&given->pivot, 1) ||
         !flk_are_within(given->rotation, 2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
@@ -150,7 +150,7 @@ static int find_pivots(const fourlink_dyad *given, const positions *at,
     status = find_centre(place, is_fixed ? &p->moving : &p->fixed, &p->condition);
     if (status != FOURLINK_INFINITE_LINK || is_fixed)
         return status;
-    p->slides = 1;
+    p->is_on_line = 1;
     p->line = gsl_complex_sub(place[2], place[1]);
     for (j = 1; j < 3; j++)
         if (gsl_complex_abs(gsl_complex_sub(place[j], place[0])) > gsl_complex_abs(p->line))
@@ -196,9 +196,9 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
     double size = at->size + gsl_complex_abs(left->fixed) + gsl_complex_abs(left->moving) +
                   gsl_complex_abs(right->fixed) + gsl_complex_abs(right->moving);
     fourlink_link *link = s->design.link;
-    int j, slides = right->slides;
+    int j, slides = right->is_on_line;
 
-    if (left->slides)
+    if (left->is_on_line)
         return FOURLINK_INFINITE_LINK;
     if (is_zero(crank, size) || is_zero(coupler, size) ||
         (!slides && (is_zero(ground, size) || is_zero(rocker, size))))
