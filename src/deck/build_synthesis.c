@@ -23,8 +23,9 @@ static const deck_task_kind kinds[] = {
      1,
      "time_ratio, swing, and two lengths, or one for the best transmission angle",
      KEY_COUNT,
-     {"ground_length crank_length coupler_length rocker_length mu_range defects",
-      "crank_length coupler_length rocker_length mu_range theta4_error defects"}},
+     {"ground_length crank_length coupler_length rocker_length mu_range defects type",
+      "ground_length crank_length coupler_length rocker_length mu_range theta4_error defects "
+      "type"}},
     {FOURLINK_SLIDER_CRANK,
      QUANTITY_LENGTH,
      KEY_SYNTHESIS_PISTON,
@@ -35,8 +36,8 @@ static const deck_task_kind kinds[] = {
      0,
      "time_ratio, stroke, and crank, rod or offset, or none for the best transmission angle",
      KEY_GROUND_OFFSET,
-     {"crank_length coupler_length line_offset mu_range defects",
-      "crank_length coupler_length line_offset mu_range x_error defects"}},
+     {"crank_length coupler_length line_offset mu_range defects type",
+      "crank_length coupler_length line_offset mu_range x_error defects type"}},
     {FOURLINK_INVERTED_SLIDER_CRANK,
      QUANTITY_ANGLE,
      KEY_COUNT,
@@ -47,7 +48,7 @@ static const deck_task_kind kinds[] = {
      1,
      "the ground or the crank, time_ratio or, of a slotted lever, swing, and the lever or stroke",
      KEY_LEVER_ANGLE,
-     {"ground_length crank_length defects", NULL}}};
+     {"ground_length crank_length defects type", NULL}}};
 
 /* -------------------------------------------------------------------------------- motion and path */
 
