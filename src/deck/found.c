@@ -83,7 +83,7 @@ int flk_synthesis_run(parser *p)
                 ? "the right pivot moves along a line: write mechanism = slider-crank"
                 : "the right pivot does not move along a line: write right = slider "
                   "30 deg, or mechanism = four-bar");
-    flk_synthesis_name_defects(t);
+    flk_synthesis_tell_defects(p);
     note(p);
     return 1;
 }
@@ -217,18 +217,8 @@ int fourlink_deck_solutions(const fourlink_deck *d, unsigned long max, fourlink_
 int fourlink_deck_defects(const fourlink_deck *d, unsigned long max, fourlink_mistake *list,
                           unsigned long *n)
 {
-    char words[MESSAGE_SIZE];
-    unsigned long i;
-
     if (!d || (!list && max) || !n)
         return FOURLINK_NULL;
-    *n = 0;
-    for (i = 0; d->found && flk_synthesis_defect(d->synthesis, (int)i, words); i++, ++*n)
-        if (i < max) {
-            flk_text_copy(flk_text_of(d->synthesis->place.source), list[i].file,
-                          sizeof list[i].file);
-            list[i].line = d->synthesis->place.line;
-            memcpy(list[i].message, words, sizeof list[i].message);
-        }
+    flk_deck_give_mistakes(&d->defects, max, list, n);
     return FOURLINK_OK;
 }

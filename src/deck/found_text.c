@@ -29,30 +29,7 @@ static void append(char list[MESSAGE_SIZE], const char *format, ...)
 
 /* --------------------------------------------------------------------------------------- defects */
 
-/* In the order of their bits. */
-static const char *const defects[] = {
-    "branch defect: open at position%s, crossed at%s",
-    "circuit defect: the linkage has to be taken apart between two positions",
-    "order defect: the crank does not pass the positions in their order",
-    "dead position at position%s",
-    "a dead position lies between the first and the last position",
-    "the crank does not reach the whole working range",
-    "a position is not met"};
-
-#define N_DEFECTS ((int)(sizeof defects / sizeof defects[0]))
-
-void flk_synthesis_name_defects(deck_synthesis *t)
-{
-    char list[MESSAGE_SIZE] = "";
-    int bit;
-
-    for (bit = 0; bit < N_DEFECTS; bit++)
-        if (t->chosen->defects & 1 << bit)
-            append(list, " %s", fourlink_defect_text(1 << bit));
-    flk_text_copy(flk_text_of(*list ? list + 1 : "none"), t->defects, sizeof t->defects);
-}
-
-/* The positions on a branch. */
+/* The positions on a branch, or on none. */
 static char *list_positions(const fourlink_solution *s, int branch, char list[MESSAGE_SIZE])
 {
     int i;
@@ -64,22 +41,31 @@ static char *list_positions(const fourlink_solution *s, int branch, char list[ME
     return list;
 }
 
-int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE])
+void flk_synthesis_tell_defects(parser *p)
 {
-    const fourlink_solution *s = t->chosen;
-    char first[MESSAGE_SIZE], second[MESSAGE_SIZE];
-    int bit;
+    static const char *const texts[] = {
+        "branch defect: open at position%s, crossed at%s",
+        "circuit defect: the linkage has to be taken apart between two positions",
+        "order defect: the crank does not pass the positions in their order",
+        "dead position at position%s",
+        "a dead position lies between the first and the last position",
+        "the crank does not reach the whole working range",
+        "a position is not met"};
+    deck_synthesis *t = p->d->synthesis;
+    char names[MESSAGE_SIZE] = "", first[MESSAGE_SIZE], second[MESSAGE_SIZE];
+    int bit, i;
 
-    for (bit = 0; bit < N_DEFECTS; bit++)
-        if (s->defects & 1 << bit && i-- == 0) {
-            int is_dead = 1 << bit == FOURLINK_DEFECT_DEAD;
-
-            flk_message(words, MESSAGE_SIZE, defects[bit],
-                        list_positions(s, is_dead ? 0 : FOURLINK_OPEN, first),
-                        list_positions(s, FOURLINK_CROSSED, second));
-            return 1;
-        }
-    return 0;
+    for (i = 0; i < (int)(sizeof texts / sizeof texts[0]); i++) {
+        bit = 1 << i;
+        if (!(t->chosen->defects & bit))
+            continue;
+        append(names, " %s", fourlink_defect_text(bit));
+        flk_mistake(
+            &p->d->defects, t->place, texts[i],
+            list_positions(t->chosen, bit == FOURLINK_DEFECT_DEAD ? 0 : FOURLINK_OPEN, first),
+            list_positions(t->chosen, FOURLINK_CROSSED, second));
+    }
+    flk_text_copy(flk_text_of(*names ? names + 1 : "none"), t->defects, sizeof t->defects);
 }
 
 /* ---------------------------------------------------------------------------------------- values */
@@ -326,14 +312,14 @@ static void put_checks(page *g)
 {
     const deck_synthesis *t = g->p->d->synthesis;
     const fourlink_solution *s = t->chosen;
-    char words[MESSAGE_SIZE];
-    int i;
+    const mistakes *defects = &g->p->d->defects;
+    size_t i;
 
     put(g, "# Checks");
     put(g, "#   type: %s; longest / shortest link %.4g", fourlink_type_text((int)s->type),
         s->ratio);
-    for (i = 0; flk_synthesis_defect(t, i, words); i++)
-        put(g, "#   defect: %s", words);
+    for (i = 0; i < defects->count; i++)
+        put(g, "#   defect: %s", defects->list[i].message);
     if (!s->defects && t->task != TASK_QUICK_RETURN) {
         put(g,
             "#   all positions are on the %s branch and on one circuit, the crank passes them in "

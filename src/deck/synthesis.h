@@ -92,9 +92,7 @@ const char *flk_found_point(struct parser *p, fourlink_vector at);
 /* Write what the text of the deck begins and ends with; the coupler point has this name. */
 void flk_found_write(struct parser *p, const char *point_name);
 
-/* The defects of the linkage found in the words of a line.  Defect i in a sentence, from 0; 0 if there are
-** fewer. */
-void flk_synthesis_name_defects(deck_synthesis *t);
-int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE]);
+/* Tell the defects of the linkage found: their names in `defects`, sentences in those of the deck. */
+void flk_synthesis_tell_defects(struct parser *p);
 
 #endif
