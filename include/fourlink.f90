@@ -144,7 +144,7 @@ module fourlink
     fourlink_defect_reach = 32, fourlink_defect_missed = 64
   integer(c_int), parameter :: fourlink_fit_equation = 0, fourlink_fit_angle = 1
   integer(c_int), parameter :: fourlink_fixed_pivot = 1, fourlink_moving_pivot = 2, &
-    fourlink_rotations = 3
+    fourlink_rotations = 3, fourlink_slider = 4
   integer(c_int), parameter :: fourlink_slow_with = 1, fourlink_slow_against = -1
   integer(c_int), parameter :: fourlink_left = 1, fourlink_right = 2
   integer(c_int), parameter :: fourlink_precision_max = 100
@@ -1176,6 +1176,19 @@ contains
 
     call copy_text(fourlink_type_text_c(type), text)
   end function fourlink_type_text
+
+  function fourlink_defect_text(defect) result(text)
+    integer(c_int), intent(in) :: defect
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_defect_text_c(defect) bind(c, name="fourlink_defect_text")
+        import
+        integer(c_int), value :: defect
+      end function fourlink_defect_text_c
+    end interface
+
+    call copy_text(fourlink_defect_text_c(defect), text)
+  end function fourlink_defect_text
 
   function fourlink_kind_text(kind) result(text)
     integer(c_int), intent(in) :: kind

@@ -121,7 +121,7 @@ extern "C" {
       "no linkage whose crank turns fully has this time ratio with these lengths")                \
     X(FOURLINK_NONE_FOUND, 57, "the search found no linkage without a defect")                    \
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
-    X(FOURLINK_BAD_TIME_RATIO, 59, "the time ratio is below 1")                                   \
+    X(FOURLINK_BAD_TIME_RATIO, 59, "a time ratio is at least 1: slow stroke / quick stroke, in time")\
     X(FOURLINK_BAD_CHOICE, 60,                                                                    \
       "too much or too little is given, or a choice that the task does not have")
 
@@ -1967,6 +1967,9 @@ enum {
                                     squares, which meet none */
 };
 
+/* The name of one of them: a constant string in English, never null. */
+FOURLINK_API const char *fourlink_defect_text(int defect);
+
 /* The most precision points of a task. */
 #define FOURLINK_PRECISION_MAX 100
 
@@ -2050,13 +2053,14 @@ typedef enum fourlink_choice {
     FOURLINK_FIXED_PIVOT = 1,  /* m */
     FOURLINK_MOVING_PIVOT = 2, /* k in the first position */
     FOURLINK_ROTATIONS =
-        3 /* the link's rotations from the first to the second and third position */
+        3, /* the link's rotations from the first to the second and third position */
+    FOURLINK_SLIDER = 4 /* right: in place of a link, a slider on a line in a given direction */
 } fourlink_choice;
 
 typedef struct fourlink_dyad {
     fourlink_choice choice;
     fourlink_vector pivot; /* m, in the designer's axes */
-    double rotation[2];    /* rad, counter-clockwise */
+    double rotation[2];    /* rad, counter-clockwise; slider: the direction of its line first */
 } fourlink_dyad;
 
 /* Three positions of the coupler: a point of it and its angle. */
@@ -2064,7 +2068,7 @@ typedef struct fourlink_motion_task {
     fourlink_vector point[3]; /* m, in the designer's axes */
     double angle[3];          /* rad; only differences count */
     fourlink_dyad left;       /* the crank */
-    fourlink_dyad right;      /* the rocker */
+    fourlink_dyad right;      /* the rocker, or a slider */
 } fourlink_motion_task;
 
 /* Three points of a path, with the crank's rotations between them. */
@@ -2074,7 +2078,7 @@ typedef struct fourlink_path_task {
     int search;               /* 1: the coupler's rotations are searched for; 0: given */
     double rotation[2];       /* rad, of the coupler, from the first point to the others */
     double step;              /* rad, search: step of the rotations; 0: 5 deg */
-    fourlink_dyad right;      /* the rocker */
+    fourlink_dyad right;      /* the rocker, or a slider */
 } fourlink_path_task;
 
 /* The stroke that is the slow one. */
@@ -2171,7 +2175,7 @@ FOURLINK_API int fourlink_synthesis_function(const fourlink_function_task *task,
 FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, double theta2,
                                           double wanted, double *error);
 
-/* A four-bar linkage that guides its coupler through three positions.
+/* A four-bar linkage, or a slider-crank, that guides its coupler through three positions.
 **
 ** Given:
 **    task       positions and what is chosen of both dyads
@@ -2183,8 +2187,9 @@ FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, dou
 **    FOURLINK_OK; FOURLINK_DEPENDENT, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH: there is none;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_CHOICE
 ** Notes:
-** 1) FOURLINK_INFINITE_LINK: the three places of the moving pivot are on a line, or those of the fixed pivot
-**    seen from the coupler.
+** 1) If the three places of the right moving pivot are on a line, or a slider is asked for, the linkage is a
+**    slider-crank.  FOURLINK_INFINITE_LINK: those of the left one are, or those of a fixed pivot seen from the
+**    coupler.
 ** 2) FOURLINK_DEPENDENT: two positions are equal, or a pivot is a pole of two positions, so that the other
 **    pivot may be anywhere on a line.
 ** 3) FOURLINK_NO_LENGTH: A and D or B and C are the same point, or both dyads are the same.
@@ -2195,7 +2200,7 @@ FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, dou
 FOURLINK_API int fourlink_synthesis_motion(const fourlink_motion_task *task, unsigned long max,
                                            fourlink_solution *solutions, unsigned long *n);
 
-/* A four-bar linkage whose coupler point passes three points at given crank rotations.
+/* A four-bar linkage, or a slider-crank, whose coupler point passes three points at given crank rotations.
 **
 ** Given:
 **    task       points, timing, the coupler's rotations or the order to search for them

@@ -173,6 +173,7 @@ int reporting_write(const input *in)
     if (status)
         return status;
     request.at = in->o->drawing.at;
+    request.found = in->found;
     if (open_shown(in, &x)) {
         request.opened = x.results;
         written = report_write(file.file, &x.source, &request, &outcome, &mistake);

@@ -328,6 +328,23 @@ static void tell_defects(input *in)
     in->has_defects = n > 0;
 }
 
+/* Keep the linkage that was found, for a report. */
+static void keep_found(input *in)
+{
+    const fourlink_deck *deck = fourlink_results_deck(in->results);
+    fourlink_solution *all;
+    unsigned long chosen, n;
+
+    if (!in->o->report || fourlink_deck_solutions(deck, 0, NULL, &chosen, &n) != FOURLINK_OK)
+        return;
+    all = malloc((chosen + 1) * sizeof *all);
+    if (all) {
+        fourlink_deck_solutions(deck, chosen + 1, all, &chosen, &n);
+        all[0] = all[chosen];
+    }
+    in->found = all;
+}
+
 /* Open what has been read; returns the exit status. */
 static int open_input(input *in)
 {
@@ -347,8 +364,10 @@ static int open_input(input *in)
     if (status || !in->results)
         return status;
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
-    if (o->synthesis && (o->design || !in->problem.n_designs))
+    if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
+        keep_found(in);
+    }
     if ((o->design && in->problem.n_designs >= o->design) || takes_found(in)) {
         status = take_design(in);
         if (status || !in->results)
@@ -399,5 +418,6 @@ void input_close(input *in)
     }
     refuse(in);
     free(in->text);
+    free(in->found);
     grade_close(&in->answers);
 }

@@ -20,9 +20,10 @@ typedef struct input {
     const char *no_file;       /* why one of them is not read; null: the system says why */
     int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
-    int is_design;    /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
-    int has_defects;  /* 1: the linkage found by synthesis has some */
-    int has_mistakes; /* 1: because its text has mistakes */
+    int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
+    fourlink_solution *found; /* by synthesis, for a report; or null */
+    int has_defects;          /* 1: the linkage found by synthesis has some */
+    int has_mistakes;         /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers; /* its own, of a folder */
     const struct input

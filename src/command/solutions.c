@@ -10,23 +10,6 @@
 #include "writers.h"
 
 #define MOST_SOLUTIONS 100
-#define MOST_COLUMNS 12
-
-/* The facts of a solution that it has; returns their number. */
-static unsigned long find_columns(fourlink_results *r, fourlink_branch branch, fourlink_value *list)
-{
-    static const char *const names[MOST_COLUMNS] = {
-        "ground_length", "crank_length", "coupler_length", "rocker_length", "line_offset",
-        "type",          "mu_range",     "theta4_error",   "x_error",       "defects"};
-    fourlink_value value;
-    unsigned long n = 0;
-    int i;
-
-    for (i = 0; i < MOST_COLUMNS && names[i]; i++)
-        if (fourlink_results_value(r, names[i], branch, 0, &value) == FOURLINK_OK)
-            list[n++] = value;
-    return n;
-}
 
 /* Write solution k of n; 0 if out of memory. */
 static int write_solution(sheet *s, const input *in, unsigned long k)
@@ -47,7 +30,6 @@ static int write_solution(sheet *s, const input *in, unsigned long k)
 
 int solutions_write(FILE *out, const input *in)
 {
-    fourlink_value columns[MOST_COLUMNS];
     unsigned long n = 0, chosen, k;
     int enough = 1;
     sheet s;
@@ -58,8 +40,7 @@ int solutions_write(FILE *out, const input *in)
     s.content = SHEET_DESIGNS;
     s.each = "solution";
     view_take(&s.v, in->results);
-    s.header = columns;
-    s.n_header = find_columns(in->results, s.v.branches[0], columns);
+    fourlink_results_list(in->results, FOURLINK_OUTPUTS, &s.header, &s.n_header);
     fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n);
     content_begin(&s, out, 1);
     for (k = 1; k <= n && k <= MOST_SOLUTIONS && enough; k++)

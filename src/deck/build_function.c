@@ -7,10 +7,12 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/steffen.h"
 #include "task.h"
 
-/* The functions: powers, and then others; those of an angle, whose x needs a unit, come last. */
-enum { LINEAR, SQUARE, SQRT, POWER, LOG10, LN, EXP, SIN, COS, TAN, N_FUNCTIONS };
+/* The functions: powers, and then others; those of an angle, whose x needs a unit, come last.  A table is
+** smooth between its rows. */
+enum { LINEAR, SQUARE, SQRT, POWER, LOG10, LN, EXP, SIN, COS, TAN, N_FUNCTIONS, TABLE = -1 };
 static const char *const functions[] = {"linear", "square", "sqrt", "power", "log10", "ln",
                                         "exp",    "sin",    "cos",  "tan",   NULL};
 static double (*const formulas[])(double) = {NULL, NULL, NULL, NULL, log10,
@@ -19,6 +21,8 @@ static const double exponents[] = {1, 2, 0.5, 1, 1, 1, 1, 1, 1, 1};
 
 static double value_of(const deck_wanted *w, double x)
 {
+    if (w->f == TABLE)
+        return flk_steffen_on(w->table_x, w->table_y, w->n_rows, x, x);
     return formulas[w->f] ? formulas[w->f](x) : pow(x, w->exponent);
 }
 
@@ -57,11 +61,47 @@ static int read_name(parser *p, const setting *s, deck_wanted *w)
         return flk_mistake(
             p->mistakes, s->place,
             "expected a function: power 1.5, linear, square, sqrt, log10, ln, exp, sin, "
-            "cos or tan, not '%t'%h",
+            "cos, tan or file NAME, not '%t'%h",
             s->value, w->f == N_FUNCTIONS ? flk_text_nearest(word, functions) : NULL);
     if (w->f == N_FUNCTIONS)
         w->f = POWER;
     return 1;
+}
+
+/* Read the table of `file NAME`: rows of x, which rises, and y. */
+static int read_table(parser *p, const setting *s, text name, deck_wanted *w)
+{
+    setting read = *s;
+    double *x;
+    size_t i;
+
+    read.n_points = 0;
+    p->argument = QUANTITY_NUMBER;
+    if (!flk_card_read(p, &read, QUANTITY_NUMBER, name) || !read.curve)
+        return 0;
+    x = flk_reader_keep(p, 2 * (read.n_points + 1) * sizeof *x);
+    for (i = 0; x && i < read.n_points; i++) {
+        x[i] = read.curve[i].x;
+        x[read.n_points + i] = read.curve[i].y[0];
+        if (i > 0 && !(x[i] > x[i - 1]))
+            return flk_mistake(p->mistakes, read.curve[i].place,
+                               "x must rise from row to row: %g stands below %g", x[i], x[i - 1]);
+    }
+    if (x && read.n_points < 3)
+        return flk_mistake(p->mistakes, s->place, "a table needs three or more rows of x and y");
+    w->f = TABLE;
+    w->table_x = x;
+    w->table_y = x + read.n_points;
+    w->n_rows = read.n_points;
+    w->x[0] = x ? x[0] : 0;
+    w->x[1] = x ? x[read.n_points - 1] : 0;
+    return x != NULL;
+}
+
+/* The crank angle of x. */
+static double angle_of(const deck_wanted *w, double x)
+{
+    return w->crank[0] + (x - w->x[0]) / (w->x[1] - w->x[0]) * (w->crank[1] - w->crank[0]);
 }
 
 /* The output that is wanted at a crank angle; NaN outside the range. */
@@ -77,23 +117,48 @@ static double wanted(void *host, double theta2)
            (value_of(w, x) - w->y[0]) / (w->y[1] - w->y[0]) * (w->output[1] - w->output[0]);
 }
 
-/* The points of a function with Chebyshev's spacing. */
-static int space_points(parser *p, setting *s)
+/* The crank angles of the points: with Chebyshev's spacing, or of all rows of a table. */
+static int space_points(parser *p)
 {
     const setting *precision = flk_task_find(p, KEY_SYNTHESIS_PRECISION);
+    deck_synthesis *t = p->d->synthesis;
+    const deck_wanted *w = &t->wanted;
+    double n = IS_SET(precision) ? precision->si[0] : 3;
+    unsigned long i, n_rows = 0;
+
+    if (w->f == TABLE && !IS_SET(precision)) {
+        for (i = 0; i < w->n_rows; i++)
+            if ((w->table_x[i] - w->x[0]) * (w->table_x[i] - w->x[1]) <= 0 &&
+                n_rows++ < FOURLINK_PRECISION_MAX)
+                t->theta2[n_rows - 1] = angle_of(w, w->table_x[i]);
+        t->function.n = n_rows;
+        return (n_rows >= 3 && n_rows <= FOURLINK_PRECISION_MAX) ||
+               flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_FUNCTION)->place,
+                           "%ld rows of the table lie in x = %g to %g: give 'precision', the "
+                           "number of points, 3 to 100",
+                           (long)n_rows, w->x[0], w->x[1]);
+    }
+    if (!(n >= 3 && n <= FOURLINK_PRECISION_MAX))
+        return flk_mistake(p->mistakes, precision->place, "give 3 to 100 precision points");
+    t->function.n = (unsigned long)n;
+    fourlink_chebyshev(w->crank[0], w->crank[1], t->function.n, t->theta2);
+    return 1;
+}
+
+/* The points of a function in its range. */
+static int set_points(parser *p, const setting *s)
+{
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
     deck_wanted *w = &t->wanted;
     int is_defined;
     unsigned long i;
 
-    if (IS_SET(precision) && !(precision->si[0] >= 3 && precision->si[0] <= FOURLINK_PRECISION_MAX))
-        return flk_mistake(p->mistakes, precision->place, "give 3 to 100 precision points");
-    task->n = IS_SET(precision) ? (unsigned long)precision->si[0] : 3;
+    if (!space_points(p))
+        return 0;
     w->y[0] = value_of(w, w->x[0]);
     w->y[1] = value_of(w, w->x[1]);
     is_defined = gsl_finite(w->y[0]) && gsl_finite(w->y[1]);
-    fourlink_chebyshev(w->crank[0], w->crank[1], task->n, t->theta2);
     for (i = 0; i < task->n; i++) {
         t->output[i] = wanted(w, t->theta2[i]);
         is_defined &= gsl_finite(t->output[i]);
@@ -110,30 +175,46 @@ static int space_points(parser *p, setting *s)
     return 1;
 }
 
-static int read_function(parser *p, setting *s)
+/* The range of x; without one, all of a table. */
+static int read_argument(parser *p)
 {
-    deck_synthesis *t = p->d->synthesis;
-    deck_wanted *w = &t->wanted;
+    deck_wanted *w = &p->d->synthesis->wanted;
     setting *x = flk_task_find(p, KEY_SYNTHESIS_ARGUMENT);
+    double least = w->x[0], most = w->x[1];
     text first, last;
-    int is_angle;
+    int is_angle = w->f >= SIN;
 
-    if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_POINTS)))
-        return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
-    if (!read_name(p, s, w) || !flk_task_require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4") ||
-        !flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") ||
-        !flk_task_require(p, t->kind->range, t->kind->example))
+    if (w->f == TABLE && !IS_SET(x))
+        return 1;
+    if (!flk_task_require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4"))
         return 0;
-    is_angle = w->f >= SIN;
     if (is_angle &&
         (!flk_text_cut(x->value, " to ", &first, &last) || !flk_quantity_unit_text(last).length))
         return flk_mistake(p->mistakes, x->place,
                            "the x of %s is an angle and needs a unit, such as 0 deg to 90 deg",
                            functions[w->f]);
-    return flk_task_range(p, KEY_SYNTHESIS_ARGUMENT, is_angle ? QUANTITY_ANGLE : QUANTITY_NUMBER,
-                          w->x) &&
+    if (!flk_task_range(p, KEY_SYNTHESIS_ARGUMENT, is_angle ? QUANTITY_ANGLE : QUANTITY_NUMBER,
+                        w->x))
+        return 0;
+    return w->f != TABLE ||
+           (GSL_MIN(w->x[0], w->x[1]) >= least && GSL_MAX(w->x[0], w->x[1]) <= most) ||
+           flk_mistake(p->mistakes, x->place, "the table goes from x = %g to %g", least, most);
+}
+
+static int read_function(parser *p, setting *s)
+{
+    deck_synthesis *t = p->d->synthesis;
+    deck_wanted *w = &t->wanted;
+    text name;
+
+    if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_POINTS)))
+        return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
+    return (flk_curve_text_file(s->value, &name) ? read_table(p, s, name, w)
+                                                 : read_name(p, s, w)) &&
+           read_argument(p) && flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") &&
+           flk_task_require(p, t->kind->range, t->kind->example) &&
            flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank) &&
-           flk_task_range(p, t->kind->range, t->kind->output, w->output) && space_points(p, s);
+           flk_task_range(p, t->kind->range, t->kind->output, w->output) && set_points(p, s);
 }
 
 /* Pairs of crank angle and output. */
@@ -143,26 +224,28 @@ static int read_points(parser *p, setting *s)
                                       KEY_SYNTHESIS_PISTON, KEY_SYNTHESIS_PRECISION};
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
-    text rest = s->value, item, before, unit_text;
     double range[2] = {0, 0};
+    setting read = *s;
     size_t i;
 
     for (i = 0; i < sizeof others / sizeof others[0]; i++)
         if (IS_SET(flk_task_find(p, others[i])))
             return flk_mistake(p->mistakes, flk_task_find(p, others[i])->place,
                                "'%s' needs a 'function'", flk_key_table[others[i]].name);
-    for (; flk_curve_text_item(&rest, &item); task->n++) {
-        if (task->n == FOURLINK_PRECISION_MAX)
-            return flk_mistake(p->mistakes, s->place, "more than %ld values",
-                               (long)FOURLINK_PRECISION_MAX);
-        if (!flk_task_pair(p, s, item, t->kind->output, &t->theta2[task->n], &t->output[task->n]))
-            return 0;
-        if (flk_text_cut_last(item, " ", &before, &unit_text))
-            flk_task_unit(p, unit_text);
-    }
-    if (task->n < 3)
-        return flk_mistake(p->mistakes, s->place, "give three or more points, such as %s",
+    read.n_points = 0;
+    p->argument = QUANTITY_ANGLE;
+    if (!flk_curve_text_read(p, &read, t->kind->output))
+        return 0;
+    if (read.n_points < 3 || read.n_points > FOURLINK_PRECISION_MAX)
+        return flk_mistake(p->mistakes, s->place,
+                           "give three or more points, at most 100, such as %s",
                            flk_curve_point_example(t->kind->output));
+    task->n = read.n_points;
+    for (i = 0; i < task->n && read.curve; i++) {
+        t->theta2[i] = read.curve[i].x;
+        t->output[i] = read.curve[i].y[0];
+    }
+    flk_task_unit(p, flk_quantity_unit_text(s->value));
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK)) &&
         !flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, range))
         return 0;
@@ -193,9 +276,12 @@ int flk_task_function(parser *p)
             *function = flk_task_find(p, KEY_SYNTHESIS_FUNCTION);
     const setting *weights = flk_task_find(p, KEY_SYNTHESIS_WEIGHTS);
     double length[5];
-    int i;
+    int i, needs_length = t->kind->output == QUANTITY_ANGLE;
 
-    flk_task_check_lengths(p, flk_task_lengths(p, length), &t->kind->function);
+    flk_task_check_lengths(p, needs_length);
+    if (flk_task_lengths(p, length) < needs_length)
+        flk_mistake(p->mistakes, t->place,
+                    "task = function needs the length of one link, such as that of the [ground]");
     if (!IS_SET(points) && !IS_SET(function))
         return flk_mistake(p->mistakes, t->place, "task = function needs 'points' or a 'function'");
     if (!(IS_SET(function) ? read_function(p, function) : read_points(p, points)))

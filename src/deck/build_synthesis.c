@@ -18,58 +18,44 @@ static const deck_task_kind kinds[] = {
      KEY_SYNTHESIS_ROCKER,
      "theta4",
      "60 deg to 150 deg",
-     {1, "the length of one link",
-      "task = function needs the length of one link, such as that of the [ground]"},
-     {"# K1 cos(theta4) - K2 cos(theta2) + K3 = cos(theta2 - theta4) at the points:",
-      "#   %.6g K1 %s %.6g K2 + K3 = %.6g", "# K1 = %g, K2 = %g, K3 = %g",
-      "# a = d/K1, c = d/K2, b^2 = a^2 + c^2 + d^2 - 2 a c K3"},
+     "# K1 = %g, K2 = %g, K3 = %g; a = d/K1, c = d/K2, b^2 = a^2 + c^2 + d^2 - 2 a c K3",
      FOURLINK_CRANK_ROCKER,
-     KEY_SYNTHESIS_SWING,
-     "50 deg",
-     {2, "two lengths, or one and choose = best",
-      "the crank-rocker needs two lengths, or one for the best transmission angle"},
-     "one length is given",
+     1,
+     "time_ratio, swing, and two lengths, or one for the best transmission angle",
      KEY_COUNT,
-     {"ground_length crank_length coupler_length rocker_length mu_range defects",
-      "crank_length coupler_length rocker_length mu_range theta4_error defects"}},
+     {"ground_length crank_length coupler_length rocker_length mu_range defects type",
+      "ground_length crank_length coupler_length rocker_length mu_range theta4_error defects "
+      "type"}},
     {FOURLINK_SLIDER_CRANK,
      QUANTITY_LENGTH,
      KEY_SYNTHESIS_PISTON,
      "C.x",
      "100 mm to 30 mm",
-     {0, "no lengths", NULL},
-     {"# S1 X cos(theta2) + S2 sin(theta2) - S3 = X^2 at the points:",
-      "#   %.6g S1 %s %.6g S2 - S3 = %.6g", "# S1 = %g, S2 = %g, S3 = %g",
-      "# r = S1/2, e = S2/S1, l^2 = r^2 + e^2 - S3"},
+     "# S1 = %g, S2 = %g, S3 = %g; r = S1/2, e = S2/S1, l^2 = r^2 + e^2 - S3",
      FOURLINK_ENGINE,
-     KEY_SYNTHESIS_STROKE,
-     "100 mm",
-     {1, "the crank, the rod or the offset, or none", NULL},
-     "no length is given",
+     0,
+     "time_ratio, stroke, and crank, rod or offset, or none for the best transmission angle",
      KEY_GROUND_OFFSET,
-     {"crank_length coupler_length line_offset mu_range defects",
-      "crank_length coupler_length line_offset mu_range x_error defects"}},
+     {"crank_length coupler_length line_offset mu_range defects type",
+      "crank_length coupler_length line_offset mu_range x_error defects type"}},
     {FOURLINK_INVERTED_SLIDER_CRANK,
      QUANTITY_ANGLE,
      KEY_COUNT,
      NULL,
      NULL,
-     {0, NULL, NULL},
-     {NULL, NULL, NULL, NULL},
+     NULL,
      FOURLINK_SLOTTED_LEVER,
-     KEY_COUNT,
-     NULL,
-     {2, "the ground or the crank, and the lever", NULL},
-     NULL,
+     1,
+     "the ground or the crank, time_ratio or, of a slotted lever, swing, and the lever or stroke",
      KEY_LEVER_ANGLE,
-     {"ground_length crank_length defects", NULL}}};
+     {"ground_length crank_length defects type", NULL}}};
 
 /* -------------------------------------------------------------------------------- motion and path */
 
-/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg */
+/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg; slider 30 deg */
 static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
 {
-    static const char *const words[] = {"fixed", "moving", "rotations", NULL};
+    static const char *const words[] = {"fixed", "moving", "rotations", "slider", NULL};
     setting *s = flk_task_find(p, key);
     text word = s->value, rest;
     int i;
@@ -80,11 +66,13 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
     dyad->choice = (fourlink_choice)(FOURLINK_FIXED_PIVOT + i);
     if (!words[i])
         return flk_mistake(p->mistakes, s->place,
-                           "expected fixed (x, y) mm, moving (x, y) mm or rotations 20 deg 50 deg, "
-                           "not '%t'%h",
+                           "expected fixed (x, y) mm, moving (x, y) mm, rotations 20 deg 50 deg or "
+                           "slider 30 deg, not '%t'%h",
                            s->value, flk_text_nearest(word, words));
     if (dyad->choice == FOURLINK_ROTATIONS)
         return flk_task_pair(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0], &dyad->rotation[1]);
+    if (dyad->choice == FOURLINK_SLIDER)
+        return flk_values_piece(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0]);
     return flk_task_point(p, s, rest, &dyad->pivot, &word) &&
            (!word.length || flk_mistake(p->mistakes, s->place,
                                         "expected one point, such as (24, 10) mm, not '%t'", rest));
@@ -95,12 +83,11 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
 static int read_positions(parser *p, key_code other, const char *example,
                           fourlink_vector at[POSITIONS], double angle[POSITIONS])
 {
-    static const deck_given no_lengths = {0, "no lengths", NULL};
     setting *s = flk_task_find(p, KEY_SYNTHESIS_POSITIONS);
     text rest = s->value, item, after;
     int n = 0, n_angles = 0;
 
-    flk_task_check_lengths(p, 0, &no_lengths);
+    flk_task_check_lengths(p, 0);
     if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) ||
         !flk_task_require(p, other, example) || !flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD))
         return -1;
@@ -162,42 +149,24 @@ static int build_quick_return(parser *p)
                   *stroke = flk_task_find(p, KEY_SYNTHESIS_STROKE),
                   *type = flk_task_find(p, KEY_SYNTHESIS_TYPE),
                   *choose = flk_task_find(p, KEY_SYNTHESIS_CHOOSE),
-                  *ratio = flk_task_find(p, KEY_SYNTHESIS_TIME_RATIO),
                   *offset = flk_setting_find(p, KEY_GROUND_OFFSET);
-    int n = flk_task_lengths(p, t->length), is_by_swing;
+    int n = flk_task_lengths(p, t->length);
 
     t->type = type->word ? (fourlink_type)type->word : kind->type;
-    is_by_swing = t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing);
     if (!IS_SET(offset))
         offset = flk_setting_find(p, KEY_LEVER_OFFSET);
+    flk_task_check_lengths(p, FOURLINK_FOLLOWER);
     if (t->type == FOURLINK_ENGINE && IS_SET(offset) && offset->si[0] == 0)
         return flk_mistake(p->mistakes, offset->place,
                            "an offset of 0 has a time ratio of 1: remove it, it is found");
-    n += IS_SET(offset);
-    flk_task_check_lengths(p, n, &kind->quick_return);
-    if (IS_SET(choose) && n >= kind->quick_return.most)
-        flk_mistake(p->mistakes, choose->place, "with choose = best, %s: give fewer lengths",
-                    kind->best);
-    if (kind->size != KEY_COUNT && !flk_task_require(p, kind->size, kind->size_example))
+    if (IS_SET(choose) && n + IS_SET(offset) > kind->n_best)
+        return flk_mistake(p->mistakes, choose->place, "the task takes %s", kind->quick_return);
+    if (!(t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing)) &&
+        !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO, "1.2"))
         return 0;
-    if (t->type == FOURLINK_WHITWORTH && (IS_SET(swing) || IS_SET(stroke)))
-        return flk_mistake(p->mistakes, (IS_SET(swing) ? swing : stroke)->place,
-                           "the lever of a Whitworth mechanism turns fully: give the time_ratio");
-    if (!is_by_swing && !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO, "1.2"))
-        return 0;
-    if (is_by_swing && IS_SET(ratio))
-        return flk_mistake(p->mistakes, swing->place,
-                           "the swing of a slotted lever follows from the time_ratio: give one of "
-                           "them");
-    if (IS_SET(ratio) && ratio->si[0] < 1)
-        return flk_mistake(p->mistakes, ratio->place,
-                           "a time ratio is at least 1: slow stroke / quick stroke, in time; which "
-                           "is slow is said by 'slow'");
-    if (IS_SET(stroke))
-        flk_task_unit(p, flk_quantity_unit_text(stroke->value));
-    if (IS_SET(offset))
-        flk_task_unit(p, flk_quantity_unit_text(offset->value));
-    t->time_ratio = ratio->si[0];
+    flk_task_unit(p, flk_quantity_unit_text(stroke->value));
+    flk_task_unit(p, flk_quantity_unit_text(offset->value));
+    t->time_ratio = flk_task_find(p, KEY_SYNTHESIS_TIME_RATIO)->si[0];
     t->swing = swing->si[0];
     t->stroke = stroke->si[0];
     t->offset = offset->si[0];
@@ -247,10 +216,10 @@ static const struct {
     {NULL, 0, KEY_COUNT, KEY_COUNT, KEY_COUNT, NULL},
     {"function", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POINTS,
      KEY_SYNTHESIS_PRECISION, KEY_COUNT, flk_task_function},
-    {"motion", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT,
-     KEY_SYNTHESIS_TIMING, build_motion},
-    {"path", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT,
-     build_path},
+    {"motion", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
+     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_TIMING, build_motion},
+    {"path", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
+     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT, build_path},
     {"quick-return", FLK_EVERY_KIND, KEY_SYNTHESIS_TIME_RATIO, KEY_SYNTHESIS_CHOOSE, KEY_COUNT,
      build_quick_return},
     {"cognate", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_WHICH, KEY_SYNTHESIS_WHICH, KEY_COUNT,

@@ -50,6 +50,8 @@ static const char *example(quantity argument, quantity q)
 {
     if (argument == QUANTITY_ANGLE)
         return flk_curve_point_example(q);
+    if (argument == QUANTITY_NUMBER)
+        return "1.5 2.25";
     if (argument == QUANTITY_LENGTH)
         return q == QUANTITY_FORCE ? "20 mm (43, 25) N" : "20 mm 3 N m";
     if (argument == QUANTITY_SPEED)

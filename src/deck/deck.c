@@ -46,6 +46,7 @@ void flk_deck_free(deck *d)
     kept *k, *next;
 
     flk_mistakes_free(&d->mistakes);
+    flk_mistakes_free(&d->defects);
     flk_mistakes_free(&d->notes);
     free(d->expectations);
     for (k = d->storage; k; k = next) {

@@ -146,6 +146,7 @@ struct fourlink_deck {
     deck_unit drawn;                 /* of lengths in pictures */
 
     mistakes mistakes;                 /* none: the deck is valid */
+    mistakes defects;                  /* of the linkage found by synthesis */
     mistakes notes;                    /* on what is allowed but probably not meant */
     struct parser *settings, *answers; /* the content of its texts; null: not read */
     struct parser *found; /* the settings with the linkage found; null: there is none */

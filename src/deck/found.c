@@ -66,6 +66,9 @@ int flk_synthesis_run(parser *p)
     if (!t->solutions)
         return 0;
     t->status = run_scaled(t, max);
+    if (t->status == FOURLINK_BAD_CHOICE)
+        return flk_mistake(p->mistakes, t->place, "%s: the task takes %s",
+                           fourlink_status_text(t->status), t->kind->quick_return);
     if (t->status != FOURLINK_OK)
         return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));
     t->n_kept = GSL_MIN(t->n, max);
@@ -73,7 +76,14 @@ int flk_synthesis_run(parser *p)
         return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
                            (long)p->d->solution, (long)t->n);
     t->chosen = &t->solutions[p->d->solution - 1];
-    flk_synthesis_name_defects(t);
+    if (t->chosen->design.kind != p->d->design.kind)
+        return flk_mistake(
+            p->mistakes, t->place,
+            !(t->chosen->design.link[FOURLINK_GROUND].length > 0)
+                ? "the right pivot moves along a line: write mechanism = slider-crank"
+                : "the right pivot does not move along a line: write right = slider "
+                  "30 deg, or mechanism = four-bar");
+    flk_synthesis_tell_defects(p);
     note(p);
     return 1;
 }
@@ -87,10 +97,7 @@ double flk_synthesis_error(const deck_synthesis *t, double theta2)
         return GSL_NAN;
     at -= turn * floor((at - low) / turn + 1e-12);
     output = t->function.wanted(t->function.host, at);
-    if (!gsl_finite(output) ||
-        fourlink_synthesis_error(t->chosen, at, output, &error) != FOURLINK_OK)
-        return GSL_NAN;
-    return error;
+    return fourlink_synthesis_error(t->chosen, at, output, &error) == FOURLINK_OK ? error : GSL_NAN;
 }
 
 /* --------------------------------------------------------------------------------------- the deck */
@@ -166,7 +173,7 @@ static const char *set_point(parser *p)
     if (!flk_section_find(p, SECTION_POINT, &name))
         flk_section_open(p, SECTION_POINT, name, t->place, NULL);
     flk_text_copy(name, section + strlen(section), DECK_NAME_SIZE);
-    set(p, section, "link", "coupler");
+    set(p, section, "link", flk_kind_of(t->chosen->design.kind)->link[FOURLINK_COUPLER]);
     set(p, section, "at", flk_found_point(p, t->chosen->point));
     return flk_reader_copy(p, name, "");
 }
@@ -210,18 +217,8 @@ int fourlink_deck_solutions(const fourlink_deck *d, unsigned long max, fourlink_
 int fourlink_deck_defects(const fourlink_deck *d, unsigned long max, fourlink_mistake *list,
                           unsigned long *n)
 {
-    char words[MESSAGE_SIZE];
-    unsigned long i;
-
     if (!d || (!list && max) || !n)
         return FOURLINK_NULL;
-    *n = 0;
-    for (i = 0; d->found && flk_synthesis_defect(d->synthesis, (int)i, words); i++, ++*n)
-        if (i < max) {
-            flk_text_copy(flk_text_of(d->synthesis->place.source), list[i].file,
-                          sizeof list[i].file);
-            list[i].line = d->synthesis->place.line;
-            memcpy(list[i].message, words, sizeof list[i].message);
-        }
+    flk_deck_give_mistakes(&d->defects, max, list, n);
     return FOURLINK_OK;
 }

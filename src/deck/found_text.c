@@ -29,32 +29,7 @@ static void append(char list[MESSAGE_SIZE], const char *format, ...)
 
 /* --------------------------------------------------------------------------------------- defects */
 
-/* In the order of their bits. */
-static const struct {
-    const char *name, *text;
-} defects[] = {
-    {"branch", "branch defect: open at position%s, crossed at%s"},
-    {"circuit", "circuit defect: the linkage has to be taken apart between two positions"},
-    {"order", "order defect: the crank does not pass the positions in their order"},
-    {"dead position", "dead position at position%s"},
-    {"dead position on the way", "a dead position lies between the first and the last position"},
-    {"reach", "the crank does not reach the whole working range"},
-    {"missed", "a position is not met"}};
-
-#define N_DEFECTS ((int)(sizeof defects / sizeof defects[0]))
-
-void flk_synthesis_name_defects(deck_synthesis *t)
-{
-    char list[MESSAGE_SIZE] = "";
-    int bit;
-
-    for (bit = 0; bit < N_DEFECTS; bit++)
-        if (t->chosen->defects & 1 << bit)
-            append(list, " %s", defects[bit].name);
-    flk_text_copy(flk_text_of(*list ? list + 1 : "none"), t->defects, sizeof t->defects);
-}
-
-/* The positions on a branch. */
+/* The positions on a branch, or on none. */
 static char *list_positions(const fourlink_solution *s, int branch, char list[MESSAGE_SIZE])
 {
     int i;
@@ -66,22 +41,31 @@ static char *list_positions(const fourlink_solution *s, int branch, char list[ME
     return list;
 }
 
-int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE])
+void flk_synthesis_tell_defects(parser *p)
 {
-    const fourlink_solution *s = t->chosen;
-    char first[MESSAGE_SIZE], second[MESSAGE_SIZE];
-    int bit;
+    static const char *const texts[] = {
+        "branch defect: open at position%s, crossed at%s",
+        "circuit defect: the linkage has to be taken apart between two positions",
+        "order defect: the crank does not pass the positions in their order",
+        "dead position at position%s",
+        "a dead position lies between the first and the last position",
+        "the crank does not reach the whole working range",
+        "a position is not met"};
+    deck_synthesis *t = p->d->synthesis;
+    char names[MESSAGE_SIZE] = "", first[MESSAGE_SIZE], second[MESSAGE_SIZE];
+    int bit, i;
 
-    for (bit = 0; bit < N_DEFECTS; bit++)
-        if (s->defects & 1 << bit && i-- == 0) {
-            int is_dead = 1 << bit == FOURLINK_DEFECT_DEAD;
-
-            flk_message(words, MESSAGE_SIZE, defects[bit].text,
-                        list_positions(s, is_dead ? 0 : FOURLINK_OPEN, first),
-                        list_positions(s, FOURLINK_CROSSED, second));
-            return 1;
-        }
-    return 0;
+    for (i = 0; i < (int)(sizeof texts / sizeof texts[0]); i++) {
+        bit = 1 << i;
+        if (!(t->chosen->defects & bit))
+            continue;
+        append(names, " %s", fourlink_defect_text(bit));
+        flk_mistake(
+            &p->d->defects, t->place, texts[i],
+            list_positions(t->chosen, bit == FOURLINK_DEFECT_DEAD ? 0 : FOURLINK_OPEN, first),
+            list_positions(t->chosen, FOURLINK_CROSSED, second));
+    }
+    flk_text_copy(flk_text_of(*names ? names + 1 : "none"), t->defects, sizeof t->defects);
 }
 
 /* ---------------------------------------------------------------------------------------- values */
@@ -280,61 +264,12 @@ static void put_solution(page *g, unsigned long number)
         FLK_DEGREES(s->mu_min), s->defects ? "with a defect" : "no defect");
 }
 
-/* The linear equations of a function generator: heading, an equation for each point, constants, and what
-** follows from them. */
-static void put_equations(page *g)
-{
-    const deck_synthesis *t = g->p->d->synthesis;
-    const char *const *formats = t->kind->equations;
-    const double *K = t->chosen->K;
-    int is_angle = t->kind->output == QUANTITY_ANGLE;
-    double one = is_angle ? 1 : flk_unit_to_si(1, t->length.unit);
-    unsigned long i;
-
-    put(g, formats[0]);
-    for (i = 0; i < t->function.n && i < MOST_LISTED; i++) {
-        double y = t->output[i] / one, c2, s2, c4, s4;
-
-        flk_vector_direction(t->theta2[i], &c2, &s2);
-        flk_vector_direction(y, &c4, &s4);
-        if (is_angle)
-            put(g, formats[1], c4, c2 < 0 ? "+" : "-", fabs(c2), c2 * c4 + s2 * s4);
-        else
-            put(g, formats[1], y * c2, s2 < 0 ? "-" : "+", fabs(s2), y * y);
-    }
-    if (t->function.n > MOST_LISTED)
-        put(g, "#   ...");
-    put(g, formats[2], K[0] / one, K[1] / one, K[2] / (one * one));
-    put(g, formats[3]);
-}
-
-/* The equations of a quick return. */
-static void put_dead_centres(page *g)
-{
-    const fourlink_quick_return_task *t = &g->p->d->synthesis->quick_return;
-    double sense = t->slow == FOURLINK_SLOW_AGAINST ? -1 : 1, Q = t->time_ratio;
-
-    if (t->type == FOURLINK_WHITWORTH) {
-        put(g, "# cos(180 deg/(Q + 1)) = d/a");
-        return;
-    }
-    put(g, "# alpha = %s = %.9g deg", Q > 0 ? "180 deg (Q - 1)/(Q + 1)" : "swing",
-        Q > 0 ? sense * 180 * (Q - 1) / (Q + 1) : FLK_DEGREES(t->swing));
-    if (t->type == FOURLINK_CRANK_ROCKER) {
-        put(g, "# a^2 cos^2(alpha/2) + b^2 sin^2(alpha/2) = c^2 sin^2(psi/2), psi the swing");
-        put(g, "# a^2 cos^2((psi - alpha)/2) + b^2 sin^2((psi - alpha)/2) = d^2 sin^2(psi/2)");
-    } else if (t->type == FOURLINK_ENGINE) {
-        put(g, "# r^2 cos^2(alpha/2) + l^2 sin^2(alpha/2) = s^2/4, e = (l^2 - r^2) sin(alpha)/s");
-    } else if (t->offset == 0) {
-        put(g, "# a = d sin(alpha/2)");
-    }
-}
-
 static void put_task(page *g)
 {
     const deck_synthesis *t = g->p->d->synthesis;
     const fourlink_solution *s = t->chosen;
     const deck_unit *u = &t->length;
+    double one = t->kind->output == QUANTITY_ANGLE ? 1 : flk_unit_to_si(1, u->unit);
     unsigned long i;
 
     put(g, "# Found by fourlink --synthesis: solution %ld of %ld of %s:%ld",
@@ -342,9 +277,7 @@ static void put_task(page *g)
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
     if (t->task == TASK_FUNCTION)
-        put_equations(g);
-    if (t->task == TASK_QUICK_RETURN)
-        put_dead_centres(g);
+        put(g, t->kind->constants, s->K[0] / one, s->K[1] / one, s->K[2] / (one * one));
     if (s->crank_turn != 0)
         put(g, "# a = %g %s: the crank is turned by 180 deg: wanted crank angle = theta2 - %g deg",
             flk_unit_from_si(s->a, u->unit), u->name, FLK_DEGREES(s->crank_turn));
@@ -353,7 +286,8 @@ static void put_task(page *g)
             flk_unit_from_si(s->c, u->unit), u->name, FLK_DEGREES(s->rocker_turn));
     if (s->has_point) {
         put(g, "# The pivot A is at %s in the axes of the task,", flk_found_point(g->p, s->origin));
-        put(g, "# where the line from A to D is at %s.",
+        put(g, "# where the %s is at %s.",
+            s->design.link[FOURLINK_GROUND].length > 0 ? "line from A to D" : "direction of stroke",
             flk_found_value(g->p, s->direction, QUANTITY_ANGLE));
     }
 }
@@ -378,14 +312,14 @@ static void put_checks(page *g)
 {
     const deck_synthesis *t = g->p->d->synthesis;
     const fourlink_solution *s = t->chosen;
-    char words[MESSAGE_SIZE];
-    int i;
+    const mistakes *defects = &g->p->d->defects;
+    size_t i;
 
     put(g, "# Checks");
     put(g, "#   type: %s; longest / shortest link %.4g", fourlink_type_text((int)s->type),
         s->ratio);
-    for (i = 0; flk_synthesis_defect(t, i, words); i++)
-        put(g, "#   defect: %s", words);
+    for (i = 0; i < defects->count; i++)
+        put(g, "#   defect: %s", defects->list[i].message);
     if (!s->defects && t->task != TASK_QUICK_RETURN) {
         put(g,
             "#   all positions are on the %s branch and on one circuit, the crank passes them in "

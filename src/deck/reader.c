@@ -216,7 +216,8 @@ static int build_from(deck *d, parser *p, unsigned long design, const deck_numbe
         build(p);
     flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
-    if (p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
+    if (p->out_of_memory || d->mistakes.out_of_memory || d->defects.out_of_memory ||
+        d->notes.out_of_memory)
         return -1;
     return d->mistakes.count == 0;
 }

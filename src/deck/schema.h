@@ -211,10 +211,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
     X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE,                                  \
       FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                     \
-    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
-    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                               \
-    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                             \
+    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)\
+    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)    \
+    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
+    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)     \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
     X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
     X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK | INVERTED)   \

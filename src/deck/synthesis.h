@@ -10,29 +10,20 @@
 
 struct parser;
 
-/* The lengths that a task takes. */
-typedef struct deck_given {
-    int most;
-    const char *takes, *needs; /* in words; what is needed if there is none, or null */
-} deck_given;
-
 /* What a kind of mechanism has in its tasks. */
 typedef struct deck_task_kind {
     fourlink_kind kind;
 
-    /* a function generator: its output, and its equations as a student writes them, see found_text.c */
+    /* a function generator: its output; K of its equations, and what follows from them */
     quantity output;
     key_code range;
     const char *column, *example; /* its name; a range */
-    deck_given function;
-    const char *equations[4];
+    const char *constants;
 
-    /* a quick return */
+    /* a quick return: its type; how many lengths are given for the best one; what is given, in words */
     fourlink_type type;
-    key_code size; /* swing or stroke, which is needed, and an example; or KEY_COUNT */
-    const char *size_example;
-    deck_given quick_return;
-    const char *best; /* what is given with choose = best */
+    int n_best;
+    const char *quick_return;
 
     key_code besides;       /* what is found besides lengths: offset or angle; or KEY_COUNT */
     const char *outputs[2]; /* of a [sweep]; of one with a function */
@@ -43,6 +34,8 @@ typedef struct deck_task_kind {
 typedef struct deck_wanted {
     int f; /* which function */
     double exponent;
+    const double *table_x, *table_y; /* of a table */
+    unsigned long n_rows;
     double x[2], y[2];
     double crank[2], output[2]; /* rad, rad or m */
 } deck_wanted;
@@ -99,9 +92,7 @@ const char *flk_found_point(struct parser *p, fourlink_vector at);
 /* Write what the text of the deck begins and ends with; the coupler point has this name. */
 void flk_found_write(struct parser *p, const char *point_name);
 
-/* The defects of the linkage found in the words of a line.  Defect i in a sentence, from 0; 0 if there are
-** fewer. */
-void flk_synthesis_name_defects(deck_synthesis *t);
-int flk_synthesis_defect(const deck_synthesis *t, int i, char words[MESSAGE_SIZE]);
+/* Tell the defects of the linkage found: their names in `defects`, sentences in those of the deck. */
+void flk_synthesis_tell_defects(struct parser *p);
 
 #endif

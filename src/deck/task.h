@@ -31,9 +31,8 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
 /* The lengths that are given, by link number; returns their number. */
 int flk_task_lengths(parser *p, double length[5]);
 
-/* Report lengths beside those that a task takes, which would not be those of the linkage found; or that there
-** is none of n. */
-void flk_task_check_lengths(parser *p, int n, const deck_given *given);
+/* Report lengths that a task finds, if more links have theirs than it takes. */
+void flk_task_check_lengths(parser *p, int most);
 
 /* The first point of the coupler; null if there is none. */
 const section_use *flk_task_coupler_point(const parser *p);

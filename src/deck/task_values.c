@@ -48,8 +48,7 @@ void flk_task_unit(parser *p, text name)
 int flk_task_range(parser *p, key_code key, quantity q, double range[2])
 {
     setting *s = flk_task_find(p, key);
-    text first, last;
-    unit u;
+    text first, last, name;
 
     if (!flk_text_cut(s->value, " to ", &first, &last))
         return flk_mistake(p->mistakes, s->place, "expected a range, such as %s, not '%t'",
@@ -57,19 +56,13 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
                            : q == QUANTITY_LENGTH ? "100 mm to 30 mm"
                                                   : "1 to 4",
                            s->value);
-    flk_task_unit(p, flk_quantity_unit_text(last));
+    name = flk_quantity_unit_text(last);
+    flk_task_unit(p, name);
     flk_task_unit(p, flk_quantity_unit_text(first));
-    if (!flk_values_piece(p, s, last, q, &range[1]))
+    if (!flk_quantity_unit_text(first).length && name.length) /* 30 to 120 deg */
+        first = flk_text_of(flk_reader_copy(p, first, flk_reader_copy(p, name, "")));
+    if (!flk_values_piece(p, s, last, q, &range[1]) || !flk_values_piece(p, s, first, q, &range[0]))
         return 0;
-    u = s->unit;
-    if (flk_quantity_unit_text(first).length || !flk_quantity_unit_text(last).length) {
-        if (!flk_values_piece(p, s, first, q, &range[0]))
-            return 0;
-    } else {
-        if (!flk_values_number(p, s, &first, q, &range[0]))
-            return 0;
-        range[0] = flk_unit_to_si(range[0], u);
-    }
     return range[0] != range[1] ||
            flk_mistake(p->mistakes, s->place, "the range begins and ends at the same value");
 }
@@ -150,12 +143,12 @@ int flk_task_lengths(parser *p, double length[5])
     return n;
 }
 
-void flk_task_check_lengths(parser *p, int n, const deck_given *given)
+void flk_task_check_lengths(parser *p, int most)
 {
     static const key_code others[] = {KEY_CRANK_STROKE, KEY_LEVER_ANGLE, KEY_GROUND_OFFSET,
                                       KEY_LEVER_OFFSET};
     const deck_synthesis *t = p->d->synthesis;
-    int n_others = t->task == TASK_QUICK_RETURN ? 2 : 4, most = given->most, i;
+    int n_others = t->task == TASK_QUICK_RETURN ? 2 : 4, i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + n_others; i++) {
         int is_link = i <= FOURLINK_FOLLOWER;
@@ -163,12 +156,9 @@ void flk_task_check_lengths(parser *p, int n, const deck_given *given)
             is_link ? length_of(p, i) : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
 
         if (IS_SET(s) && (!is_link || most-- <= 0))
-            flk_mistake(p->mistakes, s->place,
-                        "task = %s finds this: remove it, or comment it out; the task takes %s",
-                        t->name, given->takes);
+            flk_mistake(p->mistakes, s->place, "task = %s finds this: remove it, or comment it out",
+                        t->name);
     }
-    if (!n && given->needs)
-        flk_mistake(p->mistakes, t->place, "%s", given->needs);
 }
 
 const section_use *flk_task_coupler_point(const parser *p)

@@ -330,13 +330,23 @@ void math_zero(math *m, const char *equation, double value, double size, const c
     page_print(m->p, "</div>\n");
 }
 
-void math_show(math *m, const char *equation)
+static void show(math *m, const char *equation, int has_numbers)
 {
     page_print(m->p, "<div class=\"equation\">\n");
-    math_open(m->p, "symbols");
-    put_equation(m, equation, 0);
+    math_open(m->p, has_numbers ? "numbers" : "symbols");
+    put_equation(m, equation, has_numbers);
     math_close(m->p);
     page_print(m->p, "</div>\n");
+}
+
+void math_show(math *m, const char *equation)
+{
+    show(m, equation, 0);
+}
+
+void math_show_numbers(math *m, const char *equation)
+{
+    show(m, equation, 1);
 }
 
 void math_given(math *m, const char *name, const char *unit)

@@ -54,8 +54,9 @@ void math_let_angle(math *m, const char *name, const char *equation, double valu
 /* Write EQUATION = 0, the same with numbers, and what it comes to, 0 if that is below 1e-6 of `size`. */
 void math_zero(math *m, const char *equation, double value, double size, const char *unit);
 
-/* Write an equation in symbols alone. */
+/* Write an equation in symbols alone; with the numbers of those symbols that have a value. */
 void math_show(math *m, const char *equation);
+void math_show_numbers(math *m, const char *equation);
 
 /* Write NAME = VALUE UNIT within a line. */
 void math_given(math *m, const char *name, const char *unit);

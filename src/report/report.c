@@ -65,6 +65,7 @@ static void put_page(report *r)
     put_head(r, title);
     if (r->v.results) {
         report_put_mechanism(r, is_drawn);
+        report_put_synthesis(r);
         report_put_sample(r);
         if (is_drawn)
             report_put_curves(r);

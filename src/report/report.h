@@ -14,7 +14,8 @@
 
 /* What the caller knows beside the deck. */
 typedef struct report_request {
-    fourlink_results *opened; /* of the deck; null: it has mistakes */
+    fourlink_results *opened;       /* of the deck; null: it has mistakes */
+    const fourlink_solution *found; /* its linkage; null: it was not found by synthesis */
     const char
         *at; /* the crank angle of the sample calculation, as in --plot-at; null: not given */
 } report_request;
@@ -65,6 +66,7 @@ void report_put_script(page *p);
 void report_put_deck(report *r);
 void report_put_mechanism(report *r, int is_drawn); /* with the results */
 void report_put_results(report *r);
+void report_put_synthesis(report *r); /* if there was one */
 void report_put_facts(report *r);
 void report_put_sample(report *r);
 void report_put_curves(report *r);

@@ -17,6 +17,19 @@
 ** rounding makes of a useful linkage, and less than a workshop can see. */
 #define MISSED 1e-6
 
+const char *fourlink_defect_text(int defect)
+{
+    static const char *const names[] = {
+        "branch", "circuit", "order", "dead position", "dead position on the way",
+        "reach",  "missed"};
+    int i;
+
+    for (i = 0; i < (int)(sizeof names / sizeof names[0]); i++)
+        if (defect == 1 << i)
+            return names[i];
+    return "unknown defect";
+}
+
 double flk_output_error(const fourlink_state *state, fourlink_kind kind, double wanted)
 {
     return kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** dyad.c - motion and path generators: four-bar linkages made of two dyads, links from a fixed pivot m to a
-** moving pivot k of the coupler, for three positions.
+** dyad.c - motion and path generators: linkages made of two dyads, links from a fixed pivot m to a moving
+** pivot k of the coupler, for three positions.  Where the places of k are on a line, the right link is a
+** slider.
 **
 ** P_j is the coupler point in position j, alpha_j the coupler's rotation from position 1,
 ** delta_j = P_j - P_1.  Of a dyad, W = k_1 - m, Z = P_1 - k_1, and beta_j is the rotation of W.  All is
@@ -24,10 +25,11 @@ typedef struct positions {
     double size;                   /* m, largest |delta| */
 } positions;
 
-/* Pivots relative to P_1. */
+/* Pivots relative to P_1; of a slider, the direction of its line in place of the fixed one. */
 typedef struct pivots {
-    gsl_complex fixed, moving;
+    gsl_complex fixed, moving, line;
     double condition;
+    int is_on_line;
 } pivots;
 
 static int is_zero(gsl_complex z, double size)
@@ -95,26 +97,66 @@ static int from_rotations(const positions *at, const double beta[2], pivots *p)
     return FOURLINK_OK;
 }
 
+/* A slider on a line in direction u: the moving pivot k, with
+**
+**    Im((delta_j + (k - P_1) (e^(i alpha_j) - 1)) / u) = 0,   j = 2, 3
+*/
+static int from_line(const positions *at, double direction, pivots *p)
+{
+    gsl_complex c[2];
+    double b[2], length = 1, determinant;
+    int j;
+
+    p->is_on_line = 1;
+    p->line = gsl_complex_polar(1, direction);
+    for (j = 0; j < 2; j++) {
+        c[j] = gsl_complex_sub(at->turn[j + 1], gsl_complex_rect(1, 0));
+        c[j] = gsl_complex_div(c[j], p->line);
+        b[j] = -flk_vector_of(gsl_complex_div(at->delta[j + 1], p->line)).y;
+        length *= gsl_complex_abs(c[j]);
+    }
+    determinant = GSL_IMAG(c[0]) * GSL_REAL(c[1]) - GSL_REAL(c[0]) * GSL_IMAG(c[1]);
+    if (!(fabs(determinant) > FLK_NOTHING * length))
+        return FOURLINK_DEPENDENT;
+    p->condition = condition_of(determinant / length);
+    p->moving = gsl_complex_rect((b[0] * GSL_REAL(c[1]) - b[1] * GSL_REAL(c[0])) / determinant,
+                                 (b[1] * GSL_IMAG(c[0]) - b[0] * GSL_IMAG(c[1])) / determinant);
+    p->fixed = p->moving;
+    return FOURLINK_OK;
+}
+
 /* Both pivots of a dyad.  A moving pivot k is at P_j + e^(i alpha_j) (k_1 - P_1); m is the centre of these
 ** places.  Seen from the coupler, a fixed pivot m is at e^(-i alpha_j) (m - P_j), and k_1 is the centre. */
 static int find_pivots(const fourlink_dyad *given, const positions *at,
                        const fourlink_vector *first, pivots *p)
 {
     gsl_complex pivot = gsl_complex_sub(flk_plane(&given->pivot), flk_plane(first)), place[3];
-    int j, is_fixed = given->choice == FOURLINK_FIXED_PIVOT;
+    int j, status, is_fixed = given->choice == FOURLINK_FIXED_PIVOT;
 
+    p->is_on_line = 0;
     if (!flk_points_within(&given->pivot, 1) ||
         !flk_are_within(given->rotation, 2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     if (given->choice == FOURLINK_ROTATIONS)
         return from_rotations(at, given->rotation, p);
+    if (given->choice == FOURLINK_SLIDER)
+        return from_line(at, given->rotation[0], p);
     if (!is_fixed && given->choice != FOURLINK_MOVING_PIVOT)
         return FOURLINK_BAD_CHOICE;
     for (j = 0; j < 3; j++)
         place[j] = is_fixed ? gsl_complex_div(gsl_complex_sub(pivot, at->delta[j]), at->turn[j])
                             : gsl_complex_add(at->delta[j], gsl_complex_mul(at->turn[j], pivot));
     p->fixed = p->moving = pivot;
-    return find_centre(place, is_fixed ? &p->moving : &p->fixed, &p->condition);
+    status = find_centre(place, is_fixed ? &p->moving : &p->fixed, &p->condition);
+    if (status != FOURLINK_INFINITE_LINK || is_fixed)
+        return status;
+    p->is_on_line = 1;
+    p->line = gsl_complex_sub(place[2], place[1]);
+    for (j = 1; j < 3; j++)
+        if (gsl_complex_abs(gsl_complex_sub(place[j], place[0])) > gsl_complex_abs(p->line))
+            p->line = gsl_complex_sub(place[j], place[0]);
+    p->condition = 1;
+    return FOURLINK_OK;
 }
 
 /* Positions relative to the first.  FOURLINK_DEPENDENT if two are equal. */
@@ -139,9 +181,10 @@ static int set_positions(const fourlink_vector point[3], const double alpha[3], 
 }
 
 /* The linkage of two dyads: A = m, B = k_1 of the left one, D, C of the right one.  With u the direction of
-** A->D,
+** A->D, or that of a slider's line in which the first position is on the open branch,
 **
 **    theta2j = arg((B_j - A) / u),   coupler point p = (P_1 - B_1) b / (C_1 - B_1)
+**    X_j + i e = (C_j - A) / u                                                          of a slider
 */
 static int join(const positions *at, const fourlink_vector *first, const pivots *left,
                 const pivots *right, fourlink_solution *s)
@@ -149,24 +192,34 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
     gsl_complex ground = gsl_complex_sub(right->fixed, left->fixed);
     gsl_complex crank = gsl_complex_sub(left->moving, left->fixed);
     gsl_complex coupler = gsl_complex_sub(right->moving, left->moving);
-    gsl_complex rocker = gsl_complex_sub(right->moving, right->fixed), u, axis;
+    gsl_complex rocker = gsl_complex_sub(right->moving, right->fixed), u, axis, X;
     double size = at->size + gsl_complex_abs(left->fixed) + gsl_complex_abs(left->moving) +
                   gsl_complex_abs(right->fixed) + gsl_complex_abs(right->moving);
     fourlink_link *link = s->design.link;
-    int j;
+    int j, slides = right->is_on_line;
 
-    if (is_zero(ground, size) || is_zero(crank, size) || is_zero(coupler, size) ||
-        is_zero(rocker, size))
+    if (left->is_on_line)
+        return FOURLINK_INFINITE_LINK;
+    if (is_zero(crank, size) || is_zero(coupler, size) ||
+        (!slides && (is_zero(ground, size) || is_zero(rocker, size))))
         return FOURLINK_NO_LENGTH;
-    s->design.kind = FOURLINK_FOUR_BAR;
-    link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
+    s->design.kind = slides ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR;
     link[FOURLINK_CRANK].length = gsl_complex_abs(crank);
     link[FOURLINK_COUPLER].length = gsl_complex_abs(coupler);
-    link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
     s->condition = GSL_MAX_DBL(left->condition, right->condition);
     s->origin = flk_vector_of(gsl_complex_add(left->fixed, flk_plane(first)));
-    s->direction = gsl_complex_arg(ground);
+    u = slides ? right->line : ground;
+    if (slides && flk_vector_of(gsl_complex_div(coupler, u)).x < 0)
+        u = gsl_complex_negative(u);
+    s->direction = gsl_complex_arg(u);
     u = gsl_complex_polar(1, s->direction);
+    if (slides) {
+        X = gsl_complex_div(gsl_complex_sub(right->moving, left->fixed), u);
+        s->design.offset = GSL_IMAG(X);
+    } else {
+        link[FOURLINK_GROUND].length = gsl_complex_abs(ground);
+        link[FOURLINK_FOLLOWER].length = gsl_complex_abs(rocker);
+    }
     axis = gsl_complex_div_real(coupler, link[FOURLINK_COUPLER].length);
     s->has_point = 1;
     s->point = flk_vector_of(gsl_complex_div(gsl_complex_negative(left->moving), axis));
@@ -178,7 +231,8 @@ static int join(const positions *at, const fourlink_vector *first, const pivots 
 
         p->theta2 = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(B, left->fixed), u));
         p->theta3 = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(C, B), u));
-        p->output = gsl_complex_arg(gsl_complex_div(gsl_complex_sub(C, right->fixed), u));
+        X = gsl_complex_div(gsl_complex_sub(C, slides ? left->fixed : right->fixed), u);
+        p->output = slides ? GSL_REAL(X) : gsl_complex_arg(X);
         p->point = flk_vector_of(gsl_complex_div(gsl_complex_sub(at->delta[j], left->fixed), u));
     }
     return FOURLINK_OK;
@@ -248,8 +302,10 @@ static double grade(const fourlink_solution *s)
 {
     if (s->defects)
         return 0;
-    return s->mu_min +
-           (s->type == FOURLINK_CRANK_ROCKER || s->type == FOURLINK_DOUBLE_CRANK ? M_PI : 0);
+    return s->mu_min + (s->type == FOURLINK_CRANK_ROCKER || s->type == FOURLINK_DOUBLE_CRANK ||
+                                s->type == FOURLINK_ENGINE
+                            ? M_PI
+                            : 0);
 }
 
 /* Put a solution among the best, which are in order. */

@@ -166,31 +166,61 @@ static double errors_of(const fourlink_function_task *task, const double K[3],
     return sum;
 }
 
-/* Make the errors of the output small, by Gauss's method with shortened steps, on the branch that starts with
-** smaller ones.  If no branch reaches all points, K is left as it is. */
-static void fit_output(const fourlink_function_task *task, double K[3])
+/* Make the errors of the output on a branch small, by Gauss's method with shortened steps from a start; keep
+** K if their sum is less than the least so far. */
+static void fit_from(const fourlink_function_task *task, const double start[3],
+                     fourlink_branch branch, double K[3], double *least)
 {
-    double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, sum, next;
-    fourlink_branch branch = FOURLINK_OPEN;
+    double error[FOURLINK_PRECISION_MAX], at[3], step[3], trial[3], condition, part, next;
+    double sum = errors_of(task, start, branch, error);
     int j, n;
 
-    sum = errors_of(task, K, FOURLINK_CROSSED, error);
-    if (!(errors_of(task, K, FOURLINK_OPEN, error) <= sum))
-        branch = FOURLINK_CROSSED;
-    sum = errors_of(task, K, branch, error);
+    memcpy(at, start, sizeof at);
     for (n = 0; n < STEPS && sum < GSL_POSINF && sum > 0; n++) {
-        if (find_step(task, K, error, step, &condition) != FOURLINK_OK)
-            return;
+        if (find_step(task, at, error, step, &condition) != FOURLINK_OK)
+            break;
         next = GSL_POSINF;
         for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
             for (j = 0; j < 3; j++)
-                trial[j] = K[j] + part * step[j];
+                trial[j] = at[j] + part * step[j];
             next = errors_of(task, trial, branch, error);
         }
         if (!(next < sum))
-            return;
-        memcpy(K, trial, sizeof trial);
+            break;
+        memcpy(at, trial, sizeof at);
         sum = next;
+    }
+    if (sum < *least) {
+        memcpy(K, at, sizeof at);
+        *least = sum;
+    }
+}
+
+/* The same on both branches, from K of the equation and from the linkages through three of four points, the
+** ends and those between: often that of the equation does not reach all points, and Gauss's method stops at
+** a minimum that is not the least.  If no branch reaches all points, K is left as it is. */
+static void fit_output(const fourlink_function_task *task, double K[3])
+{
+    double start[3], theta2[3], output[3], condition, least = GSL_POSINF;
+    fourlink_function_task three = *task;
+    int left_out, i, n;
+
+    memcpy(start, K, sizeof start);
+    three.n = 3;
+    three.theta2 = theta2;
+    three.output = output;
+    for (left_out = 4; left_out >= 0; left_out--) {
+        const double none[3] = {0, 0, 0};
+
+        for (i = 0, n = 0; i < 4 && left_out < 4; i++)
+            if (i != left_out) {
+                theta2[n] = task->theta2[(unsigned long)i * (task->n - 1) / 3];
+                output[n++] = task->output[(unsigned long)i * (task->n - 1) / 3];
+            }
+        if (left_out < 4 && find_step(&three, none, NULL, start, &condition) != FOURLINK_OK)
+            continue;
+        fit_from(task, start, FOURLINK_OPEN, K, &least);
+        fit_from(task, start, FOURLINK_CROSSED, K, &least);
     }
 }
 
@@ -199,7 +229,6 @@ static void fit_output(const fourlink_function_task *task, double K[3])
 typedef struct error_curve {
     const fourlink_function_task *task;
     const fourlink_solution *solution;
-    const fourlink_mechanism *mechanism;
     double error; /* with its sign */
 } error_curve;
 
@@ -207,17 +236,15 @@ static double size_of_error(double theta2, void *data)
 {
     error_curve *c = data;
     double wanted = c->task->wanted(c->task->host, theta2);
-    int is_found = gsl_finite(wanted) && error_at(c->solution, c->mechanism, c->solution->branch,
-                                                  theta2, wanted, &c->error) == FOURLINK_OK;
+    int status = fourlink_synthesis_error(c->solution, theta2, wanted, &c->error);
 
-    return is_found ? fabs(c->error) : FLK_UNDEFINED;
+    return status == FOURLINK_OK ? fabs(c->error) : FLK_UNDEFINED;
 }
 
 /* The largest error: of the points, or, if more is known, in the range. */
 static void find_largest_error(const fourlink_function_task *task, fourlink_solution *s)
 {
     double from = GSL_MIN_DBL(s->from, s->to) - s->crank_turn;
-    fourlink_mechanism mechanism;
     flk_sample largest;
     error_curve c;
     int i;
@@ -229,10 +256,8 @@ static void find_largest_error(const fourlink_function_task *task, fourlink_solu
         }
     if (!task->wanted)
         return;
-    fourlink_prepare(&s->design, &mechanism);
     c.task = task;
     c.solution = s;
-    c.mechanism = &mechanism;
     largest =
         flk_find_largest(size_of_error, &c, from, fabs(s->to - s->from) / INTERVALS, INTERVALS);
     if (largest.value >= 0) {

@@ -163,6 +163,18 @@ static void put_types(sheet *s)
     line_put(&s->l, "\n");
 }
 
+static void put_defects(sheet *s)
+{
+    char number[FORMAT_SIZE];
+    int bit;
+
+    for (bit = 1; bit <= FOURLINK_DEFECT_MISSED; bit *= 2)
+        line_put(&s->l, "%s %s %s",
+                 bit > 1 ? ";" : "# defects, added:", format_fixed(bit, 0, number),
+                 fourlink_defect_text(bit));
+    line_put(&s->l, "\n");
+}
+
 /* Words of a sweep are in the head, so that each line of a design has numbers alone. */
 static void put_legend(sheet *s)
 {
@@ -179,9 +191,7 @@ static void put_legend(sheet *s)
         if (strcmp(s->header[j].name, "type") == 0)
             put_types(s);
         else if (strcmp(s->header[j].name, "defects") == 0)
-            line_put(&s->l,
-                     "# defects, added: 1 branch; 2 circuit; 4 order; 8 dead position; 16 on "
-                     "the way; 32 reach; 64 missed\n");
+            put_defects(s);
 }
 
 void table_begin(sheet *s)

@@ -52,6 +52,7 @@ run 0 --synthesis --check t.deck
 prints 'score: 3 of 3'
 run 0 --synthesis --report=t.html t.deck
 check 'the checks in the report' grep -q 'condition of the linear equations' t.html
+check 'the steps in the report' grep -q '<h3>Checks</h3>' t.html
 
 # each task; positions, facts, points
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = log10' 'x = 1 to 2' 'crank = 45 to 105 deg' 'rocker = 135 deg to 225 deg'
@@ -66,6 +67,23 @@ if command -v gnuplot >/dev/null; then
 fi
 run 2 --plot=x.svg --plot-kind=error first.deck
 says 'needs --synthesis'
+# a table: all its rows by least squares, or points between them; part of it
+{ echo 'x; log10 x' && awk 'BEGIN {for (i = 0; i <= 20; i++) printf "%.2f; %.6f\n", 1 + i / 20, log(1 + i / 20) / log(10)}'; } >log.csv
+table='function = file log.csv'
+ranges='crank = 45 to 105 deg
+rocker = 135 deg to 225 deg'
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" "$ranges"
+proves 0 21
+check 'all rows' grep -q 'structural error: largest -0.1706' found.deck
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'precision = 3' "$ranges"
+proves 0
+check 'the function of the table' grep -q ': ground 100, crank 185.09[0-9]*, coupler 286.80[0-9]*, rocker 192.05' found.deck
+task "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1.2 to 1.5' "$ranges"
+proves 0 7
+printf 'theta2 [deg]; theta4 [deg]\n36; 64\n75; 98\n114; 142\n' >points.csv
+task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = file points.csv'
+proves 0
+check 'points of a file' grep -q '^length = 60.005448180335[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = linear' 'x = 0 to 1' 'crank = 45 to 135 deg' \
     'piston = 100 to 30 mm'
 proves 0
@@ -74,6 +92,11 @@ task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) m 0 deg, (1.2
 proves 0 6
 check 'where A is' grep -q 'pivot A is at (0.5, 3.5) m' found.deck
 check 'the crank' grep -q '^length = 0.97986206560052[0-9]* m' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
+    'left = fixed (10, -30) mm' 'right = slider 10 deg'
+proves 0 6
+check 'the line of the slider' grep -q 'the direction of stroke is at -170 deg' found.deck
+check 'the offset' grep -q '^offset = 39.3007466283' found.deck
 task "$four_bar" '[synthesis]' 'task = path' 'positions = (0, 0) mm, (12, 5) mm, (21, 16) mm' 'timing = 40 deg, 85 deg' \
     'right = fixed (50, -10) mm'
 proves 0 6
@@ -166,6 +189,13 @@ refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task 
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
     'crank = 1 deg' 'rocker = 1 deg to 2 deg'
+refuses 'the table goes from x = 1 to 2' "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1 to 3' "$ranges"
+refuses '2 rows of the table' "$four_bar" "$ground" '[synthesis]' 'task = function' "$table" 'x = 1.2 to 1.25' "$ranges"
+refuses "cannot read the file 'exp.csv'" "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file exp.csv' "$ranges"
+printf '1 2\n2 4\n2 5\n' >bad.csv
+refuses 'bad.csv:3: error: x must rise' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file bad.csv' "$ranges"
+printf '1 2\n2 4\n' >two.csv
+refuses 'three or more rows' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file two.csv' "$ranges"
 refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
@@ -177,7 +207,12 @@ refuses "did you mean 'fixed'?" "$four_bar" '[synthesis]' 'task = motion' \
     'positions = (1, 2) mm 3 deg, (2, 2) mm 4 deg, (3, 2) mm 5 deg' 'left = fixd (0, 0) mm' 'right = fixed (1, 0) mm'
 refuses 'a time ratio is at least 1' "$four_bar" "$ground" '[crank]' 'length = 20 mm' '[synthesis]' 'task = quick-return' \
     'time_ratio = 0.8' 'swing = 40 deg'
-refuses 'task = motion does not exist for a slider-crank' 'mechanism = slider-crank' '[synthesis]' 'task = motion'
+positions='positions = (0, 0) mm 0 deg, (3, 1) mm 18 deg, (6, 2) mm 29 deg'
+refuses 'the right pivot moves along a line: write mechanism = slider-crank' "$four_bar" '[synthesis]' 'task = motion' \
+    "$positions" 'left = fixed (5, 7) mm' 'right = moving (0, 0) mm'
+refuses 'the right pivot does not move along a line: write right = slider 30 deg' 'mechanism = slider-crank' \
+    '[synthesis]' 'task = motion' "$positions" 'left = fixed (5, 7) mm' 'right = moving (1, 0) mm'
+refuses 'task = motion does not exist for an inverted slider-crank' 'mechanism = inverted-slider-crank' '[synthesis]' 'task = motion'
 refuses 'cognate needs a [point]' "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 mm' '[rocker]' \
     'length = 80 mm' '[synthesis]' 'task = cognate' 'which = left'
 

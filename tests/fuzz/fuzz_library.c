@@ -380,7 +380,8 @@ static void ask_texts(void)
     int code = (int)next_bytes(4), other = next_code(1, 5);
     fourlink_kind_facts facts;
 
-    MUST(fourlink_status_text(code) && fourlink_branch_text(code) && fourlink_type_text(code));
+    MUST(fourlink_status_text(code) && fourlink_branch_text(code) && fourlink_type_text(code) &&
+         fourlink_defect_text(code));
     MUST(fourlink_kind_text(code) && fourlink_link_text(code, other));
     MUST(fourlink_link_text(other, code) && fourlink_unknown_text(other, code));
     fourlink_has_type(code, other);

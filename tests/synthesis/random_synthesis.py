@@ -71,6 +71,10 @@ def motion():
     return 'four-bar', '', 'task = motion\n%s\nleft = %s\nright = %s' % (positions(True), dyad(), dyad())
 
 
+def slider_motion():
+    return 'slider-crank', '', 'task = motion\n%s\nleft = %s\nright = slider %g deg' % (positions(True), dyad(), u(-180, 180))
+
+
 def path(with_angles=True):
     return 'four-bar', '', 'task = path\n%s\ntiming = %g deg, %g deg\nright = %s' % (
         positions(with_angles), u(10, 100), u(110, 250), dyad())
@@ -183,7 +187,7 @@ def try_bad(makers):
 tasks = [('function, three points', lambda: function_points(3)), ('function, range', lambda: function_range('four-bar')),
          ('function, slider-crank', lambda: function_range('slider-crank')), ('function, fits', fits), ('motion', motion),
          ('path', path), ('quick return, four-bar', crank_rocker), ('quick return, slider-crank', offset_slider),
-         ('quick return, lever', lever), ('cognate', cognate)]
+         ('quick return, lever', lever), ('cognate', cognate), ('motion, slider-crank', slider_motion)]
 for task in tasks:
     try_task(*task)
 try_bad([make for _, make in tasks])

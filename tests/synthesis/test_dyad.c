@@ -147,6 +147,58 @@ static double amplified(const fourlink_solution *s)
     return s->condition * (1 + size_of(s)) / shortest;
 }
 
+/* A slider on a line in a given direction: the positions are met, and the moving pivot stays on the line. */
+TEST(sliders)
+{
+    uint64_t seed = 26;
+
+    for (int k = 0; k < 2000; k++) {
+        fourlink_motion_task task = random_task(&seed, 0);
+        double complex turn, line, A, on_line[3];
+        fourlink_solution s;
+
+        task.right.choice = FOURLINK_SLIDER;
+        FOUND(motion, &task, &s);
+        assert_true(is_sound(&s));
+        assert_int_equal(s.design.kind, FOURLINK_SLIDER_CRANK);
+        turn = cexp(I * s.direction);
+        line = cexp(I * task.right.rotation[0]);
+        A = plane(s.origin);
+        assert_near(fabs(creal(turn / line)), 1, 1e-12);
+        assert_true(s.position[0].branch != FOURLINK_CROSSED);
+        for (int j = 0; j < 3; j++) {
+            const fourlink_precision *p = &s.position[j];
+
+            assert_near(cabs(A + turn * plane(p->point) - plane(task.point[j])), 0,
+                        1e-12 * (1 + cabs(A)) * s.condition);
+            on_line[j] =
+                plane(p->point) + (length_of(&s, 3) - plane(s.point)) * cexp(I * p->theta3);
+            assert_near(cimag(on_line[j]), s.design.offset, 1e-12 * size_of(&s) * s.condition);
+            if (p->branch && s.ratio < 1e3)
+                assert_true(miss_of(&s, j, size_of(&s) + cabs(A)) < 1);
+        }
+    }
+}
+
+/* Positions without a rotation: all points of the coupler move as P does, so that a moving pivot is a slider. */
+TEST(moving_pivot_on_a_line)
+{
+    fourlink_motion_task task = {.point = {{0, 0}, {3, 1}, {6, 2}}};
+    fourlink_solution s;
+
+    task.left = dyad(FOURLINK_MOVING_PIVOT, 1 + 2 * I);
+    task.right = dyad(FOURLINK_MOVING_PIVOT, 4 + I);
+    REFUSED(motion, &task, FOURLINK_INFINITE_LINK); /* the left one too */
+    task.angle[1] = 0.3; /* the right pivot has P_j: its places are still on a line */
+    task.angle[2] = 0.5;
+    task.right = dyad(FOURLINK_MOVING_PIVOT, 0);
+    FOUND(motion, &task, &s);
+    assert_int_equal(s.design.kind, FOURLINK_SLIDER_CRANK);
+    assert_near(remainder(s.direction - atan2(1, 3), PI), 0, 1e-12);
+    for (int j = 0; j < 3; j++)
+        assert_true(miss_of(&s, j, 10) < 1);
+}
+
 /* Fixed pivots, then the moving pivots that they gave, then the fixed ones: the same linkage.  The
 ** rotations that it has, given as such: the same. */
 TEST(fixed_and_moving)
@@ -251,8 +303,14 @@ TEST(degenerate_positions)
     task.point[2] = at(2 * k2);
     task.left = dyad(FOURLINK_MOVING_PIVOT, 1 + I);
     REFUSED(motion, &task, FOURLINK_INFINITE_LINK);
+    task.left.choice = FOURLINK_SLIDER;
+    REFUSED(motion, &task,
+            FOURLINK_DEPENDENT); /* without a rotation all points move along a line */
     task = good;
-    task.left.choice = (fourlink_choice)4;
+    task.left.choice = FOURLINK_SLIDER;
+    REFUSED(motion, &task, FOURLINK_INFINITE_LINK);
+    task = good;
+    task.left.choice = (fourlink_choice)5;
     REFUSED(motion, &task, FOURLINK_BAD_CHOICE);
     task = good;
     task.point[2].x = NAN;

@@ -508,6 +508,38 @@ TEST(bad_problems)
     }
 }
 
+/* Random powers over wide ranges: K of the equation leaves a quarter of them without a linkage that reaches all
+** points; a fit of the angle finds one for nearly all. */
+TEST(fits_that_reach)
+{
+    uint64_t seed = 31;
+    int n_reached[2] = {0, 0};
+
+    for (int k = 0; k < 400; k++) {
+        double theta2[N], output[N], from = uniform(&seed, 0, 6), step = uniform(&seed, 0.05, 0.15);
+        double first = uniform(&seed, 0, 6), over = uniform(&seed, -2, 2),
+               p = uniform(&seed, 0.3, 3);
+        fourlink_function_task task = {.kind = FOURLINK_FOUR_BAR, .ground = 1, .n = 12};
+        fourlink_solution s;
+
+        for (int i = 0; i < 12; i++) {
+            theta2[i] = from + i * step;
+            output[i] = first + over * pow(i / 11.0, p);
+        }
+        task.theta2 = theta2;
+        task.output = output;
+        for (int fit = 0; fit < 2; fit++) {
+            unsigned long n = 0;
+
+            task.fit = fit ? FOURLINK_FIT_ANGLE : FOURLINK_FIT_EQUATION;
+            if (fourlink_synthesis_function(&task, 1, &s, &n) == FOURLINK_OK)
+                n_reached[fit] += !(s.defects & FOURLINK_DEFECT_REACH);
+        }
+    }
+    print_message("%d and %d of 400 reach all points\n", n_reached[0], n_reached[1]);
+    assert_true(n_reached[1] >= 390);
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);

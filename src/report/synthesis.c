@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** synthesis.c - how the linkage of a report was found: the equations with their numbers, the lengths that
+** follow, the wanted positions, and the checks.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/text.h"
+#include "cell.h"
+#include "sample.h"
+
+#define MOST_EQUATIONS 10
+#define DIGITS 6
+#define DEGREES(angle) ((angle) * (180 / M_PI))
+#define M2 "m\302\262"
+#define THETA "\316\270"
+#define THETA2 THETA "\342\202\202"
+#define DEG ", \302\260"
+
+static int is_slider_crank(const fourlink_solution *s)
+{
+    return s->design.kind == FOURLINK_SLIDER_CRANK;
+}
+
+static void put_words(report *r, const char *words)
+{
+    page_print(&r->page, "<p>%s</p>\n", words);
+}
+
+/* The four lengths by their letters, those of a slider-crank too. */
+static void set_lengths(const fourlink_solution *s, math *m)
+{
+    int slides = is_slider_crank(s);
+
+    math_set(m, "d", s->design.link[FOURLINK_GROUND].length);
+    math_set(m, slides ? "r" : "a", s->a);
+    math_set(m, slides ? "l" : "b", s->design.link[FOURLINK_COUPLER].length);
+    math_set(m, slides ? "e" : "c", slides ? s->design.offset : s->c);
+}
+
+/* ------------------------------------------------------------------------------------ functions */
+
+static void put_function(report *r, math *m)
+{
+    const fourlink_solution *s = r->request->found;
+    int slides = is_slider_crank(s), i;
+    const char *equation = slides
+                               ? "S1 * X * cos theta2 + S2 * sin theta2 - S3 = X ^2"
+                               : "K1 * cos theta4 - K2 * cos theta2 + K3 = cos ( theta2 - theta4 )";
+    static const char *const names[2][3] = {{"K1", "K2", "K3"}, {"S1", "S2", "S3"}};
+
+    put_words(r, slides ? "The coupler's length is the same in all positions:"
+                        : "Freudenstein's equation, from the constant length of the coupler:");
+    math_show(m, equation);
+    put_words(r, s->n_positions > 3 ? "At the points; least squares:" : "At the three points:");
+    for (i = 0; i < s->n_positions && i < MOST_EQUATIONS; i++) {
+        double theta4 = s->position[i].output - s->rocker_turn;
+
+        math_set_angle(m, "theta2", s->position[i].theta2 - s->crank_turn);
+        math_set_angle(m, "theta4", theta4 > -M_PI ? theta4 : theta4 + 2 * M_PI);
+        math_set(m, "X", s->position[i].output);
+        math_show_numbers(m, equation);
+    }
+    if (s->n_positions > MOST_EQUATIONS)
+        put_words(r, "and so on.");
+    put_words(r, "They are linear, with the solution:");
+    page_print(&r->page, "<ul class=\"given\">\n");
+    for (i = 0; i < 3; i++) {
+        math_set(m, names[slides][i], s->K[i]);
+        math_given(m, names[slides][i], !slides ? "" : i < 2 ? "m" : M2);
+    }
+    page_print(&r->page, "</ul>\n");
+    if (slides) {
+        math_let(m, "r", "{ S1 | 2 }", s->a, "m");
+        math_let(m, "e", "{ S2 | S1 }", s->design.offset, "m");
+        math_let(m, "l", "[ r ^2 + e ^2 - S3 ]", s->design.link[FOURLINK_COUPLER].length, "m");
+    } else {
+        math_let(m, "a", "{ d | K1 }", s->a, "m");
+        math_let(m, "c", "{ d | K2 }", s->c, "m");
+        math_let(m, "b", "[ a ^2 + c ^2 + d ^2 - 2 * a * c * K3 ]",
+                 s->design.link[FOURLINK_COUPLER].length, "m");
+    }
+    if (s->a < 0)
+        put_words(
+            r,
+            "The crank's length is negative: the crank of the linkage is turned by 180\302\260.");
+    if (s->c < 0)
+        put_words(r, "The rocker's length is negative: the rocker is turned by 180\302\260.");
+}
+
+/* ----------------------------------------------------------------------------- guided couplers */
+
+static void set_point(math *m, const char *x, const char *y, fourlink_vector at)
+{
+    math_set(m, x, at.x);
+    math_set(m, y, at.y);
+}
+
+/* A point at the distance `length` from another in a direction of the linkage's frame, in the axes of the
+** task. */
+static fourlink_vector beside(const fourlink_solution *s, fourlink_vector from, double length,
+                              double theta)
+{
+    from.x += length * cos(theta + s->direction);
+    from.y += length * sin(theta + s->direction);
+    return from;
+}
+
+static void put_guided(report *r, math *m)
+{
+    const fourlink_solution *s = r->request->found;
+    const fourlink_link *link = s->design.link;
+    int slides = is_slider_crank(s), i;
+    fourlink_vector A = s->origin, D = beside(s, A, link[FOURLINK_GROUND].length, 0), B, C;
+
+    put_words(
+        r, slides ? "In the axes of the task, A is the centre of a circle through the places of B:"
+                  : "In the axes of the task, each fixed pivot is the centre of a circle through "
+                    "the three "
+                    "places of its moving pivot:");
+    for (i = 0; i < s->n_positions; i++) {
+        const fourlink_precision *p = &s->position[i];
+
+        B = beside(s, A, link[FOURLINK_CRANK].length, p->theta2);
+        C = beside(s, B, link[FOURLINK_COUPLER].length, p->theta3);
+        page_print(&r->page, "<p>Position %d:</p>\n", i + 1);
+        set_point(m, "xA", "yA", A);
+        set_point(m, "xB", "yB", B);
+        set_point(m, "xC", "yC", C);
+        set_point(m, "xD", "yD", D);
+        math_let(m, slides ? "r" : "a", "[ ( xB - xA )^2 + ( yB - yA )^2 ]",
+                 gsl_hypot(B.x - A.x, B.y - A.y), "m");
+        if (!slides)
+            math_let(m, "c", "[ ( xC - xD )^2 + ( yC - yD )^2 ]", gsl_hypot(C.x - D.x, C.y - D.y),
+                     "m");
+    }
+    math_let(m, slides ? "l" : "b", "[ ( xC - xB )^2 + ( yC - yB )^2 ]",
+             gsl_hypot(C.x - B.x, C.y - B.y), "m");
+    if (!slides) {
+        math_let(m, "d", "[ ( xD - xA )^2 + ( yD - yA )^2 ]", gsl_hypot(D.x - A.x, D.y - A.y), "m");
+        return;
+    }
+    math_set_angle(m, "gamma", s->direction);
+    put_words(r,
+              "The places of C are on a line in the direction \316\263, at the distance e from A:");
+    math_let(m, "e", "( yC - yA ) * cos gamma - ( xC - xA ) * sin gamma", s->design.offset, "m");
+}
+
+/* ------------------------------------------------------------------------------- quick returns */
+
+static void put_quick_return(report *r, math *m)
+{
+    const fourlink_solution *s = r->request->found;
+    const fourlink_precision *first = &s->position[0], *last = &s->position[1];
+    const fourlink_link *link = s->design.link;
+    double alpha = last->theta2 - first->theta2 - M_PI;
+    double extent = fabs(last->output - first->output);
+    double a = s->a, b = link[FOURLINK_COUPLER].length, c = s->c, d = link[FOURLINK_GROUND].length;
+
+    math_set(m, "Q", (M_PI + fabs(alpha)) / (M_PI - fabs(alpha)));
+    put_words(r, "The crank turns by 180\302\260 + \316\261 and 180\302\260 - \316\261; Q is the "
+                 "time ratio:");
+    math_let_angle(m, "alpha",
+                   alpha < 0 ? "- 180deg * { Q - 1 | Q + 1 }" : "180deg * { Q - 1 | Q + 1 }",
+                   alpha);
+    if (s->type == FOURLINK_CRANK_ROCKER) {
+        double psi = extent > M_PI ? 2 * M_PI - extent : extent;
+
+        math_set_angle(m, "psi", psi);
+        put_words(r, "The crank and the coupler are in line in both limits of the rocker, with the "
+                     "swing \317\210:");
+        math_zero(
+            m,
+            "( a * cos { alpha | 2 } )^2 + ( b * sin { alpha | 2 } )^2 - ( c * sin { psi | 2 } )^2",
+            gsl_pow_2(a * cos(alpha / 2)) + gsl_pow_2(b * sin(alpha / 2)) -
+                gsl_pow_2(c * sin(psi / 2)),
+            b * b, M2);
+        math_zero(m,
+                  "( a * cos { psi - alpha | 2 } )^2 + ( b * sin { psi - alpha | 2 } )^2 - "
+                  "( d * sin { psi | 2 } )^2",
+                  gsl_pow_2(a * cos((psi - alpha) / 2)) + gsl_pow_2(b * sin((psi - alpha) / 2)) -
+                      gsl_pow_2(d * sin(psi / 2)),
+                  b * b, M2);
+    } else if (is_slider_crank(s)) {
+        math_set(m, "s", extent);
+        put_words(r, "The crank and the rod are in line at both ends of the stroke s:");
+        math_zero(m, "( r * cos { alpha | 2 } )^2 + ( l * sin { alpha | 2 } )^2 - { s ^2 | 4 }",
+                  gsl_pow_2(a * cos(alpha / 2)) + gsl_pow_2(b * sin(alpha / 2)) -
+                      extent * extent / 4,
+                  b * b, M2);
+        math_let(m, "e", "{ ( l ^2 - r ^2 ) * sin alpha | s }", s->design.offset, "m");
+    } else if (s->type == FOURLINK_WHITWORTH) {
+        put_words(r, "The tool reverses where the lever is at right angles to AD:");
+        math_let(m, "d", "a * sin { alpha | 2 }", d, "m");
+    } else {
+        put_words(r, "The crank is at right angles to the lever in both limits:");
+        math_set(m, "h", s->design.offset);
+        math_let(m, "d",
+                 s->design.offset == 0
+                     ? "{ a | sin { alpha | 2 } }"
+                     : "[ ( { a | sin { alpha | 2 } } )^2 + ( { h | cos { alpha | 2 } } )^2 ]",
+                 d, "m");
+    }
+}
+
+/* ---------------------------------------------------------------------------------------- checks */
+
+static void put_angle(report *r, double angle)
+{
+    cell_put(&r->page, DEGREES(angle), DIGITS);
+}
+
+/* The wanted positions, in the frame of the linkage, and what it has there. */
+static void put_positions(report *r)
+{
+    const fourlink_solution *s = r->request->found;
+    int is_angle = !s->has_point && !is_slider_crank(s), i;
+    const char *wanted = s->has_point ? CELL_HEAD("x, m") CELL_HEAD("y, m")
+                                            CELL_HEAD(THETA "\342\202\203" DEG)
+                         : is_angle ? CELL_HEAD(THETA "\342\202\204" DEG)
+                                    : CELL_HEAD("X, m");
+    char columns[400];
+
+    flk_text_join(columns, sizeof columns, CELL_HEAD("Position") CELL_HEAD(THETA2 DEG), wanted,
+                  is_angle ? CELL_HEAD("Error" DEG) : CELL_HEAD("Error, m"),
+                  CELL_HEAD("\316\274" DEG) CELL_HEAD("Branch"), (char *)NULL);
+    cell_begin(&r->page, "Wanted positions, in the frame of the linkage", columns);
+    for (i = 0; i < s->n_positions; i++) {
+        const fourlink_precision *p = &s->position[i];
+
+        page_print(&r->page, "<tr><th scope=\"row\">%d</th>", i + 1);
+        put_angle(r, p->theta2);
+        if (s->has_point) {
+            cell_put(&r->page, p->point.x, DIGITS);
+            cell_put(&r->page, p->point.y, DIGITS);
+            put_angle(r, p->theta3);
+        } else {
+            cell_put(&r->page, is_angle ? DEGREES(p->output) : p->output, DIGITS);
+        }
+        cell_put(&r->page, format_settled(is_angle ? DEGREES(p->error) : p->error, 100), DIGITS);
+        put_angle(r, p->mu);
+        page_print(&r->page, "<td>%s</td></tr>\n",
+                   p->branch ? fourlink_branch_text(p->branch) : fourlink_status_text(p->status));
+    }
+    cell_end(&r->page);
+}
+
+static void put_checks(report *r)
+{
+    const fourlink_solution *s = r->request->found;
+    int is_length = is_slider_crank(s), bit;
+    page *p = &r->page;
+
+    page_print(p, "<h3>Checks</h3>\n<ul>\n<li>%s; longest / shortest link %.4g</li>\n",
+               fourlink_type_text((int)s->type), s->ratio);
+    for (bit = 1; bit <= FOURLINK_DEFECT_MISSED; bit *= 2)
+        if (s->defects & bit)
+            page_print(p, "<li>Defect: %s</li>\n", fourlink_defect_text(bit));
+    if (!s->defects)
+        page_print(p, "<li>No defect: one branch, one circuit, positions in their order, no dead "
+                      "position on the way</li>\n");
+    page_print(p,
+               "<li>Transmission angle: at least %.6g\302\260, at " THETA2 " = %.6g\302\260</li>\n",
+               DEGREES(s->mu_min), DEGREES(s->mu_min_at));
+    if (s->condition > 1)
+        page_print(p, "<li>Condition of the linear equations: %.4g</li>\n", s->condition);
+    if (s->K[0] != 0)
+        page_print(p, "<li>Largest error: %.6g%s, at " THETA2 " = %.6g\302\260</li>\n",
+                   is_length ? s->max_error : DEGREES(s->max_error), is_length ? " m" : "\302\260",
+                   DEGREES(s->max_error_at));
+    page_print(p, "</ul>\n");
+}
+
+void report_put_synthesis(report *r)
+{
+    const fourlink_solution *s = r->request->found;
+    math m;
+
+    if (!s)
+        return;
+    memset(&m, 0, sizeof m);
+    m.p = &r->page;
+    set_lengths(s, &m);
+    page_section(&r->page, "synthesis", "Synthesis");
+    if (s->K[0] != 0)
+        put_function(r, &m);
+    else if (s->has_point)
+        put_guided(r, &m);
+    else
+        put_quick_return(r, &m);
+    put_positions(r);
+    put_checks(r);
+    page_print(&r->page, "</section>\n");
+}
