@@ -213,6 +213,12 @@ static void put_angle(report *r, double angle)
     cell_put(&r->page, DEGREES(angle), DIGITS);
 }
 
+/* An error in degrees or m; 0 if it is rounding. */
+static double shown_error(double error, int is_angle)
+{
+    return format_settled(is_angle ? DEGREES(error) : error, 100);
+}
+
 /* The wanted positions, in the frame of the linkage, and what it has there. */
 static void put_positions(report *r)
 {
@@ -240,7 +246,7 @@ static void put_positions(report *r)
         } else {
             cell_put(&r->page, is_angle ? DEGREES(p->output) : p->output, DIGITS);
         }
-        cell_put(&r->page, format_settled(is_angle ? DEGREES(p->error) : p->error, 100), DIGITS);
+        cell_put(&r->page, shown_error(p->error, is_angle), DIGITS);
         put_angle(r, p->mu);
         page_print(&r->page, "<td>%s</td></tr>\n",
                    p->branch ? fourlink_branch_text(p->branch) : fourlink_status_text(p->status));
@@ -269,7 +275,7 @@ static void put_checks(report *r)
         page_print(p, "<li>Condition of the linear equations: %.4g</li>\n", s->condition);
     if (s->K[0] != 0)
         page_print(p, "<li>Largest error: %.6g%s, at " THETA2 " = %.6g\302\260</li>\n",
-                   is_length ? s->max_error : DEGREES(s->max_error), is_length ? " m" : "\302\260",
+                   shown_error(s->max_error, !is_length), is_length ? " m" : "\302\260",
                    DEGREES(s->max_error_at));
     page_print(p, "</ul>\n");
 }
