@@ -14,8 +14,9 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
-/* The side of an inset, in lengths of its link. */
-#define WINDOW 2.6
+/* The size of an inset, in lengths of its link; and half its side, which has room for arrows at the link's end. */
+#define INSET 2.6
+#define HALF_SIDE (1.1 + LONGEST * INSET)
 
 /* Add the forces of the springs, which have their names and values at the springs. */
 static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
@@ -54,7 +55,7 @@ static void name_links(sketch *s, const picture *p)
                                  ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
-/* Draw loads, weights and pin forces. */
+/* Draw loads, weights and pin forces: of an inset those that act in it, on their own scale. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
@@ -68,6 +69,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     n = arrows.n;
     add_springs(&arrows, p, r);
     has_springs = arrows.n > n;
+    arrow_cut(&arrows, s);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
@@ -77,6 +79,8 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         arrow_draw_load_torques(s, p, r, link, 0);
     arrow_draw_torque(s, p, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
+    if (s->is_window)
+        return;
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
@@ -123,18 +127,21 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
 }
 
 /* Draw what is around a small link, from its pin on the ground, enlarged. */
-static void put_inset(picture *p, const fourlink_state *state, int link)
+static void put_inset(picture *p, const picture_row *r, int link)
 {
+    const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
     double length = figure_length(p, p->v.design->link[link].length);
     char words[80];
     sketch s;
 
     figure_open(&s, p, state->branch, 0);
-    s.size = WINDOW * length;
-    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, WINDOW * length / 2);
+    s.size = INSET * length;
+    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, HALF_SIDE * length);
     figure_frame(&s, p, state);
     figure_draw(&s, p, state, 1);
+    if (p->v.problem.has_forces)
+        draw_forces(&s, p, r);
     s.n_notes = 0; /* they are beside the whole */
     flk_text_join(words, sizeof words, "at the ", p->v.kind.link[link], ", enlarged", (char *)NULL);
     sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
@@ -162,7 +169,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     for (i = 0; i < p->n_insets; i++)
-        put_inset(p, &r.now.state, p->insets[i]);
+        put_inset(p, &r, p->insets[i]);
     return NULL;
 }
 

@@ -92,6 +92,11 @@ static int is_beyond(const sketch *s, fourlink_vector at)
            (at.x < b->x_min || at.x > b->x_max || at.y < b->y_min || at.y > b->y_max);
 }
 
+int sketch_shows(const sketch *s, fourlink_vector at)
+{
+    return !is_beyond(s, turned(s, at));
+}
+
 static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
 {
     from = turned(s, from);

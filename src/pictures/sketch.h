@@ -67,6 +67,9 @@ void sketch_turn(sketch *s, int is_turned);
 /* Draw only what is in a square around a place, with this half side. */
 void sketch_window(sketch *s, fourlink_vector middle, double half);
 
+/* 1 if a place is in what is drawn. */
+int sketch_shows(const sketch *s, fourlink_vector at);
+
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
 
