@@ -3,10 +3,13 @@
 ** figure.c - a mechanism at one position, drawn to scale in the deck's unit of length.
 */
 #include <math.h>
+#include <stdlib.h>
 
 #include <gsl/gsl_math.h>
 
 #include "figure.h"
+
+#define CORNERS (PICTURE_POINTS + 2) /* of a link: its points and pins */
 
 #define STEPS 180 /* of a path */
 
@@ -255,10 +258,42 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     sketch_line(s, crank, pins.A, pins.B);
 }
 
+/* Twice the area of the triangle o, p, q; above 0 if it is counter-clockwise. */
+static double turn(fourlink_vector o, fourlink_vector p, fourlink_vector q)
+{
+    return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+}
+
+static int compare(const void *first, const void *second)
+{
+    const fourlink_vector *p = first, *q = second;
+
+    return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
+}
+
+/* Draw the outline of a link, the convex hull of so many points, which are sorted.  A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
+** Letters 9 (1979): the lower side from left to right, then the upper side back. */
+static void put_hull(sketch *s, pen p, fourlink_vector *points, int n)
+{
+    fourlink_vector corners[2 * CORNERS];
+    int m = 0, lower, i;
+
+    qsort(points, (size_t)n, sizeof *points, compare);
+    for (i = 0; i < n; corners[m++] = points[i++])
+        while (m >= 2 && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
+            m--;
+    lower = m + 1;
+    for (i = n - 2; i >= 0; corners[m++] = points[i--])
+        while (m >= lower && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
+            m--;
+    for (i = 0; i + 1 < m; i++)
+        sketch_line(s, p, corners[i], corners[i + 1]);
+}
+
 /* Draw the outline of a link with tracer points. */
 static void put_points(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector corners[SKETCH_CORNERS], at;
+    fourlink_vector corners[CORNERS], at;
     unsigned long i;
     const char *name;
     int n = 0, is_off = 0, on;
@@ -276,7 +311,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     corners[n++] = figure_point(p, state->link[link].origin);
     corners[n++] = figure_point(p, geometry_end(&p->v, state, link));
     if (!(p->v.kind.has_slot && link == FOURLINK_FOLLOWER && !is_off)) /* a lever goes that far */
-        sketch_hull(s, (pen)link, corners, n);
+        put_hull(s, (pen)link, corners, n);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)

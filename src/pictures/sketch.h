@@ -19,7 +19,6 @@ typedef enum pen {
 #undef PEN_CODE
 
 #define SKETCH_CURVES 32
-#define SKETCH_CORNERS 40
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
 #define SKETCH_PARTS 200
@@ -75,9 +74,6 @@ void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
-
-/* Draw the convex hull of up to SKETCH_CORNERS points, which are sorted. */
-void sketch_hull(sketch *s, pen p, fourlink_vector *points, int n);
 
 /* Draw a point. */
 void sketch_dot(sketch *s, fourlink_vector at);

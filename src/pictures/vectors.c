@@ -9,7 +9,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "friction_circle.h"
+#include "arrow.h"
 #include "spring.h"
 
 /* The height of a letter in these small drawings. */
@@ -17,6 +17,9 @@
 
 /* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
+
+/* A friction circle is drawn to scale if its radius is at least this fraction of the drawing. */
+#define SMALLEST_CIRCLE 0.04
 
 #define IMAGE_NAME 9 /* letters, of the image of a point */
 
@@ -194,6 +197,59 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     sketch_close(&g.s, title, p->v.units[g.q].name);
 }
 
+/* The friction circle of a pin of a link, to which its force is a tangent, in the deck's unit of length; radius 0: no
+** friction.  The force F and the moment M of the friction are together the force F along a line at the distance M / |F|
+** from the pin: a tangent to the circle of radius mu r (R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter 10,
+** friction of a pin joint). */
+typedef struct friction_circle {
+    double radius;
+    double arm; /* of the force about the pin, positive if that turns the link counter-clockwise */
+} friction_circle;
+
+/* The moment of a joint's friction on a link: against its turning relative to the other link. */
+static double moment_on(const picture *p, const picture_row *r, unsigned long joint, int link)
+{
+    fourlink_load_info load;
+    unsigned long i;
+
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
+        if (load.sort == FOURLINK_LOAD_FRICTION && load.element == joint && load.link == link)
+            return r->loads[i].torque;
+    return 0;
+}
+
+/* The circle of joint 0 to 3, A to D, at which the force F, in N, acts on a link. */
+static friction_circle circle_of(const picture *p, const picture_row *r, int joint, int link,
+                                 fourlink_vector F)
+{
+    double size = gsl_hypot(F.x, F.y);
+    fourlink_friction friction;
+    friction_circle x = {0, 0};
+
+    fourlink_deck_friction(p->v.deck, &friction);
+    x.radius = figure_length(p, friction.circle[joint]);
+    if (size > 0)
+        x.arm = figure_length(p, moment_on(p, r, (unsigned long)joint, link) / size);
+    return x;
+}
+
+/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can be seen. */
+static double scale_of_circles(double size, const friction_circle *x, const friction_circle *y)
+{
+    double radius = GSL_MAX_DBL(x->radius, y->radius);
+
+    return radius > 0 ? GSL_MAX_DBL(place_round(SMALLEST_CIRCLE * size / radius), 1) : 1;
+}
+
+/* Where a force touches its circle, drawn so many times larger:  r x F = arm |F|, r at right angles to F */
+static fourlink_vector touch_of(const friction_circle *x, double scale, fourlink_vector pin,
+                                fourlink_vector F)
+{
+    double size = gsl_hypot(F.x, F.y), part = size > 0 ? scale * x->arm / size : 0;
+
+    return place_beside(pin, part * F.y, -part * F.x);
+}
+
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
 typedef struct free_body {
     int link, is_slider;
@@ -219,8 +275,8 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
         arrow_add_force(&b->forces, p, r, f);
         if (sort != SCENE_PIN)
             continue;
-        b->circle[pin] = friction_circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
-                                            n < b->forces.n ? b->forces.list[n].F : zero);
+        b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
+                                   n < b->forces.n ? b->forces.list[n].F : zero);
         b->of_pin[pin++] = n < b->forces.n ? n : -1;
     }
 }
@@ -231,8 +287,8 @@ static void touch(free_body *b, int pin)
     int i = b->of_pin[pin];
 
     if (i >= 0)
-        b->forces.list[i].at = friction_circle_touch(&b->circle[pin], b->circle_scale,
-                                                     b->forces.list[i].at, b->forces.list[i].F);
+        b->forces.list[i].at =
+            touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
 }
 
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
@@ -249,7 +305,7 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
         b->length = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
     b->forces.n = 0;
     add_forces(b, p, r, SCENE_PIN);
-    b->circle_scale = friction_circle_scale(b->length, &b->circle[0], &b->circle[1]);
+    b->circle_scale = scale_of_circles(b->length, &b->circle[0], &b->circle[1]);
     touch(b, 0);
     touch(b, 1);
     add_forces(b, p, r, SCENE_LOAD);
@@ -262,7 +318,7 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
 
     if (b->circle[pin].radius > 0) {
-        friction_circle_draw(s, &b->circle[pin], b->circle_scale, at);
+        sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
         sketch_dot(s, at);
     } else {
         sketch_pin(s, at);
@@ -331,7 +387,8 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     put_torques(&s, p, r, b);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
-        friction_circle_note(&s, b->circle_scale);
+        sketch_note(&s,
+                    flk_message(words, sizeof words, "friction circles %.6g:1", b->circle_scale));
     flk_text_join(words, sizeof words, "free body of the ", p->v.kind.link[b->link], (char *)NULL);
     sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
 }
