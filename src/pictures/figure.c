@@ -29,6 +29,11 @@ fourlink_vector figure_point(const picture *p, fourlink_vector si)
     return place_at(figure_length(p, si.x), figure_length(p, si.y));
 }
 
+char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_MARK])
+{
+    return picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), digits, out);
+}
+
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at)
 {
@@ -42,11 +47,9 @@ fourlink_vector figure_track(const picture *p, const picture_row *r, const char 
 
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
 {
-    double along = gsl_hypot(second.x - first.x, second.y - first.y);
-    double ways =
-        gsl_hypot(at.x - first.x, at.y - first.y) + gsl_hypot(at.x - second.x, at.y - second.y);
+    double ways = place_distance(at, first) + place_distance(at, second);
 
-    if (ways > along * (1 + 1e-9)) {
+    if (ways > place_distance(first, second) * (1 + 1e-9)) {
         sketch_line(s, PEN_CONSTRUCTION, first, at);
         sketch_line(s, PEN_CONSTRUCTION, second, at);
     }
@@ -80,7 +83,7 @@ static fourlink_vector on_slide(const picture *p, const fourlink_state *state, d
 /* A point of the lever, in the deck's unit: so far along its own axis from D. */
 static fourlink_vector on_axis(const picture *p, const fourlink_state *state, double along)
 {
-    fourlink_vector at = geometry_vector(view_si(&p->v, QUANTITY_LENGTH, along), 0);
+    fourlink_vector at = place_at(view_si(&p->v, QUANTITY_LENGTH, along), 0);
 
     return figure_of_link(p, state, FOURLINK_FOLLOWER, &at);
 }
@@ -191,8 +194,7 @@ static void put_rectangle(sketch *s, pen kind, fourlink_vector at, const fourlin
     for (i = 0; i < 5; i++) {
         double along = i == 1 || i == 2 ? to : from, across = i == 2 || i == 3 ? half : -half;
 
-        corner[i] = place_beside(at, along * axis->x - across * axis->y,
-                                 along * axis->y + across * axis->x);
+        corner[i] = place_in(at, *axis, along, across);
     }
     for (i = 0; i < 4; i++)
         sketch_line(s, kind, corner[i], corner[i + 1]);
@@ -399,18 +401,14 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
                       const char *name)
 {
-    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
     double half = angle / 2;
 
     radius *= s->size;
     sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
-    flk_text_join(words, sizeof words, name, " = ",
-                  picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, number),
-                  (char *)NULL);
-    sketch_note(s, words);
-    sketch_text(s, place_beside(at, radius * cos(half), radius * sin(half)), 0.5,
-                sin(half) >= 0 ? 0.4 : -0.4, name);
+    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 4, mark));
+    sketch_text(s, place_polar(at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
 }
 
 static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
@@ -438,13 +436,11 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
     from[4] = pins.D;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         const fourlink_vector *axis = &state->link[link].axis;
-        fourlink_vector at =
-            place_at((from[link].x + to[link].x) / 2, (from[link].y + to[link].y) / 2);
-        double half = figure_block(s), up = FIGURE_HIGH * half;
+        double half = figure_block(s);
+        fourlink_vector at = p->v.kind.slides_on[link]
+                                 ? place_in(to[link], *axis, half, FIGURE_HIGH * half)
+                                 : place_middle(from[link], to[link]);
 
-        if (p->v.kind.slides_on[link])
-            at = place_beside(to[link], half * axis->x - up * axis->y,
-                              half * axis->y + up * axis->x);
         sketch_number(s, at, -axis->y, axis->x, numbers[link]);
     }
     sketch_number(s, place_beside(pins.A, 0, -0.05 * s->size), 0, -1, "1");
@@ -464,26 +460,22 @@ void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
     if (omega == 0)
         return;
     sketch_turn_arrow(s, PEN_SENSE, A, radius, from, from + sign * LONG);
-    sketch_text(s, place_beside(A, radius * cos(middle), radius * sin(middle)), cos(middle),
-                sin(middle), OMEGA SUB_2);
+    sketch_text_around(s, A, radius, middle, OMEGA SUB_2);
 }
 
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
 {
     char words[PICTURE_WORDS];
 
-    sketch_note(s, picture_words(p, name, si, q, words));
+    sketch_note(s, "%s", picture_words(p, name, si, q, words));
 }
 
 void figure_slope(sketch *s, const picture *p)
 {
-    double slope = p->on.turn;
-    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
 
-    if (slope == 0)
-        return;
-    picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, slope), 4, number);
-    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, (char *)NULL));
+    if (p->on.turn != 0)
+        sketch_note(s, "x rises at %s", figure_angle(p, p->on.turn, 4, mark));
 }
 
 void figure_gravity(sketch *s, const picture *p)
@@ -555,12 +547,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200 + PICTURE_MARK + VIEW_WHY], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
+    char mark[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
-    flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", " FIGURE_THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
-                  time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
-    sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(s, p->v.units[QUANTITY_LENGTH].name, "%s%s, " FIGURE_THETA SUB_2 " = %s%s%s%s%s",
+                 before, fourlink_branch_text(now->branch),
+                 picture_mark(p, now->row.angle, 7, mark), time[0] ? ", " : "", time,
+                 p->why[0] ? ", " : "", p->why);
 }

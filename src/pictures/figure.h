@@ -29,6 +29,9 @@ figure_pins figure_place(const picture *p, const fourlink_state *state);
 double figure_length(const picture *p, double si);
 fourlink_vector figure_point(const picture *p, fourlink_vector si);
 
+/* An angle in rad, as picture_mark has it. */
+char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
+
 /* The place of a point of a link or of the ground, given in m in the link's own axes. */
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at);

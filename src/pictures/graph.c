@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "graph.h"
-#include "place.h"
+#include "view/place.h"
 #include "sketch.h"
 
 const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};

@@ -46,15 +46,6 @@ static void add_forces(arrow_list *arrows, const picture *p, const picture_row *
     }
 }
 
-static void name_links(sketch *s, const picture *p)
-{
-    char words[80];
-
-    sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
-                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
-}
-
 /* Draw loads, weights and pin forces: of an inset those that act in it, on their own scale. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
@@ -108,7 +99,7 @@ static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 /* Draw the other positions of the request thin, with the angle at the crank pin. */
 static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
 {
-    char words[200], number[FORMAT_SIZE], letter[PICTURE_MARK];
+    char letter[PICTURE_MARK];
     fourlink_instant now;
     int k;
 
@@ -120,9 +111,7 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
             figure_outline(s, p, &now.state, PEN_OTHER);
             figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, 4, letter));
         } else {
-            format_general(now.row.angle, 12, number);
-            sketch_note(s, flk_text_join(words, sizeof words, number,
-                                         ": no position, see the table", (char *)NULL));
+            sketch_note(s, "%g: no position, see the table", now.row.angle);
         }
 }
 
@@ -132,7 +121,6 @@ static void put_inset(picture *p, const picture_row *r, int link)
     const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
     double length = figure_length(p, p->v.design->link[link].length);
-    char words[80];
     sketch s;
 
     figure_open(&s, p, state->branch, 0);
@@ -143,8 +131,7 @@ static void put_inset(picture *p, const picture_row *r, int link)
     if (p->v.problem.has_forces)
         draw_forces(&s, p, r);
     s.n_notes = 0; /* they are beside the whole */
-    flk_text_join(words, sizeof words, "at the ", p->v.kind.link[link], ", enlarged", (char *)NULL);
-    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "at the %s, enlarged", p->v.kind.link[link]);
 }
 
 const char *picture_mechanism(picture *p, fourlink_branch branch)
@@ -165,7 +152,9 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
-    name_links(&s, p);
+    sketch_note(&s, "1 ground, 2 crank,");
+    sketch_note(&s, "3 %s, 4 %s", p->v.kind.link[FOURLINK_COUPLER],
+                p->v.kind.link[FOURLINK_FOLLOWER]);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     for (i = 0; i < p->n_insets; i++)

@@ -192,6 +192,7 @@ int picture_open_balance(picture *p, const char *apply, picture *other);
 char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Subscripts, in UTF-8. */
+#define SUB_1 "\342\202\201"
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"

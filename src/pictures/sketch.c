@@ -3,13 +3,13 @@
 ** sketch.c - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
 */
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "base/format.h"
+#include "base/message.h"
 #include "sketch.h"
-#include "base/text.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
@@ -141,19 +141,14 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
                             : "head filled size graph 0.025,18 front");
 }
 
-static fourlink_vector on_circle(fourlink_vector centre, double radius, double angle)
-{
-    return place_beside(centre, radius * cos(angle), radius * sin(angle));
-}
-
 /* Drawn as a polygon: gnuplot's circles cannot be dashed. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
-    fourlink_vector last = on_circle(centre, radius, from), next;
+    fourlink_vector last = place_polar(centre, radius, from), next;
 
     for (i = 1; i <= n; i++) {
-        next = on_circle(centre, radius, from + (to - from) * i / n);
+        next = place_polar(centre, radius, from + (to - from) * i / n);
         sketch_line(s, p, last, next);
         last = next;
     }
@@ -203,7 +198,7 @@ void sketch_turn_arrow(sketch *s, pen p, fourlink_vector centre, double radius, 
     double before = to + (to > from ? -HEAD : HEAD);
 
     sketch_arc(s, p, centre, radius, from, before);
-    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, to));
+    sketch_arrow(s, p, place_polar(centre, radius, before), place_polar(centre, radius, to));
 }
 
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
@@ -211,7 +206,7 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
     double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -HEAD : HEAD);
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
-    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, end));
+    sketch_arrow(s, p, place_polar(centre, radius, before), place_polar(centre, radius, end));
 }
 
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
@@ -250,10 +245,20 @@ void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const ch
         s->texts.list[n].is_close = 1;
 }
 
-void sketch_note(sketch *s, const char *words)
+void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
+                        const char *words)
 {
+    sketch_text(s, place_polar(centre, radius, angle), cos(angle), sin(angle), words);
+}
+
+void sketch_note(sketch *s, const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
     if (s->n_notes < SKETCH_NOTES)
-        flk_text_join(s->notes[s->n_notes++], LABELS_WORDS, words, (char *)NULL);
+        flk_message_list(s->notes[s->n_notes++], LABELS_WORDS, format, values);
+    va_end(values);
 }
 
 void sketch_centre(sketch *s, fourlink_vector at)
@@ -513,8 +518,14 @@ static void put_curves(const sketch *s)
     fputs(s->n_entries ? "\n" : "NaN notitle\n", s->c->out);
 }
 
-void sketch_close(sketch *s, const char *title, const char *unit_name)
+void sketch_close(sketch *s, const char *unit_name, const char *format, ...)
 {
+    char title[MESSAGE_SIZE];
+    va_list values;
+
+    va_start(values, format);
+    flk_message_list(title, sizeof title, format, values);
+    va_end(values);
     if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
         place_grow(&s->drawn, -s->size, -s->size);
         place_grow(&s->drawn, s->size, s->size);

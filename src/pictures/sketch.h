@@ -100,8 +100,12 @@ void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char
 /* The same close to it, or not at all. */
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
-/* Put a line of text beside the drawing, below the one before. */
-void sketch_note(sketch *s, const char *words);
+/* The same at an angle of a circle, in rad, outside of it. */
+void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
+                        const char *words);
+
+/* Put a line of text beside the drawing, below the one before, in a format of flk_message. */
+void sketch_note(sketch *s, const char *format, ...);
 
 /* Draw a centre of mass. */
 void sketch_centre(sketch *s, fourlink_vector at);
@@ -121,7 +125,7 @@ void sketch_end(sketch *s);
 /* Put a line of this pen and its meaning into the key, after the curves. */
 void sketch_key(sketch *s, pen p, const char *meaning);
 
-/* Finish the drawing, with axes of equal scale around it. */
-void sketch_close(sketch *s, const char *title, const char *unit_name);
+/* Finish the drawing, with axes of equal scale around it; its title in a format of flk_message. */
+void sketch_close(sketch *s, const char *unit_name, const char *format, ...);
 
 #endif

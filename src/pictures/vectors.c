@@ -3,7 +3,6 @@
 ** vectors.c - the graphical method at one position: velocity and acceleration polygons, free
 ** bodies and their polygons of forces, which close:  sum F - m a_G = 0
 */
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -172,7 +171,7 @@ static const char *name_of(const scene_side *x, char out[40])
 static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
     const scene_side *x;
-    char title[80], name[40];
+    char name[40];
     polygon g;
     int i;
 
@@ -192,9 +191,8 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
         if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
             put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
     put_images(&g, r, d);
-    flk_text_join(title, sizeof title, d->title, " polygon", (char *)NULL);
-    title[0] = (char)tolower((unsigned char)title[0]);
-    sketch_close(&g.s, title, p->v.units[g.q].name);
+    sketch_close(&g.s, p->v.units[g.q].name,
+                 d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
 }
 
 /* The friction circle of a pin of a link, to which its force is a tangent, in the deck's unit of length; radius 0: no
@@ -372,7 +370,6 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
     double largest = arrow_largest(&b->forces);
-    char words[80];
     sketch s;
 
     sketch_open(&s, &p->on, 1.4 * b->length);
@@ -387,17 +384,15 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     put_torques(&s, p, r, b);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
-        sketch_note(&s,
-                    flk_message(words, sizeof words, "friction circles %.6g:1", b->circle_scale));
-    flk_text_join(words, sizeof words, "free body of the ", p->v.kind.link[b->link], (char *)NULL);
-    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+        sketch_note(&s, "friction circles %.6g:1", b->circle_scale);
+    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "free body of the %s",
+                 p->v.kind.link[b->link]);
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
 static void put_force_polygon(picture *p, const free_body *b)
 {
     fourlink_vector at = zero;
-    char words[80];
     polygon g;
     int i;
 
@@ -405,8 +400,8 @@ static void put_force_polygon(picture *p, const free_body *b)
     for (i = 0; i < b->forces.n; i++)
         at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", p->v.kind.link[b->link], (char *)NULL);
-    sketch_close(&g.s, words, p->v.units[QUANTITY_FORCE].name);
+    sketch_close(&g.s, p->v.units[QUANTITY_FORCE].name, "forces on the %s",
+                 p->v.kind.link[b->link]);
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)

@@ -55,7 +55,7 @@ static void put(tracks *t, const char *name, quantity q, fourlink_vector v)
 
 static void put_number(tracks *t, const char *name, quantity q, double si)
 {
-    add(t, name, q, geometry_vector(si, 0))->is_number = 1;
+    add(t, name, q, place_at(si, 0))->is_number = 1;
 }
 
 /* Put position, velocity and acceleration of a point of a link: P0, vP0, aP0. */
@@ -74,7 +74,7 @@ static void put_point(tracks *t, const char *name, const fourlink_state *state, 
 /* A point of the lever, so far along its axis from D. */
 static fourlink_vector on_lever(const fourlink_state *state, double along)
 {
-    fourlink_vector at = geometry_vector(along, 0);
+    fourlink_vector at = place_at(along, 0);
 
     return geometry_of_link(state, FOURLINK_FOLLOWER, &at);
 }
@@ -86,10 +86,8 @@ static void put_way(tracks *t, const fourlink_state *state)
     int has_slot = t->v->kind.has_slot;
 
     geometry_find_way(t->v, state->branch, &near, &far);
-    put(t, "S1", QUANTITY_LENGTH,
-        has_slot ? geometry_on_slide(state, near) : geometry_vector(near, e));
-    put(t, "S2", QUANTITY_LENGTH,
-        has_slot ? geometry_on_slide(state, far) : geometry_vector(far, e));
+    put(t, "S1", QUANTITY_LENGTH, has_slot ? geometry_on_slide(state, near) : place_at(near, e));
+    put(t, "S2", QUANTITY_LENGTH, has_slot ? geometry_on_slide(state, far) : place_at(far, e));
     if (has_slot)
         put(t, "R", QUANTITY_LENGTH, geometry_on_slide(state, geometry_root(t->v)));
     if (has_slot) {
@@ -150,9 +148,8 @@ static void put_parts(tracks *t, const char *normal, const char *tangential,
 {
     double n = -link->omega * link->omega;
 
-    put(t, normal, QUANTITY_ACCELERATION, geometry_vector(n * r.x, n * r.y));
-    put(t, tangential, QUANTITY_ACCELERATION,
-        geometry_vector(-link->alpha * r.y, link->alpha * r.x));
+    put(t, normal, QUANTITY_ACCELERATION, place_at(n * r.x, n * r.y));
+    put(t, tangential, QUANTITY_ACCELERATION, place_at(-link->alpha * r.y, link->alpha * r.x));
 }
 
 /* The arm of a link: its length along its axis. */
@@ -160,19 +157,19 @@ static fourlink_vector arm(const tracks *t, const fourlink_state *state, int lin
 {
     double length = t->v->design->link[link].length;
 
-    return geometry_vector(length * state->link[link].axis.x, length * state->link[link].axis.y);
+    return place_at(length * state->link[link].axis.x, length * state->link[link].axis.y);
 }
 
 /* v_C = v_B + v_CB; a_C = a_B + a_CB^n + a_CB^t */
 static void put_rod(tracks *t, const fourlink_state *state)
 {
-    fourlink_vector C = geometry_vector(t->v->design->link[FOURLINK_COUPLER].length, 0), v = zero,
+    fourlink_vector C = place_at(t->v->design->link[FOURLINK_COUPLER].length, 0), v = zero,
                     a = zero;
     const fourlink_vector *v_B = &state->link[FOURLINK_COUPLER].velocity;
 
     fourlink_point(state, FOURLINK_COUPLER, &C, NULL, &v, &a);
     put(t, "vC", QUANTITY_SPEED, v);
-    put(t, "vCB", QUANTITY_SPEED, geometry_vector(v.x - v_B->x, v.y - v_B->y));
+    put(t, "vCB", QUANTITY_SPEED, place_at(v.x - v_B->x, v.y - v_B->y));
     put_parts(t, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER], arm(t, state, FOURLINK_COUPLER));
     if (t->v->kind.has_stroke)
         put(t, "aC", QUANTITY_ACCELERATION, a);
@@ -188,15 +185,13 @@ static void put_sliding(tracks *t, const fourlink_state *state)
     const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
     const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
                           *u = &state->link[FOURLINK_COUPLER].axis;
-    fourlink_vector r = geometry_vector(B->x - lever->origin.x, B->y - lever->origin.y);
+    fourlink_vector r = place_at(B->x - lever->origin.x, B->y - lever->origin.y);
 
-    put(t, "vB4", QUANTITY_SPEED, geometry_vector(-lever->omega * r.y, lever->omega * r.x));
-    put(t, "vS", QUANTITY_SPEED, geometry_vector(state->slide_v * u->x, state->slide_v * u->y));
+    put(t, "vB4", QUANTITY_SPEED, place_at(-lever->omega * r.y, lever->omega * r.x));
+    put(t, "vS", QUANTITY_SPEED, place_at(state->slide_v * u->x, state->slide_v * u->y));
     put_parts(t, "aB4n", "aB4t", lever, r);
-    put(t, "aK", QUANTITY_ACCELERATION,
-        geometry_vector(-state->coriolis * u->y, state->coriolis * u->x));
-    put(t, "aS", QUANTITY_ACCELERATION,
-        geometry_vector(state->slide_a * u->x, state->slide_a * u->y));
+    put(t, "aK", QUANTITY_ACCELERATION, place_at(-state->coriolis * u->y, state->coriolis * u->x));
+    put(t, "aS", QUANTITY_ACCELERATION, place_at(state->slide_a * u->x, state->slide_a * u->y));
 }
 
 static void put_loads(tracks *t, const fourlink_state *state, const fourlink_load *loads)
@@ -228,9 +223,9 @@ static void put_inertia(tracks *t, const fourlink_state *state)
         if (body->mass > 0) {
             fourlink_point(state, (int)link, &body->cg, NULL, NULL, &a);
             put(t, tracks_name("W", link, "", name), QUANTITY_FORCE,
-                geometry_vector(body->mass * g->x, body->mass * g->y));
+                place_at(body->mass * g->x, body->mass * g->y));
             put(t, tracks_name("I", link, "F", name), QUANTITY_FORCE,
-                geometry_vector(-body->mass * a.x, -body->mass * a.y));
+                place_at(-body->mass * a.x, -body->mass * a.y));
         }
         if (body->inertia > 0)
             put_number(t, tracks_name("I", link, "T", name), QUANTITY_TORQUE,
@@ -242,11 +237,11 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
 {
     const fourlink_forces *f = &now->forces;
 
-    put(t, "F12", QUANTITY_FORCE, geometry_vector(f->F12x, f->F12y));
-    put(t, "F23", QUANTITY_FORCE, geometry_vector(f->F23x, f->F23y));
-    put(t, "F34", QUANTITY_FORCE, geometry_vector(f->F34x, f->F34y));
+    put(t, "F12", QUANTITY_FORCE, place_at(f->F12x, f->F12y));
+    put(t, "F23", QUANTITY_FORCE, place_at(f->F23x, f->F23y));
+    put(t, "F34", QUANTITY_FORCE, place_at(f->F34x, f->F34y));
     put(t, "F14", QUANTITY_FORCE,
-        geometry_vector(t->v->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
+        place_at(t->v->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
     put_number(t, "Ts", QUANTITY_TORQUE, view_driving_torque(t->v, f));
     if (t->v->kind.has_slot)
         put_number(t, "M34", QUANTITY_TORQUE, f->M34);
@@ -276,7 +271,7 @@ void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fo
     if (now->status != FOURLINK_OK) {
         t->n = 0;
         put(t, "A", QUANTITY_LENGTH, zero);
-        put(t, "B", QUANTITY_LENGTH, geometry_vector(r * cos(theta), r * sin(theta)));
+        put(t, "B", QUANTITY_LENGTH, place_at(r * cos(theta), r * sin(theta)));
         return;
     }
     tracks_find_places(t, v, state);
