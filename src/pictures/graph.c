@@ -60,11 +60,12 @@ void graph_cut(graph_extent *e, double low, double high)
     e->mu = 0;
 }
 
-double graph_span(const graph_extent *e)
+void graph_range(const graph_extent *e, double *low, double *high)
 {
-    double span = graph_is_cut(e) ? e->sound_high - e->sound_low : e->high - e->low;
+    int is_cut = graph_is_cut(e);
 
-    return span > 0 ? span : GSL_POSINF;
+    *low = is_cut ? e->sound_low : e->low;
+    *high = is_cut ? e->sound_high : e->high;
 }
 
 int graph_column(const picture *p, const char *name)
@@ -287,11 +288,13 @@ int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_
 
 static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)
 {
-    return gsl_hypot((q.x - p.x) / size.x, (q.y - p.y) / size.y);
+    return gsl_hypot(size.x > 0 ? (q.x - p.x) / size.x : 0, size.y > 0 ? (q.y - p.y) / size.y : 0);
 }
 
-int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
-                    double low, double high, fourlink_vector *from, fourlink_vector *to)
+/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`; 1 if there is
+** one, with its ends. */
+static int find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
+                     double low, double high, fourlink_vector *from, fourlink_vector *to)
 {
     double step = distance(*from, *to, size), values[PICTURE_COLUMNS], middle;
     double x_turn = turn_of(p, x), y_turn = turn_of(p, y);
@@ -319,6 +322,42 @@ int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, four
         }
     }
     return distance(*from, *to, size) > REMAINS * step;
+}
+
+static void add_jump(graph_jumps *jumps, int sample, fourlink_vector from, fourlink_vector to)
+{
+    if (jumps->n == GRAPH_JUMPS)
+        return;
+    jumps->sample[jumps->n] = sample;
+    jumps->from[jumps->n] = from;
+    jumps->to[jumps->n++] = to;
+}
+
+void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                 fourlink_vector size, graph_jumps *jumps)
+{
+    int was_there = 0, is_there, k;
+    fourlink_vector from, to;
+
+    if (jumps)
+        jumps->n = 0;
+    for (k = 0; k <= PICTURE_STEPS; k++, was_there = is_there) {
+        is_there = !gsl_isnan(line->y[k]);
+        if (!is_there) {
+            canvas_print(&p->on, "\n");
+            continue;
+        }
+        to = place_at(line->x[k], line->y[k]);
+        if (was_there && jumps) {
+            from = place_at(line->x[k - 1], line->y[k - 1]);
+            if (find_jump(p, branch, x, y, size, picture_angle(p, k - 1, PICTURE_STEPS),
+                          picture_angle(p, k, PICTURE_STEPS), &from, &to)) {
+                canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
+                add_jump(jumps, k, from, to);
+            }
+        }
+        canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
+    }
 }
 
 void graph_widen(double *low, double *high, double part)

@@ -24,8 +24,8 @@ int graph_is_cut(const graph_extent *e);
 /* Cut the curves to this range. */
 void graph_cut(graph_extent *e, double low, double high);
 
-/* What is shown of the curves, from the smallest to the largest; infinite if that is 0. */
-double graph_span(const graph_extent *e);
+/* What is shown of the curves, from the smallest to the largest. */
+void graph_range(const graph_extent *e, double *low, double *high);
 
 /* The index of one of the picture's columns; -1 if the deck does not have it. */
 int graph_column(const picture *p, const char *name);
@@ -54,10 +54,17 @@ void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_
 int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 
-/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
-** there is one, and not over time, returns 1 and the ends of the jump.  `size` is that of the curve. */
-int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
-                    double low, double high, fourlink_vector *from, fourlink_vector *to);
+/* The first jumps of a curve, each in the step that ends with a sample. */
+#define GRAPH_JUMPS 40
+typedef struct graph_jumps {
+    fourlink_vector from[GRAPH_JUMPS], to[GRAPH_JUMPS];
+    int sample[GRAPH_JUMPS], n;
+} graph_jumps;
+
+/* Write the points of a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the curve is
+** over time, at its jumps, with both ends.  `size` is that of the curve. */
+void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                 fourlink_vector size, graph_jumps *jumps);
 
 /* Widen a range by this part of it; an empty one, for which gnuplot would choose its own, by more. */
 void graph_widen(double *low, double *high, double part);

@@ -170,7 +170,7 @@ static void put_inset(picture *p, const construction *k, double rod)
         sketch_line(&s, PEN_FORCE, k->g, k->O);
         figure_letter(&s, k->g, k->O, k->B, "g");
     }
-    sketch_close(&s, "at the crank, enlarged", p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "at the crank, enlarged");
 }
 
 static void draw_moments(sketch *s, const construction *k)

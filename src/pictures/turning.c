@@ -85,25 +85,23 @@ static void sample(diagram *d)
         d->high = d->low + 1;
 }
 
-/* Set the ranges of the axes, and what no text should cover: the curve, and the mean. */
+/* Set the axes, and what no text should cover: the curve, and the mean. */
 static void put_axes(diagram *d)
 {
-    double border = (d->high - d->low) * ROOM / (1 - 2 * ROOM);
-    const canvas *on = &d->p->on;
+    double border = (d->high - d->low) * ROOM / (1 - 2 * ROOM), angles[PICTURE_STEPS + 1];
+    place_box frame;
     int k;
 
-    canvas_print(on, "set xrange [0:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\nmean = %.17g\n",
-                 d->cycle, d->low - border, d->high + border, graph_angle_step(d->p, d->cycle),
-                 d->mean);
-    room_open(&d->r, on, 0, d->cycle, d->low - border, d->high + border);
+    frame.x_min = 0;
+    frame.x_max = d->cycle;
+    frame.y_min = d->low - border;
+    frame.y_max = d->high + border;
+    room_set_axes(&d->r, frame, graph_angle_step(d->p, d->cycle));
+    canvas_print(&d->p->on, "mean = %.17g\n", d->mean);
     for (k = 0; k <= PICTURE_STEPS; k++)
-        if (gsl_isnan(d->moment[k]))
-            room_break(&d->r);
-        else
-            room_point(&d->r, d->cycle * k / PICTURE_STEPS, d->moment[k]);
-    room_break(&d->r);
-    room_point(&d->r, 0, d->mean);
-    room_point(&d->r, d->cycle, d->mean);
+        angles[k] = d->cycle * k / PICTURE_STEPS;
+    room_add_curve(&d->r, angles, d->moment, PICTURE_STEPS + 1);
+    room_add_line(&d->r, place_at(0, d->mean), place_at(d->cycle, d->mean));
 }
 
 /* The centroid of an area. */
@@ -154,11 +152,8 @@ static void put_areas(diagram *d)
             continue;
         at = centroid(d, from, to);
         picture_words(d->p, "", energy, QUANTITY_ENERGY, words);
-        if (!room_find(&d->r, at, 0, 0, 0, words, &middle))
-            continue;
-        canvas_print(&d->p->on, "set label %q at %.8g,%.8g center front boxed\n", words, middle.x,
-                     middle.y);
-        put_leader(d, middle, canvas_width_of(words) / 2, at);
+        if (room_put(&d->r, at, 0, 0, 0, words, "boxed", &middle))
+            put_leader(d, middle, canvas_width_of(words) / 2, at);
     }
 }
 
@@ -167,7 +162,7 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
 {
     char words[PICTURE_WORDS], number[PICTURE_MARK];
     double half = canvas_width_of(name) / 2 / d->r.x_scale;
-    double y = d->r.y_min + (d->r.height - CANVAS_LINE) / d->r.y_scale;
+    double y = d->r.frame.y_max - CANVAS_LINE / d->r.y_scale;
     double x = clamp(angle, half, d->cycle - half);
 
     canvas_print(&d->p->on,
@@ -287,10 +282,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     d.sense = picture_speed_of(p, branch) < 0 ? -1 : 1;
     d.cycle = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
     d.mean = view_value(&p->v, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
-    fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, MARGIN * CANVAS_LETTER);
-    canvas_key(&p->on);
-    canvas_grid(&p->on);
+    room_open(&d.r, &p->on, 3, MARGIN * CANVAS_LETTER);
     sample(&d);
     put_titles(&d);
     put_axes(&d);
