@@ -7,6 +7,13 @@
 
 #include "picture.h"
 
+/* A curve as it is drawn: x and y are NaN in its gaps. */
+typedef struct graph_line {
+    double x[PICTURE_STEPS + 1], y[PICTURE_STEPS + 1];
+    double mu[PICTURE_STEPS + 1]; /* rad, the transmission angle */
+    int n_points;                 /* that are not in a gap */
+} graph_line;
+
 /* The smallest and the largest value of curves: of all, and away from dead positions. */
 typedef struct graph_extent {
     double low, high;
@@ -14,9 +21,7 @@ typedef struct graph_extent {
     double mu; /* rad, the smallest transmission angle */
 } graph_extent;
 
-extern const graph_extent graph_nothing;
-
-void graph_extend(graph_extent *e, double value, double mu);
+graph_extent graph_extent_of(const graph_line *lines, int n, int of_x);
 
 /* 1 if the picture cuts the curves. */
 int graph_is_cut(const graph_extent *e);
@@ -30,29 +35,13 @@ void graph_range(const graph_extent *e, double *low, double *high);
 /* The index of one of the picture's columns; -1 if the deck does not have it. */
 int graph_column(const picture *p, const char *name);
 
-/* Sample k of PICTURE_STEPS + 1 over the motion; 0 if the linkage cannot be assembled there. */
-int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
-                 fourlink_instant *now);
-
-/* A curve as it is drawn: x and y are NaN in its gaps. */
-typedef struct graph_line {
-    double x[PICTURE_STEPS + 1], y[PICTURE_STEPS + 1];
-    double mu[PICTURE_STEPS + 1]; /* rad, the transmission angle */
-    int n_points;                 /* that are not in a gap */
-} graph_line;
-
-/* Extend by x of all points of a curve. */
-void graph_extend_x(graph_extent *e, const graph_line *line);
-
 /* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no
 ** number. Angles are followed past half a turn; what is rounding becomes 0. */
-void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line);
+void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
 /* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.
 ** 0, and nothing, if there are fewer than three. */
-int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line);
+int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
 /* The first jumps of a curve, each in the step that ends with a sample. */
 #define GRAPH_JUMPS 40

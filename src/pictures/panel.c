@@ -286,16 +286,17 @@ static void sample(picture *p, panel *q, const panel_plan *plan)
         int branch = plan->branch[i], column = plan->column[i];
 
         if (i != plan->by_turn - 1 ||
-            !graph_average(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]))
-            graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+            !graph_average(p, p->v.branches[branch], plan->x, column, &q->line[i]))
+            graph_follow(p, p->v.branches[branch], plan->x, column, &q->line[i]);
         else
             q->is_averaged = 1;
-        graph_extend_x(&q->x, &q->line[i]);
-        q->n = i + 1;
         unbounded = unbounded || (plan->is_free && is_unbounded(p, column, branch));
         x_unbounded = x_unbounded || (plan->is_free && is_unbounded(p, plan->x, branch));
         q->to_scale = q->to_scale && is_coordinate(&p->v.columns[column]);
     }
+    q->n = plan->n;
+    q->e = graph_extent_of(q->line, q->n, 0);
+    q->x = graph_extent_of(q->line, q->n, 1);
     if (unbounded)
         cut(q, &q->e, 0);
     if (x_unbounded)
@@ -320,7 +321,6 @@ int panel_draw(picture *p, const panel_plan *plan)
 
     memset(&q, 0, sizeof q);
     q.x_column = plan->x;
-    q.e = q.x = graph_nothing;
     room_open(&q.r, &p->on, plan->n_key > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     if (plan->n == 0)
         return 0;

@@ -224,7 +224,7 @@ double picture_angle(const picture *p, int k, int steps);
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
-                   fourlink_instant *now, fourlink_load *loads);
+                   fourlink_instant *now);
 
 /* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,

@@ -41,13 +41,13 @@ typedef struct bearing {
 /* Follow the curves, and find their room, with that of the origin, where the force is 0. */
 static void follow(bearing *b)
 {
-    graph_extent ex = graph_nothing, ey = graph_nothing;
+    graph_extent ex, ey;
     int cut, i;
 
-    for (i = 0; i < b->n; i++) {
-        graph_follow(b->of[i].p, b->of[i].branch, b->x, b->y, &ey, &b->line[i]);
-        graph_extend_x(&ex, &b->line[i]);
-    }
+    for (i = 0; i < b->n; i++)
+        graph_follow(b->of[i].p, b->of[i].branch, b->x, b->y, &b->line[i]);
+    ex = graph_extent_of(b->line, b->n, 1);
+    ey = graph_extent_of(b->line, b->n, 0);
     cut = graph_is_cut(&ex) || graph_is_cut(&ey);
     b->box = place_nothing;
     place_grow(&b->box, 0, 0);
