@@ -10,7 +10,7 @@
 #include "command.h"
 #include "drawing.h"
 #include "output.h"
-#include "pictures/gnuplot.h"
+#include "pictures/plot.h"
 
 /* Let gnuplot draw a script; returns the exit status. */
 static int draw(const options *o, FILE *script, const plot_caption *caption)

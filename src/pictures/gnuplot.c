@@ -10,7 +10,7 @@
 #include "base/system.h"
 #include "base/text.h"
 #include "base/xml.h"
-#include "gnuplot.h"
+#include "plot.h"
 
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 

@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "arrow.h"
-#include "spring.h"
 
 #define GHOSTS 12
 #define FRAMES 60

@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "spring.h"
+#include "figure.h"
 
 #define FEWEST_TEETH 5
 #define MOST_TEETH 15

@@ -9,7 +9,6 @@
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
-#include "spring.h"
 
 /* The height of a letter in these small drawings. */
 #define LETTER 0.045

@@ -16,7 +16,7 @@
 #include "command/terminal.h"
 #include "fourlink.h"
 #include "input.h"
-#include "pictures/gnuplot.h"
+#include "pictures/plot.h"
 #include "pictures/svg.h"
 
 int command_main(int argc, char **argv);
