@@ -58,8 +58,7 @@ static const char *draw(FILE *script, FILE *out, FILE *complaints, char why[GNUP
                : strerror(errno);
 }
 
-/* Write the beginning of an SVG with this caption in place of gnuplot's <title> and <desc>. */
-static void put_head(FILE *out, const char *head, const plot_caption *caption)
+void gnuplot_put_head(FILE *out, const char *head, const plot_caption *caption)
 {
     static const char end[] = "</desc>";
     const char *from = strstr(head, "<title>"), *to = strstr(head, end);
@@ -85,7 +84,7 @@ static const char *copy_svg(FILE *svg, FILE *out, const plot_caption *caption)
         return strerror(errno);
     rewind(svg);
     part[fread(part, 1, PART, svg)] = '\0';
-    put_head(out, part, caption);
+    gnuplot_put_head(out, part, caption);
     while ((n = fread(part, 1, PART, svg)) > 0)
         fwrite(part, 1, n, out);
     return ferror(svg) || ferror(out) ? strerror(errno) : NULL;

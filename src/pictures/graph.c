@@ -116,7 +116,7 @@ static void join_ends(const picture *p, double turn, double values[PICTURE_STEPS
         return;
     while (k > 0 && !(gsl_isnan(values[k]) && gsl_isnan(values[k - 1])))
         k--;
-    for (k = k > 0 ? k : PICTURE_STEPS; k <= PICTURE_STEPS; k++)
+    for (; k > 0 && k <= PICTURE_STEPS; k++)
         values[k] += shift;
 }
 

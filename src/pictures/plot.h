@@ -31,4 +31,7 @@ int plot_write(FILE *out, const fourlink_source *source, const plot_request *req
 const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
                         char reason[GNUPLOT_REASON]);
 
+/* Write the beginning of an SVG with this caption in place of gnuplot's <title> and <desc>. */
+void gnuplot_put_head(FILE *out, const char *head, const plot_caption *caption);
+
 #endif
