@@ -37,15 +37,14 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
         arrow_put(arrows, kind, name, at, place_at(x, y));
 }
 
-void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
-                     const scene_force *f)
+void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f)
 {
     static const pen pens[] = {PEN_FORCE, PEN_LOAD, PEN_RESULT};
     fourlink_vector F = tracks_vector(&r->numbers, f->of);
     char words[40];
 
-    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words), figure_track(p, r, f->at),
-              f->sign * F.x, f->sign * F.y);
+    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words),
+              tracks_vector(&r->numbers, f->at), f->sign * F.x, f->sign * F.y);
 }
 
 void arrow_cut(arrow_list *arrows, const sketch *s)
@@ -116,7 +115,8 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 
         if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION)
             arrow_draw_torque(s, p, PEN_LOAD, is_free || !f->is_inner ? f->name : "",
-                              figure_track(p, r, f->at), tracks_vector(&r->numbers, f->of).x);
+                              tracks_vector(&r->numbers, f->at),
+                              tracks_vector(&r->numbers, f->of).x);
     }
 }
 

@@ -9,7 +9,7 @@
 
 /* A force that acts at a place. */
 typedef struct arrow {
-    fourlink_vector at; /* in the deck's unit of length */
+    fourlink_vector at; /* m */
     fourlink_vector F;  /* N */
     pen kind;
     char name[40];
@@ -29,8 +29,7 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
                double y);
 
 /* Add a force of the scene. */
-void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
-                     const scene_force *f);
+void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f);
 
 /* Keep those that act in the window of a drawing that has one. */
 void arrow_cut(arrow_list *arrows, const sketch *s);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** figure.c - a mechanism at one position, drawn to scale in the deck's unit of length.
+** figure.c - a mechanism at one position, drawn to scale.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -19,30 +19,9 @@
 /* Greek letters, in UTF-8. */
 #define OMEGA "\317\211"
 
-double figure_length(const picture *p, double si)
-{
-    return view_value(&p->v, QUANTITY_LENGTH, si);
-}
-
-fourlink_vector figure_point(const picture *p, fourlink_vector si)
-{
-    return place_at(figure_length(p, si.x), figure_length(p, si.y));
-}
-
 char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_MARK])
 {
     return picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), digits, out);
-}
-
-fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
-                               const fourlink_vector *at)
-{
-    return figure_point(p, geometry_of_link(state, link, at));
-}
-
-fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name)
-{
-    return figure_point(p, tracks_vector(&r->numbers, name));
 }
 
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
@@ -65,27 +44,20 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
 {
     figure_pins pins;
 
-    pins.A = figure_point(p, state->link[2].origin);
-    pins.B = figure_point(p, state->link[3].origin);
-    pins.C = figure_point(p, geometry_end(&p->v, state, FOURLINK_COUPLER));
-    pins.D = figure_point(p, state->link[4].origin);
+    pins.A = state->link[2].origin;
+    pins.B = state->link[3].origin;
+    pins.C = geometry_end(&p->v, state, FOURLINK_COUPLER);
+    pins.D = state->link[4].origin;
     if (p->v.kind.has_stroke)
         pins.D.y = 0;
     return pins;
 }
 
-/* A point of the slide, in the deck's unit: so far along it. */
-static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along)
+/* A point of the lever, so far along its own axis from D. */
+static fourlink_vector on_axis(const fourlink_state *state, double along)
 {
-    return figure_point(p, geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along)));
-}
-
-/* A point of the lever, in the deck's unit: so far along its own axis from D. */
-static fourlink_vector on_axis(const picture *p, const fourlink_state *state, double along)
-{
-    fourlink_vector at = place_at(view_si(&p->v, QUANTITY_LENGTH, along), 0);
-
-    return figure_of_link(p, state, FOURLINK_FOLLOWER, &at);
+    return place_in(state->link[FOURLINK_FOLLOWER].origin, state->link[FOURLINK_FOLLOWER].axis,
+                    along, 0);
 }
 
 /* The way of what slides, with a margin at both ends. */
@@ -95,8 +67,8 @@ static void find_way(const picture *p, fourlink_branch branch, double margin, do
     double near, far;
 
     geometry_find_way(&p->v, branch, &near, &far);
-    *from = figure_length(p, GSL_MIN_DBL(near, far)) - margin;
-    *to = figure_length(p, GSL_MAX_DBL(near, far)) + margin;
+    *from = GSL_MIN_DBL(near, far) - margin;
+    *to = GSL_MAX_DBL(near, far) + margin;
 }
 
 /* The place of tracer point i, its name and its link. */
@@ -106,7 +78,7 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
     fourlink_vector at = {0, 0};
 
     fourlink_deck_point(p->v.deck, i, name, link, &at);
-    return figure_of_link(p, state, *link, &at);
+    return geometry_of_link(state, *link, &at);
 }
 
 /* Make room for one position, and for the guide of a piston. */
@@ -121,14 +93,14 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     tracks_find_places(&places, &p->v, state);
     for (i = 0; i < places.n; i++)
         if (tracks_is_outline(&places.list[i]))
-            sketch_include(s, figure_point(p, places.list[i].v));
+            sketch_include(s, places.list[i].v);
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     if (p->v.kind.has_slot) {
         find_way(p, state->branch, margin, &from, &to);
-        sketch_include(s, on_slide(p, state, from));
-        sketch_include(s, on_slide(p, state, to));
+        sketch_include(s, geometry_on_slide(state, from));
+        sketch_include(s, geometry_on_slide(state, to));
     }
 }
 
@@ -150,13 +122,12 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
 
 void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
 {
-    sketch_open(s, &p->on, 1);
+    sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], 1);
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (p->v.kind.has_slot)
-        s->block =
-            GSL_MIN_DBL(FIGURE_BLOCK * s->size,
-                        OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
+        s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
+                               OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * figure_block(s));
@@ -175,8 +146,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double h = FIGURE_HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from,
-               to;
+        double h = FIGURE_HIGH * figure_block(s), y = p->v.design->offset, from, to;
 
         find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
@@ -212,31 +182,32 @@ static void put_reach(sketch *s, const picture *p, const fourlink_state *state, 
                       double from, double to)
 {
     const fourlink_link *lever = &p->v.design->link[FOURLINK_FOLLOWER];
-    double inner = 0, outer = figure_length(p, lever->length), low, high;
+    double inner = 0, outer = lever->length, low, high;
 
-    low = figure_length(p, p->v.lever_low);
-    high = figure_length(p, p->v.lever_high);
+    low = p->v.lever_low;
+    high = p->v.lever_high;
     if (lever->length == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
         inner = GSL_MIN_DBL(from, 0);
         outer = GSL_MAX_DBL(to, 0);
     }
     if (high > outer)
-        sketch_line(s, kind, on_axis(p, state, outer), on_axis(p, state, high));
+        sketch_line(s, kind, on_axis(state, outer), on_axis(state, high));
     if (low < inner)
-        sketch_line(s, kind, on_axis(p, state, inner), on_axis(p, state, low));
+        sketch_line(s, kind, on_axis(state, inner), on_axis(state, low));
 }
 
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
-    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin);
-    double root = figure_length(p, geometry_root(&p->v)), from, to;
+    fourlink_vector D = state->link[FOURLINK_FOLLOWER].origin;
+    double root = geometry_root(&p->v), from, to;
 
     find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
-    put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
-                  FIGURE_HIGH * figure_block(s));
-    sketch_line(s, kind, D, on_slide(p, state, root));
+    put_rectangle(s, kind, geometry_on_slide(state, 0), &state->link[FOURLINK_COUPLER].axis, from,
+                  to, FIGURE_HIGH * figure_block(s));
+    sketch_line(s, kind, D, geometry_on_slide(state, root));
     if (root < from || root > to)
-        sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
+        sketch_line(s, kind, geometry_on_slide(state, root),
+                    geometry_on_slide(state, root < from ? from : to));
     put_reach(s, p, state, kind, from, to);
 }
 
@@ -310,8 +281,8 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     }
     if (n == 0)
         return;
-    corners[n++] = figure_point(p, state->link[link].origin);
-    corners[n++] = figure_point(p, geometry_end(&p->v, state, link));
+    corners[n++] = state->link[link].origin;
+    corners[n++] = geometry_end(&p->v, state, link);
     if (!(p->v.kind.has_slot && link == FOURLINK_FOLLOWER && !is_off)) /* a lever goes that far */
         put_hull(s, (pen)link, corners, n);
 }
@@ -337,7 +308,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->v.design->link[link].mass > 0)
-            sketch_centre(s, figure_of_link(p, state, link, &p->v.design->link[link].cg));
+            sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg));
     sketch_pin(s, pins.A);
     sketch_pin(s, pins.B);
     sketch_pin(s, pins.C);
@@ -384,7 +355,7 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
     if (p->v.kind.has_slot) {
-        fourlink_vector C = figure_point(p, geometry_on_slide(state, geometry_root(&p->v)));
+        fourlink_vector C = geometry_on_slide(state, geometry_root(&p->v));
 
         if (p->v.design->link[FOURLINK_FOLLOWER].length > 0)
             figure_letter(s, C, pins.D, pins.B, "C");
@@ -551,8 +522,7 @@ void figure_close(sketch *s, const picture *p, const fourlink_instant *now, cons
 
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
-    sketch_close(s, p->v.units[QUANTITY_LENGTH].name, "%s%s, " FIGURE_THETA SUB_2 " = %s%s%s%s%s",
-                 before, fourlink_branch_text(now->branch),
-                 picture_mark(p, now->row.angle, 7, mark), time[0] ? ", " : "", time,
-                 p->why[0] ? ", " : "", p->why);
+    sketch_close(s, "%s%s, " FIGURE_THETA SUB_2 " = %s%s%s%s%s", before,
+                 fourlink_branch_text(now->branch), picture_mark(p, now->row.angle, 7, mark),
+                 time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why);
 }

@@ -40,8 +40,8 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
 {
     figure_pins pins = figure_place(p, state);
     fourlink_vector u = state->link[FOURLINK_COUPLER].axis;
-    double BM = figure_length(p, lengths->BM), BQ = figure_length(p, lengths->BQ);
-    double QN = figure_length(p, lengths->QN), half;
+    double BM = lengths->BM, BQ = lengths->BQ;
+    double QN = lengths->QN, half;
 
     k->O = pins.A;
     k->B = pins.B;
@@ -78,12 +78,12 @@ static void construct_moments(const picture *p, const fourlink_state *state,
         return;
     k->I = place_at(k->C.x, k->C.x * k->B.y / k->B.x);
     k->is_near = gsl_hypot(k->I.x, k->I.y) < 3 * gsl_hypot(k->C.x, k->C.y);
-    k->G = figure_of_link(p, state, FOURLINK_COUPLER, &rod->cg);
+    k->G = geometry_of_link(state, FOURLINK_COUPLER, &rod->cg);
     k->X = foot(k->I, k->G, p->v.design->gravity);
     k->g = place_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
     gO = place_at(k->O.x - k->g.x, k->O.y - k->g.y);
     size = gsl_hypot(gO.x, gO.y);
-    IY = figure_length(p, lengths->IY) * (lengths->BM < 0 ? -1 : 1);
+    IY = lengths->IY * (lengths->BM < 0 ? -1 : 1);
     k->Y = place_beside(k->I, IY * gO.y / size, -IY * gO.x / size);
     k->Z = foot(k->G, k->Y, gO);
 }
@@ -158,11 +158,11 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
 /* Draw the crank enlarged, with the beginning of the rod. */
 static void put_inset(picture *p, const construction *k, double rod)
 {
-    double crank = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
+    double crank = p->v.design->link[FOURLINK_CRANK].length;
     double x = (k->C.x - k->B.x) / rod, y = (k->C.y - k->B.y) / rod;
     sketch s;
 
-    sketch_open(&s, &p->on, 2 * crank);
+    sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 2 * crank);
     sketch_line(&s, PEN_COUPLER, k->B, place_beside(k->B, 0.8 * crank * x, 0.8 * crank * y));
     draw_crank(&s, k, rod);
     if (k->is_near) {
@@ -170,7 +170,7 @@ static void put_inset(picture *p, const construction *k, double rod)
         sketch_line(&s, PEN_FORCE, k->g, k->O);
         figure_letter(&s, k->g, k->O, k->B, "g");
     }
-    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "at the crank, enlarged");
+    sketch_close(&s, "at the crank, enlarged");
 }
 
 static void draw_moments(sketch *s, const construction *k)
@@ -238,7 +238,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     fourlink_instant now;
     construction k;
     sketch s;
-    double rod = figure_length(p, p->v.design->link[FOURLINK_COUPLER].length);
+    double rod = p->v.design->link[FOURLINK_COUPLER].length;
     int status = picture_position(p, branch, &now, p->loads);
 
     if (status == FOURLINK_OK)

@@ -153,8 +153,7 @@ static void put_limits(picture *p, const fourlink_state *shown)
     if (limits.time_ratio > 0)
         sketch_note(&s, "time ratio = %.5g", limits.time_ratio);
     figure_slope(&s, p);
-    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "%s: %s", fourlink_branch_text((int)branch),
-                 title);
+    sketch_close(&s, "%s: %s", fourlink_branch_text((int)branch), title);
 }
 
 /* ---------------------------------------------------------------------------- transmission, centres */
@@ -190,8 +189,8 @@ static void put_centre(sketch *s, const picture *p, const char *name, fourlink_v
         sketch_note(s, "%s at infinity", name);
         return;
     }
-    sketch_note(s, "%s = (%.5g, %.5g) %s", name, I.x, I.y,
-                canvas_unit(&p->on, p->v.units[QUANTITY_LENGTH].name, own));
+    sketch_note(s, "%s = (%.5g, %.5g) %s", name, view_value(&p->v, QUANTITY_LENGTH, I.x),
+                view_value(&p->v, QUANTITY_LENGTH, I.y), canvas_unit(&p->on, s->unit->name, own));
     if (far > FAR * s->size)
         return;
     sketch_line(s, PEN_CONSTRUCTION, first, I);
@@ -212,8 +211,8 @@ static void put_centres(sketch *s, const picture *p, const fourlink_state *state
     I13 = place_in(coupler->origin, coupler->k_origin, 0, 1 / coupler->k);
     I24 = p->v.kind.has_stroke ? place_at(0, -follower->k_origin.x)
                                : place_at(-d * follower->k / (1 - follower->k), 0);
-    put_centre(s, p, I_13, figure_point(p, I13), pins.A, p->v.kind.has_stroke ? pins.C : pins.D);
-    put_centre(s, p, I_24, figure_point(p, I24), pins.A, p->v.kind.has_slot ? pins.B : pins.C);
+    put_centre(s, p, I_13, I13, pins.A, p->v.kind.has_stroke ? pins.C : pins.D);
+    put_centre(s, p, I_24, I24, pins.A, p->v.kind.has_slot ? pins.B : pins.C);
 }
 
 const char *picture_limits(picture *p, fourlink_branch branch)

@@ -18,7 +18,7 @@
 #define HALF_SIDE (1.1 + LONGEST * INSET)
 
 /* Add the forces of the springs, which have their names and values at the springs. */
-static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
+static void add_springs(arrow_list *arrows, const picture_row *r)
 {
     int i;
 
@@ -27,12 +27,12 @@ static void add_springs(arrow_list *arrows, const picture *p, const picture_row 
         fourlink_vector F = tracks_vector(&r->numbers, f->of);
 
         if (f->load == FOURLINK_LOAD_SPRING)
-            arrow_add(arrows, PEN_LOAD, "", figure_track(p, r, f->at), F.x, F.y);
+            arrow_add(arrows, PEN_LOAD, "", tracks_vector(&r->numbers, f->at), F.x, F.y);
     }
 }
 
 /* Add the forces of the pins, for the ground, or the loads on a link. */
-static void add_forces(arrow_list *arrows, const picture *p, const picture_row *r, int link)
+static void add_forces(arrow_list *arrows, const picture_row *r, int link)
 {
     int i;
 
@@ -41,7 +41,7 @@ static void add_forces(arrow_list *arrows, const picture *p, const picture_row *
 
         if (link == FOURLINK_GROUND ? f->sort == SCENE_PIN && f->sign > 0
                                     : f->sort == SCENE_LOAD && f->on == link && !f->is_inner)
-            arrow_add_force(arrows, p, r, f);
+            arrow_add_force(arrows, r, f);
     }
 }
 
@@ -55,9 +55,9 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 
     arrows.n = 0;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
-        add_forces(&arrows, p, r, link);
+        add_forces(&arrows, r, link);
     n = arrows.n;
-    add_springs(&arrows, p, r);
+    add_springs(&arrows, r);
     has_springs = arrows.n > n;
     arrow_cut(&arrows, s);
     if (arrows.n) {
@@ -119,7 +119,7 @@ static void put_inset(picture *p, const picture_row *r, int link)
 {
     const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
-    double length = figure_length(p, p->v.design->link[link].length);
+    double length = p->v.design->link[link].length;
     sketch s;
 
     figure_open(&s, p, state->branch, 0);
@@ -130,7 +130,7 @@ static void put_inset(picture *p, const picture_row *r, int link)
     if (p->v.problem.has_forces)
         draw_forces(&s, p, r);
     s.n_notes = 0; /* they are beside the whole */
-    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "at the %s, enlarged", p->v.kind.link[link]);
+    sketch_close(&s, "at the %s, enlarged", p->v.kind.link[link]);
 }
 
 const char *picture_mechanism(picture *p, fourlink_branch branch)

@@ -60,15 +60,22 @@ void sketch_turn(sketch *s, int is_turned)
     s->sine = is_turned ? sin(s->c->turn) : 0;
 }
 
-void sketch_open(sketch *s, canvas *c, double size)
+void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
 {
     memset(s, 0, sizeof *s);
     s->c = c;
+    s->unit = unit;
     s->size = size;
     s->letter = LETTER;
     s->drawn = place_nothing;
     sketch_turn(s, 1);
     fputs("unset arrow; unset label; unset object\n", s->c->out);
+}
+
+/* A place in the drawing's unit. */
+static fourlink_vector in_unit(const sketch *s, fourlink_vector at)
+{
+    return place_at(at.x * s->unit->down / s->unit->up, at.y * s->unit->down / s->unit->up);
 }
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
@@ -107,10 +114,12 @@ static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to
         return;
     include(s, from);
     include(s, to);
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
-                 to.y, kind, (int)p);
     if (p != PEN_GHOST)
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
+    from = in_unit(s, from);
+    to = in_unit(s, to);
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
+                 to.y, kind, (int)p);
 }
 
 static void add_part(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
@@ -174,10 +183,11 @@ static void put_disc(sketch *s, fourlink_vector at, double radius, const char *c
         return;
     include(s, at);
     add_disc(s, at, radius);
+    at = in_unit(s, at);
     canvas_print(s->c,
                  "set object circle at %.7g,%.7g size %.7g front fc rgb '%s' fs solid border "
                  "lc rgb 'black' lw 1.5\n",
-                 at.x, at.y, radius, colour);
+                 at.x, at.y, in_unit(s, place_at(radius, 0)).x, colour);
 }
 
 void sketch_dot(sketch *s, fourlink_vector at)
@@ -271,6 +281,8 @@ void sketch_centre(sketch *s, fourlink_vector at)
         return;
     include(s, at);
     add_disc(s, at, r);
+    at = in_unit(s, at);
+    r = in_unit(s, place_at(r, 0)).x;
     for (i = 0; i < 4; i++)
         canvas_print(
             s->c,
@@ -326,6 +338,7 @@ void sketch_point(sketch *s, fourlink_vector at)
     }
     s->n_points++;
     s->is_empty = 0;
+    at = in_unit(s, at);
     canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
 }
 
@@ -413,7 +426,7 @@ static double distance_of(const sketch *s, const label *x, fourlink_vector at)
 static void put_leader(const sketch *s, const label *x)
 {
     double own = distance_of(s, x, x->at), other = GSL_POSINF;
-    fourlink_vector from;
+    fourlink_vector from, to = in_unit(s, x->at);
     int i;
 
     for (i = 0; i < s->texts.n; i++)
@@ -422,9 +435,9 @@ static void put_leader(const sketch *s, const label *x)
     if (own < FAR && SURE * own < other)
         return;
     from = edge_of(x, 0, 0);
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n",
-                 x->at.x + s->texts.scale * from.x, x->at.y + s->texts.scale * from.y, x->at.x,
-                 x->at.y, PEN_LEADER);
+    from = in_unit(s, place_in(x->at, from, s->texts.scale, 0));
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n", from.x, from.y,
+                 to.x, to.y, PEN_LEADER);
 }
 
 static void put_labels(const sketch *s)
@@ -435,15 +448,16 @@ static void put_labels(const sketch *s)
         const label *one = &s->texts.list[i];
         double half = one->half;
         int side = one->middle.x > half ? 1 : one->middle.x < -half ? -1 : 0;
+        fourlink_vector at =
+            in_unit(s, place_beside(one->at, s->texts.scale * (one->middle.x - side * half),
+                                    s->texts.scale * one->middle.y));
 
         if (one->is_hidden)
             continue;
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
-        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words,
-                     one->at.x + s->texts.scale * (one->middle.x - side * half),
-                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side),
-                     canvas_mode(one->words));
+        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words, at.x, at.y,
+                     canvas_side(side), canvas_mode(one->words));
     }
 }
 
@@ -464,29 +478,33 @@ static double step_of(double step, double middle, double size)
 
 static void put_axes(const sketch *s)
 {
-    double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
-    double width = s->texts.scale * s->c->box_width, height = s->texts.scale * s->c->box_height;
-
-    double step = place_round(TICS * CANVAS_LETTER * s->texts.scale);
+    double scale = in_unit(s, place_at(s->texts.scale, 0)).x;
+    double width = scale * s->c->box_width, height = scale * s->c->box_height;
+    double step = place_round(TICS * CANVAS_LETTER * scale);
+    fourlink_vector middle = in_unit(
+        s, place_at((s->drawn.x_min + s->drawn.x_max) / 2, (s->drawn.y_min + s->drawn.y_max) / 2));
 
     canvas_print(s->c,
                  "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
                  "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
-                 step_of(step, x, width), step_of(step, y, height), x - width / 2, x + width / 2,
-                 y - height / 2, y + height / 2);
+                 step_of(step, middle.x, width), step_of(step, middle.y, height),
+                 middle.x - width / 2, middle.x + width / 2, middle.y - height / 2,
+                 middle.y + height / 2);
 }
 
 /* Write the lines of a link as $linkN, for a text terminal; 0 if there are none. */
 static int put_parts(const sketch *s, pen p)
 {
+    fourlink_vector from, to;
     int i, n = 0;
 
     for (i = 0; i < s->n_parts; i++)
         if (s->parts[i].p == p) {
             if (n++ == 0)
                 fprintf(s->c->out, "$link%d << EOD\n", (int)p);
-            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", s->parts[i].from.x, s->parts[i].from.y,
-                         s->parts[i].to.x, s->parts[i].to.y);
+            from = in_unit(s, s->parts[i].from);
+            to = in_unit(s, s->parts[i].to);
+            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", from.x, from.y, to.x, to.y);
         }
     if (n)
         fputs("EOD\n", s->c->out);
@@ -518,7 +536,7 @@ static void put_curves(const sketch *s)
     fputs(s->n_entries ? "\n" : "NaN notitle\n", s->c->out);
 }
 
-void sketch_close(sketch *s, const char *unit_name, const char *format, ...)
+void sketch_close(sketch *s, const char *format, ...)
 {
     char title[MESSAGE_SIZE];
     va_list values;
@@ -536,8 +554,8 @@ void sketch_close(sketch *s, const char *unit_name, const char *format, ...)
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);
-    canvas_titles(s->c, title, s->c->turn != 0 ? "horizontal" : "x", unit_name,
-                  s->c->turn != 0 ? "vertical" : "y", unit_name);
+    canvas_titles(s->c, title, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
+                  s->c->turn != 0 ? "vertical" : "y", s->unit->name);
     put_axes(s);
     put_curves(s);
 }

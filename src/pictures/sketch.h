@@ -38,12 +38,13 @@ typedef struct sketch_part {
 
 typedef struct sketch {
     canvas *c;
-    place_box drawn; /* the drawing so far */
-    int is_fixed;    /* 1: it does not grow */
-    double size;     /* of the whole */
-    double letter;   /* height of a letter, a fraction of the size */
-    double block;    /* half the length of a piston or a block */
-    int is_window;   /* 1: only what is within `window` is drawn */
+    const fourlink_unit *unit; /* of its axes; all else is in SI units */
+    place_box drawn;           /* the drawing so far */
+    int is_fixed;              /* 1: it does not grow */
+    double size;               /* of the whole */
+    double letter;             /* height of a letter, a fraction of the size */
+    double block;              /* half the length of a piston or a block */
+    int is_window;             /* 1: only what is within `window` is drawn */
     place_box window;
     double cosine, sine; /* of the angle by which it is turned */
     int n_notes;
@@ -57,8 +58,8 @@ typedef struct sketch {
     int n_parts;
 } sketch;
 
-/* Begin a drawing of about this size in the next panel. */
-void sketch_open(sketch *s, canvas *c, double size);
+/* Begin a drawing of about this size in the next panel; places are in SI units, the axes in this unit. */
+void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
@@ -126,6 +127,6 @@ void sketch_end(sketch *s);
 void sketch_key(sketch *s, pen p, const char *meaning);
 
 /* Finish the drawing, with axes of equal scale around it; its title in a format of flk_message. */
-void sketch_close(sketch *s, const char *unit_name, const char *format, ...);
+void sketch_close(sketch *s, const char *format, ...);
 
 #endif

@@ -118,14 +118,14 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
 static void draw_linear(sketch *s, const picture *p, const fourlink_state *state,
                         const fourlink_spring *spring, const char *name)
 {
-    fourlink_vector to = figure_of_link(p, state, spring->to, &spring->to_at);
+    fourlink_vector to = geometry_of_link(state, spring->to, &spring->to_at);
     int has_coil = scene_has_coil(spring), has_damper = scene_has_damper(spring);
     double length, half = HALF_WIDTH * s->size, end;
     strand x;
 
     x.s = s;
     x.side = 0;
-    x.from = figure_of_link(p, state, spring->link, &spring->at);
+    x.from = geometry_of_link(state, spring->link, &spring->at);
     x.along = place_at(to.x - x.from.x, to.y - x.from.y);
     length = gsl_hypot(x.along.x, x.along.y);
     if (length == 0)
@@ -140,7 +140,7 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     put_line(&x, 1 - LEAD, -end, 1 - LEAD, end);
     x.side = end;
     if (has_coil)
-        put_zigzag(&x, teeth_of(s, figure_length(p, spring->free_length)));
+        put_zigzag(&x, teeth_of(s, spring->free_length));
     x.side = -end;
     if (has_damper)
         put_damper(&x);
@@ -167,10 +167,9 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
 
     if (link == FOURLINK_GROUND)
         return -M_PI_2;
-    origin = figure_point(p, state->link[link].origin);
+    origin = state->link[link].origin;
     theta = state->link[link].theta;
-    return gsl_hypot(origin.x - pin.x, origin.y - pin.y) <
-                   0.5 * figure_length(p, p->v.design->link[link].length)
+    return gsl_hypot(origin.x - pin.x, origin.y - pin.y) < 0.5 * p->v.design->link[link].length
                ? theta
                : theta + M_PI;
 }

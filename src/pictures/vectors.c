@@ -25,7 +25,7 @@
 
 static const fourlink_vector zero = {0, 0};
 
-/* A polygon of vectors of one quantity; its sides in the deck's unit. */
+/* A polygon of vectors of one quantity, in SI units. */
 typedef struct polygon {
     sketch s;
     const picture *p;
@@ -42,23 +42,13 @@ static void open_polygon(polygon *g, picture *p, quantity q, const char *zero_wo
     g->q = q;
     g->zero = zero_words;
     g->sides.n = 0;
-    sketch_open(&g->s, &p->on, 1);
+    sketch_open(&g->s, &p->on, &p->v.units[q], 1);
     g->s.letter = LETTER;
 }
 
 static fourlink_vector end_of(const arrow *x)
 {
     return place_beside(x->at, x->F.x, x->F.y);
-}
-
-/* Add a vector in SI units at the tip of another; returns its end. */
-static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
-                                fourlink_vector v)
-{
-    v.x = view_value(&g->p->v, g->q, v.x);
-    v.y = view_value(&g->p->v, g->q, v.y);
-    arrow_put(&g->sides, kind, name, from, v);
-    return place_beside(from, v.x, v.y);
 }
 
 static void find_size(polygon *g)
@@ -93,7 +83,7 @@ static void draw_sides(polygon *g)
 
         if (format_settled(length, g->s.size) == 0)
             continue; /* rounding */
-        figure_note(&g->s, g->p, x->name, view_si(&g->p->v, g->q, length), g->q);
+        figure_note(&g->s, g->p, x->name, length, g->q);
         if (length < SHORTEST * g->s.size) {
             sketch_line(&g->s, x->kind, x->at, to);
             continue;
@@ -115,11 +105,8 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 }
 
 /* Put the image of a point of a link, which ends its velocity or acceleration from the pole. */
-static void put_image(polygon *g, fourlink_vector v, const char *letter)
+static void put_image(polygon *g, fourlink_vector end, const char *letter)
 {
-    fourlink_vector end =
-        place_at(view_value(&g->p->v, g->q, v.x), view_value(&g->p->v, g->q, v.y));
-
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
     sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
@@ -178,8 +165,8 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     for (x = d->sides; x->name; x++)
         if (tracks_get(&r->numbers, x->of)) {
             g.of[g.sides.n] = x;
-            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
-                     corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
+            arrow_put(&g.sides, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
+                      name_of(x, name), corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
         }
     draw_sides(&g);
     for (i = 0; i < 2 && d->lines[i][0]; i++)
@@ -190,12 +177,10 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
         if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
             put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
     put_images(&g, r, d);
-    sketch_close(&g.s, p->v.units[g.q].name,
-                 d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
+    sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
 }
 
-/* The friction circle of a pin of a link, to which its force is a tangent, in the deck's unit of length; radius 0: no
-** friction.  The force F and the moment M of the friction are together the force F along a line at the distance M / |F|
+/* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The force F and the moment M of the friction are together the force F along a line at the distance M / |F|
 ** from the pin: a tangent to the circle of radius mu r (R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter 10,
 ** friction of a pin joint). */
 typedef struct friction_circle {
@@ -224,9 +209,9 @@ static friction_circle circle_of(const picture *p, const picture_row *r, int joi
     friction_circle x = {0, 0};
 
     fourlink_deck_friction(p->v.deck, &friction);
-    x.radius = figure_length(p, friction.circle[joint]);
+    x.radius = friction.circle[joint];
     if (size > 0)
-        x.arm = figure_length(p, moment_on(p, r, (unsigned long)joint, link) / size);
+        x.arm = moment_on(p, r, (unsigned long)joint, link) / size;
     return x;
 }
 
@@ -269,7 +254,7 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
         if (f->on != b->link || f->sort != sort)
             continue;
         n = b->forces.n;
-        arrow_add_force(&b->forces, p, r, f);
+        arrow_add_force(&b->forces, r, f);
         if (sort != SCENE_PIN)
             continue;
         b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
@@ -294,12 +279,12 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
 
     b->link = link;
     b->is_slider = p->v.kind.slides_on[link];
-    b->first = figure_track(p, r, ends[0].letter);
-    b->second = figure_track(p, r, ends[1].letter);
-    b->G = figure_of_link(p, &r->now.state, link, &p->v.design->link[link].cg);
+    b->first = tracks_vector(&r->numbers, ends[0].letter);
+    b->second = tracks_vector(&r->numbers, ends[1].letter);
+    b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
     b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
     if (b->length == 0)
-        b->length = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
+        b->length = p->v.design->link[FOURLINK_CRANK].length;
     b->forces.n = 0;
     add_forces(b, p, r, SCENE_PIN);
     b->circle_scale = scale_of_circles(b->length, &b->circle[0], &b->circle[1]);
@@ -337,7 +322,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
     for (i = 0; i < p->v.problem.n_loads; i++)
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
-                       figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
+                       geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
     if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G);
@@ -360,8 +345,8 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 
         if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
             arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
-                              scene_words(f, words, sizeof words), figure_track(p, r, f->at),
-                              value);
+                              scene_words(f, words, sizeof words),
+                              tracks_vector(&r->numbers, f->at), value);
     }
 }
 
@@ -371,7 +356,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     double largest = arrow_largest(&b->forces);
     sketch s;
 
-    sketch_open(&s, &p->on, 1.4 * b->length);
+    sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
     s.letter = LETTER;
     draw_body(&s, p, r, b);
     if (largest > 0) {
@@ -384,8 +369,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     put_torques(&s, p, r, b);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
         sketch_note(&s, "friction circles %.6g:1", b->circle_scale);
-    sketch_close(&s, p->v.units[QUANTITY_LENGTH].name, "free body of the %s",
-                 p->v.kind.link[b->link]);
+    sketch_close(&s, "free body of the %s", p->v.kind.link[b->link]);
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
@@ -396,11 +380,13 @@ static void put_force_polygon(picture *p, const free_body *b)
     int i;
 
     open_polygon(&g, p, QUANTITY_FORCE, NO_FORCES);
-    for (i = 0; i < b->forces.n; i++)
-        at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
+    for (i = 0; i < b->forces.n; i++) {
+        arrow_put(&g.sides, b->forces.list[i].kind, b->forces.list[i].name, at,
+                  b->forces.list[i].F);
+        at = end_of(&g.sides.list[i]);
+    }
     draw_sides(&g);
-    sketch_close(&g.s, p->v.units[QUANTITY_FORCE].name, "forces on the %s",
-                 p->v.kind.link[b->link]);
+    sketch_close(&g.s, "forces on the %s", p->v.kind.link[b->link]);
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)
