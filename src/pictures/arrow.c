@@ -78,7 +78,7 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end = place_beside(x->at, scale * x->F.x, scale * x->F.y);
+        fourlink_vector end = place_in(x->at, x->F, scale, 0);
 
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);

@@ -40,8 +40,8 @@ double arrow_largest(const arrow_list *arrows);
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
-/* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as those
-** of springs on a link that is not free, it goes around the coil that has name and value. */
+/* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as
+** those of springs on a link that is not free, it goes around the coil that has name and value. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free);
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,

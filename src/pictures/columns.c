@@ -238,8 +238,9 @@ const char *picture_forces(picture *p, fourlink_branch branch)
     return NULL;
 }
 
-/* The speed with its mean, the torques over the speed, and the energy.  There the torque of the motor lies on its own
-** curve; that on the crank makes the loop of the cycle, or for a motion of several turns is averaged over each. */
+/* The speed with its mean, the torques over the speed, and the energy.  There the torque of the motor lies on
+** its own curve; that on the crank makes the loop of the cycle, or for a motion of several turns is averaged
+** over each. */
 const char *picture_speed(picture *p, fourlink_branch branch)
 {
     static const char *const speed[] = {"omega2", NULL}, *const energy[] = {"energy", NULL},

@@ -53,13 +53,6 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     return pins;
 }
 
-/* A point of the lever, so far along its own axis from D. */
-static fourlink_vector on_axis(const fourlink_state *state, double along)
-{
-    return place_in(state->link[FOURLINK_FOLLOWER].origin, state->link[FOURLINK_FOLLOWER].axis,
-                    along, 0);
-}
-
 /* The way of what slides, with a margin at both ends. */
 static void find_way(const picture *p, fourlink_branch branch, double margin, double *from,
                      double *to)
@@ -181,19 +174,19 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
 static void put_reach(sketch *s, const picture *p, const fourlink_state *state, pen kind,
                       double from, double to)
 {
-    const fourlink_link *lever = &p->v.design->link[FOURLINK_FOLLOWER];
-    double inner = 0, outer = lever->length, low, high;
+    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
+    double inner = 0, outer = p->v.design->link[FOURLINK_FOLLOWER].length;
 
-    low = p->v.lever_low;
-    high = p->v.lever_high;
-    if (lever->length == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
+    if (outer == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
         inner = GSL_MIN_DBL(from, 0);
         outer = GSL_MAX_DBL(to, 0);
     }
-    if (high > outer)
-        sketch_line(s, kind, on_axis(state, outer), on_axis(state, high));
-    if (low < inner)
-        sketch_line(s, kind, on_axis(state, inner), on_axis(state, low));
+    if (p->v.lever_high > outer)
+        sketch_line(s, kind, place_in(lever->origin, lever->axis, outer, 0),
+                    place_in(lever->origin, lever->axis, p->v.lever_high, 0));
+    if (p->v.lever_low < inner)
+        sketch_line(s, kind, place_in(lever->origin, lever->axis, inner, 0),
+                    place_in(lever->origin, lever->axis, p->v.lever_low, 0));
 }
 
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
@@ -244,8 +237,9 @@ static int compare(const void *first, const void *second)
     return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
 }
 
-/* Draw the outline of a link, the convex hull of so many points, which are sorted.  A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
-** Letters 9 (1979): the lower side from left to right, then the upper side back. */
+/* Draw the outline of a link, the convex hull of so many points, which are sorted: the lower side from left
+** to right, then the upper side back (A. M. Andrew, "Another efficient algorithm for convex hulls in two
+** dimensions", Information Processing Letters 9, 1979). */
 static void put_hull(sketch *s, pen p, fourlink_vector *points, int n)
 {
     fourlink_vector corners[2 * CORNERS];
@@ -485,23 +479,20 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
     int is_tracer = i < p->v.problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
-    fourlink_vector at;
+    fourlink_vector at, points[STEPS + 1];
     char title[80];
     int p_of = !is_tracer ? PEN_CONSTRUCTION : i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
 
     if (is_tracer)
         fourlink_deck_point(p->v.deck, i, &name, &link, &at);
     flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
-    sketch_curve(s, (pen)p_of, title);
-    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++) {
-        if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK) {
-            sketch_point(s, is_tracer ? tracer(p, &now.state, i, &name, &link)
-                                      : figure_place(p, &now.state).C);
-        } else {
-            sketch_break(s);
-        }
-    }
-    sketch_end(s);
+    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++)
+        if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
+            points[k] =
+                is_tracer ? tracer(p, &now.state, i, &name, &link) : figure_place(p, &now.state).C;
+        else
+            points[k].x = GSL_NAN;
+    sketch_curve(s, (pen)p_of, title, points, k);
 }
 
 void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until)

@@ -105,8 +105,8 @@ static int is_periodic(const picture *p)
            p->v.mechanism->change_stretched == p->v.mechanism->change_folded;
 }
 
-/* Shift what is behind the last gap of a revolution by whole turns of an angle, so that both ends agree; one sample that
-** is missing, as at a change point, is no gap. */
+/* Shift what is behind the last gap of a revolution by whole turns of an angle, so that both ends agree; one
+** sample that is missing, as at a change point, is no gap. */
 static void join_ends(const picture *p, double turn, double values[PICTURE_STEPS + 1])
 {
     double shift = turn * floor((values[0] - values[PICTURE_STEPS]) / turn + 0.5);
@@ -133,7 +133,8 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
     return largest;
 }
 
-/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it. */
+/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it.
+** */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
     static const struct {
@@ -261,8 +262,8 @@ static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector siz
     return gsl_hypot(size.x > 0 ? (q.x - p.x) / size.x : 0, size.y > 0 ? (q.y - p.y) / size.y : 0);
 }
 
-/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`; 1 if there is
-** one, with its ends. */
+/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`; 1 if
+** there is one, with its ends. */
 static int find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
                      double low, double high, fourlink_vector *from, fourlink_vector *to)
 {

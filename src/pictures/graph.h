@@ -50,8 +50,8 @@ typedef struct graph_jumps {
     int sample[GRAPH_JUMPS], n;
 } graph_jumps;
 
-/* Write the points of a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the curve is
-** over time, at its jumps, with both ends.  `size` is that of the curve. */
+/* Write the points of a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the
+** curve is over time, at its jumps, with both ends.  `size` is that of the curve. */
 void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
                  fourlink_vector size, graph_jumps *jumps);
 

@@ -13,7 +13,8 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
-/* The size of an inset, in lengths of its link; and half its side, which has room for arrows at the link's end. */
+/* The size of an inset, in lengths of its link; and half its side, which has room for arrows at the link's
+** end. */
 #define INSET 2.6
 #define HALF_SIDE (1.1 + LONGEST * INSET)
 

@@ -39,8 +39,8 @@ static void put_instant(const picture *p, panel *q)
     if (!p->has_instant || cycle == 0)
         return;
     angle -= cycle * floor((angle - from) / cycle);
-    flk_text_join(words, sizeof words, "\316\270" SUB_2 " = ",
-                  picture_mark(p, p->instant, 4, number), (char *)NULL);
+    flk_message(words, sizeof words, "\316\270" SUB_2 " = %s",
+                picture_mark(p, p->instant, 4, number));
     half = 0.55 * canvas_width_of(words) / q->r.x_scale;
     x = angle + (fabs(cycle) / 2 > fabs(angle - from) ? half : -half);
     canvas_print(&p->on,
@@ -243,12 +243,8 @@ static void cut(panel *q, graph_extent *e, int of_x)
 /* The name of a curve's data, and of its column in the key. */
 static const char *name_of(const picture *p, const panel_plan *plan, int i, char out[PANEL_NAME])
 {
-    char number[FORMAT_SIZE];
-
-    if (!plan->is_free)
-        return p->v.columns[plan->column[i]].name;
-    return flk_text_join(out, PANEL_NAME, "c", format_general(plan->column[i], 9, number),
-                         (char *)NULL);
+    return plan->is_free ? flk_message(out, PANEL_NAME, "c%ld", (long)plan->column[i])
+                         : p->v.columns[plan->column[i]].name;
 }
 
 static const char *short_name(const picture *p, int column, char out[200])
@@ -314,7 +310,7 @@ void panel_plan_begin(panel_plan *plan, int x)
 
 int panel_draw(picture *p, const panel_plan *plan)
 {
-    char x[200], words[200], name[PANEL_NAME], title[240], heading[300];
+    char x[200], words[200], name[PANEL_NAME], title[240];
     const char *cut_words;
     int i;
     panel q;
@@ -328,11 +324,10 @@ int panel_draw(picture *p, const panel_plan *plan)
     for (i = 0; i < plan->n; i++)
         put_curve(p, &q, plan, i);
     cut_words = tell_cut(p, &q);
-    flk_text_join(heading, sizeof heading, plan->title, plan->title[0] && cut_words[0] ? ": " : "",
-                  cut_words, (char *)NULL);
-    canvas_titles(&p->on, heading, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
+    canvas_titles(&p->on, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
                   plan->y ? plan->y : short_name(p, plan->column[0], words),
-                  p->v.columns[plan->column[0]].unit);
+                  p->v.columns[plan->column[0]].unit, "%s%s%s", plan->title,
+                  plan->title[0] && cut_words[0] ? ": " : "", cut_words);
     put_axes(p, &q);
     for (i = 0; i < plan->n_extremes; i++)
         if (q.line[i].n_points)

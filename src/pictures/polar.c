@@ -203,9 +203,9 @@ static int put_polar(picture *p, bearing *b, const char *title)
 
     room_open(&b->r, &p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
     fputs("set key samplen 2 width -1\n", p->on.out);
-    canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
+    canvas_titles(&p->on, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
                   p->v.columns[b->x].unit, canvas_symbol(&p->on, p->v.columns[b->y].name, y),
-                  p->v.columns[b->y].unit);
+                  p->v.columns[b->y].unit, "%s", title);
     b->p = p;
     follow(b);
     put_axes(b);
@@ -243,7 +243,6 @@ static void set_source(source *x, const picture *p, fourlink_branch branch, cons
 static int put_bearing(picture *p, int by, int on)
 {
     int is_piston = p->v.kind.slides_on[on] == FOURLINK_GROUND;
-    const char *link = p->v.kind.link[on];
     char title[200], symbol[NOTATION_SIZE];
     bearing b;
     int i;
@@ -255,11 +254,11 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), " on the ", link,
-                  ", in its axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));
+    flk_message(title, sizeof title, "%s on the %s, in its axes",
+                canvas_symbol(&p->on, b.name, symbol), p->v.kind.link[on]);
     return put_polar(p, &b, title);
 }
 
@@ -273,11 +272,10 @@ static int put_shaking(picture *p, const picture *before, const picture *after,
     strcpy(b.name, "Fs");
     b.x = component(p, &b, "x");
     b.y = component(p, &b, "y");
-    flk_text_join(title, sizeof title, "shaking force, ", fourlink_branch_text(branch),
-                  (char *)NULL);
     b.n = 2;
     set_source(&b.of[0], before, branch, "before");
     set_source(&b.of[1], after, branch, "after");
+    flk_message(title, sizeof title, "shaking force, %s", fourlink_branch_text(branch));
     return put_polar(p, &b, title);
 }
 

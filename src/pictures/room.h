@@ -25,7 +25,8 @@ typedef struct room {
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
 void room_open(room *r, canvas *on, int lines, double right);
 
-/* Widen a frame with so many pixels on all sides until both axes have the same scale; returns it, units for a pixel. */
+/* Widen a frame with so many pixels on all sides until both axes have the same scale; returns it, units for a
+** pixel. */
 double room_to_scale(const room *r, place_box *frame, double border);
 
 /* Set the ranges of the axes, and the step of the numbers on the x axis. */
@@ -38,9 +39,9 @@ void room_add_line(room *r, fourlink_vector from, fourlink_vector to);
 /* Keep the box of a text whose middle is at a place of the panel. */
 void room_take(room *r, fourlink_vector middle, const char *words);
 
-/* Put a text near a place: preferably on it (dx and dy 0), or in the direction (dx, dy), with gnuplot's words for
-** its style; keep its box.  Returns 0 if there is no place inside the panel and apart from other texts, or, with
-** `keeps_clear`, apart from all curves; otherwise `middle` is that of the text. */
+/* Put a text near a place: preferably on it (dx and dy 0), or in the direction (dx, dy), with gnuplot's words
+** for its style; keep its box.  Returns 0 if there is no place inside the panel and apart from other texts,
+** or, with `keeps_clear`, apart from all curves; otherwise `middle` is that of the text. */
 int room_put(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
              const char *style, fourlink_vector *middle);
 

@@ -219,14 +219,15 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
     sketch_arrow(s, p, place_polar(centre, radius, before), place_polar(centre, radius, end));
 }
 
-void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+/* Add a text; null if there is no room for one. */
+static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     label *new = &s->texts.list[s->texts.n];
     fourlink_vector side = turned(s, place_at(dx, dy));
 
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
-        return;
+        return NULL;
     include(s, at);
     new->at = at;
     new->dx = side.x;
@@ -235,24 +236,28 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     new->is_close = new->has_leader = 0;
     s->texts.n++;
+    return new;
+}
+
+void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    add_text(s, at, dx, dy, words);
 }
 
 void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
-    int n = s->texts.n;
+    label *new = add_text(s, at, dx, dy, words);
 
-    sketch_text(s, at, dx, dy, words);
-    if (s->texts.n > n)
-        s->texts.list[n].has_leader = 1;
+    if (new)
+        new->has_leader = 1;
 }
 
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
-    int n = s->texts.n;
+    label *new = add_text(s, at, dx, dy, words);
 
-    sketch_text(s, at, dx, dy, words);
-    if (s->texts.n > n)
-        s->texts.list[n].is_close = 1;
+    if (new)
+        new->is_close = 1;
 }
 
 void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
@@ -319,41 +324,34 @@ static void add_entry(sketch *s, pen p, int is_curve, const char *title)
     flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
 }
 
-void sketch_curve(sketch *s, pen p, const char *title)
+/* gnuplot needs a word for an empty curve: it has no entry. */
+void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
+    fourlink_vector at, last = {0, 0};
+    int in_piece = 0, is_empty = 1, i;
+
     fprintf(s->c->out, "$curve%d << EOD\n", s->n_entries);
-    add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
-    s->n_points = 0;
-    s->is_empty = 1;
-}
-
-void sketch_point(sketch *s, fourlink_vector at)
-{
-    at = turned(s, at);
-    include(s, at);
-    if (s->n_points % OBSTACLE == 0) {
-        if (s->n_points > 0)
-            add_obstacle(s, s->last, at, 1);
-        s->last = at;
+    for (i = 0; i < n; i++) {
+        if (gsl_isnan(points[i].x)) {
+            fputs(in_piece ? "\n" : "", s->c->out);
+            in_piece = 0;
+            continue;
+        }
+        at = turned(s, points[i]);
+        include(s, at);
+        if (in_piece % OBSTACLE == 0) {
+            if (in_piece)
+                add_obstacle(s, last, at, 1);
+            last = at;
+        }
+        in_piece++;
+        is_empty = 0;
+        at = in_unit(s, at);
+        canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
     }
-    s->n_points++;
-    s->is_empty = 0;
-    at = in_unit(s, at);
-    canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
-}
-
-void sketch_break(sketch *s)
-{
-    if (s->n_points > 0)
-        putc('\n', s->c->out);
-    s->n_points = 0;
-}
-
-void sketch_end(sketch *s)
-{
     fputs("EOD\n", s->c->out);
-    if (s->is_empty) /* gnuplot needs a word for an empty curve */
-        s->n_entries--;
+    if (!is_empty)
+        add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
 }
 
 void sketch_key(sketch *s, pen p, const char *meaning)
@@ -397,7 +395,7 @@ static void put_margin(const sketch *s)
     for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
         in_key += has_part(s, (pen)i);
     for (i = 0; i < s->n_notes; i++)
-        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
+        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
@@ -457,7 +455,10 @@ static void put_labels(const sketch *s)
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
         canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words, at.x, at.y,
-                     canvas_side(side), canvas_mode(one->words));
+                     side > 0   ? "left"
+                     : side < 0 ? "right"
+                                : "center",
+                     canvas_mode(one->words));
     }
 }
 
@@ -554,8 +555,8 @@ void sketch_close(sketch *s, const char *format, ...)
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);
-    canvas_titles(s->c, title, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
-                  s->c->turn != 0 ? "vertical" : "y", s->unit->name);
+    canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
+                  s->c->turn != 0 ? "vertical" : "y", s->unit->name, "%s", title);
     put_axes(s);
     put_curves(s);
 }

@@ -50,8 +50,6 @@ typedef struct sketch {
     int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
     labels texts;
-    fourlink_vector last;                                  /* of a curve */
-    int n_points, is_empty;                                /* of the present curve */
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
     sketch_part parts[SKETCH_PARTS];
@@ -117,11 +115,8 @@ void sketch_support(sketch *s, fourlink_vector at);
 /* Draw ground along y from x1 to x2, hatched on its lower (side -1) or upper side (1). */
 void sketch_ground(sketch *s, double x1, double x2, double y, double side);
 
-/* Draw a curve: begin, points, breaks, end.  There may be SKETCH_CURVES of them. */
-void sketch_curve(sketch *s, pen p, const char *title);
-void sketch_point(sketch *s, fourlink_vector at);
-void sketch_break(sketch *s);
-void sketch_end(sketch *s);
+/* Draw a curve; its gaps are not numbers.  There may be SKETCH_CURVES of them. */
+void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n);
 
 /* Put a line of this pen and its meaning into the key, after the curves. */
 void sketch_key(sketch *s, pen p, const char *meaning);

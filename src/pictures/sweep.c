@@ -110,8 +110,8 @@ static unsigned long first_change(const designs *d, unsigned long k)
     return i;
 }
 
-/* A range is on the x axis rather than a tolerance or a list, which have no steps; of several that which changes
-** fastest. */
+/* A range is on the x axis rather than a tolerance or a list, which have no steps; of several that which
+** changes fastest. */
 static void find_axis(const picture *p, designs *d)
 {
     double *values = inputs_of(d, d->n), *low = values + d->n_variables,
@@ -128,7 +128,8 @@ static void find_axis(const picture *p, designs *d)
     }
 }
 
-/* 1 if a new curve begins with design i: a variable has changed that does not from the first design to the second. */
+/* 1 if a new curve begins with design i: a variable has changed that does not from the first design to the
+** second. */
 static int begins(const designs *d, unsigned long i)
 {
     unsigned long k;
@@ -170,7 +171,7 @@ static void begin_panel(picture *p, const char *x, const char *x_unit, const cha
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    canvas_titles(&p->on, "", x, x_unit, y, y_unit);
+    canvas_titles(&p->on, x, x_unit, y, y_unit, "");
 }
 
 /* Begin the data of an output on a branch. */

@@ -57,14 +57,11 @@ static double moment_at(const diagram *d, double angle)
 static double find_area(const diagram *d, int k, double *from, double *to)
 {
     const fourlink_area *area = &d->t.area[d->sense > 0 ? k : d->t.n_areas - 1 - k];
-    double cycle = d->p->v.problem.cycle, first = area->from, last = area->to;
+    double first = view_value(&d->p->v, QUANTITY_ANGLE, area->from);
+    double last = view_value(&d->p->v, QUANTITY_ANGLE, area->to);
 
-    if (d->sense < 0) {
-        first = cycle - area->to;
-        last = cycle - area->from;
-    }
-    *from = view_value(&d->p->v, QUANTITY_ANGLE, first);
-    *to = view_value(&d->p->v, QUANTITY_ANGLE, last);
+    *from = d->sense > 0 ? first : d->cycle - last;
+    *to = d->sense > 0 ? last : d->cycle - first;
     return area->energy;
 }
 
@@ -160,7 +157,7 @@ static void put_areas(diagram *d)
 /* Mark where the flywheel has its largest or its smallest energy. */
 static void put_mark(diagram *d, double angle, const char *name, int line)
 {
-    char words[PICTURE_WORDS], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
     double half = canvas_width_of(name) / 2 / d->r.x_scale;
     double y = d->r.frame.y_max - CANVAS_LINE / d->r.y_scale;
     double x = clamp(angle, half, d->cycle - half);
@@ -171,9 +168,7 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
                  "set label %q at %.8g,%.8g center front boxed\n",
                  angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
     room_take(&d->r, place_at(x, y), name);
-    flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, 4, number),
-                  (char *)NULL);
-    canvas_note(&d->p->on, line, words);
+    canvas_note(&d->p->on, line, "%s at %s", name, picture_mark(d->p, angle, 4, mark));
 }
 
 /* The energy grows from 0 at the beginning of the cycle by each area; the extremes lie between areas. */
@@ -202,45 +197,36 @@ static void put_extremes(diagram *d)
 /* Put the coefficients to the right of the axes. */
 static void put_coefficients(const diagram *d)
 {
-    static const char *const names[] = {"of energy", "of speed"};
     const canvas *on = &d->p->on;
-    char words[PICTURE_WORDS], number[FORMAT_SIZE];
-    double value;
-    int i;
 
     canvas_note(on, 0, "coefficient of fluctuation");
-    for (i = 0; i < 2; i++) {
-        value = i ? d->t.fluctuation : d->t.energy_coefficient;
-        if (i ? value <= 0 : !d->t.has_coefficient)
-            flk_text_join(words, sizeof words, names[i],
-                          i ? ": no flywheel" : ": none, its mean is 0", (char *)NULL);
-        else
-            flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),
-                          (char *)NULL);
-        canvas_note(on, 1 + i, words);
-    }
+    if (d->t.has_coefficient)
+        canvas_note(on, 1, "of energy %.4g", d->t.energy_coefficient);
+    else
+        canvas_note(on, 1, "of energy: none, its mean is 0");
+    if (d->t.fluctuation > 0)
+        canvas_note(on, 2, "of speed %.4g", d->t.fluctuation);
+    else
+        canvas_note(on, 2, "of speed: no flywheel");
     canvas_note(on, 4, "above the mean the");
     canvas_note(on, 5, "flywheel takes up energy");
 }
 
 static void put_titles(const diagram *d)
 {
-    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[300], x[80], y[80];
-    char symbol[NOTATION_SIZE], torque[NOTATION_SIZE];
+    char mean[PICTURE_WORDS], change[PICTURE_WORDS], x[NOTATION_SIZE + 40], y[NOTATION_SIZE + 40];
+    char theta[NOTATION_SIZE], torque[NOTATION_SIZE];
     const picture *p = d->p;
     int is_clockwise = d->sense < 0;
 
-    picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, words);
-    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, other);
-    flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
-                  (char *)NULL);
-    flk_text_join(x, sizeof x, is_clockwise ? "-" : "", canvas_symbol(&p->on, "theta2", symbol),
-                  is_clockwise ? ", turned clockwise" : "", (char *)NULL);
-    flk_text_join(y, sizeof y, "turning moment ", is_clockwise ? "" : "-",
-                  canvas_symbol(&p->on, "Ts", torque), is_clockwise ? ", clockwise" : "",
-                  (char *)NULL);
-    canvas_titles(&p->on, title, x, p->v.units[QUANTITY_ANGLE].name, y,
-                  p->v.units[QUANTITY_TORQUE].name);
+    picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, mean);
+    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, change);
+    flk_message(x, sizeof x, is_clockwise ? "-%s, turned clockwise" : "%s",
+                canvas_symbol(&p->on, "theta2", theta));
+    flk_message(y, sizeof y, is_clockwise ? "turning moment %s, clockwise" : "turning moment -%s",
+                canvas_symbol(&p->on, "Ts", torque));
+    canvas_titles(&p->on, x, p->v.units[QUANTITY_ANGLE].name, y, p->v.units[QUANTITY_TORQUE].name,
+                  "%s: %s, %s", fourlink_branch_text(d->branch), mean, change);
 }
 
 /* Fill the areas, except on a text terminal. */

@@ -92,8 +92,7 @@ static void draw_sides(polygon *g)
         nx = -dy / length;
         ny = dx / length;
         out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, place_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx, out * ny,
-                    x->name);
+        sketch_text(&g->s, place_middle(x->at, to), out * nx, out * ny, x->name);
     }
 }
 
@@ -180,9 +179,10 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
 }
 
-/* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The force F and the moment M of the friction are together the force F along a line at the distance M / |F|
-** from the pin: a tangent to the circle of radius mu r (R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter 10,
-** friction of a pin joint). */
+/* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The
+** force F and the moment M of the friction are together the force F along a line at the distance M / |F| from
+** the pin: a tangent to the circle of radius mu r (R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter
+** 10, friction of a pin joint). */
 typedef struct friction_circle {
     double radius;
     double arm; /* of the force about the pin, positive if that turns the link counter-clockwise */
@@ -215,7 +215,8 @@ static friction_circle circle_of(const picture *p, const picture_row *r, int joi
     return x;
 }
 
-/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can be seen. */
+/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can be
+** seen. */
 static double scale_of_circles(double size, const friction_circle *x, const friction_circle *y)
 {
     double radius = GSL_MAX_DBL(x->radius, y->radius);
@@ -282,7 +283,7 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     b->first = tracks_vector(&r->numbers, ends[0].letter);
     b->second = tracks_vector(&r->numbers, ends[1].letter);
     b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
-    b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
+    b->length = place_distance(b->first, b->second);
     if (b->length == 0)
         b->length = p->v.design->link[FOURLINK_CRANK].length;
     b->forces.n = 0;

@@ -15,7 +15,8 @@ typedef struct place_box {
 fourlink_vector place_at(double x, double y);
 fourlink_vector place_beside(fourlink_vector p, double dx, double dy);
 
-/* A place at a distance from another in the direction of an angle, in rad; so far along a direction and to its left. */
+/* A place at a distance from another in the direction of an angle, in rad; so far along a direction and to
+** its left. */
 fourlink_vector place_polar(fourlink_vector p, double distance, double angle);
 fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, double left);
 
