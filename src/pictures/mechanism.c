@@ -128,6 +128,7 @@ static void put_inset(picture *p, const picture_row *r, int link)
     sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, HALF_SIDE * length);
     figure_frame(&s, p, state);
     figure_draw(&s, p, state, 1);
+    spring_draw(&s, p, state, 0);
     if (p->v.problem.has_forces)
         draw_forces(&s, p, r);
     s.n_notes = 0; /* they are beside the whole */

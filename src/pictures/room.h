@@ -13,10 +13,10 @@
 /* A panel with its curves, in pixels from its lower left corner, and the boxes of its texts. */
 typedef struct room {
     canvas *on;
-    place_box frame;               /* the ranges of the axes */
-    double x_scale, y_scale;       /* pixels for a unit */
-    int n_points, n_texts, starts; /* starts: the next point begins a curve */
-    int rings;                     /* how far from its place a text may go */
+    place_box frame;         /* the ranges of the axes */
+    double x_scale, y_scale; /* pixels for a unit */
+    int n_points, n_texts;
+    int rings; /* how far from its place a text may go */
     fourlink_vector point[ROOM_POINTS];
     unsigned char is_start[ROOM_POINTS];
     place_box text[ROOM_TEXTS];

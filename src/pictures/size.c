@@ -7,7 +7,6 @@
 #include <gsl/gsl_math.h>
 
 #include "picture.h"
-#include "view/place.h"
 #include "view/geometry.h"
 
 /* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
