@@ -46,12 +46,10 @@ void sketch_include(sketch *s, fourlink_vector p)
 void sketch_window(sketch *s, fourlink_vector middle, double half)
 {
     middle = turned(s, middle);
-    s->is_window = 1;
-    s->drawn.x_min = s->window.x_min = middle.x - half;
-    s->drawn.x_max = s->window.x_max = middle.x + half;
-    s->drawn.y_min = s->window.y_min = middle.y - half;
-    s->drawn.y_max = s->window.y_max = middle.y + half;
-    s->is_fixed = 1;
+    s->is_window = s->is_fixed = 1;
+    s->drawn = place_nothing;
+    place_grow(&s->drawn, middle.x - half, middle.y - half);
+    place_grow(&s->drawn, middle.x + half, middle.y + half);
 }
 
 void sketch_turn(sketch *s, int is_turned)
@@ -93,7 +91,7 @@ static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, do
 /* 1 if a place is beyond the window. */
 static int is_beyond(const sketch *s, fourlink_vector at)
 {
-    const place_box *b = &s->window;
+    const place_box *b = &s->drawn;
 
     return s->is_window &&
            (at.x < b->x_min || at.x > b->x_max || at.y < b->y_min || at.y > b->y_max);
@@ -110,7 +108,7 @@ static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to
     to = turned(s, to);
     if (is_beyond(s, to))
         kind = "nohead";
-    if (s->is_window && !place_clip(&s->window, &from, &to))
+    if (s->is_window && !place_clip(&s->drawn, &from, &to))
         return;
     include(s, from);
     include(s, to);

@@ -44,9 +44,8 @@ typedef struct sketch {
     double size;               /* of the whole */
     double letter;             /* height of a letter, a fraction of the size */
     double block;              /* half the length of a piston or a block */
-    int is_window;             /* 1: only what is within `window` is drawn */
-    place_box window;
-    double cosine, sine; /* of the angle by which it is turned */
+    int is_window;             /* 1: nothing beyond it is drawn */
+    double cosine, sine;       /* of the angle by which it is turned */
     int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
     labels texts;
