@@ -10,7 +10,7 @@
 #include "command.h"
 #include "drawing.h"
 #include "output.h"
-#include "pictures/gnuplot.h"
+#include "pictures/plot.h"
 #include "report/report.h"
 #include "writers.h"
 

@@ -12,6 +12,10 @@
 /* An arrow shorter than this fraction of the largest would have a head and no tail. */
 #define SMALLEST 0.02
 
+/* As fractions of the drawing: the radius of a torque, and of that of a spring around its coil. */
+#define TORQUE 0.07
+#define AROUND_COIL 0.08
+
 void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F)
 {
@@ -33,15 +37,24 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
         arrow_put(arrows, kind, name, at, place_at(x, y));
 }
 
-void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
-                     const scene_force *f)
+void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f)
 {
     static const pen pens[] = {PEN_FORCE, PEN_LOAD, PEN_RESULT};
     fourlink_vector F = tracks_vector(&r->numbers, f->of);
     char words[40];
 
-    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words), figure_track(p, r, f->at),
-              f->sign * F.x, f->sign * F.y);
+    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words),
+              tracks_vector(&r->numbers, f->at), f->sign * F.x, f->sign * F.y);
+}
+
+void arrow_cut(arrow_list *arrows, const sketch *s)
+{
+    int n = 0, i;
+
+    for (i = 0; i < arrows->n; i++)
+        if (sketch_shows(s, arrows->list[i].at))
+            arrows->list[n++] = arrows->list[i];
+    arrows->n = n;
 }
 
 double arrow_largest(const arrow_list *arrows)
@@ -65,7 +78,7 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end = place_beside(x->at, scale * x->F.x, scale * x->F.y);
+        fourlink_vector end = place_in(x->at, x->F, scale, 0);
 
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);
@@ -80,12 +93,14 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque)
 {
-    double side = kind == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
+    double side = kind == PEN_FORCE ? -1 : 1, radius = TORQUE * s->size;
     fourlink_vector below = place_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
     if (torque == 0)
         return;
-    sketch_torque(s, kind, at, radius, torque);
+    sketch_torque(s, kind, at, name[0] ? radius : AROUND_COIL * s->size, torque);
+    if (!name[0])
+        return;
     sketch_text(s, below, side, -0.6 * side, name);
     figure_note(s, p, name, torque, QUANTITY_TORQUE);
 }
@@ -98,9 +113,9 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
     for (i = 0; i < r->drawn.n_torques; i++) {
         const scene_force *f = &r->drawn.torques[i];
 
-        if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION &&
-            (is_free || !f->is_inner))
-            arrow_draw_torque(s, p, PEN_LOAD, f->name, figure_track(p, r, f->at),
+        if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION)
+            arrow_draw_torque(s, p, PEN_LOAD, is_free || !f->is_inner ? f->name : "",
+                              tracks_vector(&r->numbers, f->at),
                               tracks_vector(&r->numbers, f->of).x);
     }
 }
@@ -108,7 +123,8 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = view_si(&p->v, q, place_round(view_value(&p->v, q, largest) / 2.5));
-    fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
+    double below = s->is_window ? -0.06 : 0.16; /* in a window it is inside */
+    fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - below * s->size);
     fourlink_vector to = place_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];
 

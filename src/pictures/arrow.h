@@ -9,7 +9,7 @@
 
 /* A force that acts at a place. */
 typedef struct arrow {
-    fourlink_vector at; /* in the deck's unit of length */
+    fourlink_vector at; /* m */
     fourlink_vector F;  /* N */
     pen kind;
     char name[40];
@@ -29,8 +29,10 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
                double y);
 
 /* Add a force of the scene. */
-void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
-                     const scene_force *f);
+void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f);
+
+/* Keep those that act in the window of a drawing that has one. */
+void arrow_cut(arrow_list *arrows, const sketch *s);
 
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
@@ -38,7 +40,8 @@ double arrow_largest(const arrow_list *arrows);
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
-/* Draw the torques of these loads, but those of friction in pins; draw any other torque. */
+/* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as
+** those of springs on a link that is not free, it goes around the coil that has name and value. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free);
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,

@@ -8,7 +8,7 @@
 
 #include "canvas.h"
 #include "base/format.h"
-#include "base/text.h"
+#include "base/message.h"
 
 #define HEAD (4 * CANVAS_LINE) /* title and source */
 #define NO_HEAD (0.4 * CANVAS_LINE)
@@ -131,11 +131,6 @@ double canvas_width_of(const char *words)
     return CANVAS_LETTER * canvas_letters(words);
 }
 
-const char *canvas_side(int side)
-{
-    return side > 0 ? "left" : side < 0 ? "right" : "center";
-}
-
 char *canvas_shorten(const char *words, int letters, int keep_end, char *out, size_t size)
 {
     int surplus = canvas_letters(words) - letters;
@@ -222,27 +217,27 @@ const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZ
 
 static void put_axis(const canvas *c, const char *axis, const char *name, const char *unit_name)
 {
-    char words[200];
+    char words[200], own[NOTATION_SIZE];
 
-    char own[NOTATION_SIZE];
-
-    flk_text_join(words, sizeof words, name, " (", canvas_unit(c, unit_name, own), ")",
-                  (char *)NULL);
+    flk_message(words, sizeof words, "%s (%s)", name, canvas_unit(c, unit_name, own));
     canvas_print(c, "set %slabel %q\n", axis, words);
 }
 
 /* A text terminal cannot turn the name of the y axis, so it goes to the title. */
-void canvas_titles(const canvas *c, const char *title, const char *x, const char *x_unit,
-                   const char *y, const char *y_unit)
+void canvas_titles(const canvas *c, const char *x, const char *x_unit, const char *y,
+                   const char *y_unit, const char *format, ...)
 {
     int letters = (int)((c->left + c->box_width + c->right) / CANVAS_LETTER) - 2;
     char words[CANVAS_WORDS], fitting[CANVAS_WORDS];
+    va_list values;
+    size_t n;
 
-    flk_text_join(words, sizeof words, title, (char *)NULL);
+    va_start(values, format);
+    n = strlen(flk_message_list(words, sizeof words, format, values));
+    va_end(values);
     put_axis(c, "x", x, x_unit);
     if (c->is_text)
-        flk_text_join(words, sizeof words, title, title[0] ? ", " : "", y, " (", y_unit, ")",
-                      (char *)NULL);
+        flk_message(words + n, sizeof words - n, "%s%s (%s)", n ? ", " : "", y, y_unit);
     else
         put_axis(c, "y", y, y_unit);
     /* in the middle of the panel */
@@ -260,8 +255,14 @@ void canvas_key(const canvas *c)
                  1 + line / c->box_height);
 }
 
-void canvas_note(const canvas *c, int line, const char *words)
+void canvas_note(const canvas *c, int line, const char *format, ...)
 {
+    char words[MESSAGE_SIZE];
+    va_list values;
+
+    va_start(values, format);
+    flk_message_list(words, sizeof words, format, values);
+    va_end(values);
     canvas_print(c, "set label %w at graph 1.02, graph 1 offset 0,%d left %s\n", words, -line,
                  canvas_mode(words));
 }

@@ -46,15 +46,15 @@ const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZ
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
 void canvas_panel(canvas *c, int lines, double right);
 
-/* Put the title and the names of the axes of a panel; "" for none. */
-void canvas_titles(const canvas *c, const char *title, const char *x, const char *x_unit,
-                   const char *y, const char *y_unit);
+/* Put the names of the axes of a panel and its title, in a format of flk_message; "" for none. */
+void canvas_titles(const canvas *c, const char *x, const char *x_unit, const char *y,
+                   const char *y_unit, const char *format, ...);
 
 /* Put the key in a line above the axes. */
 void canvas_key(const canvas *c);
 
-/* Put a line of text to the right of the axes, line 0 at their top. */
-void canvas_note(const canvas *c, int line, const char *words);
+/* Put a line of text to the right of the axes, line 0 at their top, in such a format. */
+void canvas_note(const canvas *c, int line, const char *format, ...);
 
 /* Put grid lines, except on a text terminal, where they would hide the curves. */
 void canvas_grid(const canvas *c);
@@ -69,9 +69,6 @@ const char *canvas_mode(const char *words);
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);
 double canvas_width_of(const char *words);
-
-/* gnuplot's word for a text to the right (1) of its place, "left", or to the left (-1), "right". */
-const char *canvas_side(int side);
 
 /* Shorten a text to so many characters: its beginning, or its end, and "..." */
 char *canvas_shorten(const char *words, int letters, int keep_end, char *out, size_t size);

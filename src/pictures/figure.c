@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** figure.c - a mechanism at one position, drawn to scale in the deck's unit of length.
+** figure.c - a mechanism at one position, drawn to scale.
 */
 #include <math.h>
+#include <stdlib.h>
 
 #include <gsl/gsl_math.h>
 
 #include "figure.h"
+
+#define CORNERS (PICTURE_POINTS + 2) /* of a link: its points and pins */
 
 #define STEPS 180 /* of a path */
 
@@ -16,34 +19,16 @@
 /* Greek letters, in UTF-8. */
 #define OMEGA "\317\211"
 
-double figure_length(const picture *p, double si)
+char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_MARK])
 {
-    return view_value(&p->v, QUANTITY_LENGTH, si);
-}
-
-fourlink_vector figure_point(const picture *p, fourlink_vector si)
-{
-    return place_at(figure_length(p, si.x), figure_length(p, si.y));
-}
-
-fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
-                               const fourlink_vector *at)
-{
-    return figure_point(p, geometry_of_link(state, link, at));
-}
-
-fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name)
-{
-    return figure_point(p, tracks_vector(&r->numbers, name));
+    return picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), digits, out);
 }
 
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
 {
-    double along = gsl_hypot(second.x - first.x, second.y - first.y);
-    double ways =
-        gsl_hypot(at.x - first.x, at.y - first.y) + gsl_hypot(at.x - second.x, at.y - second.y);
+    double ways = place_distance(at, first) + place_distance(at, second);
 
-    if (ways > along * (1 + 1e-9)) {
+    if (ways > place_distance(first, second) * (1 + 1e-9)) {
         sketch_line(s, PEN_CONSTRUCTION, first, at);
         sketch_line(s, PEN_CONSTRUCTION, second, at);
     }
@@ -59,27 +44,13 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
 {
     figure_pins pins;
 
-    pins.A = figure_point(p, state->link[2].origin);
-    pins.B = figure_point(p, state->link[3].origin);
-    pins.C = figure_point(p, geometry_end(&p->v, state, FOURLINK_COUPLER));
-    pins.D = figure_point(p, state->link[4].origin);
+    pins.A = state->link[2].origin;
+    pins.B = state->link[3].origin;
+    pins.C = geometry_end(&p->v, state, FOURLINK_COUPLER);
+    pins.D = state->link[4].origin;
     if (p->v.kind.has_stroke)
         pins.D.y = 0;
     return pins;
-}
-
-/* A point of the slide, in the deck's unit: so far along it. */
-static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along)
-{
-    return figure_point(p, geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along)));
-}
-
-/* A point of the lever, in the deck's unit: so far along its own axis from D. */
-static fourlink_vector on_axis(const picture *p, const fourlink_state *state, double along)
-{
-    fourlink_vector at = geometry_vector(view_si(&p->v, QUANTITY_LENGTH, along), 0);
-
-    return figure_of_link(p, state, FOURLINK_FOLLOWER, &at);
 }
 
 /* The way of what slides, with a margin at both ends. */
@@ -89,8 +60,8 @@ static void find_way(const picture *p, fourlink_branch branch, double margin, do
     double near, far;
 
     geometry_find_way(&p->v, branch, &near, &far);
-    *from = figure_length(p, GSL_MIN_DBL(near, far)) - margin;
-    *to = figure_length(p, GSL_MAX_DBL(near, far)) + margin;
+    *from = GSL_MIN_DBL(near, far) - margin;
+    *to = GSL_MAX_DBL(near, far) + margin;
 }
 
 /* The place of tracer point i, its name and its link. */
@@ -100,7 +71,7 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
     fourlink_vector at = {0, 0};
 
     fourlink_deck_point(p->v.deck, i, name, link, &at);
-    return figure_of_link(p, state, *link, &at);
+    return geometry_of_link(state, *link, &at);
 }
 
 /* Make room for one position, and for the guide of a piston. */
@@ -115,14 +86,14 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     tracks_find_places(&places, &p->v, state);
     for (i = 0; i < places.n; i++)
         if (tracks_is_outline(&places.list[i]))
-            sketch_include(s, figure_point(p, places.list[i].v));
+            sketch_include(s, places.list[i].v);
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     if (p->v.kind.has_slot) {
         find_way(p, state->branch, margin, &from, &to);
-        sketch_include(s, on_slide(p, state, from));
-        sketch_include(s, on_slide(p, state, to));
+        sketch_include(s, geometry_on_slide(state, from));
+        sketch_include(s, geometry_on_slide(state, to));
     }
 }
 
@@ -144,13 +115,12 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
 
 void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
 {
-    sketch_open(s, &p->on, 1);
+    sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], 1);
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (p->v.kind.has_slot)
-        s->block =
-            GSL_MIN_DBL(FIGURE_BLOCK * s->size,
-                        OF_CRANK * figure_length(p, p->v.design->link[FOURLINK_CRANK].length));
+        s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
+                               OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
     if (all_of_it) {
         if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * figure_block(s));
@@ -169,8 +139,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double h = FIGURE_HIGH * figure_block(s), y = figure_length(p, p->v.design->offset), from,
-               to;
+        double h = FIGURE_HIGH * figure_block(s), y = p->v.design->offset, from, to;
 
         find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
@@ -188,8 +157,7 @@ static void put_rectangle(sketch *s, pen kind, fourlink_vector at, const fourlin
     for (i = 0; i < 5; i++) {
         double along = i == 1 || i == 2 ? to : from, across = i == 2 || i == 3 ? half : -half;
 
-        corner[i] = place_beside(at, along * axis->x - across * axis->y,
-                                 along * axis->y + across * axis->x);
+        corner[i] = place_in(at, *axis, along, across);
     }
     for (i = 0; i < 4; i++)
         sketch_line(s, kind, corner[i], corner[i + 1]);
@@ -206,32 +174,33 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
 static void put_reach(sketch *s, const picture *p, const fourlink_state *state, pen kind,
                       double from, double to)
 {
-    const fourlink_link *lever = &p->v.design->link[FOURLINK_FOLLOWER];
-    double inner = 0, outer = figure_length(p, lever->length), low, high;
+    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
+    double inner = 0, outer = p->v.design->link[FOURLINK_FOLLOWER].length;
 
-    low = figure_length(p, p->v.lever_low);
-    high = figure_length(p, p->v.lever_high);
-    if (lever->length == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
+    if (outer == 0 && p->v.design->angle == 0) { /* the slot is on the axis */
         inner = GSL_MIN_DBL(from, 0);
         outer = GSL_MAX_DBL(to, 0);
     }
-    if (high > outer)
-        sketch_line(s, kind, on_axis(p, state, outer), on_axis(p, state, high));
-    if (low < inner)
-        sketch_line(s, kind, on_axis(p, state, inner), on_axis(p, state, low));
+    if (p->v.lever_high > outer)
+        sketch_line(s, kind, place_in(lever->origin, lever->axis, outer, 0),
+                    place_in(lever->origin, lever->axis, p->v.lever_high, 0));
+    if (p->v.lever_low < inner)
+        sketch_line(s, kind, place_in(lever->origin, lever->axis, inner, 0),
+                    place_in(lever->origin, lever->axis, p->v.lever_low, 0));
 }
 
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
-    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin);
-    double root = figure_length(p, geometry_root(&p->v)), from, to;
+    fourlink_vector D = state->link[FOURLINK_FOLLOWER].origin;
+    double root = geometry_root(&p->v), from, to;
 
     find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
-    put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
-                  FIGURE_HIGH * figure_block(s));
-    sketch_line(s, kind, D, on_slide(p, state, root));
+    put_rectangle(s, kind, geometry_on_slide(state, 0), &state->link[FOURLINK_COUPLER].axis, from,
+                  to, FIGURE_HIGH * figure_block(s));
+    sketch_line(s, kind, D, geometry_on_slide(state, root));
     if (root < from || root > to)
-        sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
+        sketch_line(s, kind, geometry_on_slide(state, root),
+                    geometry_on_slide(state, root < from ? from : to));
     put_reach(s, p, state, kind, from, to);
 }
 
@@ -255,10 +224,43 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     sketch_line(s, crank, pins.A, pins.B);
 }
 
+/* Twice the area of the triangle o, p, q; above 0 if it is counter-clockwise. */
+static double turn(fourlink_vector o, fourlink_vector p, fourlink_vector q)
+{
+    return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+}
+
+static int compare(const void *first, const void *second)
+{
+    const fourlink_vector *p = first, *q = second;
+
+    return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
+}
+
+/* Draw the outline of a link, the convex hull of so many points, which are sorted: the lower side from left
+** to right, then the upper side back (A. M. Andrew, "Another efficient algorithm for convex hulls in two
+** dimensions", Information Processing Letters 9, 1979). */
+static void put_hull(sketch *s, pen p, fourlink_vector *points, int n)
+{
+    fourlink_vector corners[2 * CORNERS];
+    int m = 0, lower, i;
+
+    qsort(points, (size_t)n, sizeof *points, compare);
+    for (i = 0; i < n; corners[m++] = points[i++])
+        while (m >= 2 && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
+            m--;
+    lower = m + 1;
+    for (i = n - 2; i >= 0; corners[m++] = points[i--])
+        while (m >= lower && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
+            m--;
+    for (i = 0; i + 1 < m; i++)
+        sketch_line(s, p, corners[i], corners[i + 1]);
+}
+
 /* Draw the outline of a link with tracer points. */
 static void put_points(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector corners[SKETCH_CORNERS], at;
+    fourlink_vector corners[CORNERS], at;
     unsigned long i;
     const char *name;
     int n = 0, is_off = 0, on;
@@ -273,10 +275,10 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     }
     if (n == 0)
         return;
-    corners[n++] = figure_point(p, state->link[link].origin);
-    corners[n++] = figure_point(p, geometry_end(&p->v, state, link));
+    corners[n++] = state->link[link].origin;
+    corners[n++] = geometry_end(&p->v, state, link);
     if (!(p->v.kind.has_slot && link == FOURLINK_FOLLOWER && !is_off)) /* a lever goes that far */
-        sketch_hull(s, (pen)link, corners, n);
+        put_hull(s, (pen)link, corners, n);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -300,7 +302,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->v.design->link[link].mass > 0)
-            sketch_centre(s, figure_of_link(p, state, link, &p->v.design->link[link].cg));
+            sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg));
     sketch_pin(s, pins.A);
     sketch_pin(s, pins.B);
     sketch_pin(s, pins.C);
@@ -347,7 +349,7 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
     if (p->v.kind.has_slot) {
-        fourlink_vector C = figure_point(p, geometry_on_slide(state, geometry_root(&p->v)));
+        fourlink_vector C = geometry_on_slide(state, geometry_root(&p->v));
 
         if (p->v.design->link[FOURLINK_FOLLOWER].length > 0)
             figure_letter(s, C, pins.D, pins.B, "C");
@@ -364,18 +366,14 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
                       const char *name)
 {
-    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
     double half = angle / 2;
 
     radius *= s->size;
     sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
-    flk_text_join(words, sizeof words, name, " = ",
-                  picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, number),
-                  (char *)NULL);
-    sketch_note(s, words);
-    sketch_text(s, place_beside(at, radius * cos(half), radius * sin(half)), 0.5,
-                sin(half) >= 0 ? 0.4 : -0.4, name);
+    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 4, mark));
+    sketch_text(s, place_polar(at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
 }
 
 static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
@@ -403,13 +401,11 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
     from[4] = pins.D;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         const fourlink_vector *axis = &state->link[link].axis;
-        fourlink_vector at =
-            place_at((from[link].x + to[link].x) / 2, (from[link].y + to[link].y) / 2);
-        double half = figure_block(s), up = FIGURE_HIGH * half;
+        double half = figure_block(s);
+        fourlink_vector at = p->v.kind.slides_on[link]
+                                 ? place_in(to[link], *axis, half, FIGURE_HIGH * half)
+                                 : place_middle(from[link], to[link]);
 
-        if (p->v.kind.slides_on[link])
-            at = place_beside(to[link], half * axis->x - up * axis->y,
-                              half * axis->y + up * axis->x);
         sketch_number(s, at, -axis->y, axis->x, numbers[link]);
     }
     sketch_number(s, place_beside(pins.A, 0, -0.05 * s->size), 0, -1, "1");
@@ -429,26 +425,22 @@ void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
     if (omega == 0)
         return;
     sketch_turn_arrow(s, PEN_SENSE, A, radius, from, from + sign * LONG);
-    sketch_text(s, place_beside(A, radius * cos(middle), radius * sin(middle)), cos(middle),
-                sin(middle), OMEGA SUB_2);
+    sketch_text_around(s, A, radius, middle, OMEGA SUB_2);
 }
 
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
 {
     char words[PICTURE_WORDS];
 
-    sketch_note(s, picture_words(p, name, si, q, words));
+    sketch_note(s, "%s", picture_words(p, name, si, q, words));
 }
 
 void figure_slope(sketch *s, const picture *p)
 {
-    double slope = p->on.turn;
-    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
 
-    if (slope == 0)
-        return;
-    picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, slope), 4, number);
-    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, (char *)NULL));
+    if (p->on.turn != 0)
+        sketch_note(s, "x rises at %s", figure_angle(p, p->on.turn, 4, mark));
 }
 
 void figure_gravity(sketch *s, const picture *p)
@@ -487,23 +479,20 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
     int is_tracer = i < p->v.problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
-    fourlink_vector at;
+    fourlink_vector at, points[STEPS + 1];
     char title[80];
     int p_of = !is_tracer ? PEN_CONSTRUCTION : i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
 
     if (is_tracer)
         fourlink_deck_point(p->v.deck, i, &name, &link, &at);
     flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
-    sketch_curve(s, (pen)p_of, title);
-    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++) {
-        if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK) {
-            sketch_point(s, is_tracer ? tracer(p, &now.state, i, &name, &link)
-                                      : figure_place(p, &now.state).C);
-        } else {
-            sketch_break(s);
-        }
-    }
-    sketch_end(s);
+    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++)
+        if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
+            points[k] =
+                is_tracer ? tracer(p, &now.state, i, &name, &link) : figure_place(p, &now.state).C;
+        else
+            points[k].x = GSL_NAN;
+    sketch_curve(s, (pen)p_of, title, points, k);
 }
 
 void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until)
@@ -520,12 +509,11 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200 + PICTURE_MARK + VIEW_WHY], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
+    char mark[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
     if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
-    flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", " FIGURE_THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
-                  time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why, (char *)NULL);
-    sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(s, "%s%s, " FIGURE_THETA SUB_2 " = %s%s%s%s%s", before,
+                 fourlink_branch_text(now->branch), picture_mark(p, now->row.angle, 7, mark),
+                 time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why);
 }

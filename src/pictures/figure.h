@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** figure.h - a mechanism at one position, drawn to scale in the deck's unit of length.
+** figure.h - a mechanism at one position, drawn to scale.
 */
 #ifndef FOURLINK_FIGURE_H
 #define FOURLINK_FIGURE_H
@@ -25,16 +25,8 @@ typedef struct figure_pins {
 
 figure_pins figure_place(const picture *p, const fourlink_state *state);
 
-/* A length in the deck's unit; a place in that unit. */
-double figure_length(const picture *p, double si);
-fourlink_vector figure_point(const picture *p, fourlink_vector si);
-
-/* The place of a point of a link or of the ground, given in m in the link's own axes. */
-fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
-                               const fourlink_vector *at);
-
-/* The place of a track. */
-fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name);
+/* An angle in rad, as picture_mark has it. */
+char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Draw thin lines from the pins of a link to a point that is off their line. */
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at);
@@ -72,6 +64,10 @@ void figure_slope(sketch *s, const picture *p);
 
 /* Draw the direction of gravity, if a link has weight, and the x axis, if it rises. */
 void figure_gravity(sketch *s, const picture *p);
+
+/* Draw the springs of a deck at one position: spring.c; `has_values`: with their forces beside the drawing.
+** */
+void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values);
 
 /* Draw the paths of C and of the tracer points over the motion, up to sample `until` of PICTURE_STEPS. */
 void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until);

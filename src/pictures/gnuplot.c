@@ -2,15 +2,15 @@
 **
 ** gnuplot.c - runs gnuplot without a shell.  The script is its standard input and the picture its standard
 ** output, so that it never reads a file name.  gnuplot does not check whether it can write, so the picture is
-** copied here.
+** copied here; an SVG gets a title and a description, which gnuplot cannot set.
 */
 #include <errno.h>
 #include <string.h>
 
 #include "base/system.h"
 #include "base/text.h"
-#include "gnuplot.h"
-#include "svg.h"
+#include "base/xml.h"
+#include "plot.h"
 
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
@@ -58,18 +58,34 @@ static const char *draw(FILE *script, FILE *out, FILE *complaints, char why[GNUP
                : strerror(errno);
 }
 
+void gnuplot_put_head(FILE *out, const char *head, const plot_caption *caption)
+{
+    static const char end[] = "</desc>";
+    const char *from = strstr(head, "<title>"), *to = strstr(head, end);
+
+    if (from && to && from < to) {
+        fwrite(head, 1, (size_t)(from - head), out);
+        fputs("<title>", out);
+        xml_put(out, caption->title, strlen(caption->title));
+        fputs("</title>\n<desc>", out);
+        xml_put(out, caption->words, strlen(caption->words));
+        head = to;
+    }
+    fputs(head, out);
+}
+
 /* Copy an SVG, with this caption; null, or the reason why not. */
 static const char *copy_svg(FILE *svg, FILE *out, const plot_caption *caption)
 {
-    char part[PART];
+    char part[PART + 1];
     size_t n;
 
     if (fflush(svg) != 0)
         return strerror(errno);
     rewind(svg);
-    n = fread(part, 1, sizeof part, svg);
-    svg_put_head(out, part, n, caption);
-    while ((n = fread(part, 1, sizeof part, svg)) > 0)
+    part[fread(part, 1, PART, svg)] = '\0';
+    gnuplot_put_head(out, part, caption);
+    while ((n = fread(part, 1, PART, svg)) > 0)
         fwrite(part, 1, n, out);
     return ferror(svg) || ferror(out) ? strerror(errno) : NULL;
 }

@@ -8,10 +8,8 @@
 #include <gsl/gsl_math.h>
 
 #include "graph.h"
-#include "place.h"
+#include "view/place.h"
 #include "sketch.h"
-
-const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
 
 /* rad, transmission angles: below the first a dead position is near, and above the second it is far. If a
 ** curve is so many times higher near it, the picture cuts the curve. */
@@ -27,24 +25,26 @@ const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGI
 
 #define FEWEST_TURNS 3 /* that are averaged */
 
-void graph_extend(graph_extent *e, double value, double mu)
+graph_extent graph_extent_of(const graph_line *lines, int n, int of_x)
 {
-    e->low = GSL_MIN_DBL(e->low, value);
-    e->high = GSL_MAX_DBL(e->high, value);
-    e->mu = GSL_MIN_DBL(e->mu, mu);
-    if (mu > SOUND) {
-        e->sound_low = GSL_MIN_DBL(e->sound_low, value);
-        e->sound_high = GSL_MAX_DBL(e->sound_high, value);
-    }
-}
+    graph_extent e = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
+    int i, k;
 
-void graph_extend_x(graph_extent *e, const graph_line *line)
-{
-    int k;
+    for (i = 0; i < n; i++)
+        for (k = 0; k <= PICTURE_STEPS; k++) {
+            double value = of_x ? lines[i].x[k] : lines[i].y[k], mu = lines[i].mu[k];
 
-    for (k = 0; k <= PICTURE_STEPS; k++)
-        if (!gsl_isnan(line->x[k]))
-            graph_extend(e, line->x[k], line->mu[k]);
+            if (gsl_isnan(value))
+                continue;
+            e.low = GSL_MIN_DBL(e.low, value);
+            e.high = GSL_MAX_DBL(e.high, value);
+            e.mu = GSL_MIN_DBL(e.mu, mu);
+            if (mu > SOUND) {
+                e.sound_low = GSL_MIN_DBL(e.sound_low, value);
+                e.sound_high = GSL_MAX_DBL(e.sound_high, value);
+            }
+        }
+    return e;
 }
 
 int graph_is_cut(const graph_extent *e)
@@ -60,11 +60,12 @@ void graph_cut(graph_extent *e, double low, double high)
     e->mu = 0;
 }
 
-double graph_span(const graph_extent *e)
+void graph_range(const graph_extent *e, double *low, double *high)
 {
-    double span = graph_is_cut(e) ? e->sound_high - e->sound_low : e->high - e->low;
+    int is_cut = graph_is_cut(e);
 
-    return span > 0 ? span : GSL_POSINF;
+    *low = is_cut ? e->sound_low : e->low;
+    *high = is_cut ? e->sound_high : e->high;
 }
 
 int graph_column(const picture *p, const char *name)
@@ -77,17 +78,12 @@ int graph_column(const picture *p, const char *name)
     return -1;
 }
 
-int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
-                 fourlink_instant *now)
+/* Sample k of PICTURE_STEPS + 1 over the motion; 0 if there is no curve there. */
+static int sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
+                  fourlink_instant *now)
 {
-    return picture_sample(p, branch, k, PICTURE_STEPS, values, now, NULL) == FOURLINK_OK;
-}
-
-/* The same if a curve can be drawn there. */
-static int sound_sample(const picture *p, fourlink_branch branch, int k,
-                        double values[PICTURE_COLUMNS], fourlink_instant *now)
-{
-    return graph_sample(p, branch, k, values, now) && !(now->state.mu < 1e-3);
+    return picture_sample(p, branch, k, PICTURE_STEPS, values, now) == FOURLINK_OK &&
+           !(now->state.mu < 1e-3);
 }
 
 /* Continue an angle from the one before it, past half a turn. */
@@ -109,27 +105,19 @@ static int is_periodic(const picture *p)
            p->v.mechanism->change_stretched == p->v.mechanism->change_folded;
 }
 
-/* The sample after the last gap of a revolution, and the value from which an angle continues there, so that
-** both ends agree; -1 if there is no gap. */
-static int behind_gap(const picture *p, fourlink_branch branch, int y, double turn, double *last)
+/* Shift what is behind the last gap of a revolution by whole turns of an angle, so that both ends agree; one
+** sample that is missing, as at a change point, is no gap. */
+static void join_ends(const picture *p, double turn, double values[PICTURE_STEPS + 1])
 {
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
-    int k, gap = 0;
+    double shift = turn * floor((values[0] - values[PICTURE_STEPS]) / turn + 0.5);
+    int k = PICTURE_STEPS;
 
-    if (!(turn > 0) || !is_periodic(p) || !sound_sample(p, branch, 0, values, &now))
-        return -1;
-    *last = values[y];
-    for (k = PICTURE_STEPS; k >= 0; k--) {
-        if (!sound_sample(p, branch, k, values, &now)) {
-            if (++gap > 1)
-                return k + 2;
-            continue;
-        }
-        gap = 0;
-        *last = go_on(values[y], *last, turn);
-    }
-    return -1;
+    if (!(turn > 0) || !is_periodic(p) || gsl_isnan(shift))
+        return;
+    while (k > 0 && !(gsl_isnan(values[k]) && gsl_isnan(values[k - 1])))
+        k--;
+    for (; k > 0 && k <= PICTURE_STEPS; k++)
+        values[k] += shift;
 }
 
 /* N m, the largest rounding of a torque on a branch. */
@@ -140,31 +128,35 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
     int k;
 
     for (k = 0; k <= PICTURE_STEPS && p->v.problem.mode != FOURLINK_MODE_GIVEN; k++)
-        if (graph_sample(p, branch, k, values, &now))
+        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now) == FOURLINK_OK)
             largest = GSL_MAX_DBL(largest, view_torque_rounding(&p->v, &now.forces));
     return largest;
 }
 
-/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it. */
+/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it.
+** */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
-    double length = p->v.design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch);
+    static const struct {
+        quantity q;
+        int is_length, power; /* omega^power, times the length of the crank */
+    } measures[] = {{QUANTITY_ANGULAR_SPEED, 0, 1},
+                    {QUANTITY_ANGULAR_ACCELERATION, 0, 2},
+                    {QUANTITY_SPEED, 1, 1},
+                    {QUANTITY_ACCELERATION, 1, 2}};
+    double length = p->v.design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch),
+           size;
     const char *of = p->v.columns[y].quantity;
-    double size;
+    size_t i;
 
     if (strcmp(of, "torque") == 0)
         return view_value(&p->v, QUANTITY_TORQUE, rounding_of_torques(p, branch));
-    if (strcmp(of, "angular_speed") == 0)
-        size = view_value(&p->v, QUANTITY_ANGULAR_SPEED, omega);
-    else if (strcmp(of, "angular_acceleration") == 0)
-        size = view_value(&p->v, QUANTITY_ANGULAR_ACCELERATION, omega * omega);
-    else if (strcmp(of, "speed") == 0)
-        size = view_value(&p->v, QUANTITY_SPEED, omega * length);
-    else if (strcmp(of, "acceleration") == 0)
-        size = view_value(&p->v, QUANTITY_ACCELERATION, omega * omega * length);
-    else
-        return 0;
-    return FORMAT_ROUNDING * fabs(size);
+    for (i = 0; i < sizeof measures / sizeof measures[0]; i++)
+        if (strcmp(of, flk_quantities[measures[i].q].name) == 0) {
+            size = pow(omega, measures[i].power) * (measures[i].is_length ? length : 1);
+            return FORMAT_ROUNDING * fabs(view_value(&p->v, measures[i].q, size));
+        }
+    return 0;
 }
 
 /* A full turn of an angle that is followed, in its unit; 0 for another column. */
@@ -177,55 +169,38 @@ static double turn_of(const picture *p, int column)
                : 0;
 }
 
-/* A column on its way. */
-typedef struct follower {
-    int column, from;
-    double turn, rounding, last, behind;
-} follower;
-
-static void follow(const picture *p, fourlink_branch branch, int column, follower *f)
+/* The next value of a column: an angle goes on without steps, and rounding is 0. */
+static double follow(double value, double last, double turn, double rounding)
 {
-    f->column = column;
-    f->turn = turn_of(p, column);
-    f->rounding = rounding_of(p, branch, column);
-    f->last = f->behind = GSL_NAN;
-    f->from = behind_gap(p, branch, column, f->turn, &f->behind);
+    value = go_on(value, last, turn);
+    return fabs(value) < rounding ? 0 : value;
 }
 
-static double next_of(follower *f, int k, const double *values)
+void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_line *line)
 {
-    f->last = go_on(values[f->column], k == f->from ? f->behind : f->last, f->turn);
-    if (fabs(f->last) < f->rounding)
-        f->last = 0;
-    return f->last;
-}
-
-void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line)
-{
+    double x_turn = turn_of(p, x), y_turn = turn_of(p, y), last_x = GSL_NAN, last_y = GSL_NAN;
+    double x_rounding = rounding_of(p, branch, x), y_rounding = rounding_of(p, branch, y);
     double values[PICTURE_COLUMNS];
-    follower along, up;
-    int k, gap = 0;
     fourlink_instant now;
+    int k, gap = 0;
 
-    follow(p, branch, x, &along);
-    follow(p, branch, y, &up);
     line->n_points = 0;
     for (k = 0; k <= PICTURE_STEPS; k++) {
         line->x[k] = line->y[k] = GSL_NAN;
-        if (!sound_sample(p, branch, k, values, &now) || !gsl_finite(values[x]) ||
+        if (!sample(p, branch, k, values, &now) || !gsl_finite(values[x]) ||
             !gsl_finite(values[y])) {
             if (++gap > 1) /* of a change point alone an angle goes on */
-                along.last = up.last = GSL_NAN;
+                last_x = last_y = GSL_NAN;
             continue;
         }
         gap = 0;
-        line->x[k] = next_of(&along, k, values);
-        line->y[k] = next_of(&up, k, values);
+        line->x[k] = last_x = follow(values[x], last_x, x_turn, x_rounding);
+        line->y[k] = last_y = follow(values[y], last_y, y_turn, y_rounding);
         line->mu[k] = now.state.mu;
-        graph_extend(e, line->y[k], line->mu[k]);
         line->n_points++;
     }
+    join_ends(p, x_turn, line->x);
+    join_ends(p, y_turn, line->y);
 }
 
 /* Sums over the crank angle in a turn: of the angle, and of two columns. */
@@ -253,8 +228,7 @@ static int add_step(turn_sums *sums, double turn, double step, const double *las
     return 1;
 }
 
-int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line)
+int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_line *line)
 {
     double turn = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle), last[2] = {0, 0}, next[2];
     double values[PICTURE_COLUMNS], before = 0;
@@ -266,7 +240,7 @@ int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_
     for (k = 0; k <= PICTURE_STEPS; k++)
         line->x[k] = line->y[k] = GSL_NAN;
     for (k = 0; k <= PICTURE_STEPS; k++) {
-        if (!graph_sample(p, branch, k, values, &now))
+        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now) != FOURLINK_OK)
             break;
         next[0] = values[x];
         next[1] = values[y];
@@ -279,19 +253,19 @@ int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_
         last[0] = next[0];
         last[1] = next[1];
     }
-    for (k = 0; k < n && n >= FEWEST_TURNS; k++)
-        graph_extend(e, line->y[k], line->mu[k]);
     line->n_points = n;
     return n >= FEWEST_TURNS;
 }
 
 static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)
 {
-    return gsl_hypot((q.x - p.x) / size.x, (q.y - p.y) / size.y);
+    return gsl_hypot(size.x > 0 ? (q.x - p.x) / size.x : 0, size.y > 0 ? (q.y - p.y) / size.y : 0);
 }
 
-int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
-                    double low, double high, fourlink_vector *from, fourlink_vector *to)
+/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`; 1 if
+** there is one, with its ends. */
+static int find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
+                     double low, double high, fourlink_vector *from, fourlink_vector *to)
 {
     double step = distance(*from, *to, size), values[PICTURE_COLUMNS], middle;
     double x_turn = turn_of(p, x), y_turn = turn_of(p, y);
@@ -319,6 +293,42 @@ int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, four
         }
     }
     return distance(*from, *to, size) > REMAINS * step;
+}
+
+static void add_jump(graph_jumps *jumps, int sample, fourlink_vector from, fourlink_vector to)
+{
+    if (jumps->n == GRAPH_JUMPS)
+        return;
+    jumps->sample[jumps->n] = sample;
+    jumps->from[jumps->n] = from;
+    jumps->to[jumps->n++] = to;
+}
+
+void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                 fourlink_vector size, graph_jumps *jumps)
+{
+    int was_there = 0, is_there, k;
+    fourlink_vector from, to;
+
+    if (jumps)
+        jumps->n = 0;
+    for (k = 0; k <= PICTURE_STEPS; k++, was_there = is_there) {
+        is_there = !gsl_isnan(line->y[k]);
+        if (!is_there) {
+            canvas_print(&p->on, "\n");
+            continue;
+        }
+        to = place_at(line->x[k], line->y[k]);
+        if (was_there && jumps) {
+            from = place_at(line->x[k - 1], line->y[k - 1]);
+            if (find_jump(p, branch, x, y, size, picture_angle(p, k - 1, PICTURE_STEPS),
+                          picture_angle(p, k, PICTURE_STEPS), &from, &to)) {
+                canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
+                add_jump(jumps, k, from, to);
+            }
+        }
+        canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
+    }
 }
 
 void graph_widen(double *low, double *high, double part)

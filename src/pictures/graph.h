@@ -7,33 +7,6 @@
 
 #include "picture.h"
 
-/* The smallest and the largest value of curves: of all, and away from dead positions. */
-typedef struct graph_extent {
-    double low, high;
-    double sound_low, sound_high;
-    double mu; /* rad, the smallest transmission angle */
-} graph_extent;
-
-extern const graph_extent graph_nothing;
-
-void graph_extend(graph_extent *e, double value, double mu);
-
-/* 1 if the picture cuts the curves. */
-int graph_is_cut(const graph_extent *e);
-
-/* Cut the curves to this range. */
-void graph_cut(graph_extent *e, double low, double high);
-
-/* What is shown of the curves, from the smallest to the largest; infinite if that is 0. */
-double graph_span(const graph_extent *e);
-
-/* The index of one of the picture's columns; -1 if the deck does not have it. */
-int graph_column(const picture *p, const char *name);
-
-/* Sample k of PICTURE_STEPS + 1 over the motion; 0 if the linkage cannot be assembled there. */
-int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
-                 fourlink_instant *now);
-
 /* A curve as it is drawn: x and y are NaN in its gaps. */
 typedef struct graph_line {
     double x[PICTURE_STEPS + 1], y[PICTURE_STEPS + 1];
@@ -41,23 +14,46 @@ typedef struct graph_line {
     int n_points;                 /* that are not in a gap */
 } graph_line;
 
-/* Extend by x of all points of a curve. */
-void graph_extend_x(graph_extent *e, const graph_line *line);
+/* The smallest and the largest value of curves: of all, and away from dead positions. */
+typedef struct graph_extent {
+    double low, high;
+    double sound_low, sound_high;
+    double mu; /* rad, the smallest transmission angle */
+} graph_extent;
+
+graph_extent graph_extent_of(const graph_line *lines, int n, int of_x);
+
+/* 1 if the picture cuts the curves. */
+int graph_is_cut(const graph_extent *e);
+
+/* Cut the curves to this range. */
+void graph_cut(graph_extent *e, double low, double high);
+
+/* What is shown of the curves, from the smallest to the largest. */
+void graph_range(const graph_extent *e, double *low, double *high);
+
+/* The index of one of the picture's columns; -1 if the deck does not have it. */
+int graph_column(const picture *p, const char *name);
 
 /* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no
 ** number. Angles are followed past half a turn; what is rounding becomes 0. */
-void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line);
+void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
 /* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.
 ** 0, and nothing, if there are fewer than three. */
-int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
-                  graph_line *line);
+int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
-/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
-** there is one, and not over time, returns 1 and the ends of the jump.  `size` is that of the curve. */
-int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
-                    double low, double high, fourlink_vector *from, fourlink_vector *to);
+/* The first jumps of a curve, each in the step that ends with a sample. */
+#define GRAPH_JUMPS 40
+typedef struct graph_jumps {
+    fourlink_vector from[GRAPH_JUMPS], to[GRAPH_JUMPS];
+    int sample[GRAPH_JUMPS], n;
+} graph_jumps;
+
+/* Write the points of a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the
+** curve is over time, at its jumps, with both ends.  `size` is that of the curve. */
+void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                 fourlink_vector size, graph_jumps *jumps);
 
 /* Widen a range by this part of it; an empty one, for which gnuplot would choose its own, by more. */
 void graph_widen(double *low, double *high, double part);

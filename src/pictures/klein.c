@@ -40,19 +40,18 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
 {
     figure_pins pins = figure_place(p, state);
     fourlink_vector u = state->link[FOURLINK_COUPLER].axis;
-    double BM = figure_length(p, lengths->BM), BQ = figure_length(p, lengths->BQ);
-    double QN = figure_length(p, lengths->QN), half;
+    double BM = lengths->BM, BQ = lengths->BQ, half;
 
     k->O = pins.A;
     k->B = pins.B;
     k->C = pins.C;
-    k->M = place_beside(pins.B, BM * u.x, BM * u.y);
-    k->Q = place_beside(pins.B, BQ * u.x, BQ * u.y);
-    k->N = place_beside(k->Q, QN * u.y, -QN * u.x);
+    k->M = place_in(pins.B, u, BM, 0);
+    k->Q = place_in(pins.B, u, BQ, 0);
+    k->N = place_in(k->Q, u, 0, -lengths->QN);
     k->meet = fabs(BM) >= BQ;
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
-    k->K = place_beside(k->Q, -half * u.y, half * u.x);
-    k->L = place_beside(k->Q, half * u.y, -half * u.x);
+    k->K = place_in(k->Q, u, 0, half);
+    k->L = place_in(k->Q, u, 0, -half);
 }
 
 /* The foot of the perpendicular from a point on the line through another in this direction. */
@@ -61,7 +60,7 @@ static fourlink_vector foot(fourlink_vector from, fourlink_vector on, fourlink_v
     double square = direction.x * direction.x + direction.y * direction.y;
     double t = ((from.x - on.x) * direction.x + (from.y - on.y) * direction.y) / square;
 
-    return place_beside(on, t * direction.x, t * direction.y);
+    return place_in(on, direction, t, 0);
 }
 
 /* I, on the line of the crank and above C; IX and IY are not numbers where it is at infinity. */
@@ -69,7 +68,7 @@ static void construct_moments(const picture *p, const fourlink_state *state,
                               const fourlink_klein *lengths, construction *k)
 {
     const fourlink_link *rod = &p->v.design->link[FOURLINK_COUPLER];
-    double along = rod->cg.x / rod->length, across = rod->cg.y / rod->length, size, IY;
+    double IY = lengths->IY * (lengths->BM < 0 ? -1 : 1);
     fourlink_vector BN = place_at(k->N.x - k->B.x, k->N.y - k->B.y), gO;
 
     k->has_mass = rod->mass > 0;
@@ -78,22 +77,21 @@ static void construct_moments(const picture *p, const fourlink_state *state,
         return;
     k->I = place_at(k->C.x, k->C.x * k->B.y / k->B.x);
     k->is_near = gsl_hypot(k->I.x, k->I.y) < 3 * gsl_hypot(k->C.x, k->C.y);
-    k->G = figure_of_link(p, state, FOURLINK_COUPLER, &rod->cg);
+    k->G = geometry_of_link(state, FOURLINK_COUPLER, &rod->cg);
     k->X = foot(k->I, k->G, p->v.design->gravity);
-    k->g = place_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
+    k->g = place_in(k->B, BN, rod->cg.x / rod->length, rod->cg.y / rod->length);
     gO = place_at(k->O.x - k->g.x, k->O.y - k->g.y);
-    size = gsl_hypot(gO.x, gO.y);
-    IY = figure_length(p, lengths->IY) * (lengths->BM < 0 ? -1 : 1);
-    k->Y = place_beside(k->I, IY * gO.y / size, -IY * gO.x / size);
+    k->Y = place_in(k->I, gO, 0, -IY / gsl_hypot(gO.x, gO.y));
     k->Z = foot(k->G, k->Y, gO);
 }
 
-/* Note a length of the drawing; rounding error, compared with the rod's length, is 0. */
+/* Note a length of the drawing that is finite; rounding error, compared with the rod's length, is 0. */
 static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
     double rod = p->v.design->link[FOURLINK_COUPLER].length;
 
-    figure_note(s, p, name, format_settled(length, rod), QUANTITY_LENGTH);
+    if (gsl_finite(length))
+        figure_note(s, p, name, format_settled(length, rod), QUANTITY_LENGTH);
 }
 
 /* An angle, less whole turns: from -pi to pi. */
@@ -105,8 +103,8 @@ static double remainder_of_turn(double angle)
 /* Draw the lines at the crank, and put each letter on the side away from the middle of the rod. */
 static void draw_crank(sketch *s, const construction *k, double rod)
 {
-    fourlink_vector middle = place_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
-    double BM = gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y);
+    fourlink_vector middle = place_middle(k->B, k->C);
+    double BM = place_distance(k->B, k->M);
     double of_K = atan2(k->K.y - middle.y, k->K.x - middle.x);
     double of_B = atan2(k->B.y - middle.y, k->B.x - middle.x), side = 0;
 
@@ -140,7 +138,7 @@ static void draw_crank(sketch *s, const construction *k, double rod)
 static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
                        const construction *k, double rod)
 {
-    fourlink_vector middle = place_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
+    fourlink_vector middle = place_middle(k->B, k->C);
     double overhang = 0.12 * s->size * (k->C.x < 0 ? -1 : 1);
 
     figure_frame(s, p, state);
@@ -158,19 +156,20 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
 /* Draw the crank enlarged, with the beginning of the rod. */
 static void put_inset(picture *p, const construction *k, double rod)
 {
-    double crank = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
-    double x = (k->C.x - k->B.x) / rod, y = (k->C.y - k->B.y) / rod;
+    double crank = p->v.design->link[FOURLINK_CRANK].length;
     sketch s;
 
-    sketch_open(&s, &p->on, 2 * crank);
-    sketch_line(&s, PEN_COUPLER, k->B, place_beside(k->B, 0.8 * crank * x, 0.8 * crank * y));
+    sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 2 * crank);
+    sketch_line(
+        &s, PEN_COUPLER, k->B,
+        place_in(k->B, place_at((k->C.x - k->B.x) / rod, (k->C.y - k->B.y) / rod), 0.8 * crank, 0));
     draw_crank(&s, k, rod);
     if (k->is_near) {
         sketch_line(&s, PEN_CONSTRUCTION, k->B, k->N);
         sketch_line(&s, PEN_FORCE, k->g, k->O);
         figure_letter(&s, k->g, k->O, k->B, "g");
     }
-    sketch_close(&s, "at the crank, enlarged", p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(&s, "at the crank, enlarged");
 }
 
 static void draw_moments(sketch *s, const construction *k)
@@ -221,10 +220,8 @@ static void put_values(sketch *s, const picture *p, const fourlink_state *state,
     put_length(s, p, "QN", lengths->QN);
     put_length(s, p, "ON", lengths->ON);
     put_readings(s, p, state, lengths);
-    if (gsl_finite(lengths->IX))
-        put_length(s, p, "IX", lengths->IX);
-    if (gsl_finite(lengths->IY))
-        put_length(s, p, "IY", lengths->IY);
+    put_length(s, p, "IX", lengths->IX);
+    put_length(s, p, "IY", lengths->IY);
     if (has_mass) {
         figure_note(s, p, "FT", lengths->FT, QUANTITY_FORCE);
         sketch_note(s, "FT IB = F_C IY - W_C IX");
@@ -238,7 +235,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     fourlink_instant now;
     construction k;
     sketch s;
-    double rod = figure_length(p, p->v.design->link[FOURLINK_COUPLER].length);
+    double rod = p->v.design->link[FOURLINK_COUPLER].length;
     int status = picture_position(p, branch, &now, p->loads);
 
     if (status == FOURLINK_OK)

@@ -6,7 +6,7 @@
 #define FOURLINK_LABELS_H
 
 #include "canvas.h"
-#include "place.h"
+#include "view/place.h"
 
 #define LABELS_MOST 120
 #define LABELS_OBSTACLES 2000

@@ -15,8 +15,8 @@
 
 #include "figure.h"
 
-#define I_13 "I\342\202\201\342\202\203" /* with subscripts, in UTF-8 */
-#define I_24 "I\342\202\202\342\202\204"
+#define I_13 "I" SUB_1 SUB_3
+#define I_24 "I" SUB_2 SUB_4
 #define MU "\316\274"
 
 /* rad: a dead position has no direction of motion; it is drawn so far inside the reach */
@@ -45,21 +45,24 @@ static int put_position(sketch *s, const picture *p, fourlink_branch branch, dou
     sketch_pin(s, pins.A);
     sketch_pin(s, pins.B);
     sketch_pin(s, pins.C);
-    figure_letter(s, pins.B, pins.A, pins.A,
-                  picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, theta2), 4, mark));
+    figure_letter(s, pins.B, pins.A, pins.A, figure_angle(p, theta2, 4, mark));
     return 1;
 }
 
-/* Put "NAME = 40°" or "NAME = 40° at θ2 = 60°" beside the drawing. */
-static void put_angle(sketch *s, const picture *p, const char *name, double angle, const double *at)
+/* Put "NAME = 40°" beside the drawing; or of a limit "NAME = 40° at θ2 = 60°". */
+static void put_angle(sketch *s, const picture *p, const char *name, double angle)
 {
-    char words[2 * PICTURE_MARK + 80], first[PICTURE_MARK], last[PICTURE_MARK] = "";
+    char mark[PICTURE_MARK];
 
-    if (at)
-        picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, *at), 5, last);
-    picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), 5, first);
-    sketch_note(s, flk_text_join(words, sizeof words, name, " = ", first, at ? " at " : "",
-                                 at ? FIGURE_THETA SUB_2 " = " : "", last, (char *)NULL));
+    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 5, mark));
+}
+
+static void put_limit(sketch *s, const picture *p, const char *name, double angle, double at)
+{
+    char mark[PICTURE_MARK], crank[PICTURE_MARK];
+
+    sketch_note(s, "%s = %s at " FIGURE_THETA SUB_2 " = %s", name, figure_angle(p, angle, 5, mark),
+                figure_angle(p, at, 5, crank));
 }
 
 /* Draw both limits of rocker or lever, and the angle between them. */
@@ -77,11 +80,10 @@ static void put_swing(sketch *s, const picture *p, fourlink_branch branch,
     figure_letter(s, D, place_beside(D, 0, 1), place_beside(D, 0, 1), "D");
     sketch_turn_arrow(s, PEN_RESULT, D, radius, middle, limits->theta4_min);
     sketch_turn_arrow(s, PEN_RESULT, D, radius, middle, limits->theta4_max);
-    sketch_text(s, place_beside(D, radius * cos(middle), radius * sin(middle)), cos(middle),
-                sin(middle), "swing");
-    put_angle(s, p, FIGURE_THETA SUB_4 " min", limits->theta4_min, &limits->theta2_min);
-    put_angle(s, p, FIGURE_THETA SUB_4 " max", limits->theta4_max, &limits->theta2_max);
-    put_angle(s, p, "swing", limits->theta4_max - limits->theta4_min, NULL);
+    sketch_text_around(s, D, radius, middle, "swing");
+    put_limit(s, p, FIGURE_THETA SUB_4 " min", limits->theta4_min, limits->theta2_min);
+    put_limit(s, p, FIGURE_THETA SUB_4 " max", limits->theta4_max, limits->theta2_max);
+    put_angle(s, p, "swing", limits->theta4_max - limits->theta4_min);
 }
 
 /* Draw both dead centres of a piston, and the stroke below the guide. */
@@ -98,13 +100,13 @@ static void put_stroke(sketch *s, const picture *p, fourlink_branch branch,
     if (!put_position(s, p, branch, limits->inner, &state))
         return;
     inner = place_beside(figure_place(p, &state).C, 0, below);
-    middle = place_at((inner.x + outer.x) / 2, inner.y);
+    middle = place_middle(inner, outer);
     sketch_arrow(s, PEN_RESULT, middle, inner);
     sketch_arrow(s, PEN_RESULT, middle, outer);
     sketch_text(s, middle, 0, -1, "stroke");
     figure_note(s, p, "stroke", limits->stroke, QUANTITY_LENGTH);
-    put_angle(s, p, "inner dead centre", limits->inner, NULL);
-    put_angle(s, p, "outer dead centre", limits->outer, NULL);
+    put_angle(s, p, "inner dead centre", limits->inner);
+    put_angle(s, p, "outer dead centre", limits->outer);
 }
 
 /* Draw the dead positions, between which the crank swings. */
@@ -117,16 +119,15 @@ static void put_dead(sketch *s, const picture *p, fourlink_branch branch,
     for (i = 0; i < reach->n_ranges; i++) {
         put_position(s, p, branch, reach->from[i] + INSIDE, &state);
         put_position(s, p, branch, reach->to[i] - INSIDE, &state);
-        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->from[i], NULL);
-        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->to[i], NULL);
+        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->from[i]);
+        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->to[i]);
     }
 }
 
 static void put_limits(picture *p, const fourlink_state *shown)
 {
     fourlink_branch branch = shown->branch;
-    const char *title = ": neither limits nor dead positions";
-    char words[80], number[FORMAT_SIZE];
+    const char *title = "neither limits nor dead positions";
     fourlink_limits limits;
     fourlink_reach reach;
     sketch s;
@@ -136,27 +137,23 @@ static void put_limits(picture *p, const fourlink_state *shown)
     figure_open(&s, p, branch, 0);
     figure_frame(&s, p, shown);
     if (limits.has_swing) {
-        title = ": limits of link 4";
+        title = "limits of link 4";
         put_swing(&s, p, branch, &limits);
     } else if (limits.has_stroke) {
-        title = ": dead centres";
+        title = "dead centres";
         put_stroke(&s, p, branch, &limits);
     } else if (reach.n_ranges && reach.to[0] - reach.from[0] < 2 * M_PI * (1 - 1e-9)) {
-        title = ": dead positions";
+        title = "dead positions";
         put_dead(&s, p, branch, &reach);
     } else {
         figure_outline(&s, p, shown, PEN_OF_LINK);
     }
-    put_angle(&s, p, MU " min", limits.mu_min, NULL);
-    put_angle(&s, p, MU " max", limits.mu_max, NULL);
+    put_angle(&s, p, MU " min", limits.mu_min);
+    put_angle(&s, p, MU " max", limits.mu_max);
     if (limits.time_ratio > 0)
-        sketch_note(&s, flk_text_join(words, sizeof words, "time ratio = ",
-                                      format_general(limits.time_ratio, 5, number), (char *)NULL));
+        sketch_note(&s, "time ratio = %.5g", limits.time_ratio);
     figure_slope(&s, p);
-    sketch_close(
-        &s,
-        flk_text_join(words, sizeof words, fourlink_branch_text((int)branch), title, (char *)NULL),
-        p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(&s, "%s: %s", fourlink_branch_text((int)branch), title);
 }
 
 /* ---------------------------------------------------------------------------- transmission, centres */
@@ -173,44 +170,33 @@ static void put_transmission(sketch *s, const picture *p, const fourlink_state *
     other = p->v.kind.has_stroke ? M_PI_2 : atan2(pins.D.y - pins.C.y, pins.D.x - pins.C.x);
     span = other - rod - M_PI * floor((other - rod) / M_PI + 0.5); /* the acute one */
     if (p->v.kind.has_stroke)
-        sketch_line(
-            s, PEN_CONSTRUCTION, pins.C,
-            place_beside(pins.C, 1.5 * radius * cos(rod + span), 1.5 * radius * sin(rod + span)));
+        sketch_line(s, PEN_CONSTRUCTION, pins.C, place_polar(pins.C, 1.5 * radius, rod + span));
     else if (cos(rod + span - other) < 0) /* beyond C */
-        sketch_line(s, PEN_CONSTRUCTION, pins.C,
-                    place_beside(pins.C, -1.5 * radius * cos(other), -1.5 * radius * sin(other)));
+        sketch_line(s, PEN_CONSTRUCTION, pins.C, place_polar(pins.C, -1.5 * radius, other));
     sketch_arc(s, PEN_RESULT, pins.C, radius, GSL_MIN_DBL(rod, rod + span),
                GSL_MAX_DBL(rod, rod + span));
-    sketch_text(s, place_beside(pins.C, radius * cos(rod + span / 2), radius * sin(rod + span / 2)),
-                cos(rod + span / 2), sin(rod + span / 2), MU);
+    sketch_text_around(s, pins.C, radius, rod + span / 2, MU);
 }
 
 /* Draw a centre with lines to two points on the lines that meet there; beside the drawing, its place. */
 static void put_centre(sketch *s, const picture *p, const char *name, fourlink_vector I,
                        fourlink_vector first, fourlink_vector second)
 {
-    char words[2 * PICTURE_WORDS], x[FORMAT_SIZE], y[FORMAT_SIZE], own[NOTATION_SIZE];
-    int is_finite = gsl_finite(I.x) && gsl_finite(I.y);
+    char own[NOTATION_SIZE];
+    double far = gsl_hypot(I.x, I.y);
 
-    if (!is_finite || gsl_hypot(I.x, I.y) > 1e6 * s->size) {
-        sketch_note(s, flk_text_join(words, sizeof words, name, " at infinity", (char *)NULL));
+    if (!(far <= 1e6 * s->size)) {
+        sketch_note(s, "%s at infinity", name);
         return;
     }
-    sketch_note(s, flk_text_join(words, sizeof words, name, " = (", format_general(I.x, 5, x), ", ",
-                                 format_general(I.y, 5, y), ") ",
-                                 canvas_unit(&p->on, p->v.units[QUANTITY_LENGTH].name, own),
-                                 (char *)NULL));
-    if (gsl_hypot(I.x, I.y) > FAR * s->size)
+    sketch_note(s, "%s = (%.5g, %.5g) %s", name, view_value(&p->v, QUANTITY_LENGTH, I.x),
+                view_value(&p->v, QUANTITY_LENGTH, I.y), canvas_unit(&p->on, s->unit->name, own));
+    if (far > FAR * s->size)
         return;
     sketch_line(s, PEN_CONSTRUCTION, first, I);
     sketch_line(s, PEN_CONSTRUCTION, second, I);
     sketch_dot(s, I);
     sketch_text(s, I, 1, 1, name);
-}
-
-static double quotient(double x, double y)
-{
-    return y != 0 ? x / y : GSL_NAN;
 }
 
 static void put_centres(sketch *s, const picture *p, const fourlink_state *state)
@@ -221,12 +207,12 @@ static void put_centres(sketch *s, const picture *p, const fourlink_state *state
     figure_pins pins = figure_place(p, state);
     fourlink_vector I13, I24;
 
-    I13 = place_at(coupler->origin.x - quotient(coupler->k_origin.y, coupler->k),
-                   coupler->origin.y + quotient(coupler->k_origin.x, coupler->k));
+    /* a division by 0 is a centre at infinity */
+    I13 = place_in(coupler->origin, coupler->k_origin, 0, 1 / coupler->k);
     I24 = p->v.kind.has_stroke ? place_at(0, -follower->k_origin.x)
-                               : place_at(quotient(-d * follower->k, 1 - follower->k), 0);
-    put_centre(s, p, I_13, figure_point(p, I13), pins.A, p->v.kind.has_stroke ? pins.C : pins.D);
-    put_centre(s, p, I_24, figure_point(p, I24), pins.A, p->v.kind.has_slot ? pins.B : pins.C);
+                               : place_at(-d * follower->k / (1 - follower->k), 0);
+    put_centre(s, p, I_13, I13, pins.A, p->v.kind.has_stroke ? pins.C : pins.D);
+    put_centre(s, p, I_24, I24, pins.A, p->v.kind.has_slot ? pins.B : pins.C);
 }
 
 const char *picture_limits(picture *p, fourlink_branch branch)
@@ -242,15 +228,11 @@ const char *picture_limits(picture *p, fourlink_branch branch)
     figure_frame(&s, p, &now.state);
     figure_draw(&s, p, &now.state, 0);
     put_transmission(&s, p, &now.state);
-    put_angle(&s, p, MU, now.state.mu, NULL);
+    put_angle(&s, p, MU, now.state.mu);
     put_centres(&s, p, &now.state);
-    sketch_note(&s, p->v.kind.has_slot ? "I\342\202\201\342\202\202 A, I\342\202\202\342\202\203 "
-                                         "B, I\342\202\201\342\202\204 D"
-                    : p->v.kind.has_stroke
-                        ? "I\342\202\201\342\202\202 A, I\342\202\202\342\202\203 B, "
-                          "I\342\202\203\342\202\204 C"
-                        : "I\342\202\201\342\202\202 A, I\342\202\202\342\202\203 B, "
-                          "I\342\202\203\342\202\204 C, I\342\202\201\342\202\204 D");
+    sketch_note(&s, "I" SUB_1 SUB_2 " A, I" SUB_2 SUB_3 " B%s%s",
+                p->v.kind.has_slot ? "" : ", I" SUB_3 SUB_4 " C",
+                p->v.kind.has_stroke ? "" : ", I" SUB_1 SUB_4 " D");
     figure_close(&s, p, &now, "");
     return NULL;
 }

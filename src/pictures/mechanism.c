@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "arrow.h"
-#include "spring.h"
 
 #define GHOSTS 12
 #define FRAMES 60
@@ -14,11 +13,13 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
-/* The side of an inset, in lengths of its link. */
-#define WINDOW 2.6
+/* The size of an inset, in lengths of its link; and half its side, which has room for arrows at the link's
+** end. */
+#define INSET 2.6
+#define HALF_SIDE (1.1 + LONGEST * INSET)
 
 /* Add the forces of the springs, which have their names and values at the springs. */
-static void add_springs(arrow_list *arrows, const picture *p, const picture_row *r)
+static void add_springs(arrow_list *arrows, const picture_row *r)
 {
     int i;
 
@@ -27,12 +28,12 @@ static void add_springs(arrow_list *arrows, const picture *p, const picture_row 
         fourlink_vector F = tracks_vector(&r->numbers, f->of);
 
         if (f->load == FOURLINK_LOAD_SPRING)
-            arrow_add(arrows, PEN_LOAD, "", figure_track(p, r, f->at), F.x, F.y);
+            arrow_add(arrows, PEN_LOAD, "", tracks_vector(&r->numbers, f->at), F.x, F.y);
     }
 }
 
 /* Add the forces of the pins, for the ground, or the loads on a link. */
-static void add_forces(arrow_list *arrows, const picture *p, const picture_row *r, int link)
+static void add_forces(arrow_list *arrows, const picture_row *r, int link)
 {
     int i;
 
@@ -41,20 +42,11 @@ static void add_forces(arrow_list *arrows, const picture *p, const picture_row *
 
         if (link == FOURLINK_GROUND ? f->sort == SCENE_PIN && f->sign > 0
                                     : f->sort == SCENE_LOAD && f->on == link && !f->is_inner)
-            arrow_add_force(arrows, p, r, f);
+            arrow_add_force(arrows, r, f);
     }
 }
 
-static void name_links(sketch *s, const picture *p)
-{
-    char words[80];
-
-    sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
-                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
-}
-
-/* Draw loads, weights and pin forces. */
+/* Draw loads, weights and pin forces: of an inset those that act in it, on their own scale. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
@@ -64,10 +56,11 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 
     arrows.n = 0;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
-        add_forces(&arrows, p, r, link);
+        add_forces(&arrows, r, link);
     n = arrows.n;
-    add_springs(&arrows, p, r);
+    add_springs(&arrows, r);
     has_springs = arrows.n > n;
+    arrow_cut(&arrows, s);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
@@ -77,6 +70,8 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         arrow_draw_load_torques(s, p, r, link, 0);
     arrow_draw_torque(s, p, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
+    if (s->is_window)
+        return;
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
@@ -104,7 +99,7 @@ static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 /* Draw the other positions of the request thin, with the angle at the crank pin. */
 static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
 {
-    char words[200], number[FORMAT_SIZE], letter[PICTURE_MARK];
+    char letter[PICTURE_MARK];
     fourlink_instant now;
     int k;
 
@@ -116,28 +111,28 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
             figure_outline(s, p, &now.state, PEN_OTHER);
             figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, 4, letter));
         } else {
-            format_general(now.row.angle, 12, number);
-            sketch_note(s, flk_text_join(words, sizeof words, number,
-                                         ": no position, see the table", (char *)NULL));
+            sketch_note(s, "%g: no position, see the table", now.row.angle);
         }
 }
 
 /* Draw what is around a small link, from its pin on the ground, enlarged. */
-static void put_inset(picture *p, const fourlink_state *state, int link)
+static void put_inset(picture *p, const picture_row *r, int link)
 {
+    const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
-    double length = figure_length(p, p->v.design->link[link].length);
-    char words[80];
+    double length = p->v.design->link[link].length;
     sketch s;
 
     figure_open(&s, p, state->branch, 0);
-    s.size = WINDOW * length;
-    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, WINDOW * length / 2);
+    s.size = INSET * length;
+    sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, HALF_SIDE * length);
     figure_frame(&s, p, state);
     figure_draw(&s, p, state, 1);
+    spring_draw(&s, p, state, 0);
+    if (p->v.problem.has_forces)
+        draw_forces(&s, p, r);
     s.n_notes = 0; /* they are beside the whole */
-    flk_text_join(words, sizeof words, "at the ", p->v.kind.link[link], ", enlarged", (char *)NULL);
-    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+    sketch_close(&s, "at the %s, enlarged", p->v.kind.link[link]);
 }
 
 const char *picture_mechanism(picture *p, fourlink_branch branch)
@@ -158,11 +153,13 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
-    name_links(&s, p);
+    sketch_note(&s, "1 ground, 2 crank,");
+    sketch_note(&s, "3 %s, 4 %s", p->v.kind.link[FOURLINK_COUPLER],
+                p->v.kind.link[FOURLINK_FOLLOWER]);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     for (i = 0; i < p->n_insets; i++)
-        put_inset(p, &r.now.state, p->insets[i]);
+        put_inset(p, &r, p->insets[i]);
     return NULL;
 }
 

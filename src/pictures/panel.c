@@ -39,15 +39,15 @@ static void put_instant(const picture *p, panel *q)
     if (!p->has_instant || cycle == 0)
         return;
     angle -= cycle * floor((angle - from) / cycle);
-    flk_text_join(words, sizeof words, "\316\270" SUB_2 " = ",
-                  picture_mark(p, p->instant, 4, number), (char *)NULL);
+    flk_message(words, sizeof words, "\316\270" SUB_2 " = %s",
+                picture_mark(p, p->instant, 4, number));
     half = 0.55 * canvas_width_of(words) / q->r.x_scale;
     x = angle + (fabs(cycle) / 2 > fabs(angle - from) ? half : -half);
     canvas_print(&p->on,
                  "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
                  "set label %q at %.8g,graph 0 center front boxed offset 0,0.7\n",
                  angle, angle, PEN_CONSTRUCTION, words, x);
-    room_take(&q->r, place_at(x, q->r.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
+    room_take(&q->r, place_at(x, q->r.frame.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
 }
 
 /* The same on curves over another column. */
@@ -71,12 +71,9 @@ static void put_instants(const picture *p, panel *q)
 ** choose its own. */
 static void find_range(const picture *p, const panel *q, double *low, double *high)
 {
-    const graph_extent *e = &q->e;
-    int is_cut = graph_is_cut(e);
     double size, border, part = 1.8 * CANVAS_LINE / p->on.box_height;
 
-    *low = is_cut ? e->sound_low : e->low;
-    *high = is_cut ? e->sound_high : e->high;
+    graph_range(&q->e, low, high);
     size = GSL_MAX_DBL(fabs(*low), fabs(*high));
     border = (*high - *low) * part / (1 - 2 * part);
     if (*high - *low <= 1e-9 * size || size == 0)
@@ -112,84 +109,33 @@ static const char *tell_cut(const picture *p, const panel *q)
                            : "beyond the frame near a dead position";
 }
 
-/* The range of x, for another column than the crank angle. */
-static void find_x_range(const panel *q, double *from, double *to)
+/* Set the axes, and keep texts away from the curves; mark the instant of a picture of its cycle. */
+static void put_axes(const picture *p, panel *q)
 {
-    *from = graph_is_cut(&q->x) ? q->x.sound_low : q->x.low;
-    *to = graph_is_cut(&q->x) ? q->x.sound_high : q->x.high;
-    graph_widen(from, to, X_BORDER);
-}
-
-/* Widen the ranges of two lengths until both have the same scale. */
-static void find_scale(const canvas *on, double *from, double *to, double *low, double *high)
-{
-    double scale = GSL_MAX_DBL((*to - *from) / on->box_width, (*high - *low) / on->box_height);
-    double x = (*from + *to) / 2, y = (*low + *high) / 2;
-
-    *from = x - scale * on->box_width / 2;
-    *to = x + scale * on->box_width / 2;
-    *low = y - scale * on->box_height / 2;
-    *high = y + scale * on->box_height / 2;
-}
-
-/* Keep the texts of the panel away from the curves. */
-static void keep_clear(panel *q)
-{
-    int i, k;
-
-    for (i = 0; i < q->n; i++) {
-        room_break(&q->r);
-        for (k = 0; k <= PICTURE_STEPS; k++)
-            if (gsl_isnan(q->line[i].y[k]))
-                room_break(&q->r);
-            else
-                room_point(&q->r, q->line[i].x[k], q->line[i].y[k]);
-    }
-}
-
-/* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
-static void put_ranges(const picture *p, panel *q)
-{
-    double low, high, from = p->from, to = p->v.end;
-    int is_over_angle = picture_is_over_angle(p, q->x_column);
+    int is_over_angle = picture_is_over_angle(p, q->x_column), i;
+    place_box frame;
 
     if (q->e.low > q->e.high)
         return;
-    find_range(p, q, &low, &high);
-    if (is_over_angle)
-        find_angles(p, q, &from, &to);
-    else
-        find_x_range(q, &from, &to);
+    find_range(p, q, &frame.y_min, &frame.y_max);
+    frame.x_min = p->from;
+    frame.x_max = p->v.end;
+    if (is_over_angle) {
+        find_angles(p, q, &frame.x_min, &frame.x_max);
+    } else {
+        graph_range(&q->x, &frame.x_min, &frame.x_max);
+        graph_widen(&frame.x_min, &frame.x_max, X_BORDER);
+    }
     if (q->to_scale)
-        find_scale(&p->on, &from, &to, &low, &high);
-    if (!is_over_angle || from != p->from || to != p->v.end)
-        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, to,
-                     is_over_angle ? graph_angle_step(p, fabs(to - from))
-                                   : x_step(p, q, to - from));
-    canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
-    room_open(&q->r, &p->on, from, to, low, high);
+        room_to_scale(&q->r, &frame, 0);
+    room_set_axes(&q->r, frame, x_step(p, q, fabs(frame.x_max - frame.x_min)));
     q->r.rings = RINGS;
-    keep_clear(q);
+    for (i = 0; i < q->n; i++)
+        room_add_curve(&q->r, q->line[i].x, q->line[i].y, PICTURE_STEPS + 1);
     if (is_over_angle)
         put_instant(p, q);
     else
         put_instants(p, q);
-}
-
-static void begin(picture *p, panel *q, int x, int n)
-{
-    double from = p->v.problem.motion.from;
-
-    q->x_column = x;
-    q->e = q->x = graph_nothing;
-    q->n = q->to_scale = q->is_unbounded = q->is_averaged = 0;
-    fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
-    canvas_key(&p->on);
-    canvas_grid(&p->on);
-    if (picture_is_over_angle(p, q->x_column))
-        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->v.end,
-                     graph_angle_step(p, fabs(p->v.end - from)));
 }
 
 /* The value on a curve at an angle that is the same but for whole turns. */
@@ -210,15 +156,14 @@ static double on_curve(const graph_line *line, fourlink_value value, double turn
 static void put_extreme(const picture *p, panel *q, double value, double angle, int is_minimum,
                         int line)
 {
-    char number[FORMAT_SIZE];
+    char number[FORMAT_SIZE], colour[20];
     fourlink_vector middle;
 
     canvas_print(&p->on, "set label \"\" at %.8g,%.8g point pt 7 ps 0.6 lc rgb 'black' front\n",
                  angle, value);
-    format_general(value, 4, number);
-    if (room_find(&q->r, place_at(angle, value), 0, is_minimum ? -1 : 1, 1, number, &middle))
-        canvas_print(&p->on, "set label %q at %.8g,%.8g center front tc lt %d\n", number, middle.x,
-                     middle.y, line);
+    sprintf(colour, "tc lt %d", line);
+    room_put(&q->r, place_at(angle, value), 0, is_minimum ? -1 : 1, 1,
+             format_general(value, 4, number), colour, &middle);
 }
 
 /* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are
@@ -298,12 +243,8 @@ static void cut(panel *q, graph_extent *e, int of_x)
 /* The name of a curve's data, and of its column in the key. */
 static const char *name_of(const picture *p, const panel_plan *plan, int i, char out[PANEL_NAME])
 {
-    char number[FORMAT_SIZE];
-
-    if (!plan->is_free)
-        return p->v.columns[plan->column[i]].name;
-    return flk_text_join(out, PANEL_NAME, "c", format_general(plan->column[i], 9, number),
-                         (char *)NULL);
+    return plan->is_free ? flk_message(out, PANEL_NAME, "c%ld", (long)plan->column[i])
+                         : p->v.columns[plan->column[i]].name;
 }
 
 static const char *short_name(const picture *p, int column, char out[200])
@@ -318,28 +259,16 @@ static const char *short_name(const picture *p, int column, char out[200])
 static void put_curve(const picture *p, const panel *q, const panel_plan *plan, int i)
 {
     fourlink_branch branch = p->v.branches[plan->branch[i]];
+    double x_low, x_high, low, high;
     char name[PANEL_NAME];
-    const graph_line *line = &q->line[i];
-    fourlink_vector size = place_at(graph_span(&q->x), graph_span(&q->e)), from, to;
-    int k;
+    graph_jumps jumps;
 
+    graph_range(&q->x, &x_low, &x_high);
+    graph_range(&q->e, &low, &high);
     canvas_print(&p->on, "$%s_%s << EOD\n", name_of(p, plan, i, name),
                  fourlink_branch_text((int)branch));
-    for (k = 0; k <= PICTURE_STEPS; k++) {
-        if (gsl_isnan(line->y[k])) {
-            canvas_print(&p->on, "\n");
-            continue;
-        }
-        to = place_at(line->x[k], line->y[k]);
-        if (plan->is_free && k > 0 && !gsl_isnan(line->y[k - 1])) {
-            from = place_at(line->x[k - 1], line->y[k - 1]);
-            if (graph_find_jump(p, branch, plan->x, plan->column[i], size,
-                                picture_angle(p, k - 1, PICTURE_STEPS),
-                                picture_angle(p, k, PICTURE_STEPS), &from, &to))
-                canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
-        }
-        canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
-    }
+    graph_write(p, branch, plan->x, plan->column[i], &q->line[i],
+                place_at(x_high - x_low, high - low), plan->is_free ? &jumps : NULL);
     canvas_print(&p->on, "EOD\n");
 }
 
@@ -353,16 +282,17 @@ static void sample(picture *p, panel *q, const panel_plan *plan)
         int branch = plan->branch[i], column = plan->column[i];
 
         if (i != plan->by_turn - 1 ||
-            !graph_average(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]))
-            graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+            !graph_average(p, p->v.branches[branch], plan->x, column, &q->line[i]))
+            graph_follow(p, p->v.branches[branch], plan->x, column, &q->line[i]);
         else
             q->is_averaged = 1;
-        graph_extend_x(&q->x, &q->line[i]);
-        q->n = i + 1;
         unbounded = unbounded || (plan->is_free && is_unbounded(p, column, branch));
         x_unbounded = x_unbounded || (plan->is_free && is_unbounded(p, plan->x, branch));
         q->to_scale = q->to_scale && is_coordinate(&p->v.columns[column]);
     }
+    q->n = plan->n;
+    q->e = graph_extent_of(q->line, q->n, 0);
+    q->x = graph_extent_of(q->line, q->n, 1);
     if (unbounded)
         cut(q, &q->e, 0);
     if (x_unbounded)
@@ -380,24 +310,25 @@ void panel_plan_begin(panel_plan *plan, int x)
 
 int panel_draw(picture *p, const panel_plan *plan)
 {
-    char x[200], words[200], name[PANEL_NAME], title[240], heading[300];
+    char x[200], words[200], name[PANEL_NAME], title[240];
     const char *cut_words;
     int i;
     panel q;
 
-    begin(p, &q, plan->x, plan->n_key);
+    memset(&q, 0, sizeof q);
+    q.x_column = plan->x;
+    room_open(&q.r, &p->on, plan->n_key > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     if (plan->n == 0)
         return 0;
     sample(p, &q, plan);
     for (i = 0; i < plan->n; i++)
         put_curve(p, &q, plan, i);
     cut_words = tell_cut(p, &q);
-    flk_text_join(heading, sizeof heading, plan->title, plan->title[0] && cut_words[0] ? ": " : "",
-                  cut_words, (char *)NULL);
-    canvas_titles(&p->on, heading, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
+    canvas_titles(&p->on, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
                   plan->y ? plan->y : short_name(p, plan->column[0], words),
-                  p->v.columns[plan->column[0]].unit);
-    put_ranges(p, &q);
+                  p->v.columns[plan->column[0]].unit, "%s%s%s", plan->title,
+                  plan->title[0] && cut_words[0] ? ": " : "", cut_words);
+    put_axes(p, &q);
     for (i = 0; i < plan->n_extremes; i++)
         if (q.line[i].n_points)
             put_extremes(p, &q, plan->column[i], plan->branch[i], i);

@@ -106,19 +106,18 @@ int picture_take_last_turn(picture *p, fourlink_branch branch)
 
 /* A deck with rows by time is open with PICTURE_STEPS of them. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
-                   fourlink_instant *now, fourlink_load *loads)
+                   fourlink_instant *now)
 {
     if (p->v.problem.by_time)
         return fourlink_results_row(p->v.results, branch,
-                                    (unsigned long)(k * PICTURE_STEPS / steps), values, now, loads);
-    return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now,
-                               loads);
+                                    (unsigned long)(k * PICTURE_STEPS / steps), values, now, NULL);
+    return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now, NULL);
 }
 
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fourlink_instant *now)
 {
     if (p->v.problem.by_time)
-        return picture_sample(p, branch, k, steps, NULL, now, NULL);
+        return picture_sample(p, branch, k, steps, NULL, now);
     now->branch = branch;
     fourlink_motion_at(&p->v.problem.motion, picture_angle(p, k, steps), &now->row);
     return fourlink_analyse(p->v.mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);

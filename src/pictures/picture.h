@@ -192,6 +192,7 @@ int picture_open_balance(picture *p, const char *apply, picture *other);
 char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Subscripts, in UTF-8. */
+#define SUB_1 "\342\202\201"
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"
@@ -223,7 +224,7 @@ double picture_angle(const picture *p, int k, int steps);
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
-                   fourlink_instant *now, fourlink_load *loads);
+                   fourlink_instant *now);
 
 /* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,

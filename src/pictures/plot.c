@@ -210,12 +210,10 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
 static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *before, double from,
                       double to)
 {
-    char first[FORMAT_SIZE], last[FORMAT_SIZE];
     size_t n = strlen(message);
 
-    flk_text_join(message + n, MESSAGE_SIZE - n, before, " from ", format_general(from, 6, first),
-                  " to ", format_general(to, 6, last), " ", p->v.units[QUANTITY_ANGLE].name,
-                  (char *)NULL);
+    flk_message(message + n, MESSAGE_SIZE - n, "%s from %.6g to %.6g %s", before, from, to,
+                p->v.units[QUANTITY_ANGLE].name);
 }
 
 /* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */

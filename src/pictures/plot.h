@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** plot.h - pictures of a deck, as gnuplot scripts: the kinds of pictures and of files.
+** plot.h - pictures of a deck, as gnuplot scripts: the kinds of pictures and of files; and drawn by gnuplot.
 */
 #ifndef FOURLINK_PLOT_H
 #define FOURLINK_PLOT_H
@@ -23,5 +23,16 @@ plot_file plot_file_of(const char *name);
 ** to draw; -1 if out of memory. */
 int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,
                plot_caption *caption, fourlink_mistake *mistake);
+
+#define GNUPLOT_REASON 400
+
+/* Run gnuplot on a script, from its beginning; the picture goes to `out`, an SVG with `caption`, which is
+** null for other files.  Returns null, or the reason why there is none, for which there is room in `reason`.
+** */
+const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
+                        char reason[GNUPLOT_REASON]);
+
+/* Write the beginning of an SVG with this caption in place of gnuplot's <title> and <desc>. */
+void gnuplot_put_head(FILE *out, const char *head, const plot_caption *caption);
 
 #endif

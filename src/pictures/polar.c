@@ -17,8 +17,6 @@
 #define LETTERED 3                 /* every third dot has its angle beside it */
 #define BORDER (5 * CANVAS_LETTER) /* around the curve, for the angles */
 
-#define MOST_JUMPS 40
-
 /* A curve of a panel: of which deck, on which branch, and its title. */
 typedef struct source {
     const picture *p;
@@ -32,54 +30,24 @@ typedef struct bearing {
     char name[8];
     int x, y;
     source of[2];
+    graph_line line[2];
+    graph_jumps jumps[2];
     int n;
     place_box box; /* of the curves */
     double scale;  /* of a pixel */
     room r;
 } bearing;
 
-/* A jump, in the step after a sample. */
-typedef struct jump {
-    fourlink_vector from, to;
-} jump;
-
-/* A curve on its way. */
-typedef struct course {
-    int i; /* of the source */
-    jump jumps[MOST_JUMPS];
-    int n_jumps, n_points;
-    fourlink_vector tail, head; /* its longest step, which shows the direction */
-    double longest;
-} course;
-
-/* The force at a crank angle; 0 if the linkage cannot be assembled there. */
-static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
+/* Follow the curves, and find their room, with that of the origin, where the force is 0. */
+static void follow(bearing *b)
 {
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
-
-    if (fourlink_results_at(b->of[i].p->v.results, b->of[i].branch, angle, values, &now, NULL) !=
-            FOURLINK_OK ||
-        now.state.mu < 1e-3)
-        return 0;
-    *F = place_at(values[b->x], values[b->y]);
-    return 1;
-}
-
-/* Find the room for the curves, and for the origin, where the force is 0. */
-static void find_box(bearing *b)
-{
-    graph_extent ex = graph_nothing, ey = graph_nothing;
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
-    int i, k, cut;
+    graph_extent ex, ey;
+    int cut, i;
 
     for (i = 0; i < b->n; i++)
-        for (k = 0; k <= PICTURE_STEPS; k++)
-            if (graph_sample(b->of[i].p, b->of[i].branch, k, values, &now)) {
-                graph_extend(&ex, values[b->x], now.state.mu);
-                graph_extend(&ey, values[b->y], now.state.mu);
-            }
+        graph_follow(b->of[i].p, b->of[i].branch, b->x, b->y, &b->line[i]);
+    ex = graph_extent_of(b->line, b->n, 1);
+    ey = graph_extent_of(b->line, b->n, 0);
     cut = graph_is_cut(&ex) || graph_is_cut(&ey);
     b->box = place_nothing;
     place_grow(&b->box, 0, 0);
@@ -87,129 +55,72 @@ static void find_box(bearing *b)
     place_grow(&b->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
 }
 
-/* Set ranges with equal scales, and mark the origin. */
+/* Set axes with equal scales, and mark the origin. */
 static void put_axes(bearing *b)
 {
-    const canvas *on = &b->p->on;
-    const place_box *box = &b->box;
-    double x = (box->x_min + box->x_max) / 2, y = (box->y_min + box->y_max) / 2, width, height;
+    place_box frame = b->box;
 
-    b->scale = GSL_MAX_DBL((box->x_max - box->x_min) / (on->box_width - 2 * BORDER),
-                           (box->y_max - box->y_min) / (on->box_height - 2 * BORDER));
-    if (b->scale == 0)
-        b->scale = 1 / on->box_width;
-    width = b->scale * on->box_width;
-    height = b->scale * on->box_height;
-    canvas_print(on,
-                 "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n"
-                 "set label \"\" at 0,0 point pt 6 ps 1.2 lc rgb 'black' front\n",
-                 x - width / 2, x + width / 2, y - height / 2, y + height / 2,
+    b->scale = room_to_scale(&b->r, &frame, BORDER);
+    room_set_axes(&b->r, frame, place_round(8 * CANVAS_LETTER * b->scale));
+    canvas_print(&b->p->on,
+                 "set ytics %.6g\nset label \"\" at 0,0 point pt 6 ps 1.2 lc rgb 'black' front\n",
                  place_round(8 * CANVAS_LETTER * b->scale));
-    room_open(&b->r, on, x - width / 2, x + width / 2, y - height / 2, y + height / 2);
     b->r.rings = RINGS;
-    room_point(&b->r, x - width / 2, 0);
-    room_point(&b->r, x + width / 2, 0);
-    room_break(&b->r);
-    room_point(&b->r, 0, y - height / 2);
-    room_point(&b->r, 0, y + height / 2);
-    room_break(&b->r);
+    room_add_line(&b->r, place_at(frame.x_min, 0), place_at(frame.x_max, 0));
+    room_add_line(&b->r, place_at(0, frame.y_min), place_at(0, frame.y_max));
 }
 
-static double distance(fourlink_vector p, fourlink_vector q)
-{
-    return gsl_hypot(q.x - p.x, q.y - p.y);
-}
-
-/* Look for a jump between two angles; 1 if there is one, with its ends. */
-static int find_jump(const bearing *b, int i, double low, double high, jump *found)
+/* Write curve i as $NAME_TITLE, with breaks at its jumps, and these as $NAME_TITLE_jumps. */
+static void put_curve(bearing *b, int i)
 {
     double size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
-
-    return graph_find_jump(b->of[i].p, b->of[i].branch, b->x, b->y, place_at(size, size), low, high,
-                           &found->from, &found->to);
-}
-
-static void put_point(bearing *b, fourlink_vector F)
-{
-    canvas_print(&b->p->on, "%.8g %.8g\n", F.x, F.y);
-    room_point(&b->r, F.x, F.y);
-}
-
-static void put_gap(bearing *b)
-{
-    putc('\n', b->p->on.out);
-    room_break(&b->r);
-}
-
-/* gnuplot cuts a curve at the axes, but not an arrow. */
-static int is_drawn(const bearing *b, fourlink_vector F)
-{
-    double x = (b->box.x_min + b->box.x_max) / 2, y = (b->box.y_min + b->box.y_max) / 2;
-
-    return fabs(F.x - x) < b->scale * b->p->on.box_width / 2 &&
-           fabs(F.y - y) < b->scale * b->p->on.box_height / 2;
-}
-
-/* Go on from one sample to the next. */
-static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlink_vector F)
-{
-    jump found;
-
-    found.from = last;
-    found.to = F;
-    if (c->n_jumps < MOST_JUMPS && find_jump(b, c->i, picture_angle(b->p, k - 1, PICTURE_STEPS),
-                                             picture_angle(b->p, k, PICTURE_STEPS), &found)) {
-        put_point(b, found.from);
-        put_gap(b);
-        put_point(b, found.to);
-        c->jumps[c->n_jumps++] = found;
-    } else if (is_drawn(b, last) && is_drawn(b, F) && distance(last, F) > c->longest) {
-        c->longest = distance(last, F);
-        c->tail = last;
-        c->head = F;
-    }
-}
-
-/* Write curve i as $NAME_TITLE, with breaks at its jumps. */
-static void put_curve(bearing *b, int i, course *c)
-{
-    fourlink_vector F, last = {0, 0};
-    int k, was_there = 0;
-
-    c->i = i;
-    c->n_jumps = c->n_points = 0;
-    c->longest = 0;
-    fprintf(b->p->on.out, "$%s_%s << EOD\n", b->name, b->of[i].title);
-    for (k = 0; k <= PICTURE_STEPS; k++) {
-        if (!force_at(b, i, picture_angle(b->p, k, PICTURE_STEPS), &F)) {
-            put_gap(b);
-            was_there = 0;
-            continue;
-        }
-        if (was_there)
-            put_step(b, c, k, last, F);
-        put_point(b, F);
-        last = F;
-        was_there = 1;
-        c->n_points++;
-    }
-    fputs("EOD\n", b->p->on.out);
-    room_break(&b->r);
-}
-
-static void put_jumps(bearing *b, const course *c)
-{
+    graph_jumps *jumps = &b->jumps[i];
     int k;
 
-    if (c->n_jumps == 0)
+    canvas_print(&b->p->on, "$%s_%s << EOD\n", b->name, b->of[i].title);
+    graph_write(b->of[i].p, b->of[i].branch, b->x, b->y, &b->line[i], place_at(size, size), jumps);
+    canvas_print(&b->p->on, "EOD\n");
+    room_add_curve(&b->r, b->line[i].x, b->line[i].y, PICTURE_STEPS + 1);
+    if (jumps->n == 0)
         return;
-    fprintf(b->p->on.out, "$%s_%s_jumps << EOD\n", b->name, b->of[c->i].title);
-    for (k = 0; k < c->n_jumps; k++) {
-        put_point(b, c->jumps[k].from);
-        put_point(b, c->jumps[k].to);
-        put_gap(b);
+    canvas_print(&b->p->on, "$%s_%s_jumps << EOD\n", b->name, b->of[i].title);
+    for (k = 0; k < jumps->n; k++)
+        canvas_print(&b->p->on, "%.8g %.8g\n%.8g %.8g\n\n", jumps->from[k].x, jumps->from[k].y,
+                     jumps->to[k].x, jumps->to[k].y);
+    canvas_print(&b->p->on, "EOD\n");
+}
+
+/* 1 if a place is within the axes: gnuplot cuts a curve there, but not an arrow. */
+static int is_drawn(const bearing *b, fourlink_vector F)
+{
+    const place_box *frame = &b->r.frame;
+
+    return frame->x_min < F.x && F.x < frame->x_max && frame->y_min < F.y && F.y < frame->y_max;
+}
+
+/* Show the direction of a curve at its longest step that is no jump. */
+static void put_arrow(const bearing *b, int i)
+{
+    const graph_line *line = &b->line[i];
+    fourlink_vector from, to, tail = {0, 0}, head = {0, 0};
+    int next_jump = 0, k;
+
+    for (k = 1; k <= PICTURE_STEPS; k++) {
+        from = place_at(line->x[k - 1], line->y[k - 1]);
+        to = place_at(line->x[k], line->y[k]);
+        if (next_jump < b->jumps[i].n && b->jumps[i].sample[next_jump] == k)
+            next_jump++;
+        else if (is_drawn(b, from) && is_drawn(b, to) &&
+                 place_distance(from, to) > place_distance(tail, head)) {
+            tail = from;
+            head = to;
+        }
     }
-    fputs("EOD\n", b->p->on.out);
+    if (place_distance(tail, head) > 0)
+        canvas_print(&b->p->on,
+                     "set arrow from %.8g,%.8g to %.8g,%.8g head filled size graph 0.05,18 fixed "
+                     "front lt %d dt 1\n",
+                     tail.x, tail.y, head.x, head.y, i + 1);
 }
 
 /* The steps of the dots, in degrees. */
@@ -224,13 +135,26 @@ static int step_of_dots(const picture *p)
 static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
 {
     fourlink_vector middle;
-    char mark[PICTURE_MARK];
+    char mark[PICTURE_MARK], colour[20];
 
-    picture_mark(b->p, angle, 4, mark);
-    if (room_find(&b->r, F, F.x - (b->box.x_min + b->box.x_max) / 2,
-                  F.y - (b->box.y_min + b->box.y_max) / 2, 1, mark, &middle))
-        canvas_print(&b->p->on, "set label %q at %.8g,%.8g center front tc lt %d\n", mark, middle.x,
-                     middle.y, line);
+    sprintf(colour, "tc lt %d", line);
+    room_put(&b->r, F, F.x - (b->box.x_min + b->box.x_max) / 2,
+             F.y - (b->box.y_min + b->box.y_max) / 2, 1, picture_mark(b->p, angle, 4, mark), colour,
+             &middle);
+}
+
+/* The force at a crank angle; 0 if the linkage cannot be assembled there. */
+static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
+{
+    double values[PICTURE_COLUMNS];
+    fourlink_instant now;
+
+    if (fourlink_results_at(b->of[i].p->v.results, b->of[i].branch, angle, values, &now, NULL) !=
+            FOURLINK_OK ||
+        now.state.mu < 1e-3)
+        return 0;
+    *F = place_at(values[b->x], values[b->y]);
+    return 1;
 }
 
 /* Write the places of the dots as $NAME_TITLE_dots. */
@@ -251,29 +175,20 @@ static void put_dots(bearing *b, int i)
         }
     fputs("EOD\n", p->on.out);
     for (; n < n_dots; n++)
-        if (n % LETTERED == 0 && !(n && distance(F[n], F[0]) < 1e-6 * b->scale))
+        if (n % LETTERED == 0 && !(n && place_distance(F[n], F[0]) < 1e-6 * b->scale))
             put_angle(b, angles[n], F[n], i + 1);
 }
 
-static void put_arrow(const bearing *b, const course *c)
+static void plot(picture *p, const bearing *b, int i, int is_last)
 {
-    if (c->longest > 0)
-        canvas_print(&b->p->on,
-                     "set arrow from %.8g,%.8g to %.8g,%.8g head filled size graph 0.05,18 fixed "
-                     "front lt %d dt 1\n",
-                     c->tail.x, c->tail.y, c->head.x, c->head.y, c->i + 1);
-}
-
-static void plot(picture *p, const bearing *b, const course *c, int is_last)
-{
-    const char *name = b->of[c->i].title;
+    const char *name = b->of[i].title;
     FILE *out = p->on.out;
 
     fprintf(out, "%s $%s_%s using 1:2 with lines lt %d title '%s'", p->on.curves++ ? "," : "plot",
-            b->name, name, c->i + 1, name);
-    if (c->n_jumps)
+            b->name, name, i + 1, name);
+    if (b->jumps[i].n)
         fprintf(out, ", $%s_%s_jumps using 1:2 with lines lt %d lw 1 dt (3,3) title '%s'", b->name,
-                name, c->i + 1, is_last ? "jump" : "");
+                name, i + 1, is_last ? "jump" : "");
     fprintf(out, ", $%s_%s_dots using 1:2 with points pt 7 ps 0.5 lc rgb 'black' title '", b->name,
             name);
     if (is_last)
@@ -284,30 +199,26 @@ static void plot(picture *p, const bearing *b, const course *c, int is_last)
 static int put_polar(picture *p, bearing *b, const char *title)
 {
     char x[NOTATION_SIZE], y[NOTATION_SIZE];
-    course c[2];
     int i;
 
-    fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
-    canvas_key(&p->on);
+    room_open(&b->r, &p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
     fputs("set key samplen 2 width -1\n", p->on.out);
-    canvas_titles(&p->on, title, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
+    canvas_titles(&p->on, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
                   p->v.columns[b->x].unit, canvas_symbol(&p->on, p->v.columns[b->y].name, y),
-                  p->v.columns[b->y].unit);
+                  p->v.columns[b->y].unit, "%s", title);
     b->p = p;
-    find_box(b);
+    follow(b);
     put_axes(b);
     for (i = 0; i < b->n; i++) {
-        put_curve(b, i, &c[i]);
-        put_jumps(b, &c[i]);
-        put_arrow(b, &c[i]);
+        put_curve(b, i);
+        put_arrow(b, i);
     }
     for (i = 0; i < b->n; i++)
-        if (c[i].n_points)
+        if (b->line[i].n_points)
             put_dots(b, i);
     for (i = 0; i < b->n; i++)
-        if (c[i].n_points)
-            plot(p, b, &c[i], i == b->n - 1 || !c[1].n_points);
+        if (b->line[i].n_points)
+            plot(p, b, i, i == b->n - 1 || !b->line[1].n_points);
     putc('\n', p->on.out);
     return p->on.curves;
 }
@@ -332,7 +243,6 @@ static void set_source(source *x, const picture *p, fourlink_branch branch, cons
 static int put_bearing(picture *p, int by, int on)
 {
     int is_piston = p->v.kind.slides_on[on] == FOURLINK_GROUND;
-    const char *link = p->v.kind.link[on];
     char title[200], symbol[NOTATION_SIZE];
     bearing b;
     int i;
@@ -344,11 +254,11 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, canvas_symbol(&p->on, b.name, symbol), " on the ", link,
-                  ", in its axes", (char *)NULL);
     b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));
+    flk_message(title, sizeof title, "%s on the %s, in its axes",
+                canvas_symbol(&p->on, b.name, symbol), p->v.kind.link[on]);
     return put_polar(p, &b, title);
 }
 
@@ -362,11 +272,10 @@ static int put_shaking(picture *p, const picture *before, const picture *after,
     strcpy(b.name, "Fs");
     b.x = component(p, &b, "x");
     b.y = component(p, &b, "y");
-    flk_text_join(title, sizeof title, "shaking force, ", fourlink_branch_text(branch),
-                  (char *)NULL);
     b.n = 2;
     set_source(&b.of[0], before, branch, "before");
     set_source(&b.of[1], after, branch, "after");
+    flk_message(title, sizeof title, "shaking force, %s", fourlink_branch_text(branch));
     return put_polar(p, &b, title);
 }
 
@@ -392,7 +301,6 @@ const char *picture_polar(picture *p, fourlink_branch branch)
     (void)branch;
     if (!p->v.problem.asks_for_both)
         p->v.n_branches = 1;
-    canvas_grid(&p->on);
     fprintf(p->on.out,
             "set format '%%g'; set size ratio -1\n"
             "set zeroaxis lt %d lw 1 lc rgb 'black'\n",

@@ -20,36 +20,68 @@
 #define COST_OF_CURVE 100
 #define FORBIDDEN 10000
 
-void room_open(room *r, const canvas *on, double x_min, double x_max, double y_min, double y_max)
+void room_open(room *r, canvas *on, int lines, double right)
 {
-    r->x_min = x_min;
-    r->y_min = y_min;
-    r->width = on->box_width;
-    r->height = on->box_height;
-    r->x_scale = r->width / (x_max - x_min);
-    r->y_scale = r->height / (y_max - y_min);
+    r->on = on;
+    fputs("unset label; unset arrow\n", on->out);
+    canvas_panel(on, lines, right);
+    canvas_key(on);
+    canvas_grid(on);
+}
+
+double room_to_scale(const room *r, place_box *frame, double border)
+{
+    double width = r->on->box_width, height = r->on->box_height;
+    double x = (frame->x_min + frame->x_max) / 2, y = (frame->y_min + frame->y_max) / 2;
+    double scale = GSL_MAX_DBL((frame->x_max - frame->x_min) / (width - 2 * border),
+                               (frame->y_max - frame->y_min) / (height - 2 * border));
+
+    if (scale == 0)
+        scale = 1 / width;
+    *frame = place_nothing;
+    place_grow(frame, x - scale * width / 2, y - scale * height / 2);
+    place_grow(frame, x + scale * width / 2, y + scale * height / 2);
+    return scale;
+}
+
+void room_set_axes(room *r, place_box frame, double x_step)
+{
+    canvas_print(r->on, "set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\n",
+                 frame.x_min, frame.x_max, frame.y_min, frame.y_max, x_step);
+    r->frame = frame;
+    r->x_scale = r->on->box_width / (frame.x_max - frame.x_min);
+    r->y_scale = r->on->box_height / (frame.y_max - frame.y_min);
     r->n_points = r->n_texts = 0;
-    r->starts = 1;
     r->rings = RINGS;
 }
 
-static fourlink_vector pixels(const room *r, double x, double y)
+static fourlink_vector pixels(const room *r, fourlink_vector at)
 {
-    return place_at((x - r->x_min) * r->x_scale, (y - r->y_min) * r->y_scale);
+    return place_at((at.x - r->frame.x_min) * r->x_scale, (at.y - r->frame.y_min) * r->y_scale);
 }
 
-void room_point(room *r, double x, double y)
+void room_add_curve(room *r, const double *x, const double *y, int n)
 {
-    if (r->n_points == ROOM_POINTS)
-        return;
-    r->point[r->n_points] = pixels(r, x, y);
-    r->is_start[r->n_points++] = (unsigned char)r->starts;
-    r->starts = 0;
+    int starts = 1, k;
+
+    for (k = 0; k < n && r->n_points < ROOM_POINTS; k++) {
+        if (!gsl_isnan(y[k])) {
+            r->point[r->n_points] = pixels(r, place_at(x[k], y[k]));
+            r->is_start[r->n_points++] = (unsigned char)starts;
+        }
+        starts = gsl_isnan(y[k]);
+    }
 }
 
-void room_break(room *r)
+void room_add_line(room *r, fourlink_vector from, fourlink_vector to)
 {
-    r->starts = 1;
+    double x[2], y[2];
+
+    x[0] = from.x;
+    y[0] = from.y;
+    x[1] = to.x;
+    y[1] = to.y;
+    room_add_curve(r, x, y, 2);
 }
 
 static place_box box_of(fourlink_vector middle, const char *words)
@@ -67,7 +99,7 @@ static place_box box_of(fourlink_vector middle, const char *words)
 void room_take(room *r, fourlink_vector middle, const char *words)
 {
     if (r->n_texts < ROOM_TEXTS)
-        r->text[r->n_texts++] = box_of(pixels(r, middle.x, middle.y), words);
+        r->text[r->n_texts++] = box_of(pixels(r, middle), words);
 }
 
 static int covers_curve(const room *r, const place_box *b)
@@ -84,7 +116,7 @@ static double cost_of(const room *r, const place_box *b)
 {
     int i;
 
-    if (b->x_min < 0 || b->y_min < 0 || b->x_max > r->width || b->y_max > r->height)
+    if (b->x_min < 0 || b->y_min < 0 || b->x_max > r->on->box_width || b->y_max > r->on->box_height)
         return FORBIDDEN;
     for (i = 0; i < r->n_texts; i++)
         if (place_overlap(b, &r->text[i]))
@@ -106,12 +138,12 @@ static int try_place(const room *r, fourlink_vector middle, const char *words, d
     return 1;
 }
 
-int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
-              fourlink_vector *middle)
+int room_put(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
+             const char *style, fourlink_vector *middle)
 {
     double least = keeps_clear ? COST_OF_CURVE : FORBIDDEN, half = canvas_width_of(words) / 2;
     double wanted = dx == 0 && dy == 0 ? M_PI / 2 : atan2(dy * r->y_scale, dx * r->x_scale);
-    fourlink_vector from = pixels(r, at.x, at.y), best = from, next;
+    fourlink_vector from = pixels(r, at), best = from, next;
     int ring, i, found = dx == 0 && dy == 0 && try_place(r, from, words, 0, &least);
 
     for (ring = 0; ring < r->rings; ring++)
@@ -129,7 +161,8 @@ int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear
     if (!found || r->n_texts == ROOM_TEXTS)
         return 0;
     r->text[r->n_texts++] = box_of(best, words);
-    middle->x = r->x_min + best.x / r->x_scale;
-    middle->y = r->y_min + best.y / r->y_scale;
+    *middle = place_at(r->frame.x_min + best.x / r->x_scale, r->frame.y_min + best.y / r->y_scale);
+    canvas_print(r->on, "set label %q at %.8g,%.8g center front %s\n", words, middle->x, middle->y,
+                 style);
     return 1;
 }

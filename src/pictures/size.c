@@ -7,7 +7,6 @@
 #include <gsl/gsl_math.h>
 
 #include "picture.h"
-#include "place.h"
 #include "view/geometry.h"
 
 /* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
@@ -15,7 +14,8 @@
 #define BESIDE 330
 #define ABOVE_AND_BELOW 110
 #define LOWEST 330
-#define HIGHEST 600 /* two of them are a page */
+#define HIGHEST 840
+#define HIGHEST_FIGURE 600 /* two of them are a page */
 #define OUTLINE_STEPS 72
 
 int size_lines_beside(const picture *p, int each_link)
@@ -97,5 +97,5 @@ double size_height(const picture *p, double width)
             highest = GSL_MAX_DBL(highest,
                                   (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
     }
-    return GSL_MIN_DBL(highest, HIGHEST);
+    return GSL_MIN_DBL(highest, p->request->is_figure ? HIGHEST_FIGURE : HIGHEST);
 }

@@ -3,13 +3,13 @@
 ** sketch.c - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
 */
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "base/format.h"
+#include "base/message.h"
 #include "sketch.h"
-#include "base/text.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
@@ -46,12 +46,10 @@ void sketch_include(sketch *s, fourlink_vector p)
 void sketch_window(sketch *s, fourlink_vector middle, double half)
 {
     middle = turned(s, middle);
-    s->is_window = 1;
-    s->drawn.x_min = s->window.x_min = middle.x - half;
-    s->drawn.x_max = s->window.x_max = middle.x + half;
-    s->drawn.y_min = s->window.y_min = middle.y - half;
-    s->drawn.y_max = s->window.y_max = middle.y + half;
-    s->is_fixed = 1;
+    s->is_window = s->is_fixed = 1;
+    s->drawn = place_nothing;
+    place_grow(&s->drawn, middle.x - half, middle.y - half);
+    place_grow(&s->drawn, middle.x + half, middle.y + half);
 }
 
 void sketch_turn(sketch *s, int is_turned)
@@ -60,15 +58,22 @@ void sketch_turn(sketch *s, int is_turned)
     s->sine = is_turned ? sin(s->c->turn) : 0;
 }
 
-void sketch_open(sketch *s, canvas *c, double size)
+void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
 {
     memset(s, 0, sizeof *s);
     s->c = c;
+    s->unit = unit;
     s->size = size;
     s->letter = LETTER;
     s->drawn = place_nothing;
     sketch_turn(s, 1);
     fputs("unset arrow; unset label; unset object\n", s->c->out);
+}
+
+/* A place in the drawing's unit. */
+static fourlink_vector in_unit(const sketch *s, fourlink_vector at)
+{
+    return place_at(at.x * s->unit->down / s->unit->up, at.y * s->unit->down / s->unit->up);
 }
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
@@ -86,10 +91,15 @@ static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, do
 /* 1 if a place is beyond the window. */
 static int is_beyond(const sketch *s, fourlink_vector at)
 {
-    const place_box *b = &s->window;
+    const place_box *b = &s->drawn;
 
     return s->is_window &&
            (at.x < b->x_min || at.x > b->x_max || at.y < b->y_min || at.y > b->y_max);
+}
+
+int sketch_shows(const sketch *s, fourlink_vector at)
+{
+    return !is_beyond(s, turned(s, at));
 }
 
 static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
@@ -98,14 +108,16 @@ static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to
     to = turned(s, to);
     if (is_beyond(s, to))
         kind = "nohead";
-    if (s->is_window && !place_clip(&s->window, &from, &to))
+    if (s->is_window && !place_clip(&s->drawn, &from, &to))
         return;
     include(s, from);
     include(s, to);
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
-                 to.y, kind, (int)p);
     if (p != PEN_GHOST)
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
+    from = in_unit(s, from);
+    to = in_unit(s, to);
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
+                 to.y, kind, (int)p);
 }
 
 static void add_part(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
@@ -136,19 +148,14 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
                             : "head filled size graph 0.025,18 front");
 }
 
-static fourlink_vector on_circle(fourlink_vector centre, double radius, double angle)
-{
-    return place_beside(centre, radius * cos(angle), radius * sin(angle));
-}
-
 /* Drawn as a polygon: gnuplot's circles cannot be dashed. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
-    fourlink_vector last = on_circle(centre, radius, from), next;
+    fourlink_vector last = place_polar(centre, radius, from), next;
 
     for (i = 1; i <= n; i++) {
-        next = on_circle(centre, radius, from + (to - from) * i / n);
+        next = place_polar(centre, radius, from + (to - from) * i / n);
         sketch_line(s, p, last, next);
         last = next;
     }
@@ -174,10 +181,11 @@ static void put_disc(sketch *s, fourlink_vector at, double radius, const char *c
         return;
     include(s, at);
     add_disc(s, at, radius);
+    at = in_unit(s, at);
     canvas_print(s->c,
                  "set object circle at %.7g,%.7g size %.7g front fc rgb '%s' fs solid border "
                  "lc rgb 'black' lw 1.5\n",
-                 at.x, at.y, radius, colour);
+                 at.x, at.y, in_unit(s, place_at(radius, 0)).x, colour);
 }
 
 void sketch_dot(sketch *s, fourlink_vector at)
@@ -198,7 +206,7 @@ void sketch_turn_arrow(sketch *s, pen p, fourlink_vector centre, double radius, 
     double before = to + (to > from ? -HEAD : HEAD);
 
     sketch_arc(s, p, centre, radius, from, before);
-    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, to));
+    sketch_arrow(s, p, place_polar(centre, radius, before), place_polar(centre, radius, to));
 }
 
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
@@ -206,17 +214,18 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
     double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -HEAD : HEAD);
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
-    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, end));
+    sketch_arrow(s, p, place_polar(centre, radius, before), place_polar(centre, radius, end));
 }
 
-void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+/* Add a text; null if there is no room for one. */
+static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     label *new = &s->texts.list[s->texts.n];
     fourlink_vector side = turned(s, place_at(dx, dy));
 
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
-        return;
+        return NULL;
     include(s, at);
     new->at = at;
     new->dx = side.x;
@@ -225,30 +234,44 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     new->is_close = new->has_leader = 0;
     s->texts.n++;
+    return new;
+}
+
+void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    add_text(s, at, dx, dy, words);
 }
 
 void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
-    int n = s->texts.n;
+    label *new = add_text(s, at, dx, dy, words);
 
-    sketch_text(s, at, dx, dy, words);
-    if (s->texts.n > n)
-        s->texts.list[n].has_leader = 1;
+    if (new)
+        new->has_leader = 1;
 }
 
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
-    int n = s->texts.n;
+    label *new = add_text(s, at, dx, dy, words);
 
-    sketch_text(s, at, dx, dy, words);
-    if (s->texts.n > n)
-        s->texts.list[n].is_close = 1;
+    if (new)
+        new->is_close = 1;
 }
 
-void sketch_note(sketch *s, const char *words)
+void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
+                        const char *words)
 {
+    sketch_text(s, place_polar(centre, radius, angle), cos(angle), sin(angle), words);
+}
+
+void sketch_note(sketch *s, const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
     if (s->n_notes < SKETCH_NOTES)
-        flk_text_join(s->notes[s->n_notes++], LABELS_WORDS, words, (char *)NULL);
+        flk_message_list(s->notes[s->n_notes++], LABELS_WORDS, format, values);
+    va_end(values);
 }
 
 void sketch_centre(sketch *s, fourlink_vector at)
@@ -261,6 +284,8 @@ void sketch_centre(sketch *s, fourlink_vector at)
         return;
     include(s, at);
     add_disc(s, at, r);
+    at = in_unit(s, at);
+    r = in_unit(s, place_at(r, 0)).x;
     for (i = 0; i < 4; i++)
         canvas_print(
             s->c,
@@ -297,40 +322,34 @@ static void add_entry(sketch *s, pen p, int is_curve, const char *title)
     flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
 }
 
-void sketch_curve(sketch *s, pen p, const char *title)
+/* gnuplot needs a word for an empty curve: it has no entry. */
+void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
+    fourlink_vector at, last = {0, 0};
+    int in_piece = 0, is_empty = 1, i;
+
     fprintf(s->c->out, "$curve%d << EOD\n", s->n_entries);
-    add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
-    s->n_points = 0;
-    s->is_empty = 1;
-}
-
-void sketch_point(sketch *s, fourlink_vector at)
-{
-    at = turned(s, at);
-    include(s, at);
-    if (s->n_points % OBSTACLE == 0) {
-        if (s->n_points > 0)
-            add_obstacle(s, s->last, at, 1);
-        s->last = at;
+    for (i = 0; i < n; i++) {
+        if (gsl_isnan(points[i].x)) {
+            fputs(in_piece ? "\n" : "", s->c->out);
+            in_piece = 0;
+            continue;
+        }
+        at = turned(s, points[i]);
+        include(s, at);
+        if (in_piece % OBSTACLE == 0) {
+            if (in_piece)
+                add_obstacle(s, last, at, 1);
+            last = at;
+        }
+        in_piece++;
+        is_empty = 0;
+        at = in_unit(s, at);
+        canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
     }
-    s->n_points++;
-    s->is_empty = 0;
-    canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
-}
-
-void sketch_break(sketch *s)
-{
-    if (s->n_points > 0)
-        putc('\n', s->c->out);
-    s->n_points = 0;
-}
-
-void sketch_end(sketch *s)
-{
     fputs("EOD\n", s->c->out);
-    if (s->is_empty) /* gnuplot needs a word for an empty curve */
-        s->n_entries--;
+    if (!is_empty)
+        add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
 }
 
 void sketch_key(sketch *s, pen p, const char *meaning)
@@ -374,7 +393,7 @@ static void put_margin(const sketch *s)
     for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
         in_key += has_part(s, (pen)i);
     for (i = 0; i < s->n_notes; i++)
-        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
+        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
@@ -403,7 +422,7 @@ static double distance_of(const sketch *s, const label *x, fourlink_vector at)
 static void put_leader(const sketch *s, const label *x)
 {
     double own = distance_of(s, x, x->at), other = GSL_POSINF;
-    fourlink_vector from;
+    fourlink_vector from, to = in_unit(s, x->at);
     int i;
 
     for (i = 0; i < s->texts.n; i++)
@@ -412,9 +431,9 @@ static void put_leader(const sketch *s, const label *x)
     if (own < FAR && SURE * own < other)
         return;
     from = edge_of(x, 0, 0);
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n",
-                 x->at.x + s->texts.scale * from.x, x->at.y + s->texts.scale * from.y, x->at.x,
-                 x->at.y, PEN_LEADER);
+    from = in_unit(s, place_in(x->at, from, s->texts.scale, 0));
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n", from.x, from.y,
+                 to.x, to.y, PEN_LEADER);
 }
 
 static void put_labels(const sketch *s)
@@ -425,14 +444,18 @@ static void put_labels(const sketch *s)
         const label *one = &s->texts.list[i];
         double half = one->half;
         int side = one->middle.x > half ? 1 : one->middle.x < -half ? -1 : 0;
+        fourlink_vector at =
+            in_unit(s, place_beside(one->at, s->texts.scale * (one->middle.x - side * half),
+                                    s->texts.scale * one->middle.y));
 
         if (one->is_hidden)
             continue;
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
-        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words,
-                     one->at.x + s->texts.scale * (one->middle.x - side * half),
-                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side),
+        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words, at.x, at.y,
+                     side > 0   ? "left"
+                     : side < 0 ? "right"
+                                : "center",
                      canvas_mode(one->words));
     }
 }
@@ -454,29 +477,33 @@ static double step_of(double step, double middle, double size)
 
 static void put_axes(const sketch *s)
 {
-    double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
-    double width = s->texts.scale * s->c->box_width, height = s->texts.scale * s->c->box_height;
-
-    double step = place_round(TICS * CANVAS_LETTER * s->texts.scale);
+    double scale = in_unit(s, place_at(s->texts.scale, 0)).x;
+    double width = scale * s->c->box_width, height = scale * s->c->box_height;
+    double step = place_round(TICS * CANVAS_LETTER * scale);
+    fourlink_vector middle = in_unit(
+        s, place_at((s->drawn.x_min + s->drawn.x_max) / 2, (s->drawn.y_min + s->drawn.y_max) / 2));
 
     canvas_print(s->c,
                  "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
                  "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
-                 step_of(step, x, width), step_of(step, y, height), x - width / 2, x + width / 2,
-                 y - height / 2, y + height / 2);
+                 step_of(step, middle.x, width), step_of(step, middle.y, height),
+                 middle.x - width / 2, middle.x + width / 2, middle.y - height / 2,
+                 middle.y + height / 2);
 }
 
 /* Write the lines of a link as $linkN, for a text terminal; 0 if there are none. */
 static int put_parts(const sketch *s, pen p)
 {
+    fourlink_vector from, to;
     int i, n = 0;
 
     for (i = 0; i < s->n_parts; i++)
         if (s->parts[i].p == p) {
             if (n++ == 0)
                 fprintf(s->c->out, "$link%d << EOD\n", (int)p);
-            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", s->parts[i].from.x, s->parts[i].from.y,
-                         s->parts[i].to.x, s->parts[i].to.y);
+            from = in_unit(s, s->parts[i].from);
+            to = in_unit(s, s->parts[i].to);
+            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", from.x, from.y, to.x, to.y);
         }
     if (n)
         fputs("EOD\n", s->c->out);
@@ -508,8 +535,14 @@ static void put_curves(const sketch *s)
     fputs(s->n_entries ? "\n" : "NaN notitle\n", s->c->out);
 }
 
-void sketch_close(sketch *s, const char *title, const char *unit_name)
+void sketch_close(sketch *s, const char *format, ...)
 {
+    char title[MESSAGE_SIZE];
+    va_list values;
+
+    va_start(values, format);
+    flk_message_list(title, sizeof title, format, values);
+    va_end(values);
     if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
         place_grow(&s->drawn, -s->size, -s->size);
         place_grow(&s->drawn, s->size, s->size);
@@ -520,8 +553,8 @@ void sketch_close(sketch *s, const char *title, const char *unit_name)
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);
-    canvas_titles(s->c, title, s->c->turn != 0 ? "horizontal" : "x", unit_name,
-                  s->c->turn != 0 ? "vertical" : "y", unit_name);
+    canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
+                  s->c->turn != 0 ? "vertical" : "y", s->unit->name, "%s", title);
     put_axes(s);
     put_curves(s);
 }

@@ -19,7 +19,6 @@ typedef enum pen {
 #undef PEN_CODE
 
 #define SKETCH_CURVES 32
-#define SKETCH_CORNERS 40
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
 #define SKETCH_PARTS 200
@@ -39,27 +38,25 @@ typedef struct sketch_part {
 
 typedef struct sketch {
     canvas *c;
-    place_box drawn; /* the drawing so far */
-    int is_fixed;    /* 1: it does not grow */
-    double size;     /* of the whole */
-    double letter;   /* height of a letter, a fraction of the size */
-    double block;    /* half the length of a piston or a block */
-    int is_window;   /* 1: only what is within `window` is drawn */
-    place_box window;
-    double cosine, sine; /* of the angle by which it is turned */
+    const fourlink_unit *unit; /* of its axes; all else is in SI units */
+    place_box drawn;           /* the drawing so far */
+    int is_fixed;              /* 1: it does not grow */
+    double size;               /* of the whole */
+    double letter;             /* height of a letter, a fraction of the size */
+    double block;              /* half the length of a piston or a block */
+    int is_window;             /* 1: nothing beyond it is drawn */
+    double cosine, sine;       /* of the angle by which it is turned */
     int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
     labels texts;
-    fourlink_vector last;                                  /* of a curve */
-    int n_points, is_empty;                                /* of the present curve */
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
     sketch_part parts[SKETCH_PARTS];
     int n_parts;
 } sketch;
 
-/* Begin a drawing of about this size in the next panel. */
-void sketch_open(sketch *s, canvas *c, double size);
+/* Begin a drawing of about this size in the next panel; places are in SI units, the axes in this unit. */
+void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
@@ -67,14 +64,14 @@ void sketch_turn(sketch *s, int is_turned);
 /* Draw only what is in a square around a place, with this half side. */
 void sketch_window(sketch *s, fourlink_vector middle, double half);
 
+/* 1 if a place is in what is drawn. */
+int sketch_shows(const sketch *s, fourlink_vector at);
+
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
-
-/* Draw the convex hull of up to SKETCH_CORNERS points, which are sorted. */
-void sketch_hull(sketch *s, pen p, fourlink_vector *points, int n);
 
 /* Draw a point. */
 void sketch_dot(sketch *s, fourlink_vector at);
@@ -101,8 +98,12 @@ void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char
 /* The same close to it, or not at all. */
 void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
-/* Put a line of text beside the drawing, below the one before. */
-void sketch_note(sketch *s, const char *words);
+/* The same at an angle of a circle, in rad, outside of it. */
+void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
+                        const char *words);
+
+/* Put a line of text beside the drawing, below the one before, in a format of flk_message. */
+void sketch_note(sketch *s, const char *format, ...);
 
 /* Draw a centre of mass. */
 void sketch_centre(sketch *s, fourlink_vector at);
@@ -113,16 +114,13 @@ void sketch_support(sketch *s, fourlink_vector at);
 /* Draw ground along y from x1 to x2, hatched on its lower (side -1) or upper side (1). */
 void sketch_ground(sketch *s, double x1, double x2, double y, double side);
 
-/* Draw a curve: begin, points, breaks, end.  There may be SKETCH_CURVES of them. */
-void sketch_curve(sketch *s, pen p, const char *title);
-void sketch_point(sketch *s, fourlink_vector at);
-void sketch_break(sketch *s);
-void sketch_end(sketch *s);
+/* Draw a curve; its gaps are not numbers.  There may be SKETCH_CURVES of them. */
+void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n);
 
 /* Put a line of this pen and its meaning into the key, after the curves. */
 void sketch_key(sketch *s, pen p, const char *meaning);
 
-/* Finish the drawing, with axes of equal scale around it. */
-void sketch_close(sketch *s, const char *title, const char *unit_name);
+/* Finish the drawing, with axes of equal scale around it; its title in a format of flk_message. */
+void sketch_close(sketch *s, const char *format, ...);
 
 #endif

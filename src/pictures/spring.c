@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "spring.h"
+#include "figure.h"
 
 #define FEWEST_TEETH 5
 #define MOST_TEETH 15
@@ -29,17 +29,15 @@
 /* A spring from one end to the other, and a parallel to it where spring and damper are side by side. */
 typedef struct strand {
     sketch *s;
-    fourlink_vector from, along,
-        across;  /* the whole length; half the width of a zigzag, to the left */
-    double side; /* of the parallel, in these halves */
+    fourlink_vector from, axis;
+    double length, half; /* half the width of a zigzag */
+    double side;         /* of the parallel to the left, in these halves */
 } strand;
 
 /* A place, by fractions of the length and halves of the width. */
 static fourlink_vector place(const strand *x, double along, double across)
 {
-    across += x->side;
-    return place_beside(x->from, along * x->along.x + across * x->across.x,
-                        along * x->along.y + across * x->across.y);
+    return place_in(x->from, x->axis, along * x->length, (across + x->side) * x->half);
 }
 
 static void put_line(const strand *x, double along, double across, double to_along,
@@ -88,12 +86,9 @@ static void put_wall(const strand *x, double at, double outward)
     put_line(x, at, -1.2, at, 1.2);
     for (i = -1; i <= 2; i++) {
         fourlink_vector p = place(x, at, 0.8 * i - 0.4);
-        double h = 0.8 * gsl_hypot(x->across.x, x->across.y);
-        double length = gsl_hypot(x->along.x, x->along.y);
 
         sketch_line(x->s, PEN_CONSTRUCTION, p,
-                    place_beside(p, outward * h * x->along.x / length - 0.8 * x->across.x,
-                                 outward * h * x->along.y / length - 0.8 * x->across.y));
+                    place_in(p, x->axis, outward * 0.8 * x->half, -0.8 * x->half));
     }
 }
 
@@ -118,19 +113,19 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
 static void draw_linear(sketch *s, const picture *p, const fourlink_state *state,
                         const fourlink_spring *spring, const char *name)
 {
-    fourlink_vector to = figure_of_link(p, state, spring->to, &spring->to_at);
+    fourlink_vector to = geometry_of_link(state, spring->to, &spring->to_at);
     int has_coil = scene_has_coil(spring), has_damper = scene_has_damper(spring);
-    double length, half = HALF_WIDTH * s->size, end;
+    double end;
     strand x;
 
     x.s = s;
     x.side = 0;
-    x.from = figure_of_link(p, state, spring->link, &spring->at);
-    x.along = place_at(to.x - x.from.x, to.y - x.from.y);
-    length = gsl_hypot(x.along.x, x.along.y);
-    if (length == 0)
+    x.from = geometry_of_link(state, spring->link, &spring->at);
+    x.length = place_distance(x.from, to);
+    x.half = HALF_WIDTH * s->size;
+    if (x.length == 0)
         return;
-    x.across = place_at(-half * x.along.y / length, half * x.along.x / length);
+    x.axis = place_at((to.x - x.from.x) / x.length, (to.y - x.from.y) / x.length);
     put_end(&x, p, state, spring->link, 0);
     put_end(&x, p, state, spring->to, 1);
     put_line(&x, 0, 0, LEAD, 0);
@@ -140,12 +135,12 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     put_line(&x, 1 - LEAD, -end, 1 - LEAD, end);
     x.side = end;
     if (has_coil)
-        put_zigzag(&x, teeth_of(s, figure_length(p, spring->free_length)));
+        put_zigzag(&x, teeth_of(s, spring->free_length));
     x.side = -end;
     if (has_damper)
         put_damper(&x);
     x.side = 0;
-    sketch_text(s, place(&x, 0.5, end + 1), x.across.x, x.across.y, name);
+    sketch_text(s, place(&x, 0.5, end + 1), -x.axis.y, x.axis.x, name);
 }
 
 /* The pin of a torsional spring. */
@@ -162,17 +157,11 @@ static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
 static double direction_from(const picture *p, const fourlink_state *state, int link,
                              fourlink_vector pin)
 {
-    fourlink_vector origin;
-    double theta;
-
     if (link == FOURLINK_GROUND)
         return -M_PI_2;
-    origin = figure_point(p, state->link[link].origin);
-    theta = state->link[link].theta;
-    return gsl_hypot(origin.x - pin.x, origin.y - pin.y) <
-                   0.5 * figure_length(p, p->v.design->link[link].length)
-               ? theta
-               : theta + M_PI;
+    return place_distance(state->link[link].origin, pin) < 0.5 * p->v.design->link[link].length
+               ? state->link[link].theta
+               : state->link[link].theta + M_PI;
 }
 
 static void draw_torsional(sketch *s, const picture *p, const fourlink_state *state,
@@ -185,18 +174,16 @@ static void draw_torsional(sketch *s, const picture *p, const fourlink_state *st
 
     span += 2 * M_PI * (TURNS - floor(span / (2 * M_PI)));
     for (i = 1; i <= SPIRAL_STEPS; i++) {
-        double part = (double)i / SPIRAL_STEPS, radius = (0.3 + 0.7 * part) * RADIUS * s->size;
+        double part = (double)i / SPIRAL_STEPS;
         fourlink_vector next;
 
         angle = from + span * part;
-        next = place_beside(pin, radius * cos(angle), radius * sin(angle));
+        next = place_polar(pin, (0.3 + 0.7 * part) * RADIUS * s->size, angle);
         if (i > 1)
             sketch_line(s, PEN_GROUND, last, next);
         last = next;
     }
-    sketch_text(
-        s, place_beside(pin, RADIUS * s->size * cos(angle + 2), RADIUS * s->size * sin(angle + 2)),
-        cos(angle + 2), sin(angle + 2), name);
+    sketch_text_around(s, pin, RADIUS * s->size, angle + 2, name);
 }
 
 void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values)

@@ -22,12 +22,16 @@
 typedef struct designs {
     const fourlink_value *outputs, *variables;
     unsigned long n_outputs, n_variables, n;
-    unsigned long
-        axis;       /* the variable on the x axis: a range that changes fastest, if there is one */
-    double *x;      /* by design: the value of that variable */
-    char *begins;   /* by design: 1: a slower variable has changed, and a new curve begins */
-    double *values; /* by design, branch and output; NaN: none */
+    unsigned long axis; /* the variable on the x axis */
+    double *inputs;     /* by design and variable */
+    double *values;     /* by design, branch and output; NaN: none */
+    double *sorted;     /* room for the values of an output */
 } designs;
+
+static double *inputs_of(const designs *d, unsigned long i)
+{
+    return d->inputs + i * d->n_variables;
+}
 
 static double *values_of(const designs *d, const picture *p, unsigned long i, int branch)
 {
@@ -42,36 +46,19 @@ static int open_designs(picture *p, designs *d)
     d->n = p->v.problem.n_designs;
     fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &d->outputs, &d->n_outputs);
     fourlink_results_list(p->v.results, FOURLINK_VARIABLES, &d->variables, &d->n_variables);
-    d->x = malloc(n * sizeof *d->x);
-    d->begins = calloc(n, 1);
+    d->inputs = malloc((n + 3) * d->n_variables * sizeof *d->inputs);
     d->values = malloc((lines * d->n_outputs + 1) * sizeof *d->values);
+    d->sorted = malloc(lines * sizeof *d->sorted);
     for (i = 0; d->values && i < lines * d->n_outputs; i++)
         d->values[i] = GSL_NAN;
-    return d->x && d->begins && d->values;
+    return d->inputs && d->values && d->sorted;
 }
 
 static void close_designs(designs *d)
 {
-    free(d->x);
-    free(d->begins);
+    free(d->inputs);
     free(d->values);
-}
-
-/* Keep the variables of design i; `last` are those of the design before it, and `fast` marks those that
-** change from the first design to the second. */
-static void keep_variables(designs *d, unsigned long i, const double *now, double *last, char *fast)
-{
-    unsigned long k;
-
-    for (k = 0; k < d->n_variables && i == 1; k++)
-        fast[k] = now[k] != last[k];
-    for (k = d->n_variables; k-- > 0 && i == 1;)
-        if (fast[k])
-            d->axis = k;
-    for (k = 0; k < d->n_variables && i > 0; k++)
-        if (now[k] != last[k] && !fast[k])
-            d->begins[i] = 1;
-    memcpy(last, now, d->n_variables * sizeof *last);
+    free(d->sorted);
 }
 
 /* Keep the outputs of design i on a branch; 0 if one could not be computed.  A fact that the design does not
@@ -92,15 +79,15 @@ static int keep_outputs(const picture *p, designs *d, unsigned long i, int branc
     return good;
 }
 
-/* Compute the outputs of design i; a design with mistakes has none. */
-static int compute(picture *p, designs *d, unsigned long i, double *variables)
+/* Compute the outputs of design i; a design with mistakes has none.  0: out of memory. */
+static int compute(picture *p, designs *d, unsigned long i)
 {
     fourlink_results *r = NULL;
     fourlink_problem problem;
     int status, b;
 
     p->n_lines += (unsigned long)p->v.n_branches;
-    fourlink_results_variables(p->v.results, i, d->n_variables, variables, NULL, NULL);
+    fourlink_results_variables(p->v.results, i, d->n_variables, inputs_of(d, i), NULL, NULL);
     status = fourlink_results_design(p->v.results, i, 0, &r, NULL, NULL);
     if (status == FOURLINK_OK) {
         fourlink_deck_problem(fourlink_results_deck(r), &problem);
@@ -113,103 +100,85 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
     return status != FOURLINK_NO_MEMORY;
 }
 
-/* 1 if a variable goes through a range; a tolerance, and a list, have no steps. */
-static int is_range(const picture *p, const designs *d, unsigned long k, double *room)
-{
-    double *low = room, *high = room + d->n_variables, *values = room + 2 * d->n_variables;
-
-    fourlink_results_variables(p->v.results, 0, d->n_variables, values, low, high);
-    return low[k] != high[k];
-}
-
 /* The first design at which a variable has another value than at the first. */
-static unsigned long first_change(const designs *d, const double *xs, unsigned long k)
+static unsigned long first_change(const designs *d, unsigned long k)
 {
     unsigned long i;
 
-    for (i = 1; i < d->n && xs[i * d->n_variables + k] == xs[k]; i++)
+    for (i = 1; i < d->n && inputs_of(d, i)[k] == inputs_of(d, 0)[k]; i++)
         ;
     return i;
 }
 
-/* A range is on the x axis rather than a tolerance or a list; of several ranges that which changes fastest.
-** `room` is for three values of each variable. */
-static void find_axis(const picture *p, designs *d, const double *xs, double *room)
+/* A range is on the x axis rather than a tolerance or a list, which have no steps; of several that which
+** changes fastest. */
+static void find_axis(const picture *p, designs *d)
 {
-    unsigned long k, first, least = d->n;
+    double *values = inputs_of(d, d->n), *low = values + d->n_variables,
+           *high = low + d->n_variables;
+    unsigned long k, rank, least = 2 * d->n + 1;
 
+    fourlink_results_variables(p->v.results, 0, d->n_variables, values, low, high);
     for (k = 0; k < d->n_variables; k++) {
-        first = first_change(d, xs, k);
-        if (first < least && is_range(p, d, k, room)) {
-            least = first;
+        rank = first_change(d, k) + (low[k] != high[k] ? 0 : d->n);
+        if (rank < least) {
+            least = rank;
             d->axis = k;
         }
     }
 }
 
-/* Compute all designs; returns 0 if out of memory. */
-static int compute_all(picture *p, designs *d)
+/* 1 if a new curve begins with design i: a variable has changed that does not from the first design to the
+** second. */
+static int begins(const designs *d, unsigned long i)
 {
-    double *now = malloc(3 * (d->n_variables + 1) * sizeof *now);
-    char *fast = calloc(d->n_variables + 1, 1);
-    double *xs = malloc((d->n_variables + 1) * d->n * sizeof *xs);
-    int enough = now && fast && xs;
-    unsigned long i;
+    unsigned long k;
 
-    for (i = 0; enough && i < d->n; i++) {
-        double *variables = xs + i * d->n_variables;
-
-        enough = compute(p, d, i, variables);
-        if (enough)
-            keep_variables(d, i, variables, now, fast);
-    }
-    if (enough)
-        find_axis(p, d, xs, now);
-    for (i = 0; enough && i < d->n; i++)
-        d->x[i] = xs[i * d->n_variables + d->axis];
-    free(now);
-    free(fast);
-    free(xs);
-    return enough;
+    for (k = 0; k < d->n_variables && i > 0; k++)
+        if (inputs_of(d, i)[k] != inputs_of(d, i - 1)[k] &&
+            inputs_of(d, 1)[k] == inputs_of(d, 0)[k])
+            return 1;
+    return 0;
 }
 
-/* The range of an output over all designs and branches; 0 if it has no number. */
-static int find_range(const picture *p, const designs *d, unsigned long output, double *low,
-                      double *high)
+/* Sort the numbers of an output on all branches; returns how many there are. */
+static size_t sort_values(const picture *p, designs *d, unsigned long output)
 {
     unsigned long i;
+    size_t n = 0;
     int b;
 
-    *low = GSL_POSINF;
-    *high = GSL_NEGINF;
     for (i = 0; i < d->n; i++)
-        for (b = 0; b < p->v.n_branches; b++) {
-            double value = values_of(d, p, i, b)[output];
-
-            if (gsl_isnan(value))
-                continue;
-            *low = GSL_MIN_DBL(*low, value);
-            *high = GSL_MAX_DBL(*high, value);
-        }
-    return *low <= *high;
+        for (b = 0; b < p->v.n_branches; b++)
+            if (!gsl_isnan(values_of(d, p, i, b)[output]))
+                d->sorted[n++] = values_of(d, p, i, b)[output];
+    gsl_sort(d->sorted, 1, n);
+    return n;
 }
 
-/* Set the range of an axis, with room on both sides. */
-static void put_range(const canvas *on, char axis, double low, double high, double part)
+/* Widen the range of x, and set it with the step of its numbers. */
+static void put_x_range(const canvas *on, double low, double high)
 {
-    graph_widen(&low, &high, part);
-    canvas_print(on, axis == 'x' ? "set xrange [%.8g:%.8g]\n" : "set yrange [%.8g:%.8g]\n", low,
-                 high);
-    if (axis == 'x')
-        canvas_print(on, "set xtics %.6g\n",
-                     place_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
+    graph_widen(&low, &high, 0.02);
+    canvas_print(on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", low, high,
+                 place_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
 }
 
-static void begin_panel(picture *p)
+/* Begin the next panel, of an output. */
+static void begin_panel(picture *p, const char *x, const char *x_unit, const char *y,
+                        const char *y_unit)
 {
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
+    canvas_titles(&p->on, x, x_unit, y, y_unit, "");
+}
+
+/* Begin the data of an output on a branch. */
+static void begin_data(const picture *p, unsigned long output, int branch)
+{
+    canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
+                 fourlink_branch_text((int)p->v.branches[branch]));
 }
 
 static void plot(picture *p, unsigned long output, int branch, const char *style, int line)
@@ -250,44 +219,35 @@ static unsigned long put_bins(const picture *p, const designs *d, unsigned long 
         if (++counts[k] > most)
             most = counts[k];
     }
-    canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
-                 fourlink_branch_text((int)p->v.branches[branch]));
+    begin_data(p, output, branch);
     for (k = 0; k < bins; k++)
         canvas_print(&p->on, "%.12g %.12g\n", low + (k + 0.5) * width, (double)counts[k]);
     canvas_print(&p->on, "EOD\n");
     return most;
 }
 
-/* Draw the histogram of an output; 0 if it has no number, -1 if out of memory. */
-static int put_histogram(picture *p, const designs *d, unsigned long output)
+/* Draw the histogram of an output; 0 if it has no number. */
+static int put_histogram(picture *p, designs *d, unsigned long output)
 {
-    double *sorted = malloc(d->n * (size_t)p->v.n_branches * sizeof *sorted), low, high, width;
-    unsigned long i, most = 0, here;
+    size_t n = sort_values(p, d, output);
+    double low = d->sorted[0], high, width;
+    unsigned long most = 0, here;
     char symbol[NOTATION_SIZE];
-    size_t n = 0;
     int b, bins;
 
-    if (!sorted || !find_range(p, d, output, &low, &high)) {
-        free(sorted);
-        return sorted ? 0 : -1;
-    }
-    for (i = 0; i < d->n; i++)
-        for (b = 0; b < p->v.n_branches; b++)
-            if (!gsl_isnan(values_of(d, p, i, b)[output]))
-                sorted[n++] = values_of(d, p, i, b)[output];
-    gsl_sort(sorted, 1, n);
-    bins = count_bins(sorted, n);
-    free(sorted);
+    if (n == 0)
+        return 0;
+    high = d->sorted[n - 1];
+    bins = count_bins(d->sorted, n);
     width = bins > 1 ? (high - low) / bins : low != 0 ? 0.01 * fabs(low) : 1;
     low -= bins > 1 ? 0 : 0.5 * width;
-    begin_panel(p);
-    canvas_titles(&p->on, "", canvas_symbol(&p->on, d->outputs[output].name, symbol),
-                  d->outputs[output].unit, "designs", "number");
+    begin_panel(p, canvas_symbol(&p->on, d->outputs[output].name, symbol), d->outputs[output].unit,
+                "designs", "number");
     for (b = 0; b < p->v.n_branches; b++) {
         here = put_bins(p, d, output, b, bins, low, width);
         most = here > most ? here : most;
     }
-    put_range(&p->on, 'x', low, low + bins * width, 0.02);
+    put_x_range(&p->on, low, low + bins * width);
     canvas_print(&p->on, "set yrange [0:%.8g]\nset boxwidth %.12g\nset style fill solid 0.4\n",
                  1.1 * (double)most, width);
     for (b = 0; b < p->v.n_branches; b++)
@@ -302,53 +262,47 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
 static int is_monotonic(const designs *d)
 {
     unsigned long i;
-    int way = 0;
+    double way = 0, step;
 
     for (i = 1; i < d->n; i++) {
-        int step = d->x[i] > d->x[i - 1] ? 1 : -1;
-
-        if (d->begins[i] || d->x[i] == d->x[i - 1])
-            way = d->begins[i] ? 0 : 2;
-        else if (way && step != way)
+        step = begins(d, i) ? 0 : inputs_of(d, i)[d->axis] - inputs_of(d, i - 1)[d->axis];
+        if (!begins(d, i) && (step == 0 || step * way < 0))
             return 0;
-        else
-            way = step;
-        if (way == 2)
-            return 0;
+        way = step;
     }
     return 1;
 }
 
 /* Draw an output over the varied quantity; 0 if it has no number. */
-static int put_curve(picture *p, const designs *d, unsigned long output, const char *style)
+static int put_curve(picture *p, designs *d, unsigned long output, const char *style)
 {
     const fourlink_value *x = &d->variables[d->axis];
+    size_t n = sort_values(p, d, output);
+    double low = d->sorted[0], high, value;
     char symbol[NOTATION_SIZE];
-    double low, high;
     unsigned long i;
     int b;
 
-    if (!find_range(p, d, output, &low, &high))
+    if (n == 0)
         return 0;
-    begin_panel(p);
-    canvas_titles(&p->on, "", x->name, x->unit,
-                  canvas_symbol(&p->on, d->outputs[output].name, symbol), d->outputs[output].unit);
+    high = d->sorted[n - 1];
+    begin_panel(p, x->name, x->unit, canvas_symbol(&p->on, d->outputs[output].name, symbol),
+                d->outputs[output].unit);
     for (b = 0; b < p->v.n_branches; b++) {
-        canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
-                     fourlink_branch_text((int)p->v.branches[b]));
+        begin_data(p, output, b);
         for (i = 0; i < d->n; i++) {
-            double value = values_of(d, p, i, b)[output];
-
-            if (d->begins[i] || gsl_isnan(value))
+            value = values_of(d, p, i, b)[output];
+            if (begins(d, i) || gsl_isnan(value))
                 canvas_print(&p->on, "\n");
             if (!gsl_isnan(value))
-                canvas_print(&p->on, "%.12g %.12g\n", d->x[i], value);
+                canvas_print(&p->on, "%.12g %.12g\n", inputs_of(d, i)[d->axis], value);
         }
         canvas_print(&p->on, "EOD\n");
     }
-    put_range(&p->on, 'y', low, high, 0.08);
-    gsl_stats_minmax(&low, &high, d->x, 1, d->n);
-    put_range(&p->on, 'x', low, high, 0.02);
+    graph_widen(&low, &high, 0.08);
+    canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
+    gsl_stats_minmax(&low, &high, d->inputs + d->axis, d->n_variables, d->n);
+    put_x_range(&p->on, low, high);
     for (b = 0; b < p->v.n_branches; b++)
         plot(p, output, b, style, b + 1);
     canvas_print(&p->on, "\n");
@@ -360,21 +314,23 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
 /* Compute the designs and draw each output. */
 static const char *draw_outputs(picture *p, int is_histogram)
 {
+    unsigned long i, k;
     const char *style;
-    unsigned long k;
-    int drawn = 0, status = 0;
+    int drawn = 0, enough;
     designs d;
 
     if (p->v.problem.n_designs > MOST_DESIGNS)
         return "a picture shows at most 1000000 designs";
-    if (!open_designs(p, &d) || !compute_all(p, &d))
-        status = -1;
-    style = status == 0 && is_monotonic(&d) ? "linespoints" : "points";
-    for (k = 0; status >= 0 && k < d.n_outputs; k++) {
-        status = is_histogram ? put_histogram(p, &d, k) : put_curve(p, &d, k, style);
-        drawn += status > 0;
+    enough = open_designs(p, &d);
+    for (i = 0; enough && i < d.n; i++)
+        enough = compute(p, &d, i);
+    if (enough) {
+        find_axis(p, &d);
+        style = is_monotonic(&d) ? "linespoints" : "points";
+        for (k = 0; k < d.n_outputs; k++)
+            drawn += is_histogram ? put_histogram(p, &d, k) : put_curve(p, &d, k, style);
     }
-    p->out_of_memory = status < 0;
+    p->out_of_memory = !enough;
     close_designs(&d);
     return drawn ? NULL : NO_VALUES;
 }

@@ -57,14 +57,11 @@ static double moment_at(const diagram *d, double angle)
 static double find_area(const diagram *d, int k, double *from, double *to)
 {
     const fourlink_area *area = &d->t.area[d->sense > 0 ? k : d->t.n_areas - 1 - k];
-    double cycle = d->p->v.problem.cycle, first = area->from, last = area->to;
+    double first = view_value(&d->p->v, QUANTITY_ANGLE, area->from);
+    double last = view_value(&d->p->v, QUANTITY_ANGLE, area->to);
 
-    if (d->sense < 0) {
-        first = cycle - area->to;
-        last = cycle - area->from;
-    }
-    *from = view_value(&d->p->v, QUANTITY_ANGLE, first);
-    *to = view_value(&d->p->v, QUANTITY_ANGLE, last);
+    *from = d->sense > 0 ? first : d->cycle - last;
+    *to = d->sense > 0 ? last : d->cycle - first;
     return area->energy;
 }
 
@@ -85,25 +82,23 @@ static void sample(diagram *d)
         d->high = d->low + 1;
 }
 
-/* Set the ranges of the axes, and what no text should cover: the curve, and the mean. */
+/* Set the axes, and what no text should cover: the curve, and the mean. */
 static void put_axes(diagram *d)
 {
-    double border = (d->high - d->low) * ROOM / (1 - 2 * ROOM);
-    const canvas *on = &d->p->on;
+    double border = (d->high - d->low) * ROOM / (1 - 2 * ROOM), angles[PICTURE_STEPS + 1];
+    place_box frame;
     int k;
 
-    canvas_print(on, "set xrange [0:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\nmean = %.17g\n",
-                 d->cycle, d->low - border, d->high + border, graph_angle_step(d->p, d->cycle),
-                 d->mean);
-    room_open(&d->r, on, 0, d->cycle, d->low - border, d->high + border);
+    frame.x_min = 0;
+    frame.x_max = d->cycle;
+    frame.y_min = d->low - border;
+    frame.y_max = d->high + border;
+    room_set_axes(&d->r, frame, graph_angle_step(d->p, d->cycle));
+    canvas_print(&d->p->on, "mean = %.17g\n", d->mean);
     for (k = 0; k <= PICTURE_STEPS; k++)
-        if (gsl_isnan(d->moment[k]))
-            room_break(&d->r);
-        else
-            room_point(&d->r, d->cycle * k / PICTURE_STEPS, d->moment[k]);
-    room_break(&d->r);
-    room_point(&d->r, 0, d->mean);
-    room_point(&d->r, d->cycle, d->mean);
+        angles[k] = d->cycle * k / PICTURE_STEPS;
+    room_add_curve(&d->r, angles, d->moment, PICTURE_STEPS + 1);
+    room_add_line(&d->r, place_at(0, d->mean), place_at(d->cycle, d->mean));
 }
 
 /* The centroid of an area. */
@@ -154,20 +149,17 @@ static void put_areas(diagram *d)
             continue;
         at = centroid(d, from, to);
         picture_words(d->p, "", energy, QUANTITY_ENERGY, words);
-        if (!room_find(&d->r, at, 0, 0, 0, words, &middle))
-            continue;
-        canvas_print(&d->p->on, "set label %q at %.8g,%.8g center front boxed\n", words, middle.x,
-                     middle.y);
-        put_leader(d, middle, canvas_width_of(words) / 2, at);
+        if (room_put(&d->r, at, 0, 0, 0, words, "boxed", &middle))
+            put_leader(d, middle, canvas_width_of(words) / 2, at);
     }
 }
 
 /* Mark where the flywheel has its largest or its smallest energy. */
 static void put_mark(diagram *d, double angle, const char *name, int line)
 {
-    char words[PICTURE_WORDS], number[PICTURE_MARK];
+    char mark[PICTURE_MARK];
     double half = canvas_width_of(name) / 2 / d->r.x_scale;
-    double y = d->r.y_min + (d->r.height - CANVAS_LINE) / d->r.y_scale;
+    double y = d->r.frame.y_max - CANVAS_LINE / d->r.y_scale;
     double x = clamp(angle, half, d->cycle - half);
 
     canvas_print(&d->p->on,
@@ -176,9 +168,7 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
                  "set label %q at %.8g,%.8g center front boxed\n",
                  angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
     room_take(&d->r, place_at(x, y), name);
-    flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, 4, number),
-                  (char *)NULL);
-    canvas_note(&d->p->on, line, words);
+    canvas_note(&d->p->on, line, "%s at %s", name, picture_mark(d->p, angle, 4, mark));
 }
 
 /* The energy grows from 0 at the beginning of the cycle by each area; the extremes lie between areas. */
@@ -207,45 +197,36 @@ static void put_extremes(diagram *d)
 /* Put the coefficients to the right of the axes. */
 static void put_coefficients(const diagram *d)
 {
-    static const char *const names[] = {"of energy", "of speed"};
     const canvas *on = &d->p->on;
-    char words[PICTURE_WORDS], number[FORMAT_SIZE];
-    double value;
-    int i;
 
     canvas_note(on, 0, "coefficient of fluctuation");
-    for (i = 0; i < 2; i++) {
-        value = i ? d->t.fluctuation : d->t.energy_coefficient;
-        if (i ? value <= 0 : !d->t.has_coefficient)
-            flk_text_join(words, sizeof words, names[i],
-                          i ? ": no flywheel" : ": none, its mean is 0", (char *)NULL);
-        else
-            flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),
-                          (char *)NULL);
-        canvas_note(on, 1 + i, words);
-    }
+    if (d->t.has_coefficient)
+        canvas_note(on, 1, "of energy %.4g", d->t.energy_coefficient);
+    else
+        canvas_note(on, 1, "of energy: none, its mean is 0");
+    if (d->t.fluctuation > 0)
+        canvas_note(on, 2, "of speed %.4g", d->t.fluctuation);
+    else
+        canvas_note(on, 2, "of speed: no flywheel");
     canvas_note(on, 4, "above the mean the");
     canvas_note(on, 5, "flywheel takes up energy");
 }
 
 static void put_titles(const diagram *d)
 {
-    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[300], x[80], y[80];
-    char symbol[NOTATION_SIZE], torque[NOTATION_SIZE];
+    char mean[PICTURE_WORDS], change[PICTURE_WORDS], x[NOTATION_SIZE + 40], y[NOTATION_SIZE + 40];
+    char theta[NOTATION_SIZE], torque[NOTATION_SIZE];
     const picture *p = d->p;
     int is_clockwise = d->sense < 0;
 
-    picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, words);
-    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, other);
-    flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
-                  (char *)NULL);
-    flk_text_join(x, sizeof x, is_clockwise ? "-" : "", canvas_symbol(&p->on, "theta2", symbol),
-                  is_clockwise ? ", turned clockwise" : "", (char *)NULL);
-    flk_text_join(y, sizeof y, "turning moment ", is_clockwise ? "" : "-",
-                  canvas_symbol(&p->on, "Ts", torque), is_clockwise ? ", clockwise" : "",
-                  (char *)NULL);
-    canvas_titles(&p->on, title, x, p->v.units[QUANTITY_ANGLE].name, y,
-                  p->v.units[QUANTITY_TORQUE].name);
+    picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, mean);
+    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, change);
+    flk_message(x, sizeof x, is_clockwise ? "-%s, turned clockwise" : "%s",
+                canvas_symbol(&p->on, "theta2", theta));
+    flk_message(y, sizeof y, is_clockwise ? "turning moment %s, clockwise" : "turning moment -%s",
+                canvas_symbol(&p->on, "Ts", torque));
+    canvas_titles(&p->on, x, p->v.units[QUANTITY_ANGLE].name, y, p->v.units[QUANTITY_TORQUE].name,
+                  "%s: %s, %s", fourlink_branch_text(d->branch), mean, change);
 }
 
 /* Fill the areas, except on a text terminal. */
@@ -287,10 +268,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     d.sense = picture_speed_of(p, branch) < 0 ? -1 : 1;
     d.cycle = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
     d.mean = view_value(&p->v, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
-    fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, MARGIN * CANVAS_LETTER);
-    canvas_key(&p->on);
-    canvas_grid(&p->on);
+    room_open(&d.r, &p->on, 3, MARGIN * CANVAS_LETTER);
     sample(&d);
     put_titles(&d);
     put_axes(&d);

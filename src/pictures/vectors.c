@@ -3,14 +3,12 @@
 ** vectors.c - the graphical method at one position: velocity and acceleration polygons, free
 ** bodies and their polygons of forces, which close:  sum F - m a_G = 0
 */
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "friction_circle.h"
-#include "spring.h"
+#include "arrow.h"
 
 /* The height of a letter in these small drawings. */
 #define LETTER 0.045
@@ -18,13 +16,16 @@
 /* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
 
+/* A friction circle is drawn to scale if its radius is at least this fraction of the drawing. */
+#define SMALLEST_CIRCLE 0.04
+
 #define IMAGE_NAME 9 /* letters, of the image of a point */
 
 #define NO_FORCES "all forces are zero"
 
 static const fourlink_vector zero = {0, 0};
 
-/* A polygon of vectors of one quantity; its sides in the deck's unit. */
+/* A polygon of vectors of one quantity, in SI units. */
 typedef struct polygon {
     sketch s;
     const picture *p;
@@ -41,23 +42,13 @@ static void open_polygon(polygon *g, picture *p, quantity q, const char *zero_wo
     g->q = q;
     g->zero = zero_words;
     g->sides.n = 0;
-    sketch_open(&g->s, &p->on, 1);
+    sketch_open(&g->s, &p->on, &p->v.units[q], 1);
     g->s.letter = LETTER;
 }
 
 static fourlink_vector end_of(const arrow *x)
 {
     return place_beside(x->at, x->F.x, x->F.y);
-}
-
-/* Add a vector in SI units at the tip of another; returns its end. */
-static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
-                                fourlink_vector v)
-{
-    v.x = view_value(&g->p->v, g->q, v.x);
-    v.y = view_value(&g->p->v, g->q, v.y);
-    arrow_put(&g->sides, kind, name, from, v);
-    return place_beside(from, v.x, v.y);
 }
 
 static void find_size(polygon *g)
@@ -92,7 +83,7 @@ static void draw_sides(polygon *g)
 
         if (format_settled(length, g->s.size) == 0)
             continue; /* rounding */
-        figure_note(&g->s, g->p, x->name, view_si(&g->p->v, g->q, length), g->q);
+        figure_note(&g->s, g->p, x->name, length, g->q);
         if (length < SHORTEST * g->s.size) {
             sketch_line(&g->s, x->kind, x->at, to);
             continue;
@@ -101,8 +92,7 @@ static void draw_sides(polygon *g)
         nx = -dy / length;
         ny = dx / length;
         out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, place_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx, out * ny,
-                    x->name);
+        sketch_text(&g->s, place_middle(x->at, to), out * nx, out * ny, x->name);
     }
 }
 
@@ -114,11 +104,8 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 }
 
 /* Put the image of a point of a link, which ends its velocity or acceleration from the pole. */
-static void put_image(polygon *g, fourlink_vector v, const char *letter)
+static void put_image(polygon *g, fourlink_vector end, const char *letter)
 {
-    fourlink_vector end =
-        place_at(view_value(&g->p->v, g->q, v.x), view_value(&g->p->v, g->q, v.y));
-
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
     sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
@@ -169,7 +156,7 @@ static const char *name_of(const scene_side *x, char out[40])
 static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
     const scene_side *x;
-    char title[80], name[40];
+    char name[40];
     polygon g;
     int i;
 
@@ -177,8 +164,8 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
     for (x = d->sides; x->name; x++)
         if (tracks_get(&r->numbers, x->of)) {
             g.of[g.sides.n] = x;
-            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
-                     corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
+            arrow_put(&g.sides, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
+                      name_of(x, name), corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
         }
     draw_sides(&g);
     for (i = 0; i < 2 && d->lines[i][0]; i++)
@@ -189,9 +176,61 @@ static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d
         if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
             put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
     put_images(&g, r, d);
-    flk_text_join(title, sizeof title, d->title, " polygon", (char *)NULL);
-    title[0] = (char)tolower((unsigned char)title[0]);
-    sketch_close(&g.s, title, p->v.units[g.q].name);
+    sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
+}
+
+/* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The
+** force F and the moment M of the friction are together the force F along a line at the distance M / |F| from
+** the pin: a tangent to the circle of radius mu r (R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter
+** 10, friction of a pin joint). */
+typedef struct friction_circle {
+    double radius;
+    double arm; /* of the force about the pin, positive if that turns the link counter-clockwise */
+} friction_circle;
+
+/* The moment of a joint's friction on a link: against its turning relative to the other link. */
+static double moment_on(const picture *p, const picture_row *r, unsigned long joint, int link)
+{
+    fourlink_load_info load;
+    unsigned long i;
+
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
+        if (load.sort == FOURLINK_LOAD_FRICTION && load.element == joint && load.link == link)
+            return r->loads[i].torque;
+    return 0;
+}
+
+/* The circle of joint 0 to 3, A to D, at which the force F, in N, acts on a link. */
+static friction_circle circle_of(const picture *p, const picture_row *r, int joint, int link,
+                                 fourlink_vector F)
+{
+    double size = gsl_hypot(F.x, F.y);
+    fourlink_friction friction;
+    friction_circle x = {0, 0};
+
+    fourlink_deck_friction(p->v.deck, &friction);
+    x.radius = friction.circle[joint];
+    if (size > 0)
+        x.arm = moment_on(p, r, (unsigned long)joint, link) / size;
+    return x;
+}
+
+/* How many times larger than a drawing of this size its circles are drawn, so that the larger of two can be
+** seen. */
+static double scale_of_circles(double size, const friction_circle *x, const friction_circle *y)
+{
+    double radius = GSL_MAX_DBL(x->radius, y->radius);
+
+    return radius > 0 ? GSL_MAX_DBL(place_round(SMALLEST_CIRCLE * size / radius), 1) : 1;
+}
+
+/* Where a force touches its circle, drawn so many times larger:  r x F = arm |F|, r at right angles to F */
+static fourlink_vector touch_of(const friction_circle *x, double scale, fourlink_vector pin,
+                                fourlink_vector F)
+{
+    double size = gsl_hypot(F.x, F.y), part = size > 0 ? scale * x->arm / size : 0;
+
+    return place_beside(pin, part * F.y, -part * F.x);
 }
 
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
@@ -216,11 +255,11 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
         if (f->on != b->link || f->sort != sort)
             continue;
         n = b->forces.n;
-        arrow_add_force(&b->forces, p, r, f);
+        arrow_add_force(&b->forces, r, f);
         if (sort != SCENE_PIN)
             continue;
-        b->circle[pin] = friction_circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
-                                            n < b->forces.n ? b->forces.list[n].F : zero);
+        b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
+                                   n < b->forces.n ? b->forces.list[n].F : zero);
         b->of_pin[pin++] = n < b->forces.n ? n : -1;
     }
 }
@@ -231,8 +270,8 @@ static void touch(free_body *b, int pin)
     int i = b->of_pin[pin];
 
     if (i >= 0)
-        b->forces.list[i].at = friction_circle_touch(&b->circle[pin], b->circle_scale,
-                                                     b->forces.list[i].at, b->forces.list[i].F);
+        b->forces.list[i].at =
+            touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
 }
 
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
@@ -241,15 +280,15 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
 
     b->link = link;
     b->is_slider = p->v.kind.slides_on[link];
-    b->first = figure_track(p, r, ends[0].letter);
-    b->second = figure_track(p, r, ends[1].letter);
-    b->G = figure_of_link(p, &r->now.state, link, &p->v.design->link[link].cg);
-    b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
+    b->first = tracks_vector(&r->numbers, ends[0].letter);
+    b->second = tracks_vector(&r->numbers, ends[1].letter);
+    b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
+    b->length = place_distance(b->first, b->second);
     if (b->length == 0)
-        b->length = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
+        b->length = p->v.design->link[FOURLINK_CRANK].length;
     b->forces.n = 0;
     add_forces(b, p, r, SCENE_PIN);
-    b->circle_scale = friction_circle_scale(b->length, &b->circle[0], &b->circle[1]);
+    b->circle_scale = scale_of_circles(b->length, &b->circle[0], &b->circle[1]);
     touch(b, 0);
     touch(b, 1);
     add_forces(b, p, r, SCENE_LOAD);
@@ -262,7 +301,7 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
 
     if (b->circle[pin].radius > 0) {
-        friction_circle_draw(s, &b->circle[pin], b->circle_scale, at);
+        sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
         sketch_dot(s, at);
     } else {
         sketch_pin(s, at);
@@ -284,7 +323,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
     for (i = 0; i < p->v.problem.n_loads; i++)
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
-                       figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
+                       geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
     if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G);
@@ -307,8 +346,8 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 
         if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
             arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
-                              scene_words(f, words, sizeof words), figure_track(p, r, f->at),
-                              value);
+                              scene_words(f, words, sizeof words),
+                              tracks_vector(&r->numbers, f->at), value);
     }
 }
 
@@ -316,10 +355,9 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
     double largest = arrow_largest(&b->forces);
-    char words[80];
     sketch s;
 
-    sketch_open(&s, &p->on, 1.4 * b->length);
+    sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
     s.letter = LETTER;
     draw_body(&s, p, r, b);
     if (largest > 0) {
@@ -331,25 +369,25 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     put_torques(&s, p, r, b);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
-        friction_circle_note(&s, b->circle_scale);
-    flk_text_join(words, sizeof words, "free body of the ", p->v.kind.link[b->link], (char *)NULL);
-    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
+        sketch_note(&s, "friction circles %.6g:1", b->circle_scale);
+    sketch_close(&s, "free body of the %s", p->v.kind.link[b->link]);
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
 static void put_force_polygon(picture *p, const free_body *b)
 {
     fourlink_vector at = zero;
-    char words[80];
     polygon g;
     int i;
 
     open_polygon(&g, p, QUANTITY_FORCE, NO_FORCES);
-    for (i = 0; i < b->forces.n; i++)
-        at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
+    for (i = 0; i < b->forces.n; i++) {
+        arrow_put(&g.sides, b->forces.list[i].kind, b->forces.list[i].name, at,
+                  b->forces.list[i].F);
+        at = end_of(&g.sides.list[i]);
+    }
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", p->v.kind.link[b->link], (char *)NULL);
-    sketch_close(&g.s, words, p->v.units[QUANTITY_FORCE].name);
+    sketch_close(&g.s, "forces on the %s", p->v.kind.link[b->link]);
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)

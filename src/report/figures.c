@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/system.h"
-#include "pictures/gnuplot.h"
 #include "pictures/plot.h"
 #include "compact.h"
 #include "report.h"

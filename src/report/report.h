@@ -9,7 +9,7 @@
 
 #include "base/format.h"
 #include "page.h"
-#include "pictures/gnuplot.h"
+#include "pictures/plot.h"
 #include "view/view.h"
 
 /* What the caller knows beside the deck. */

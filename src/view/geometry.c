@@ -6,15 +6,6 @@
 
 #include "geometry.h"
 
-fourlink_vector geometry_vector(double x, double y)
-{
-    fourlink_vector v;
-
-    v.x = x;
-    v.y = y;
-    return v;
-}
-
 fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at)
 {
     fourlink_vector place = *at;
@@ -26,7 +17,7 @@ fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fo
 
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link)
 {
-    fourlink_vector at = geometry_vector(v->design->link[link].length, 0);
+    fourlink_vector at = place_at(v->design->link[link].length, 0);
 
     return geometry_of_link(state, link, &at);
 }
@@ -64,7 +55,7 @@ fourlink_vector geometry_on_slide(const fourlink_state *state, double along)
     const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis,
                           *B = &state->link[FOURLINK_COUPLER].origin;
 
-    return geometry_vector(B->x + (along - state->s) * u->x, B->y + (along - state->s) * u->y);
+    return place_in(*B, *u, along - state->s, 0);
 }
 
 double geometry_root(const view *v)
@@ -74,11 +65,11 @@ double geometry_root(const view *v)
 
 fourlink_vector geometry_force(const fourlink_load *load, const fourlink_state *state)
 {
-    const fourlink_vector *axis = &state->link[load->link].axis, *F = &load->force;
+    const fourlink_vector none = {0, 0}, *F = &load->force;
 
-    if (load->frame == FOURLINK_FRAME_GROUND)
-        return *F;
-    return geometry_vector(F->x * axis->x - F->y * axis->y, F->x * axis->y + F->y * axis->x);
+    return load->frame == FOURLINK_FRAME_GROUND
+               ? *F
+               : place_in(none, state->link[load->link].axis, F->x, F->y);
 }
 
 double geometry_turn(const view *v)

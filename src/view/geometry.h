@@ -5,9 +5,8 @@
 #ifndef FOURLINK_GEOMETRY_H
 #define FOURLINK_GEOMETRY_H
 
+#include "place.h"
 #include "view.h"
-
-fourlink_vector geometry_vector(double x, double y);
 
 /* The place of a point of a link or of the ground, given in the link's own axes. */
 fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at);

@@ -109,6 +109,17 @@ static void put_scripts(const char *plain, int is_raised, char out[NOTATION_SIZE
     }
 }
 
+/* The words of a fact's name, but for a subscript: time ratio, m_a.  The names of a deck, S.force, stay. */
+static void put_words(const char *name, char out[NOTATION_SIZE])
+{
+    char *c;
+
+    flk_text_join(out, NOTATION_SIZE, name, (char *)NULL);
+    for (c = out; *c && !strchr(name, '.'); c++)
+        if (*c == '_' && c[1] && c[2])
+            *c = ' ';
+}
+
 char *notation_name(const char *name, char out[NOTATION_SIZE])
 {
     const char *open = strchr(name, '(');
@@ -122,7 +133,10 @@ char *notation_name(const char *name, char out[NOTATION_SIZE])
         plain[open - name] = '\0';
         return flk_text_join(out, NOTATION_SIZE, plain, "(", inner, ")", (char *)NULL);
     }
-    notation_split(name, &n);
+    if (!notation_split(name, &n)) {
+        put_words(name, out);
+        return out;
+    }
     flk_text_join(out, NOTATION_SIZE, n.symbol, (char *)NULL);
     put_scripts(n.sub, 0, out);
     flk_text_join(out + strlen(out), NOTATION_SIZE - strlen(out),

@@ -12,8 +12,8 @@
 
 enum { NOTATION_SIZE = 120 };
 
-/* In a name for a drawing: what follows, to the next of them or a blank, is a subscript or a superscript.  They are
-** characters for private use, in UTF-8. */
+/* In a name for a drawing: what follows, to the next of them or a blank, is a subscript or a superscript.
+** They are characters for private use, in UTF-8. */
 #define NOTATION_SUB "\356\200\201"
 #define NOTATION_SUPER "\356\200\202"
 enum { NOTATION_MARK = 3 }; /* bytes */

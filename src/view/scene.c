@@ -55,6 +55,26 @@ const scene_polygon *scene_polygons(const view *v)
     return v->kind.has_slot ? of_slider : of_rod;
 }
 
+/* ------------------------------------------------------------------------------------------- springs */
+
+int scene_has_damper(const fourlink_spring *spring)
+{
+    return spring->damping > 0;
+}
+
+int scene_has_coil(const fourlink_spring *spring)
+{
+    return spring->stiffness != 0 || !scene_has_damper(spring);
+}
+
+const char *scene_pin_of(const view *v, const fourlink_spring *spring)
+{
+    static const int pins[5][5] = {
+        {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 3}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
+
+    return v->kind.joint[pins[spring->link][spring->to]].letter;
+}
+
 /* ----------------------------------------------------------------------------------- forces, torques */
 
 enum { JOINT_C = 2, JOINT_D };
@@ -134,10 +154,23 @@ static int is_inner(const fourlink_kind_facts *kind, const fourlink_load_info *l
     return load->sort == FOURLINK_LOAD_SPRING;
 }
 
+/* Where the torque of a load is drawn: at the first pin of its link, that of a spring at the spring's. */
+static const char *place_of_torque(const view *v, const fourlink_load_info *load)
+{
+    static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
+    fourlink_spring spring;
+
+    if (load->sort == FOURLINK_LOAD_SPRING) {
+        fourlink_deck_spring(v->deck, load->element, NULL, &spring);
+        if (spring.is_torsional)
+            return scene_pin_of(v, &spring);
+    }
+    return v->kind.joint[origins[load->link]].letter;
+}
+
 /* The friction of a slider on its lever is in F34. */
 static void add_loads(scene *s, const view *v)
 {
-    static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
     char at[TRACKS_NAME], of[TRACKS_NAME];
     fourlink_load_info load;
     scene_force *f;
@@ -155,7 +188,7 @@ static void add_loads(scene *s, const view *v)
         }
         tracks_name("L", i, "T", of);
         f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", of, 1,
-                v->kind.joint[origins[load.link]].letter, load.link);
+                place_of_torque(v, &load), load.link);
         f->is_inner = is_friction || is_inner(&v->kind, &load);
         f->load = load.sort;
         if (is_friction) {
@@ -228,24 +261,4 @@ char *scene_words(const scene_force *f, char *out, size_t size)
                       script, (char *)NULL);
     }
     return out;
-}
-
-/* ------------------------------------------------------------------------------------------- springs */
-
-int scene_has_damper(const fourlink_spring *spring)
-{
-    return spring->damping > 0;
-}
-
-int scene_has_coil(const fourlink_spring *spring)
-{
-    return spring->stiffness != 0 || !scene_has_damper(spring);
-}
-
-const char *scene_pin_of(const view *v, const fourlink_spring *spring)
-{
-    static const int pins[5][5] = {
-        {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 3}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
-
-    return v->kind.joint[pins[spring->link][spring->to]].letter;
 }

@@ -70,7 +70,8 @@ typedef struct scene {
 /* The scene of a deck with at most so many loads and points as a drawing shows. */
 void scene_find(scene *s, const view *v);
 
-/* Its name: F and its links as subscripts; -m a with the subscript G, without the link; as notation.h marks it. */
+/* Its name: F and its links as subscripts; -m a with the subscript G, without the link; as notation.h marks
+** it. */
 char *scene_words(const scene_force *f, char *out, size_t size);
 
 /* ------------------------------------------------------------------------------------------- springs */

@@ -55,7 +55,7 @@ static void put(tracks *t, const char *name, quantity q, fourlink_vector v)
 
 static void put_number(tracks *t, const char *name, quantity q, double si)
 {
-    add(t, name, q, geometry_vector(si, 0))->is_number = 1;
+    add(t, name, q, place_at(si, 0))->is_number = 1;
 }
 
 /* Put position, velocity and acceleration of a point of a link: P0, vP0, aP0. */
@@ -71,31 +71,28 @@ static void put_point(tracks *t, const char *name, const fourlink_state *state, 
     put(t, flk_text_join(words, sizeof words, "a", name, (char *)NULL), QUANTITY_ACCELERATION, a);
 }
 
-/* A point of the lever, so far along its axis from D. */
-static fourlink_vector on_lever(const fourlink_state *state, double along)
+static void put_place(tracks *t, const char *name, fourlink_vector place)
 {
-    fourlink_vector at = geometry_vector(along, 0);
-
-    return geometry_of_link(state, FOURLINK_FOLLOWER, &at);
+    put(t, name, QUANTITY_LENGTH, place);
 }
 
 /* Put the ends of the way of a piston, or of a slider; where the lever meets its slide, and its ends. */
 static void put_way(tracks *t, const fourlink_state *state)
 {
+    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
     double e = t->v->design->offset, near, far;
-    int has_slot = t->v->kind.has_slot;
 
     geometry_find_way(t->v, state->branch, &near, &far);
-    put(t, "S1", QUANTITY_LENGTH,
-        has_slot ? geometry_on_slide(state, near) : geometry_vector(near, e));
-    put(t, "S2", QUANTITY_LENGTH,
-        has_slot ? geometry_on_slide(state, far) : geometry_vector(far, e));
-    if (has_slot)
-        put(t, "R", QUANTITY_LENGTH, geometry_on_slide(state, geometry_root(t->v)));
-    if (has_slot) {
-        put(t, "E1", QUANTITY_LENGTH, on_lever(state, t->v->lever_low));
-        put(t, "E2", QUANTITY_LENGTH, on_lever(state, t->v->lever_high));
+    if (!t->v->kind.has_slot) {
+        put_place(t, "S1", place_at(near, e));
+        put_place(t, "S2", place_at(far, e));
+        return;
     }
+    put_place(t, "S1", geometry_on_slide(state, near));
+    put_place(t, "S2", geometry_on_slide(state, far));
+    put_place(t, "R", geometry_on_slide(state, geometry_root(t->v)));
+    put_place(t, "E1", place_in(lever->origin, lever->axis, t->v->lever_low, 0));
+    put_place(t, "E2", place_in(lever->origin, lever->axis, t->v->lever_high, 0));
 }
 
 /* Put the ends of springs. */
@@ -109,10 +106,10 @@ static void put_springs(tracks *t, const fourlink_state *state)
         fourlink_deck_spring(t->v->deck, k, NULL, &spring);
         if (spring.is_torsional)
             continue;
-        put(t, tracks_name("K", k, "P", name), QUANTITY_LENGTH,
-            geometry_of_link(state, spring.link, &spring.at));
-        put(t, tracks_name("K", k, "Q", name), QUANTITY_LENGTH,
-            geometry_of_link(state, spring.to, &spring.to_at));
+        put_place(t, tracks_name("K", k, "P", name),
+                  geometry_of_link(state, spring.link, &spring.at));
+        put_place(t, tracks_name("K", k, "Q", name),
+                  geometry_of_link(state, spring.to, &spring.to_at));
     }
 }
 
@@ -123,12 +120,12 @@ static void put_points(tracks *t, const fourlink_state *state)
     unsigned long k;
     int link;
 
-    put(t, "A", QUANTITY_LENGTH, zero);
-    put(t, "B", QUANTITY_LENGTH, state->link[FOURLINK_COUPLER].origin);
+    put_place(t, "A", zero);
+    put_place(t, "B", state->link[FOURLINK_COUPLER].origin);
     if (!t->v->kind.has_slot)
-        put(t, "C", QUANTITY_LENGTH, geometry_end(t->v, state, FOURLINK_COUPLER));
+        put_place(t, "C", geometry_end(t->v, state, FOURLINK_COUPLER));
     if (!t->v->kind.has_stroke)
-        put(t, "D", QUANTITY_LENGTH, state->link[FOURLINK_FOLLOWER].origin);
+        put_place(t, "D", state->link[FOURLINK_FOLLOWER].origin);
     if (t->v->kind.has_slot || t->v->kind.has_stroke)
         put_way(t, state);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
@@ -148,31 +145,26 @@ static void put_points(tracks *t, const fourlink_state *state)
 static void put_parts(tracks *t, const char *normal, const char *tangential,
                       const fourlink_link_state *link, fourlink_vector r)
 {
-    double n = -link->omega * link->omega;
-
-    put(t, normal, QUANTITY_ACCELERATION, geometry_vector(n * r.x, n * r.y));
-    put(t, tangential, QUANTITY_ACCELERATION,
-        geometry_vector(-link->alpha * r.y, link->alpha * r.x));
+    put(t, normal, QUANTITY_ACCELERATION, place_in(zero, r, -link->omega * link->omega, 0));
+    put(t, tangential, QUANTITY_ACCELERATION, place_in(zero, r, 0, link->alpha));
 }
 
 /* The arm of a link: its length along its axis. */
 static fourlink_vector arm(const tracks *t, const fourlink_state *state, int link)
 {
-    double length = t->v->design->link[link].length;
-
-    return geometry_vector(length * state->link[link].axis.x, length * state->link[link].axis.y);
+    return place_in(zero, state->link[link].axis, t->v->design->link[link].length, 0);
 }
 
 /* v_C = v_B + v_CB; a_C = a_B + a_CB^n + a_CB^t */
 static void put_rod(tracks *t, const fourlink_state *state)
 {
-    fourlink_vector C = geometry_vector(t->v->design->link[FOURLINK_COUPLER].length, 0), v = zero,
+    fourlink_vector C = place_at(t->v->design->link[FOURLINK_COUPLER].length, 0), v = zero,
                     a = zero;
     const fourlink_vector *v_B = &state->link[FOURLINK_COUPLER].velocity;
 
     fourlink_point(state, FOURLINK_COUPLER, &C, NULL, &v, &a);
     put(t, "vC", QUANTITY_SPEED, v);
-    put(t, "vCB", QUANTITY_SPEED, geometry_vector(v.x - v_B->x, v.y - v_B->y));
+    put(t, "vCB", QUANTITY_SPEED, place_at(v.x - v_B->x, v.y - v_B->y));
     put_parts(t, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER], arm(t, state, FOURLINK_COUPLER));
     if (t->v->kind.has_stroke)
         put(t, "aC", QUANTITY_ACCELERATION, a);
@@ -188,15 +180,13 @@ static void put_sliding(tracks *t, const fourlink_state *state)
     const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
     const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
                           *u = &state->link[FOURLINK_COUPLER].axis;
-    fourlink_vector r = geometry_vector(B->x - lever->origin.x, B->y - lever->origin.y);
+    fourlink_vector r = place_at(B->x - lever->origin.x, B->y - lever->origin.y);
 
-    put(t, "vB4", QUANTITY_SPEED, geometry_vector(-lever->omega * r.y, lever->omega * r.x));
-    put(t, "vS", QUANTITY_SPEED, geometry_vector(state->slide_v * u->x, state->slide_v * u->y));
+    put(t, "vB4", QUANTITY_SPEED, place_in(zero, r, 0, lever->omega));
+    put(t, "vS", QUANTITY_SPEED, place_in(zero, *u, state->slide_v, 0));
     put_parts(t, "aB4n", "aB4t", lever, r);
-    put(t, "aK", QUANTITY_ACCELERATION,
-        geometry_vector(-state->coriolis * u->y, state->coriolis * u->x));
-    put(t, "aS", QUANTITY_ACCELERATION,
-        geometry_vector(state->slide_a * u->x, state->slide_a * u->y));
+    put(t, "aK", QUANTITY_ACCELERATION, place_in(zero, *u, 0, state->coriolis));
+    put(t, "aS", QUANTITY_ACCELERATION, place_in(zero, *u, state->slide_a, 0));
 }
 
 static void put_loads(tracks *t, const fourlink_state *state, const fourlink_load *loads)
@@ -207,8 +197,7 @@ static void put_loads(tracks *t, const fourlink_state *state, const fourlink_loa
     for (k = 0; k < t->v->problem.n_loads; k++) {
         const fourlink_load *load = &loads[k];
 
-        put(t, tracks_name("L", k, "", name), QUANTITY_LENGTH,
-            geometry_of_link(state, load->link, &load->at));
+        put_place(t, tracks_name("L", k, "", name), geometry_of_link(state, load->link, &load->at));
         put(t, tracks_name("L", k, "F", name), QUANTITY_FORCE, geometry_force(load, state));
         put_number(t, tracks_name("L", k, "T", name), QUANTITY_TORQUE, load->torque);
     }
@@ -228,9 +217,9 @@ static void put_inertia(tracks *t, const fourlink_state *state)
         if (body->mass > 0) {
             fourlink_point(state, (int)link, &body->cg, NULL, NULL, &a);
             put(t, tracks_name("W", link, "", name), QUANTITY_FORCE,
-                geometry_vector(body->mass * g->x, body->mass * g->y));
+                place_at(body->mass * g->x, body->mass * g->y));
             put(t, tracks_name("I", link, "F", name), QUANTITY_FORCE,
-                geometry_vector(-body->mass * a.x, -body->mass * a.y));
+                place_at(-body->mass * a.x, -body->mass * a.y));
         }
         if (body->inertia > 0)
             put_number(t, tracks_name("I", link, "T", name), QUANTITY_TORQUE,
@@ -242,11 +231,11 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
 {
     const fourlink_forces *f = &now->forces;
 
-    put(t, "F12", QUANTITY_FORCE, geometry_vector(f->F12x, f->F12y));
-    put(t, "F23", QUANTITY_FORCE, geometry_vector(f->F23x, f->F23y));
-    put(t, "F34", QUANTITY_FORCE, geometry_vector(f->F34x, f->F34y));
+    put(t, "F12", QUANTITY_FORCE, place_at(f->F12x, f->F12y));
+    put(t, "F23", QUANTITY_FORCE, place_at(f->F23x, f->F23y));
+    put(t, "F34", QUANTITY_FORCE, place_at(f->F34x, f->F34y));
     put(t, "F14", QUANTITY_FORCE,
-        geometry_vector(t->v->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
+        place_at(t->v->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
     put_number(t, "Ts", QUANTITY_TORQUE, view_driving_torque(t->v, f));
     if (t->v->kind.has_slot)
         put_number(t, "M34", QUANTITY_TORQUE, f->M34);
@@ -275,8 +264,8 @@ void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fo
 
     if (now->status != FOURLINK_OK) {
         t->n = 0;
-        put(t, "A", QUANTITY_LENGTH, zero);
-        put(t, "B", QUANTITY_LENGTH, geometry_vector(r * cos(theta), r * sin(theta)));
+        put_place(t, "A", zero);
+        put_place(t, "B", place_at(r * cos(theta), r * sin(theta)));
         return;
     }
     tracks_find_places(t, v, state);

@@ -16,8 +16,7 @@
 #include "command/terminal.h"
 #include "fourlink.h"
 #include "input.h"
-#include "pictures/gnuplot.h"
-#include "pictures/svg.h"
+#include "pictures/plot.h"
 
 int command_main(int argc, char **argv);
 int LLVMFuzzerInitialize(int *argc, char ***argv);
@@ -57,7 +56,7 @@ const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *capt
 
     (void)reason;
     if (caption)
-        svg_put_head(out, head, sizeof head - 1, caption);
+        gnuplot_put_head(out, head, caption);
     rewind(script);
     while ((c = getc(script)) != EOF)
         putc(c, out);

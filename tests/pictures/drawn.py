@@ -166,6 +166,11 @@ def check_angle(panel, name, at, theta, angle_unit, size):
     checks.near('value of ' + name, printed, theta / angle_unit, max(abs(theta / angle_unit), 1e-6), 6e-4)
 
 
+def pin_between(position, link, other):
+    """The pin of two links, at which a torsional spring acts on both."""
+    return {(1, 2): position.A, (2, 3): position.B, (3, 4): position.C, (1, 4): position.D}.get(tuple(sorted((link, other))))
+
+
 def check_springs(panel, deck, position, size):
     for name, spring in deck.springs().items():
         links = [deck.link_number(spring[key]) for key in ('link', 'to')]
@@ -173,7 +178,7 @@ def check_springs(panel, deck, position, size):
         dark = [line for line in panel.lines if line.style == GROUND]
         if 'stiffness' in spring and deck.units['spring %s.stiffness' % name].endswith('/rad') or \
                 'damping' in spring and deck.units['spring %s.damping' % name].endswith('s/rad'):
-            pin = {(1, 2): position.A, (2, 3): position.B, (3, 4): position.C, (1, 4): position.D}.get(tuple(sorted(links)))
+            pin = pin_between(position, *links)
             if pin is None:
                 continue
             chains = [[]]
@@ -316,6 +321,20 @@ def check_insets(titles, deck, panel, size):
     small = deck.length(2) < 0.03 * size
     checks.that(not small or 'at the crank, enlarged' in titles, 'an inset of a short crank', titles)
     checks.that(deck.length(2) < 0.2 * size or 'at the crank, enlarged' not in titles, 'no inset of a long crank', titles)
+
+
+def check_inset_forces(panel, forces, deck):
+    """An inset has the forces that act on its link, on one scale."""
+    pin = 'AB' if 'crank' in panel.title else 'CD'
+    lines = [line for line in split_arrows(panel, 1)[0] if line.is_arrow]
+    found = [(line, x) for x in forces for line in lines if x.pin and x.pin in pin and abs(line.start - x.at) < 1e-5 * abs(line.vector)]
+    largest = max(abs(x.force) for x in forces if x.pin and x.pin in pin)
+    checks.that(len(found) >= len([x for x in forces if x.pin and x.pin in pin and abs(x.force) > 0.1 * largest]),
+                'arrows of', panel.title, len(found))
+    for line, x in found:
+        scale = found[0][0].vector / found[0][1].force
+        checks.near(x.name + ' ' + panel.title, line.vector / scale, x.force, largest, 2e-5)
+        has_label(panel, x.name)
 
 
 def check_labels(panel):
@@ -508,7 +527,7 @@ def acting_on(deck, position, row, link, is_free=True):
                 continue
             if is_torsional(deck, name):
                 found.append(Acting(name, position.origin[link], torque=row[name + '.torque'] * (-1, 1)[k], kind=LOAD))
-                found[-1].origin = position.origin[link]
+                found[-1].origin = pin_between(position, *ends)
             else:
                 P, Q = (position.point(ends[j], deck.vector('spring %s.%s' % (name, ('at', 'to_at')[j]))) for j in (k, 1 - k))
                 found.append(Acting(name, P, row[name + '.force'] * (Q - P) / abs(Q - P), kind=LOAD))
@@ -807,14 +826,17 @@ def check_mechanism(deck, text, row, position, rows):
         checks.near('the place of ' + x.name, line.start, x.at, size, 5e-6)
         checks.that(line.style == x.kind, 'the style of', x.name)
         has_label(panel, x.name)  # a spring has its name at its coil
-    torques = [(x.name, x.origin, x.torque) for x in acting if x.torque]
+    for inset in script.panels[1:]:
+        check_inset_forces(inset, wanted + springs, deck)
+    torques = [(x.name, x.origin, x.torque) for link in (2, 3, 4) for x in acting_on(deck, position, row, link) if x.torque]
     if not is_rounding(deck, row) and row['Ts']:
         torques.append(('Tₛ', position.A, row['Ts']))
     checks.that(len(torques) == len(arcs), 'arcs', len(arcs), torques)
     for (name, at, value), (centre, sense, style, radius) in zip(torques, arcs):
         checks.that(sense == math.copysign(1, value), 'the sense of', name, sense, value)
         checks.near('the centre of ' + name, centre, at, size, 1e-5)
-        checks.near('the note of ' + name, value_of(panel.note(name), deck.unit('torque')), value, abs(value), 1e-4)
+        if name not in deck.springs():  # their notes are those of their columns
+            checks.near('the note of ' + name, value_of(panel.note(name), deck.unit('torque')), value, abs(value), 1e-4)
 
 
 def check_several(deck, rows):

@@ -88,7 +88,7 @@ check 'the engine has no rocker' none rocker engine-vectors.svg
 run 0 --plot=x.png "$fourbar"
 quiet
 magic x.png 8 '137 80 78 71 13 10 26 10'
-check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 248'
+check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 250'
 check 'x.png: its end' test "$(tail -c 8 x.png | head -c 4)" = IEND
 run 0 --plot=x.PDF --branch=open "$fourbar"
 quiet

@@ -65,6 +65,10 @@ run 0 --plot-script=x.gp --plot-kind=columns --columns=F12x,Ts,alpha3,F12_along,
 for name in 'title "F₁₂ₓ"' '"Tₛ (N·m)"' '"α₃ (rad/s²)"' 'title "F₁₂ along"' '"G₃.y (mm)"' '"μ (°)"' '"θ₂ (°)"'; do
     check "no $name" grep -qF "$name" x.gp
 done
+{ cat "$fourbar" && printf '[sweep]\ncrank.length = 20 mm to 24 mm step 2 mm\noutput = time_ratio, mu_min\n'; } >names.deck
+run 0 --plot-script=x.gp --plot-kind=columns --branch=open names.deck
+check 'the words of a fact' grep -qF 'set ylabel "time ratio (1)"' x.gp
+check 'its symbol' grep -qF 'set ylabel "μ min (°)"' x.gp
 run 0 --plot-script=x.gp --plot=x.txt --plot-kind=columns --columns=F12x,Ts,mu --branch=open "$fourbar"
 for name in '"F12x (N)' 'Ts (N.m)' 'mu (deg)' '"theta2 (deg)"'; do
     check "a terminal has no $name" grep -qF "$name" x.gp

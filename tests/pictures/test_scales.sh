@@ -97,4 +97,24 @@ risen=$(height)
 run 0 --plot-script=x.gp --branch=open --set='ground.angle=60 deg' "$engine"
 check "an engine rises: $low, $risen, $(height)" test $low -lt $risen -a $risen -lt "$(height)"
 
+# --- a mechanism that is higher than wide is as wide in its picture as another
+cat >high.deck <<'DECK'
+mechanism = four-bar
+[units]
+length = mm
+[ground]
+length = 120
+[crank]
+length = 100
+[coupler]
+length = 40
+[rocker]
+length = 95
+[motion]
+speed = 60 rpm
+interval = 10 deg
+DECK
+run 1 --plot-script=x.gp --branch=crossed high.deck
+check 'it is not small' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($3 - $2 < 240)}' x.gp
+
 finish

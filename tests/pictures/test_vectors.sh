@@ -121,6 +121,21 @@ run 0 --plot-script=v.gp --plot-at='20 deg' friction.deck
 check 'the name of a spring' grep -q '^set label "S" at' v.gp
 check 'the name of a torsional spring' grep -q '^set label "T" at' v.gp
 check 'the force of a spring' grep -q '^set label "S = [-0-9.]* N" at' v.gp
+# heads SCRIPT PEN X Y: the number of arrows that begin so near to a place
+heads() {
+    awk -v pen="$2" -v x="$3" -v y="$4" '/^set arrow .* head / && $0 ~ "ls " pen "( |$)" {split($4, a, ",")
+        if ((a[1] - x) ^ 2 + (a[2] - y) ^ 2 < 10 ^ 2) n++} END {print n + 0}' "$1"
+}
+check 'the torque of a torsional spring on the ground, an arc at its pin beside that of the load' test "$(heads v.gp 8 80 0)" -eq 2
+run 0 --plot-script=w.gp --plot-at='20 deg' --set='spring T.to=crank' --set='spring T.link=coupler' friction.deck
+check 'of one between two links, an arc on each' test "$(heads w.gp 8 18.79 6.84)" -eq 2 -a "$(heads w.gp 8 80 0)" -eq 1
+# a crank that is small beside the rest, enlarged: its pin forces and its torque
+run 0 --plot-script=w.gp --plot-at='20 deg' --set='crank.length=4 mm' --set='crank.cg=2 mm' --set='coupler.length=60 mm' friction.deck
+sed -n '/"open, /,/"at the crank, enlarged"/p' w.gp >inset.gp
+for force in F₁₂ F₂₃ Tₛ; do
+    check "$force in an inset" grep -q "^set label \"$force\" at" inset.gp
+done
+check 'no force of the rocker in it' not grep -q '^set label "F₁₄" at' inset.gp
 check 'friction of pins is no arrow' none 'label "friction' v.gp
 check "the lines of springs: $(grep -c 'nohead ls 1$' v.gp)" test "$(grep -c 'nohead ls 1$' v.gp)" -gt 75
 run 0 --plot-script=w.gp --plot-at='20 deg' guide.deck

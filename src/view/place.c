@@ -24,6 +24,26 @@ fourlink_vector place_beside(fourlink_vector p, double dx, double dy)
     return p;
 }
 
+fourlink_vector place_polar(fourlink_vector p, double distance, double angle)
+{
+    return place_beside(p, distance * cos(angle), distance * sin(angle));
+}
+
+fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, double left)
+{
+    return place_beside(p, along * axis.x - left * axis.y, along * axis.y + left * axis.x);
+}
+
+fourlink_vector place_middle(fourlink_vector p, fourlink_vector q)
+{
+    return place_at((p.x + q.x) / 2, (p.y + q.y) / 2);
+}
+
+double place_distance(fourlink_vector p, fourlink_vector q)
+{
+    return gsl_hypot(q.x - p.x, q.y - p.y);
+}
+
 const place_box place_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
 
 void place_grow(place_box *b, double x, double y)

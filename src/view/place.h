@@ -15,6 +15,15 @@ typedef struct place_box {
 fourlink_vector place_at(double x, double y);
 fourlink_vector place_beside(fourlink_vector p, double dx, double dy);
 
+/* A place at a distance from another in the direction of an angle, in rad; so far along a direction and to
+** its left. */
+fourlink_vector place_polar(fourlink_vector p, double distance, double angle);
+fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, double left);
+
+/* The middle of two places, and their distance. */
+fourlink_vector place_middle(fourlink_vector p, fourlink_vector q);
+double place_distance(fourlink_vector p, fourlink_vector q);
+
 /* An empty box; enlarge a box so that it contains a place. */
 extern const place_box place_nothing;
 void place_grow(place_box *b, double x, double y);
