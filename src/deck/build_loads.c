@@ -94,13 +94,9 @@ static void build_curves(parser *p, const setting *s, int n_components, int over
 flk_element *flk_build_element(parser *p)
 {
     flk_machine *machine = &p->d->machine;
-    size_t i, n = 0;
 
-    for (i = 0; i < p->n_uses && !machine->element; i++)
-        n += p->uses[i].section == SECTION_LOAD || p->uses[i].section == SECTION_SPRING ||
-             p->uses[i].section == SECTION_GAS;
-    if (!machine->element)
-        machine->element = flk_reader_keep(p, n * sizeof *machine->element);
+    if (!machine->element) /* a section makes one, at most */
+        machine->element = flk_reader_keep(p, p->n_uses * sizeof *machine->element);
     return machine->element ? &machine->element[machine->n_elements++] : NULL;
 }
 
@@ -220,23 +216,13 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-void *flk_build_keep_each(parser *p, section_code section, size_t size)
-{
-    size_t i, n = 0;
-
-    for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == section;
-    return flk_reader_keep(p, n * size);
-}
-
 void flk_build_points(parser *p)
 {
-    size_t i;
+    const section_use *use = NULL;
 
-    p->d->points = flk_build_keep_each(p, SECTION_POINT, sizeof *p->d->points);
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
-        if (p->uses[i].section == SECTION_POINT)
-            build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
+    p->d->points = flk_reader_keep(p, p->n_uses * sizeof *p->d->points);
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_POINT, use)) != NULL)
+        build_point(p, use, &p->d->points[p->d->n_points++]);
 }
 
 /* 1 if a link slides along the line of stroke: forces on it need neither a point nor a direction. */
@@ -382,19 +368,17 @@ static void build_load(parser *p, const section_use *use, flk_own_load *own)
 
 void flk_build_loads(parser *p)
 {
+    const section_use *use = NULL;
     flk_element *element;
     flk_own_load *own;
-    size_t i;
 
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++) {
-        if (p->uses[i].section != SECTION_LOAD)
-            continue;
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
         own = flk_reader_keep(p, sizeof *own);
         element = flk_build_element(p);
         if (!own || !element)
             return;
-        build_load(p, &p->uses[i], own);
-        element->name = flk_reader_copy(p, p->uses[i].name, "");
+        build_load(p, use, own);
+        element->name = flk_reader_copy(p, use->name, "");
         flk_element_of_own(own, element);
         p->d->has_forces = 1;
     }
@@ -453,28 +437,22 @@ static void check_ends(parser *p, const setting *s, const setting *over, const c
 
 void flk_build_curve_ends(parser *p)
 {
-    size_t i, n = 0;
+    const section_use *use = NULL;
+    size_t n = 0;
 
     if (p->mistakes->count || p->out_of_memory)
         return;
-    for (i = 0; i < p->n_uses; i++) {
-        const setting *over;
+    for (; (use = flk_section_next(p, SECTION_LOAD, use)) != NULL; n++) {
+        const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                      *back = flk_setting_of(use, KEY_LOAD_BACK);
+        const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
 
-        if (p->uses[i].section != SECTION_LOAD)
+        if (over->word <= FLK_THETA4 ||
+            (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))
             continue;
-        over = flk_setting_of(&p->uses[i], KEY_LOAD_OVER);
-        if (over->word > FLK_THETA4 &&
-            (p->d->drive.mode == DRIVE_GIVEN || !FLK_IS_SPEED(over->word))) {
-            const setting *back = flk_setting_of(&p->uses[i], KEY_LOAD_BACK);
-            const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
-
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_FORCE), over,
-                       &own->values.force_curve[0]);
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_TORQUE), over,
-                       &own->values.torque_curve);
-            check_ends(p, back, over, &own->back.force_curve[0]);
-            check_ends(p, back, over, &own->back.torque_curve);
-        }
-        n++;
+        check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &own->values.force_curve[0]);
+        check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &own->values.torque_curve);
+        check_ends(p, back, over, &own->back.force_curve[0]);
+        check_ends(p, back, over, &own->back.torque_curve);
     }
 }

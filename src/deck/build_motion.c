@@ -3,8 +3,6 @@
 ** build_motion.c - builds the motion of the crank, the table and the expected values.
 */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -365,16 +363,12 @@ void flk_build_expectations(parser *p)
     deck_expectation *list;
     size_t i;
 
-    if (p->is_answers)
-        d->n_expectations = 0;
+    d->n_expectations = 0; /* those of the deck, if these are its answers */
     if (!p->n_named)
         return;
-    list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
-    if (!list) {
-        p->out_of_memory = 1;
+    d->expectations = list = flk_reader_keep(p, p->n_named * sizeof *list);
+    if (!list)
         return;
-    }
-    d->expectations = list;
     for (i = 0; i < p->n_named; i++) {
         const named_value *named = &p->named[i];
         const section_use *use = &p->uses[named->use];
@@ -387,7 +381,6 @@ void flk_build_expectations(parser *p)
         branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
         tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
-        memset(e, 0, sizeof *e);
         e->place = named->place;
         e->name = named->name;
         e->value = named->value;

@@ -316,7 +316,7 @@ static void read_lines(card *c, text contents, setting *s)
                         "more than 8,000,000 characters: not a curve");
             return;
         }
-        c->row.value = flk_text_of(flk_text_quote(c->line, c->quote, sizeof c->quote));
+        c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
             return;

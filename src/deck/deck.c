@@ -47,7 +47,6 @@ void flk_deck_free(deck *d)
 
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->notes);
-    free(d->expectations);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);

@@ -130,26 +130,22 @@ static int check_above_one(parser *p, const setting *s, const char *words)
 
 static void check_friction(parser *p)
 {
-    static const key_code coefficients[] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
-                                            KEY_FRICTION_D},
-                          radii[] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
-                                     KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
     static const char words[] = "a coefficient of friction";
     const setting *all = flk_setting_find(p, KEY_FRICTION_RADIUS);
     double crank = p->d->design.link[FOURLINK_CRANK].length, circle;
     int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
 
     for (i = 0; i < 4; i++) {
-        const setting *radius = flk_setting_find(p, radii[i]);
+        const setting *radius = flk_setting_find(p, KEY_FRICTION_RADIUS_A + i);
 
         circle = p->d->machine.friction.circle[i];
-        if (check_above_one(p, flk_setting_find(p, coefficients[i]), words) || is_large ||
+        if (check_above_one(p, flk_setting_find(p, KEY_FRICTION_A + i), words) || is_large ||
             !(circle > crank))
             continue;
         flk_mistake(
             NOTES(p), (IS_SET(radius) ? radius : all)->place,
             "the friction circle of %s has a radius of %.4g m, the crank a length of %.4g m",
-            flk_key_table[coefficients[i]].name, circle, crank);
+            flk_key_table[KEY_FRICTION_A + i].name, circle, crank);
         is_large = !IS_SET(radius); /* of all pins: once */
     }
     check_above_one(p, flk_setting_find(p, KEY_FRICTION_GUIDE), words);
@@ -248,7 +244,8 @@ static void check_run_up(parser *p)
 
 void flk_build_doubts(parser *p)
 {
-    size_t i, n = 0;
+    const section_use *use = NULL;
+    size_t n = 0;
     int k;
 
     if (p->mistakes->count || p->out_of_memory)
@@ -260,12 +257,10 @@ void flk_build_doubts(parser *p)
     check_thousands(p, KEY_MOTOR_NO_LOAD_SPEED);
     for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
         check_body(p, k);
-    for (i = 0; i < p->n_uses; i++) {
-        if (p->uses[i].section == SECTION_SPRING)
-            check_spring(p, &p->uses[i]);
-        if (p->uses[i].section == SECTION_LOAD)
-            check_load(p, &p->uses[i], flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
-    }
+    while ((use = flk_section_next(p, SECTION_SPRING, use)) != NULL)
+        check_spring(p, use);
+    while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL)
+        check_load(p, use, flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
     check_friction(p);
     check_pressure(p, KEY_GAS_PRESSURE);
     check_pressure(p, KEY_GAS_BACK_PRESSURE);

@@ -136,9 +136,10 @@ text flk_reader_utf8(parser *p, text t);
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
 
-/* The section of the deck with this name (case matters), or the first if `name` is null; null if there is
-** none. */
+/* The section of the deck with this name (case matters), or the first if `name` is null; the next after a section,
+** or the first if that is null.  Null if there is none. */
 section_use *flk_section_find(const parser *p, section_code section, const text *name);
+section_use *flk_section_next(const parser *p, section_code section, const section_use *after);
 
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
@@ -319,10 +320,9 @@ int flk_build_sense(parser *p);
 /* 1 if the mechanism can have a stroke instead of the length of its crank. */
 int flk_build_has_stroke(const parser *p);
 
-/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); allocate room for
-** each section of a kind; check that a name for columns is one word and not too long. */
+/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); check that a name for
+** columns is one word and not too long. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
-void *flk_build_keep_each(parser *p, section_code section, size_t size);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
 
 /* A point of a link, in m. */

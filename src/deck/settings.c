@@ -51,16 +51,24 @@ static int same_name(text x, text y)
     return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
 }
 
-section_use *flk_section_find(const parser *p, section_code section, const text *name)
+section_use *flk_section_next(const parser *p, section_code section, const section_use *after)
 {
-    size_t i;
+    size_t i = after ? (size_t)(after - p->uses) + 1 : p->first_use[section] - 1;
 
     if (!p->first_use[section])
         return NULL;
-    for (i = p->first_use[section] - 1; i < p->n_uses; i++)
-        if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
-            return &p->uses[i];
-    return NULL;
+    while (i < p->n_uses && p->uses[i].section != section)
+        i++;
+    return i < p->n_uses ? &p->uses[i] : NULL;
+}
+
+section_use *flk_section_find(const parser *p, section_code section, const text *name)
+{
+    section_use *use = flk_section_next(p, section, NULL);
+
+    while (use && name && !same_name(use->name, *name))
+        use = flk_section_next(p, section, use);
+    return use;
 }
 
 int flk_section_is_mistaken(parser *p, section_code section)
@@ -389,15 +397,13 @@ static vector_part take_part(text *key)
 ** there are several, or none with this name. */
 static section_use *find_section(parser *p, text_place place, section_code code, text name)
 {
-    section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
+    section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL, *i;
     char word[DECK_NAME_SIZE];
-    size_t i, found = 0;
+    size_t found = 0;
 
-    for (i = 0; i < p->n_uses && !use; i++)
-        if (p->uses[i].section == code &&
-            (!name.length ||
-             flk_text_equal(name, flk_text_copy(p->uses[i].name, word, sizeof word)))) {
-            other = &p->uses[i];
+    for (i = use ? NULL : flk_section_next(p, code, NULL); i; i = flk_section_next(p, code, i))
+        if (!name.length || flk_text_equal(name, flk_text_copy(i->name, word, sizeof word))) {
+            other = i;
             found++;
         }
     use = use ? use : other;
@@ -458,12 +464,9 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
 /* The only section of a kind; null if there are several. */
 static const section_use *find_only(const parser *p, section_code code)
 {
-    const section_use *use = flk_section_find(p, code, NULL), *other;
+    const section_use *use = flk_section_find(p, code, NULL);
 
-    for (other = use; use && other < p->uses + p->n_uses; other++)
-        if (other != use && other->section == code)
-            return NULL;
-    return use;
+    return use && !flk_section_next(p, code, use) ? use : NULL;
 }
 
 int flk_setting_look(const parser *p, text key, target *t)
