@@ -22,11 +22,14 @@ int flk_build_kind(parser *p)
 
     if (!IS_SET(s)) {
         text_place place = flk_reader_end(p);
-        char list[WORDS_SIZE];
+        const char *kinds[MOST_WORDS];
+        char list[MESSAGE_SIZE];
 
         place.line = 1;
-        return flk_mistake(p->mistakes, place, "expected %s before the first section",
-                           flk_list_words(KEY_TOP_MECHANISM, NULL, "'mechanism = ", "'", list));
+        flk_key_words(KEY_TOP_MECHANISM, NULL, kinds);
+        flk_text_list(kinds, "', 'mechanism = ", "' or 'mechanism = ", list, sizeof list);
+        return flk_mistake(p->mistakes, place, "expected 'mechanism = %s' before the first section",
+                           list);
     }
     if (!s->word)
         return 0;

@@ -290,11 +290,10 @@ size_t flk_section_keys(section_code section); /* their number */
 /* The number of the link that a section describes in some mechanism; 0: not a link. */
 int flk_link_of_section(section_code section);
 
-/* List the words that a key accepts, as "a, b or c", each between two strings.  `links`, unless null, has
-** names by number: other links are left out. */
-#define WORDS_SIZE 200
-const char *flk_list_words(key_code key, const char *const *links, const char *before,
-                           const char *after, char list[WORDS_SIZE]);
+/* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number: other
+** links are left out. */
+#define MOST_WORDS 16
+void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS]);
 
 /* The key of a section with this name; KEY_COUNT if there is none. */
 key_code flk_find_key(section_code section, text name);

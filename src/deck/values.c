@@ -71,18 +71,15 @@ static int find_word(key_code key, text t, int *value)
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
-    const char *known[16];
-    char list[WORDS_SIZE];
-    size_t i, n = 0;
+    const char *known[MOST_WORDS], *listed[MOST_WORDS];
+    char list[MESSAGE_SIZE];
 
     if (find_word(key, s->value, &s->word))
         return;
-    for (i = 0; flk_word_table[i].word; i++)
-        if (flk_word_table[i].key == key)
-            known[n++] = flk_word_table[i].word;
-    known[n] = NULL;
+    flk_key_words(key, NULL, known);
+    flk_key_words(key, kind ? kind->link : NULL, listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
-                flk_list_words(key, kind ? kind->link : NULL, "", "", list), s->value,
+                flk_text_list(listed, ", ", " or ", list, sizeof list), s->value,
                 flk_text_nearest(s->value, known));
 }
 
