@@ -64,17 +64,6 @@ static void build_run_up(parser *p, const setting *run_up)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
-/* Note a speed without a unit, unless the deck gives the unit: most speeds are in rpm. */
-static void check_speed(parser *p)
-{
-    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
-    if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
-        return;
-    if (!flk_quantity_unit_text(speed->value).length)
-        flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
-                    speed->value, speed->value, speed->value);
-}
-
 /* A cycle is at least one interval long; otherwise curves and windows would repeat within a row. */
 static void check_cycle(parser *p, double cycle)
 {
@@ -286,7 +275,6 @@ void flk_build_motion(parser *p)
     size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
-    check_speed(p);
     build_drive(p);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);

@@ -25,15 +25,14 @@ size_t flk_curve_point_value(text t)
 /* The value of a point. */
 static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
 {
-    unit u;
-    double y;
+    quantity_value value;
 
-    if (!flk_values_number(p, s, &t, q, &y) || !flk_values_unit(p, s, t, q, &u))
+    if (!flk_values_quantity(p, s->place, t, s->value, q, &value))
         return 0;
-    result->y[0] = flk_unit_to_si(y, u);
-    result->has_unit = flk_text_trim(t).length > 0;
-    result->unit_to_si = flk_unit_to_si(1, u);
-    return flk_values_size(p, s, q, result->y[0]);
+    result->y[0] = value.si;
+    result->has_unit = flk_quantity_unit_text(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, value.unit);
+    return 1;
 }
 
 const char *flk_curve_point_example(quantity q)

@@ -76,19 +76,6 @@ static int is_file_name(text t)
     return 1;
 }
 
-static int read_constant(parser *p, setting *s, quantity q)
-{
-    point vector;
-
-    if (q != QUANTITY_FORCE)
-        return flk_values_piece(p, s, s->value, q, &s->si[0]);
-    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
-        return 0;
-    s->si[0] = vector.y[0];
-    s->si[1] = vector.y[1];
-    return 1;
-}
-
 /* Note values without units, unless the deck gives the unit of bare numbers.  Returns 1. */
 static int note_unit(parser *p, const setting *s, quantity q)
 {
@@ -132,7 +119,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
     if (is_constant(rest, q))
-        return read_constant(p, s, q);
+        return q == QUANTITY_FORCE ? flk_vector_read(p, s, q)
+                                   : flk_values_piece(p, s, rest, q, &s->si[0]);
     c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
     while (c && flk_curve_text_item(&rest, &item)) {
         const point *new = &c[s->n_points];

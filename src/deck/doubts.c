@@ -252,6 +252,7 @@ void flk_build_doubts(parser *p)
         return;
     check_bare(p, QUANTITY_LENGTH, 10, "mm");
     check_bare(p, QUANTITY_MASS, 500, "g");
+    check_bare(p, QUANTITY_ANGULAR_SPEED, 0, "rpm"); /* most speeds are in rpm */
     check_thousands(p, KEY_MOTION_SPEED);
     check_thousands(p, KEY_MOTION_MEAN_SPEED);
     check_thousands(p, KEY_MOTOR_NO_LOAD_SPEED);

@@ -35,21 +35,11 @@ char *flk_reader_copy(parser *p, text t, const char *ending)
     return strcpy(copy + t.length, ending) - t.length;
 }
 
-static text spell(parser *p, text t, text spelling(text, char *))
+text flk_reader_plain(parser *p, text t)
 {
     char *copy = flk_spelling_is_plain(t) ? NULL : flk_reader_keep(p, SPELLING_SIZE(t.length));
 
-    return copy ? spelling(t, copy) : t;
-}
-
-text flk_reader_plain(parser *p, text t)
-{
-    return spell(p, t, flk_spelling_plain);
-}
-
-text flk_reader_blanks(parser *p, text t)
-{
-    return spell(p, t, flk_spelling_blanks);
+    return copy ? flk_spelling_plain(t, copy) : t;
 }
 
 text flk_reader_utf8(parser *p, text t)

@@ -123,9 +123,8 @@ void *flk_reader_keep(parser *p, size_t size);
 /* A null-terminated copy of a text with an ending, valid as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* A value in plain characters (see base/spelling.h), valid as long; the same for blanks only. */
+/* A value in plain characters (see base/spelling.h), valid as long. */
 text flk_reader_plain(parser *p, text t);
-text flk_reader_blanks(parser *p, text t);
 
 /* A file's text in UTF-8, if it is in UTF-16; valid as long. */
 text flk_reader_utf8(parser *p, text t);

@@ -196,16 +196,6 @@ static int read_count(parser *p, setting *s, quantity q)
     return 1;
 }
 
-/* A value in plain characters; titles and names are not changed. */
-static text spelled(parser *p, key_code code, text value)
-{
-    if (code == KEY_TOP_TITLE)
-        return value;
-    if (flk_key_table[code].form == FORM_NAMES || flk_curve_text_file(value, NULL))
-        return flk_reader_blanks(p, value);
-    return flk_reader_plain(p, value);
-}
-
 /* The unit of a quantity's text; 0 if it has none. */
 static int unit_of(text t, unit *u)
 {
@@ -300,7 +290,8 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
 {
     const key_info *key = &flk_key_table[code];
 
-    s->value = spelled(p, code, s->value);
+    if (code != KEY_TOP_TITLE && !flk_curve_text_file(s->value, NULL))
+        s->value = flk_reader_plain(p, s->value);
     p->argument = argument_of(use);
     switch (key->form) {
     case FORM_TEXT:
