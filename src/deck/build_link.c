@@ -9,9 +9,11 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-int flk_build_has_stroke(const parser *p)
+int flk_build_has(const parser *p, key_code key)
 {
-    return (flk_key_table[KEY_CRANK_STROKE].kinds & (int)p->d->design.kind) != 0;
+    const key_info *k = &flk_key_table[key];
+
+    return (k->kinds & flk_section_table[k->section].kinds & (int)p->d->design.kind) != 0;
 }
 
 /* Report a missing length. */
@@ -23,8 +25,9 @@ static void require_length(parser *p, const char *link)
         return;
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
-                    use->section == SECTION_CRANK && flk_build_has_stroke(p) ? ", and no stroke"
-                                                                             : "");
+                    use->section == SECTION_CRANK && flk_build_has(p, KEY_CRANK_STROKE)
+                        ? ", and no stroke"
+                        : "");
     else
         flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length", link);
 }
@@ -79,7 +82,7 @@ static void build_stroke(parser *p)
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
     double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
 
-    if (l <= 0 || !flk_build_has_stroke(p))
+    if (l <= 0 || !flk_build_has(p, KEY_CRANK_STROKE))
         return;
     if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");

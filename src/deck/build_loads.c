@@ -27,27 +27,30 @@ static double period_of(const parser *p, int over)
     return over == FLK_THETA2 ? p->d->machine.cycle : over == FLK_THETA4 ? 2 * M_PI : 0;
 }
 
+int flk_build_is_rising(parser *p, const setting *s, double least, const char *message)
+{
+    size_t i;
+
+    for (i = 1; i < s->n_points; i++)
+        if (!(s->curve[i].x > s->curve[i - 1].x) || s->curve[i].x - s->curve[i - 1].x < least)
+            return flk_mistake(p->mistakes, s->curve[i].place, message);
+    return 1;
+}
+
 /* Check the points of a curve.  Its arguments must increase; angles cover at most one period.  A last point
 ** at the end of the period must repeat the first.  Returns the number of points without that one; 0 if they
 ** do not form a curve. */
 static size_t check_curve(parser *p, const setting *s, int over, double period)
 {
     const point *c = s->curve;
-    size_t n = s->n_points, i;
+    size_t n = s->n_points;
 
     if (!c || !(p->d->machine.cycle > 0))
         return 0;
-    if (n > MOST_POINTS) {
-        flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
+    if (!flk_build_is_rising(p, s, period > 0 ? LEAST_STEP : 0,
+                             period > 0 ? "the angles of a curve must increase"
+                                        : "the arguments of a curve must increase"))
         return 0;
-    }
-    for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < (period > 0 ? LEAST_STEP : 0) || c[i].x == c[i - 1].x) {
-            flk_mistake(p->mistakes, c[i].place,
-                        period > 0 ? "the angles of a curve must increase"
-                                   : "the arguments of a curve must increase");
-            return 0;
-        }
     if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
@@ -111,7 +114,7 @@ void flk_build_gas(parser *p)
     flk_element *element;
     flk_gas *gas;
 
-    if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
+    if (!use || !flk_build_has(p, KEY_GAS_BORE))
         return;
     p->d->has_forces = 1;
     if (!IS_SET(bore)) {

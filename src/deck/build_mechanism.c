@@ -183,10 +183,9 @@ void flk_build_mechanism(parser *p)
 
     build_slide(p);
     flk_build_link(p, kind, FOURLINK_GROUND);
-    flk_build_link(p, kind, flk_build_has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
-    flk_build_link(p, kind,
-                   flk_build_has_stroke(p) ? FOURLINK_CRANK
-                                           : FOURLINK_COUPLER); /* computed from stroke and rod */
+    for (i = 0; i < 2; i++) /* the rod before a crank that is computed from the stroke */
+        flk_build_link(p, kind,
+                       i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
     flk_build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction =

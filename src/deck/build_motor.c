@@ -51,31 +51,20 @@ static int has_power(parser *p)
                     "or the torque would be infinite at rest");
 }
 
-/* Check that the speeds of a curve increase.  Returns the number of points, or 0. */
-static size_t check_curve(parser *p, const setting *s)
-{
-    size_t i;
-
-    if (!s->curve || s->n_points < 2)
-        return (size_t)flk_mistake(p->mistakes, s->place,
-                                   "expected two or more points of speed and torque, such as "
-                                   "0 rpm 5 N m, 1500 rpm 0 N m, not '%t'",
-                                   s->value);
-    if (s->n_points > MOST_POINTS)
-        return (size_t)flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
-    for (i = 1; i < s->n_points; i++)
-        if (!(s->curve[i].x > s->curve[i - 1].x))
-            return (size_t)flk_mistake(p->mistakes, s->curve[i].place,
-                                       "the speeds of the motor's curve do not rise");
-    return s->n_points;
-}
-
 static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 {
-    size_t n = check_curve(p, s), i;
-    double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL;
+    size_t n = s->n_points, i;
+    double *x;
 
-    if (!x)
+    if (!s->curve || n < 2) {
+        flk_mistake(p->mistakes, s->place,
+                    "expected two or more points of speed and torque, such as 0 rpm 5 N m, 1500 "
+                    "rpm 0 N m, not '%t'",
+                    s->value);
+        return;
+    }
+    x = flk_reader_keep(p, 2 * n * sizeof *x);
+    if (!x || !flk_build_is_rising(p, s, 0, "the speeds of the motor's curve do not rise"))
         return;
     for (i = 0; i < n; i++) {
         x[i] = s->curve[i].x;
@@ -193,8 +182,7 @@ static int has_inertia(const deck *d)
 
     return d->machine.flywheel > 0 || d->drive.fluctuation > 0 || d->machine.motor.inertia > 0 ||
            crank->inertia > 0 || (crank->mass > 0 && (crank->cg.x != 0 || crank->cg.y != 0)) ||
-           link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 ||
-           (link[4].inertia > 0 && d->design.kind != FOURLINK_SLIDER_CRANK);
+           link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 || link[4].inertia > 0;
 }
 
 /* The exact fluctuation is defined for the steady motion only. */

@@ -175,7 +175,7 @@ static double build_circle(parser *p, const section_use *use, key_code coefficie
     const setting *mu = IS_SET(own) ? own : all;
     const setting *radius = IS_SET(own_radius) ? own_radius : common_radius;
 
-    if (!(flk_key_table[coefficient].kinds & (int)p->d->design.kind))
+    if (!flk_build_has(p, coefficient))
         return 0;
     if (IS_SET(all) && !IS_SET(own) && !IS_SET(radius) && mu->si[0] > 0)
         return -1;
@@ -249,7 +249,7 @@ void flk_build_balance(parser *p)
     b->radius = radius->si[0];
     if (!b->crank && !b->rocker && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[balance] needs %s",
-                    p->d->design.kind == FOURLINK_SLIDER_CRANK
+                    flk_build_has(p, KEY_BALANCE_FRACTION)
                         ? "the fraction of the reciprocating mass to be balanced"
                         : "'crank = yes', 'rocker = yes' or both");
     if (add->word && !IS_SET(radius) && !use->is_mistaken)
@@ -258,7 +258,7 @@ void flk_build_balance(parser *p)
     if (p->mistakes->count ||
         fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
         return;
-    if (p->d->design.kind == FOURLINK_SLIDER_CRANK)
+    if (flk_build_has(p, KEY_BALANCE_FRACTION))
         b->reciprocating = flk_balance_reciprocating(&p->d->design);
     if (b->crank && b->radius > 0)
         apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);

@@ -133,6 +133,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
             return flk_mistake(p->mistakes, s->place,
                                "either all values of a curve have a unit or none has");
     }
+    if (s->n_points > MOST_POINTS)
+        return flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
     s->curve = c;
     return note_unit(p, s, q);
 }

@@ -316,13 +316,16 @@ int flk_build_mode(parser *p);
 /* The sense in which a speed or a motor turns the crank: -1 clockwise; otherwise 1. */
 int flk_build_sense(parser *p);
 
-/* 1 if the mechanism can have a stroke instead of the length of its crank. */
-int flk_build_has_stroke(const parser *p);
+/* 1 if the kind of the mechanism has this key. */
+int flk_build_has(const parser *p, key_code key);
 
 /* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); check that a name for
 ** columns is one word and not too long. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
+
+/* 1 if the arguments of a curve rise, by this step at least; otherwise 0 and this mistake. */
+int flk_build_is_rising(parser *p, const setting *s, double least, const char *message);
 
 /* A point of a link, in m. */
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at);

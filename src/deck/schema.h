@@ -12,32 +12,35 @@
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define ANY_KIND FLK_EVERY_KIND
-#define SECTION_LIST(X)                                              \
-    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                           \
-    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                 \
-    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)              \
-    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                 \
-    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH)  \
-    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)     \
-    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)          \
-    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)   \
-    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)                \
-    X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                 \
-    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK | INVERTED, KEY_GAS_BORE) \
-    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)               \
-    X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                 \
-    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
-    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
-    X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)                \
-    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)            \
-    X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)            \
-    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
-    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
-    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
-    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)       \
-    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
-    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)        \
-    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
+#define WITH_GUIDE (FOURLINK_SLIDER_CRANK | INVERTED)
+#define WITH_PIN_C (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
+#define WITH_PIN_D (FOURLINK_FOUR_BAR | INVERTED)
+#define SECTION_LIST(X)                                             \
+    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                          \
+    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                \
+    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)             \
+    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                \
+    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH) \
+    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)    \
+    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)         \
+    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)  \
+    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)               \
+    X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                \
+    X(GAS, "gas", 0, WITH_GUIDE, KEY_GAS_BORE)                      \
+    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
+    X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                \
+    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)    \
+    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                     \
+    X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)               \
+    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)           \
+    X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)           \
+    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
+    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)  \
+    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)      \
+    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)               \
+    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)       \
+    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                 \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
 /* The form of a value. */
@@ -107,7 +110,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(UNITS, TORSIONAL_STIFFNESS, "torsional_stiffness", UNIT, TORSIONAL_STIFFNESS, ANY, ANY_KIND) \
     X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND)       \
     X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND)                         \
-    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                            \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                      \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
     LINK_KEYS(X, CRANK)                                                                            \
@@ -175,19 +178,17 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                            \
     X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
-    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | INVERTED)              \
+    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_C)                                \
+    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_D)                                \
     X(FRICTION, RADIUS_A, "radius_A", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
     X(FRICTION, RADIUS_B, "radius_B", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
-    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE,                                  \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)    \
-    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK | INVERTED)  \
-    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE,                          \
-      FOURLINK_SLIDER_CRANK | INVERTED)                                                            \
+    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE, WITH_PIN_C)                      \
+    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                      \
+    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_GUIDE)                        \
+    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)              \
     X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND)                               \
     X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | INVERTED)                  \
+    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D)                                    \
     X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK)        \
     X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                             \
     X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND)                                        \
@@ -200,27 +201,25 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
     X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND)                                       \
     X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
-    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
-    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)         \
-    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY,                                          \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
-    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
+    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, WITH_PIN_C)                                  \
+    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, WITH_PIN_C)                                \
+    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, WITH_PIN_C)                                        \
+    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY, WITH_PIN_C)                              \
+    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, WITH_PIN_C)                                     \
+    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, WITH_PIN_C)                                     \
     X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
     X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
-    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE,                                  \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
+    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE, WITH_PIN_C)                      \
     X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                     \
     X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
     X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                               \
     X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR)                             \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
-    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
-    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK | INVERTED)   \
-    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
+    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D)                            \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)                         \
+    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, WITH_PIN_C)                                      \
     X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED)                                        \
-    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
+    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, WITH_PIN_C)                                  \
     X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR)                             \
     X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                            \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
