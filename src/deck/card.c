@@ -299,23 +299,16 @@ static int read_row(card *c, point *result)
 
 static void read_lines(card *c, text contents, setting *s)
 {
-    text line;
     int end = flk_text_line_end(contents);
 
     contents = flk_text_without_mark(contents);
-    while (!c->p->out_of_memory && flk_text_split(&contents, end, &line)) {
-        c->row.place.line++;
-        if (!flk_line_is_text(c->p, line, c->row.place))
-            return;
-        c->line = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
+    for (c->row.place.line = 1;
+         !c->p->out_of_memory &&
+         flk_line_take(c->p, &contents, end, c->row.place, without_comment, &c->line);
+         c->row.place.line++) {
         if (!c->line.length)
             continue;
-        c->p->n_characters += c->line.length;
-        if (c->p->n_characters > MOST_CHARACTERS) {
-            flk_mistake(c->p->mistakes, c->row.place,
-                        "more than 8,000,000 characters: not a curve");
-            return;
-        }
+        c->line = flk_reader_plain(c->p, c->line);
         c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");

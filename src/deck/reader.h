@@ -209,8 +209,10 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n);
 ** quotes. */
 text flk_line_without_comment(text line);
 
-/* 1 if a line is text and the file is not too large; otherwise 0 and a mistake, and reading stops. */
-int flk_line_is_text(parser *p, text line, text_place place);
+/* Take the next line off a text and cut off its comment.  0 at the end of the text; 0 and a mistake if the line is not
+** text, or the text is too large, and reading stops. */
+int flk_line_take(parser *p, text *rest, int line_end, text_place place, text cut(text line),
+                  text *line);
 
 /* First pass: the lines of the text. */
 void flk_lines_read(parser *p);
