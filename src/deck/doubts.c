@@ -49,7 +49,7 @@ static void check_thousands(parser *p, key_code key)
 static int is_bare(parser *p, const setting *s, quantity q)
 {
     return IS_SET(s) && !s->curve && !s->of_length && !flk_quantity_unit_text(s->value).length &&
-           !IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name));
+           !p->d->bare[q].is_given;
 }
 
 /* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */

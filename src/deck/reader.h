@@ -288,7 +288,6 @@ int flk_curve_text_read(parser *p, setting *s, quantity q);
 /* Third pass. */
 int flk_build_kind(parser *p);
 void flk_build_mechanism(parser *p);
-void flk_build_link(parser *p, const struct flk_kind *kind, int number);
 /* The next element of the machine's list, for a load, a spring or gas; null if out of memory. */
 flk_element *flk_build_element(parser *p);
 
