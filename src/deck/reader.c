@@ -24,6 +24,22 @@ void *flk_reader_keep(parser *p, size_t size)
     return result;
 }
 
+void *flk_reader_grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
+{
+    size_t more = *capacity ? 2 * *capacity : 64;
+    void *bigger;
+
+    if (n < *capacity)
+        return list;
+    bigger = flk_reader_keep(p, more * size);
+    if (!bigger)
+        return NULL;
+    if (n)
+        memcpy(bigger, list, n * size);
+    *capacity = more;
+    return bigger;
+}
+
 char *flk_reader_copy(parser *p, text t, const char *ending)
 {
     char *copy = flk_reader_keep(p, t.length + strlen(ending) + 1);

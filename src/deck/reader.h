@@ -11,8 +11,6 @@
 #include "deck.h"
 #include "schema.h"
 
-struct flk_kind;
-
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
@@ -102,6 +100,7 @@ typedef struct parser {
     size_t n_slots;
     int has_changed_names;        /* 1: some value is not from the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
+    size_t variations_capacity;
     double samples;
     int is_sound; /* 1: no mistakes before a design is set */
     int is_design; /* 1: built from the settings of another deck, whose notes say what is not meant */
@@ -119,6 +118,9 @@ typedef struct parser {
 
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_reader_keep(parser *p, size_t size);
+
+/* Such memory with a list of n entries and room for one more; null if out of memory. */
+void *flk_reader_grow(parser *p, void *list, size_t *capacity, size_t n, size_t size);
 
 /* A null-terminated copy of a text with an ending, valid as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);

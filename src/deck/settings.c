@@ -7,27 +7,11 @@
 
 #include "reader.h"
 
-/* Make room for one more entry in a list of n; null if out of memory. */
-static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
-{
-    size_t more = *capacity ? 2 * *capacity : 64;
-    void *bigger;
-
-    if (n < *capacity)
-        return list;
-    bigger = flk_reader_keep(p, more * size);
-    if (!bigger)
-        return NULL;
-    if (n)
-        memcpy(bigger, list, n * size);
-    *capacity = more;
-    return bigger;
-}
-
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
                               const char *start)
 {
-    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
+    section_use *uses = flk_reader_grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses),
+                *use;
     setting *settings = flk_reader_keep(p, flk_section_keys(section) * sizeof *settings);
 
     if (uses)
@@ -226,7 +210,8 @@ static size_t *find_slot(parser *p, size_t use, text name)
 /* Make room for one more name; at least half of the slots stay free. */
 static int grow_named(parser *p)
 {
-    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
+    named_value *list =
+        flk_reader_grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
     size_t i;
 
     if (!list)
