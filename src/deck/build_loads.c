@@ -223,6 +223,8 @@ void flk_build_points(parser *p)
 {
     const section_use *use = NULL;
 
+    if (!flk_section_find(p, SECTION_POINT, NULL))
+        return;
     p->d->points = flk_reader_keep(p, p->n_uses * sizeof *p->d->points);
     while (!p->out_of_memory && (use = flk_section_next(p, SECTION_POINT, use)) != NULL)
         build_point(p, use, &p->d->points[p->d->n_points++]);

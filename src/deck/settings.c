@@ -37,13 +37,14 @@ static int same_name(text x, text y)
 
 section_use *flk_section_next(const parser *p, section_code section, const section_use *after)
 {
-    size_t i = after ? (size_t)(after - p->uses) + 1 : p->first_use[section] - 1;
+    size_t first = p->first_use[section], i;
 
-    if (!p->first_use[section])
-        return NULL;
-    while (i < p->n_uses && p->uses[i].section != section)
-        i++;
-    return i < p->n_uses ? &p->uses[i] : NULL;
+    if (!after)
+        return first ? &p->uses[first - 1] : NULL;
+    for (i = (size_t)(after - p->uses) + 1; i < p->n_uses; i++)
+        if (p->uses[i].section == section)
+            return &p->uses[i];
+    return NULL;
 }
 
 section_use *flk_section_find(const parser *p, section_code section, const text *name)
