@@ -106,8 +106,6 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
         return;
     }
     flk_build_place(p, pin, number, &at);
-    if (pin->word == PIN_END)
-        at.x = link->length;
     if (g <= 0)
         g = STANDARD_GRAVITY; /* gravity may be off in the machine, but not in the test */
     h = gsl_hypot(at.x - link->cg.x, at.y - link->cg.y);

@@ -258,9 +258,8 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si);
 ** piece of the setting's value. */
 int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
 
-/* Read a point of a link; origin, end or a point; the parts that are set separately. */
+/* Read a point of a link; the parts that are set separately. */
 int flk_vector_read(parser *p, setting *s, quantity q);
-void flk_vector_read_pin(parser *p, setting *s, quantity q);
 void flk_vector_read_parts(parser *p, setting *s, quantity q);
 
 /* Sine and cosine, exact for whole quarters of a turn. */

@@ -50,12 +50,11 @@ typedef enum value_form {
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
-    FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, mid, 50 % */
-    FORM_PIN,      /* origin, end, or as FORM_POINT */
-    FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
-    FORM_COUNT,    /* a whole number */
-    FORM_EITHER,   /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
-    FORM_NAMES     /* names separated by commas or blanks */
+    FORM_POINT,  /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, origin, mid, end */
+    FORM_CURVE,  /* a quantity, or a curve of it over the crank angle */
+    FORM_COUNT,  /* a whole number */
+    FORM_EITHER, /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
+    FORM_NAMES   /* names separated by commas or blanks */
 } value_form;
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
@@ -71,7 +70,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
     X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
-    X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
+    X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND)
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section)                                                                       \
@@ -258,8 +257,6 @@ typedef struct key_info {
 
 /* By key_code. */
 extern const key_info flk_key_table[];
-
-enum { PIN_ORIGIN, PIN_END, PIN_POINT };
 
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 

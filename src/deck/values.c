@@ -328,9 +328,6 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         if (s->parts)
             flk_vector_read_parts(p, s, key->q);
         break;
-    case FORM_PIN:
-        flk_vector_read_pin(p, s, key->q);
-        break;
     case FORM_CURVE:
         flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
         break;
