@@ -4,6 +4,7 @@
 */
 #include <math.h>
 
+#include "mechanics/inertia.h"
 #include "reader.h"
 
 /* ------------------------------------------------------------------------------------------- motor */
@@ -139,27 +140,6 @@ void flk_build_motor(parser *p)
     use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 
-/* A torque of the motor that shows in which sense it turns. */
-static double driving_torque(const fourlink_motor *motor)
-{
-    double largest = 0;
-    unsigned long i;
-
-    switch (motor->kind) {
-    case FOURLINK_MOTOR_TORQUE:
-        return motor->torque;
-    case FOURLINK_MOTOR_LINEAR:
-        return motor->stall_torque;
-    case FOURLINK_MOTOR_POWER:
-        return motor->max_torque;
-    default:
-        for (i = 0; i < motor->n_curve; i++)
-            if (fabs(motor->curve_torque[i]) > fabs(largest))
-                largest = motor->curve_torque[i];
-        return largest;
-    }
-}
-
 int flk_build_sense(parser *p)
 {
     const fourlink_motor *motor = &p->d->machine.motor;
@@ -168,8 +148,8 @@ int flk_build_sense(parser *p)
     if (turning == 0)
         turning = flk_build_mode(p) == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
                                                    : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    if (turning == 0)
-        turning = motor->ratio < 0 ? -driving_torque(motor) : driving_torque(motor);
+    if (turning == 0 && (motor->kind != FOURLINK_MOTOR_CURVE || motor->n_curve))
+        turning = flk_motor_torque(motor, 0, 0);
     return turning < 0 ? -1 : 1;
 }
 

@@ -50,11 +50,10 @@ typedef enum value_form {
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
-    FORM_POINT,  /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, origin, mid, end */
-    FORM_CURVE,  /* a quantity, or a curve of it over the crank angle */
-    FORM_COUNT,  /* a whole number */
-    FORM_EITHER, /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
-    FORM_NAMES   /* names separated by commas or blanks */
+    FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, mid, ... */
+    FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
+    FORM_COUNT,    /* a whole number */
+    FORM_EITHER    /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
 } value_form;
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
@@ -194,7 +193,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                            \
     X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                               \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                                     \
+    X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND)                                      \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                  \
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
@@ -223,7 +222,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                            \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \
+    X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND)                                        \
     X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                                \
     X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
     X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)                                \

@@ -331,9 +331,6 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
     case FORM_CURVE:
         flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
         break;
-    case FORM_NAMES:
-    default:
-        break;
     }
 }
 
