@@ -305,25 +305,22 @@ static void build_link(parser *p, const flk_kind *kind, int number)
 
 /* ---------------------------------------------------------------------------------------- assembly */
 
-/* A length in the unit in which another length is written, and the text of that unit. */
-static double in_unit_of(parser *p, const setting *s, double length, text *written)
+/* A length in the unit in which a setting is written; the setting as it is written, with its unit. */
+static const char *length_in(parser *p, const setting *s, double length, char out[MESSAGE_SIZE])
 {
-    *written = flk_quantity_unit_text(s->value);
-    if (!written->length)
-        *written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
-    return flk_unit_from_si(length, s->unit);
+    text written = flk_quantity_unit_text(s->value);
+
+    if (!written.length)
+        written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
+    return flk_message(out, MESSAGE_SIZE, "%.6g %t", flk_unit_from_si(length, s->unit), written);
 }
 
-/* A length as it is written, with the unit of a bare number. */
-static text with_unit(parser *p, const setting *s)
+static const char *as_written(parser *p, const setting *s, char out[MESSAGE_SIZE])
 {
-    char ending[DECK_NAME_SIZE + 1] = " ";
-    const char *copy;
+    int is_bare = !flk_quantity_unit_text(s->value).length;
 
-    if (flk_quantity_unit_text(s->value).length)
-        return s->value;
-    copy = flk_reader_copy(p, s->value, strcat(ending, p->d->bare[QUANTITY_LENGTH].name));
-    return copy ? flk_text_of(copy) : s->value;
+    return flk_message(out, MESSAGE_SIZE, "%t%s%s", s->value, is_bare ? " " : "",
+                       is_bare ? p->d->bare[QUANTITY_LENGTH].name : "");
 }
 
 /* The slide of a lever: its offset, or its angle at the end of the lever. */
@@ -348,39 +345,31 @@ static void build_slide(parser *p)
                     "a lever with an angle needs a length, from D to C on the slide");
 }
 
-/* A slide can be reached at some angle if its distance is at most the sum of the two links that have a
-** length. */
+/* A slide can be reached at some angle if its distance is at most the sum of the two links that have a length. */
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
     const fourlink_design *design = &p->d->design;
-    const setting *s = flk_setting_find(p, KEY_LEVER_ANGLE);
+    const setting *angle = flk_setting_find(p, KEY_LEVER_ANGLE),
+                  *length = flk_setting_find(p, KEY_LEVER_LENGTH),
+                  *offset = flk_setting_find(p, KEY_LEVER_OFFSET);
     double distance = fabs(design->link[FOURLINK_FOLLOWER].length * sin(design->angle));
-    double in_unit;
-    const char *first =
-        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK];
-    const char *second =
-        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_CRANK : FOURLINK_COUPLER];
-    text written;
+    int first = kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK;
+    char at[MESSAGE_SIZE], most[MESSAGE_SIZE];
 
-    if (IS_SET(s) && distance > sum) {
-        const setting *length = flk_setting_find(p, KEY_LEVER_LENGTH);
-
-        in_unit = in_unit_of(p, length, sum, &written);
-        flk_mistake(p->mistakes, s->place,
-                    "the slide passes D at %.6g %t, farther than %s and %s together, %.6g %t: the "
-                    "linkage cannot be assembled",
-                    in_unit * distance / sum, written, first, second, in_unit, written);
-    }
-    if (IS_SET(s) || fabs(design->offset) <= sum)
-        return;
-    s = flk_setting_find(p, KEY_LEVER_OFFSET);
-    if (!IS_SET(s))
-        s = flk_setting_find(p, KEY_GROUND_OFFSET);
-    in_unit = in_unit_of(p, s, sum, &written);
-    flk_mistake(p->mistakes, s->place,
-                "the offset, %t, is larger than %s and %s together, %.6g %t: the linkage cannot be "
-                "assembled",
-                with_unit(p, s), first, second, in_unit, written);
+    if (!IS_SET(offset))
+        offset = flk_setting_find(p, KEY_GROUND_OFFSET);
+    if (IS_SET(angle) && distance > sum)
+        flk_mistake(p->mistakes, angle->place,
+                    "the slide passes D at %s, farther than %s and %s together, %s: the linkage "
+                    "cannot be assembled",
+                    length_in(p, length, distance, at), kind->link[first], kind->link[first + 1],
+                    length_in(p, length, sum, most));
+    else if (!IS_SET(angle) && fabs(design->offset) > sum)
+        flk_mistake(p->mistakes, offset->place,
+                    "the offset, %s, is larger than %s and %s together, %s: the linkage cannot be "
+                    "assembled",
+                    as_written(p, offset, at), kind->link[first], kind->link[first + 1],
+                    length_in(p, offset, sum, most));
 }
 
 /* A linkage can be assembled at some angle if no link is longer than the sum of the other three.  A linkage
@@ -390,8 +379,8 @@ static void check_reach(parser *p, const flk_kind *kind)
     const fourlink_link *link = p->d->design.link;
     const setting *s;
     int i, longest = FOURLINK_GROUND;
-    double sum = 0, in_unit;
-    text written;
+    char own[MESSAGE_SIZE], most[MESSAGE_SIZE];
+    double sum = 0;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
         if (kind->has_length[i] != FLK_LENGTH)
@@ -409,12 +398,11 @@ static void check_reach(parser *p, const flk_kind *kind)
     sum -= link[longest].length;
     if (link[longest].length > sum * (1 + 1e-14)) {
         s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
-        in_unit = in_unit_of(p, s, sum, &written);
         flk_mistake(
             p->mistakes, s->place,
-            "the %s, %t, is longer than the other three together, %.6g %t: the linkage cannot be "
+            "the %s, %s, is longer than the other three together, %s: the linkage cannot be "
             "assembled",
-            kind->link[longest], with_unit(p, s), in_unit, written);
+            kind->link[longest], as_written(p, s, own), length_in(p, s, sum, most));
     }
 }
 

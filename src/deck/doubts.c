@@ -12,21 +12,25 @@
 
 /* ------------------------------------------------------------------------------------------- units */
 
+static size_t count_digits(text t)
+{
+    size_t n;
+
+    for (n = 0; n < t.length && strchr("0123456789", t.start[n]); n++)
+        ;
+    return n;
+}
+
 /* 1 if a number has three decimals and at most three digits before them: 1.200 rpm. */
 static int is_like_thousands(text t)
 {
-    size_t digits, decimals;
+    size_t n;
 
     if (t.length && strchr("+-", t.start[0]))
         t = flk_text_from(t, 1);
-    for (digits = 0; digits < t.length && strchr("0123456789", t.start[digits]); digits++)
-        ;
-    if (digits < 1 || digits > 3 || digits == t.length || t.start[digits] != '.')
-        return 0;
-    t = flk_text_from(t, digits + 1);
-    for (decimals = 0; decimals < t.length && strchr("0123456789", t.start[decimals]); decimals++)
-        ;
-    return decimals == 3;
+    n = count_digits(t);
+    return n >= 1 && n <= 3 && n < t.length && t.start[n] == '.' &&
+           count_digits(flk_text_from(t, n + 1)) == 3;
 }
 
 #define SLOW 20 /* rpm; a thousand times as much is the speed of a fast machine */
