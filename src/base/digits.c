@@ -7,10 +7,10 @@
 **
 **    x 10^k = m 5^k 2^(e + k)
 **
-** is known exactly for k up to 54, where 5^k is one power of five that fits into a word or the product of two;
-** for negative k it is a quotient and a rest.  Its integer part has the wanted digits, and what is behind
-** rounds them, halves to even, as glibc does.  Very large and very small numbers, more than 17 digits, and
-** infinities are left to the caller.
+** is known exactly for k up to 54, where 5^k is one power of five that fits into a word or the product of
+** two; for negative k it is a quotient and a rest.  Its integer part has the wanted digits, and what is
+** behind rounds them, halves to even, as glibc does.  Very large and very small numbers, more than 17
+** digits, and infinities are left to the caller.
 */
 #include <float.h>
 #include <limits.h>
@@ -83,8 +83,8 @@ static word shifted(product p, int n, int more)
     return whole + ((rest > HALF) | ((rest == HALF) & (more | (int)(whole & 1))));
 }
 
-/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken for
-** another, whose digits do not matter either. */
+/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken
+** for another, whose digits do not matter either. */
 typedef struct binary {
     word m;
     int e;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_mechanism.c - builds the mechanism from values: its kind; of each link its length, mass, centre of mass, moment
-** of inertia; whether it can be assembled.
+** build_mechanism.c - builds the mechanism from values: its kind; of each link its length, mass, centre of
+** mass, moment of inertia; whether it can be assembled.
 */
 #include <math.h>
 #include <string.h>
@@ -42,7 +42,8 @@ int flk_build_kind(parser *p)
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
-                        flk_link_of_section(use->section) == FOURLINK_COUPLER
+                        use->section == SECTION_COUPLER || use->section == SECTION_ROD ||
+                                use->section == SECTION_SLIDER
                             ? "%s %s has no [%s]; its link 3 is the [%s]"
                             : "%s %s has no [%s]",
                         flk_text_article(words), words, flk_section_table[use->section].name,
@@ -345,7 +346,8 @@ static void build_slide(parser *p)
                     "a lever with an angle needs a length, from D to C on the slide");
 }
 
-/* A slide can be reached at some angle if its distance is at most the sum of the two links that have a length. */
+/* A slide can be reached at some angle if its distance is at most the sum of the two links that have a
+** length. */
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
     const fourlink_design *design = &p->d->design;

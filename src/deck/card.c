@@ -345,8 +345,8 @@ static const char *load(parser *p, text name, unsigned long *length)
                : NULL;
 }
 
-/* Cut NAME, NAME UNIT or NAME ANGLE_UNIT UNIT at its first blank after which there are units or, `by_file`, that
-** ends the name of an existing file; 0 if there is no such file. */
+/* Cut NAME, NAME UNIT or NAME ANGLE_UNIT UNIT at its first blank after which there are units or, `by_file`,
+** that ends the name of an existing file; 0 if there is no such file. */
 static int cut_name(const card *c, text whole, int by_file, text *name, text units[2])
 {
     unsigned long length;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve_text.c - curves over the crank angle, or over another argument, from the text of a deck, or from a file that it
-** names.
+** curve_text.c - curves over the crank angle, or over another argument, from the text of a deck, or from a
+** file that it names.
 */
 #include <string.h>
 

@@ -137,8 +137,8 @@ text flk_reader_utf8(parser *p, text t);
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
 
-/* The section of the deck with this name (case matters), or the first if `name` is null; the next after a section,
-** or the first if that is null.  Null if there is none. */
+/* The section of the deck with this name (case matters), or the first if `name` is null; the next after a
+** section, or the first if that is null.  Null if there is none. */
 section_use *flk_section_find(const parser *p, section_code section, const text *name);
 section_use *flk_section_next(const parser *p, section_code section, const section_use *after);
 
@@ -155,7 +155,8 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* 1 if the deck has such a section with a mistake. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
-/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of memory. */
+/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of
+** memory. */
 int flk_section_unshare(parser *p, section_use *use);
 
 /* The setting of a key in a section that has the key. */
@@ -211,8 +212,8 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n);
 ** quotes. */
 text flk_line_without_comment(text line);
 
-/* Take the next line off a text and cut off its comment.  0 at the end of the text; 0 and a mistake if the line is not
-** text, or the text is too large, and reading stops. */
+/* Take the next line off a text and cut off its comment.  0 at the end of the text; 0 and a mistake if the
+** line is not text, or the text is too large, and reading stops. */
 int flk_line_take(parser *p, text *rest, int line_end, text_place place, text cut(text line),
                   text *line);
 
@@ -321,8 +322,8 @@ int flk_build_sense(parser *p);
 /* 1 if the kind of the mechanism has this key. */
 int flk_build_has(const parser *p, key_code key);
 
-/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); check that a name for
-** columns is one word and not too long. */
+/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); check that a
+** name for columns is one word and not too long. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
 

@@ -109,16 +109,6 @@ size_t flk_section_keys(section_code section)
     return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
 }
 
-int flk_link_of_section(section_code section)
-{
-    const word_info *w;
-
-    for (w = flk_word_table; w->word; w++)
-        if (w->key == KEY_LOAD_LINK && strcmp(w->word, flk_section_table[section].name) == 0)
-            return w->value;
-    return 0;
-}
-
 void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS])
 {
     int is_link = key == KEY_LOAD_LINK || key == KEY_POINT_LINK || key == KEY_SPRING_LINK ||

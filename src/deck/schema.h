@@ -282,11 +282,8 @@ extern const word_info flk_word_table[];
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
 
-/* The number of the link that a section describes in some mechanism; 0: not a link. */
-int flk_link_of_section(section_code section);
-
-/* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number: other
-** links are left out. */
+/* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:
+** other links are left out. */
 #define MOST_WORDS 16
 void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS]);
 
