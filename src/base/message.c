@@ -66,7 +66,7 @@ char *flk_message_list(char *out, size_t size, const char *format, va_list value
             put_string(&w, va_arg(values, const char *));
             break;
         case 't':
-            put_string(&w, flk_text_copy(va_arg(values, text), copy, sizeof copy));
+            put_string(&w, flk_text_quote(va_arg(values, text), copy, sizeof copy));
             break;
         case 'l': /* %ld */
             put_string(&w, flk_digits_short((double)va_arg(values, long), digits, copy));

@@ -224,7 +224,7 @@ char *flk_text_copy(text t, char *out, size_t size)
     for (i = 0; i < n; i++) {
         unsigned char c = (unsigned char)t.start[i];
 
-        out[i] = (char)(c == '\t' ? ' ' : c < ' ' || c == 0x7f ? '?' : c);
+        out[i] = (char)(c < ' ' || c == 0x7f ? '?' : c);
     }
     out[n] = '\0';
     if (n < t.length && size > 4) {
@@ -232,6 +232,17 @@ char *flk_text_copy(text t, char *out, size_t size)
             n--; /* do not cut a UTF-8 character */
         strcpy(out + n, "...");
     }
+    return out;
+}
+
+char *flk_text_quote(text t, char *out, size_t size)
+{
+    size_t i;
+
+    flk_text_copy(t, out, size);
+    for (i = 0; out[i]; i++)
+        if (out[i] == '?' && t.start[i] == '\t')
+            out[i] = ' ';
     return out;
 }
 

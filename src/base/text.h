@@ -66,9 +66,12 @@ int flk_text_line_end(text t);
 int flk_text_cut(text t, const char *separator, text *before, text *after);
 int flk_text_cut_last(text t, const char *separator, text *before, text *after);
 
-/* A null-terminated copy in `size` bytes; a tab becomes a blank, other unprintable bytes a question mark, and
-** "..." marks what did not fit. */
+/* A null-terminated copy in `size` bytes; unprintable bytes are replaced, and "..." marks what did not
+** fit. */
 char *flk_text_copy(text t, char *out, size_t size);
+
+/* The same for a message: a tab becomes a blank. */
+char *flk_text_quote(text t, char *out, size_t size);
 
 /* The word nearest to `t`, one or two typing mistakes away, in a list that ends with a null pointer.  Null if
 ** there is none. */

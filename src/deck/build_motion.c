@@ -73,11 +73,6 @@ static void check_cycle(parser *p, double cycle)
         flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
 }
 
-int flk_build_mode(parser *p)
-{
-    return flk_setting_find(p, KEY_MOTION_MODE)->word;
-}
-
 /* Refuse keys of the given motion in another mode, and the reverse. */
 static void check_mode(parser *p, int mode)
 {
@@ -155,17 +150,6 @@ static void build_rows_by_time(parser *p, int mode)
                     duration->si[0] / step->si[0]);
 }
 
-/* How the speed of the crank is determined. */
-static void build_drive(parser *p)
-{
-    int mode = flk_build_mode(p);
-
-    p->d->drive.mode = mode;
-    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    check_mode(p, mode);
-    build_rows_by_time(p, mode);
-}
-
 /* The last crank angle, in the deck's unit. */
 static double last_angle(parser *p, double cycle)
 {
@@ -211,18 +195,6 @@ static text_place place_of_rows(parser *p)
     return flk_reader_end(p);
 }
 
-/* Refuse this many rows by angle; 0: not counted. */
-static void refuse_rows(parser *p, unsigned long n)
-{
-    char count[40] = "";
-
-    if (n)
-        flk_message(count, sizeof count, " (%g)", (double)n);
-    flk_mistake(p->mistakes, place_of_rows(p),
-                "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",
-                count);
-}
-
 /* The name of the setting that turns a steady motion against its range; null: none. */
 static const char *against_range(parser *p)
 {
@@ -241,8 +213,12 @@ static void check_range(parser *p)
     const fourlink_motion *motion = &p->d->motion;
     const setting *s = flk_setting_find(p, KEY_MOTION_INTERVAL);
     fourlink_range range;
+    char count[40] = "";
     int status = fourlink_motion_range(motion, &range);
+    int is_counted = status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time;
 
+    if (is_counted)
+        flk_message(count, sizeof count, " (%g)", (double)range.n_rows);
     if (status == FOURLINK_BAD_RANGE)
         flk_mistake(p->mistakes, place_of_end(p),
                     "the range runs against the rotation of an accelerated crank: swap 'from' and "
@@ -250,10 +226,11 @@ static void check_range(parser *p)
     else if (status == FOURLINK_NO_RUN_UP)
         flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_RUN_UP)->place,
                     "a run-up from rest needs an acceleration");
-    else if (status == FOURLINK_TOO_MANY_ROWS)
-        refuse_rows(p, 0);
-    else if (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time)
-        refuse_rows(p, range.n_rows);
+    else if (status == FOURLINK_TOO_MANY_ROWS || is_counted)
+        flk_mistake(
+            p->mistakes, place_of_rows(p),
+            "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",
+            count);
     else if (status != FOURLINK_OK)
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
                     fourlink_status_text(status));
@@ -275,7 +252,9 @@ void flk_build_motion(parser *p)
     size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
-    build_drive(p);
+    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    check_mode(p, p->d->drive.mode);
+    build_rows_by_time(p, p->d->drive.mode);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);

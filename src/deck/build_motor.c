@@ -79,7 +79,7 @@ static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 /* A motor needs a motion that is not given; a motor that balances needs a cycle and its mean speed. */
 static void check_mode(parser *p, const section_use *use, const fourlink_motor *motor)
 {
-    int mode = flk_build_mode(p);
+    int mode = p->d->drive.mode;
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *word = flk_setting_find(p, KEY_MOTION_MODE);
 
@@ -146,8 +146,8 @@ int flk_build_sense(parser *p)
     double turning = flk_setting_or(p, KEY_MOTION_SPEED, 0);
 
     if (turning == 0)
-        turning = flk_build_mode(p) == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
-                                                   : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+        turning = p->d->drive.mode == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
+                                                  : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
     if (turning == 0 && (motor->kind != FOURLINK_MOTOR_CURVE || motor->n_curve))
         turning = flk_motor_torque(motor, 0, 0);
     return turning < 0 ? -1 : 1;
@@ -168,7 +168,7 @@ static int has_inertia(const deck *d)
 /* The exact fluctuation is defined for the steady motion only. */
 static void build_exact(parser *p, const setting *exact, const setting *fluctuation)
 {
-    int mode = flk_build_mode(p);
+    int mode = p->d->drive.mode;
 
     if (exact->word && !IS_SET(fluctuation))
         flk_mistake(p->mistakes, exact->place,

@@ -146,20 +146,20 @@ static int is_unit_of(text t, quantity q)
 static text unit_in_header(text field, quantity q)
 {
     size_t open, end = field.length;
+    text found = field;
 
+    while (found.length && !is_unit_of(found, q))
+        do
+            found = flk_text_from(found, 1);
+        while (found.length && !strchr("/ _", found.start[-1]));
+    if (found.length)
+        return found;
     while (end > 0 && !strchr(")]", field.start[end - 1]))
         end--;
     for (open = end; open > 0 && !strchr("([", field.start[open - 1]); open--)
         ;
-    if (open) {
-        field.length = end - 1;
-        return flk_text_trim(flk_text_from(field, open));
-    }
-    while (field.length && !is_unit_of(field, q))
-        do
-            field = flk_text_from(field, 1);
-        while (field.length && !strchr("/ _", field.start[-1]));
-    return field;
+    field.length = open ? end - 1 : open;
+    return flk_text_trim(flk_text_from(field, open));
 }
 
 /* Set the unit of a column; 0 and a mistake if it is not a unit, or differs from that of the deck. */
@@ -309,7 +309,7 @@ static void read_lines(card *c, text contents, setting *s)
         if (!c->line.length)
             continue;
         c->line = flk_reader_plain(c->p, c->line);
-        c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
+        c->row.value = flk_text_of(flk_text_quote(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
             return;

@@ -144,6 +144,7 @@ static void build(parser *p)
     if (flk_section_find(p, SECTION_SYNTHESIS, NULL) && (p = find_linkage(p)) == NULL)
         return;
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
+    p->d->drive.mode = flk_setting_find(p, KEY_MOTION_MODE)->word;
     flk_build_mechanism(p);
     flk_build_loads(p);
     flk_build_balance(p);

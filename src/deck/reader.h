@@ -313,9 +313,6 @@ void flk_build_grading(parser *p);
 /* Note values that are allowed but probably not meant. */
 void flk_build_doubts(parser *p);
 
-/* How the speed of the crank is determined: DRIVE_GIVEN ... */
-int flk_build_mode(parser *p);
-
 /* The sense in which a speed or a motor turns the crank: -1 clockwise; otherwise 1. */
 int flk_build_sense(parser *p);
 
