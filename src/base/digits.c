@@ -7,10 +7,10 @@
 **
 **    x 10^k = m 5^k 2^(e + k)
 **
-** is known exactly for k up to 54, where 5^k is one power of five that fits into a word or the product of two;
-** for negative k it is a quotient and a rest.  Its integer part has the wanted digits, and what is behind
-** rounds them, halves to even, as glibc does.  Very large and very small numbers, more than 17 digits, and
-** infinities are left to the caller.
+** is known exactly for k up to 54, where 5^k is one power of five that fits into a word or the product of
+** two; for negative k it is a quotient and a rest.  Its integer part has the wanted digits, and what is
+** behind rounds them, halves to even, as glibc does.  Very large and very small numbers, more than 17
+** digits, and infinities are left to the caller.
 */
 #include <float.h>
 #include <limits.h>
@@ -83,8 +83,8 @@ static word shifted(product p, int n, int more)
     return whole + ((rest > HALF) | ((rest == HALF) & (more | (int)(whole & 1))));
 }
 
-/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken for
-** another, whose digits do not matter either. */
+/* A double without its sign as m 2^e, with the highest bit of m set.  A number too small for that is taken
+** for another, whose digits do not matter either. */
 typedef struct binary {
     word m;
     int e;
@@ -213,27 +213,17 @@ static char *put_sign(double value, char *to)
     return to + (value < 0);
 }
 
-static char *put_power(int power, char *to)
-{
-    *to++ = 'e';
-    *to++ = power < 0 ? '-' : '+';
-    power = power < 0 ? -power : power;
-    *to++ = (char)('0' + power / 10);
-    *to++ = (char)('0' + power % 10);
-    return to;
-}
-
-/* An exponent without plus sign or leading zeros: e6, e-12, e100 */
-static char *put_short_power(int power, char *to)
+/* An exponent as in printf, e+06, or without plus sign and leading zeros: e6, e-12, e100. */
+static char *put_power(int power, int is_short, char *to)
 {
     int size = power < 0 ? -power : power;
 
     *to++ = 'e';
-    if (power < 0)
-        *to++ = '-';
+    if (power < 0 || !is_short)
+        *to++ = power < 0 ? '-' : '+';
     if (size >= 100)
         *to++ = (char)('0' + size / 100);
-    if (size >= 10)
+    if (size >= 10 || !is_short)
         *to++ = (char)('0' + size / 10 % 10);
     *to++ = (char)('0' + size % 10);
     return to;
@@ -330,13 +320,13 @@ char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE])
     end = put_last(d.digits, decimals + 1, start + 1);
     start[0] = start[1]; /* the first digit, to make room for the point */
     start[1] = '.';
-    end = put_power(d.power, decimals > 0 ? end : start + 1);
+    end = put_power(d.power, 0, decimals > 0 ? end : start + 1);
     *end = '\0';
     return end;
 }
 
 /* The n digits of a number without trailing zeros, as in printf's %g. */
-static char *put_general(decimal d, int n, char *(*put_exponent)(int, char *), char *start)
+static char *put_general(decimal d, int n, int is_short, char *start)
 {
     char *first = start + 1, *end;
     int power = d.power, i;
@@ -349,7 +339,7 @@ static char *put_general(decimal d, int n, char *(*put_exponent)(int, char *), c
     if (power < -4 || power >= n) {
         start[0] = start[1];
         start[1] = '.';
-        end = put_exponent(power, end > first + 1 ? end : start + 1);
+        end = put_power(power, is_short, end > first + 1 ? end : start + 1);
     } else if (power < 0) {
         memcpy(start, "0.000", (size_t)(1 - power));
     } else {
@@ -367,7 +357,7 @@ char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
 {
     decimal d = significant(value, n);
 
-    return d.power == UNKNOWN ? NULL : put_general(d, n, put_power, put_sign(value, out));
+    return d.power == UNKNOWN ? NULL : put_general(d, n, 0, put_sign(value, out));
 }
 
 /* Like `significant`, for any number, but the last digits may be wrong. */
@@ -400,6 +390,6 @@ char *flk_digits_short(double value, int n, char out[DIGITS_SIZE])
         return strcpy(out, "0");
     if (d.power == UNKNOWN)
         d = approximate(x, n);
-    put_general(d, n, put_short_power, put_sign(value, out));
+    put_general(d, n, 1, put_sign(value, out));
     return out;
 }

@@ -8,8 +8,8 @@
 #define DIGITS_SIZE 48
 
 /* Write a number with the given number of decimals (as %.*f, %.*e) or of significant digits (as %.*g), but
-** without a sign if it prints as 0.  Returns its end, or null if its digits are left to the caller, as of very
-** large and very small numbers. */
+** without a sign if it prints as 0.  Returns its end, or null if its digits are left to the caller, as of
+** very large and very small numbers. */
 char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_general(double value, int digits, char out[DIGITS_SIZE]);

@@ -66,12 +66,6 @@ static void refuse_number(text rest, text whole, quantity q, char message[MESSAG
 int flk_quantity_number(text *rest, text whole, quantity q, double *number,
                         char message[MESSAGE_SIZE])
 {
-    static const char *const why[] = {"",
-                                      "",
-                                      "'%t' is not a finite number",
-                                      "'%t' is not a decimal number",
-                                      "",
-                                      "'%t' has too many digits"};
     number_status status;
 
     *rest = flk_text_trim(*rest);
@@ -81,7 +75,11 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
     else if (status == NUMBER_COMMA)
         refuse_comma(*rest, whole, message);
     else if (status != NUMBER_OK)
-        flk_message(message, MESSAGE_SIZE, why[status], whole);
+        flk_message(message, MESSAGE_SIZE,
+                    status == NUMBER_NOT_FINITE ? "'%t' is not a finite number"
+                    : status == NUMBER_HEX      ? "'%t' is not a decimal number"
+                                                : "'%t' has too many digits",
+                    whole);
     return status == NUMBER_OK;
 }
 

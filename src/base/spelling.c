@@ -143,18 +143,3 @@ text flk_spelling_plain(text t, char *out)
     t.length = write_powers(out);
     return t;
 }
-
-text flk_spelling_blanks(text t, char *out)
-{
-    char *end = out;
-
-    while (t.length) {
-        size_t blank = flk_text_blank(t);
-
-        *end++ = blank > 1 ? ' ' : *t.start;
-        t = flk_text_from(t, blank ? blank : 1);
-    }
-    t.start = out;
-    t.length = (size_t)(end - out);
-    return t;
-}

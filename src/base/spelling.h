@@ -23,7 +23,4 @@ int flk_spelling_is_plain(text t);
 **    the text, in `out`, of SPELLING_SIZE(t.length) bytes */
 text flk_spelling_plain(text t, char *out);
 
-/* The same, for blanks only. */
-text flk_spelling_blanks(text t, char *out);
-
 #endif

@@ -44,7 +44,8 @@ system_kind system_kind_of(const char *path);
 int system_is_same(const char *x, const char *y);
 int system_is_open_as(const char *path, FILE *stream);
 
-/* Give each name in a folder to a function, in any order, as long as it returns 1.  Returns 1; 0 with errno set. */
+/* Give each name in a folder to a function, in any order, as long as it returns 1.  Returns 1; 0 with errno
+** set. */
 int system_list(const char *folder, int (*take)(void *host, const char *name), void *host);
 
 int system_may_write(const char *path);

@@ -13,8 +13,8 @@ int flk_utf16_is(text t);
 /* The size of the buffer that flk_utf16_convert needs. */
 #define UTF16_SIZE(length) (3 * ((length) / 2 + 1))
 
-/* Write a text in UTF-8, its mark too.  A surrogate without the other and a last byte without the other become the
-** replacement character.
+/* Write a text in UTF-8, its mark too.  A surrogate without the other and a last byte without the other
+** become the replacement character.
 **
 ** Returned (function value):
 **    the text, in `out`, of UTF16_SIZE(t.length) bytes */

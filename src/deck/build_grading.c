@@ -98,11 +98,9 @@ void flk_build_grading(parser *p)
     size_t i;
 
     p->d->n_rules = 0;
-    p->d->rules = flk_deck_keep(p->d, (p->n_named + 1) * sizeof *p->d->rules);
-    if (!p->d->rules) {
-        p->out_of_memory = 1;
+    p->d->rules = flk_reader_keep(p, (p->n_named + 1) * sizeof *p->d->rules);
+    if (!p->d->rules)
         return;
-    }
     for (i = 0; i < p->n_named; i++)
         if (p->uses[p->named[i].use].section == SECTION_GRADING)
             add_rule(p, p->named[i].name, p->named[i].value, p->named[i].place);

@@ -27,27 +27,30 @@ static double period_of(const parser *p, int over)
     return over == FLK_THETA2 ? p->d->machine.cycle : over == FLK_THETA4 ? 2 * M_PI : 0;
 }
 
+int flk_build_is_rising(parser *p, const setting *s, double least, const char *message)
+{
+    size_t i;
+
+    for (i = 1; i < s->n_points; i++)
+        if (!(s->curve[i].x > s->curve[i - 1].x) || s->curve[i].x - s->curve[i - 1].x < least)
+            return flk_mistake(p->mistakes, s->curve[i].place, message);
+    return 1;
+}
+
 /* Check the points of a curve.  Its arguments must increase; angles cover at most one period.  A last point
 ** at the end of the period must repeat the first.  Returns the number of points without that one; 0 if they
 ** do not form a curve. */
 static size_t check_curve(parser *p, const setting *s, int over, double period)
 {
     const point *c = s->curve;
-    size_t n = s->n_points, i;
+    size_t n = s->n_points;
 
     if (!c || !(p->d->machine.cycle > 0))
         return 0;
-    if (n > MOST_POINTS) {
-        flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
+    if (!flk_build_is_rising(p, s, period > 0 ? LEAST_STEP : 0,
+                             period > 0 ? "the angles of a curve must increase"
+                                        : "the arguments of a curve must increase"))
         return 0;
-    }
-    for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < (period > 0 ? LEAST_STEP : 0) || c[i].x == c[i - 1].x) {
-            flk_mistake(p->mistakes, c[i].place,
-                        period > 0 ? "the angles of a curve must increase"
-                                   : "the arguments of a curve must increase");
-            return 0;
-        }
     if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
@@ -94,13 +97,9 @@ static void build_curves(parser *p, const setting *s, int n_components, int over
 flk_element *flk_build_element(parser *p)
 {
     flk_machine *machine = &p->d->machine;
-    size_t i, n = 0;
 
-    for (i = 0; i < p->n_uses && !machine->element; i++)
-        n += p->uses[i].section == SECTION_LOAD || p->uses[i].section == SECTION_SPRING ||
-             p->uses[i].section == SECTION_GAS;
-    if (!machine->element)
-        machine->element = flk_reader_keep(p, n * sizeof *machine->element);
+    if (!machine->element) /* a section makes one, at most */
+        machine->element = flk_reader_keep(p, p->n_uses * sizeof *machine->element);
     return machine->element ? &machine->element[machine->n_elements++] : NULL;
 }
 
@@ -115,7 +114,7 @@ void flk_build_gas(parser *p)
     flk_element *element;
     flk_gas *gas;
 
-    if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
+    if (!use || !flk_build_has(p, KEY_GAS_BORE))
         return;
     p->d->has_forces = 1;
     if (!IS_SET(bore)) {
@@ -220,23 +219,15 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-void *flk_build_keep_each(parser *p, section_code section, size_t size)
-{
-    size_t i, n = 0;
-
-    for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == section;
-    return flk_reader_keep(p, n * size);
-}
-
 void flk_build_points(parser *p)
 {
-    size_t i;
+    const section_use *use = NULL;
 
-    p->d->points = flk_build_keep_each(p, SECTION_POINT, sizeof *p->d->points);
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
-        if (p->uses[i].section == SECTION_POINT)
-            build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
+    if (!flk_section_find(p, SECTION_POINT, NULL))
+        return;
+    p->d->points = flk_reader_keep(p, p->n_uses * sizeof *p->d->points);
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_POINT, use)) != NULL)
+        build_point(p, use, &p->d->points[p->d->n_points++]);
 }
 
 /* 1 if a link slides along the line of stroke: forces on it need neither a point nor a direction. */
@@ -382,19 +373,17 @@ static void build_load(parser *p, const section_use *use, flk_own_load *own)
 
 void flk_build_loads(parser *p)
 {
+    const section_use *use = NULL;
     flk_element *element;
     flk_own_load *own;
-    size_t i;
 
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++) {
-        if (p->uses[i].section != SECTION_LOAD)
-            continue;
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
         own = flk_reader_keep(p, sizeof *own);
         element = flk_build_element(p);
         if (!own || !element)
             return;
-        build_load(p, &p->uses[i], own);
-        element->name = flk_reader_copy(p, p->uses[i].name, "");
+        build_load(p, use, own);
+        element->name = flk_reader_copy(p, use->name, "");
         flk_element_of_own(own, element);
         p->d->has_forces = 1;
     }
@@ -453,28 +442,22 @@ static void check_ends(parser *p, const setting *s, const setting *over, const c
 
 void flk_build_curve_ends(parser *p)
 {
-    size_t i, n = 0;
+    const section_use *use = NULL;
+    size_t n = 0;
 
     if (p->mistakes->count || p->out_of_memory)
         return;
-    for (i = 0; i < p->n_uses; i++) {
-        const setting *over;
+    for (; (use = flk_section_next(p, SECTION_LOAD, use)) != NULL; n++) {
+        const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                      *back = flk_setting_of(use, KEY_LOAD_BACK);
+        const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
 
-        if (p->uses[i].section != SECTION_LOAD)
+        if (over->word <= FLK_THETA4 ||
+            (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))
             continue;
-        over = flk_setting_of(&p->uses[i], KEY_LOAD_OVER);
-        if (over->word > FLK_THETA4 &&
-            (p->d->drive.mode == DRIVE_GIVEN || !FLK_IS_SPEED(over->word))) {
-            const setting *back = flk_setting_of(&p->uses[i], KEY_LOAD_BACK);
-            const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
-
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_FORCE), over,
-                       &own->values.force_curve[0]);
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_TORQUE), over,
-                       &own->values.torque_curve);
-            check_ends(p, back, over, &own->back.force_curve[0]);
-            check_ends(p, back, over, &own->back.torque_curve);
-        }
-        n++;
+        check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &own->values.force_curve[0]);
+        check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &own->values.torque_curve);
+        check_ends(p, back, over, &own->back.force_curve[0]);
+        check_ends(p, back, over, &own->back.torque_curve);
     }
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_mechanism.c - builds the mechanism from values.
+** build_mechanism.c - builds the mechanism from values: its kind; of each link its length, mass, centre of
+** mass, moment of inertia; whether it can be assembled.
 */
 #include <math.h>
 #include <string.h>
@@ -22,11 +23,14 @@ int flk_build_kind(parser *p)
 
     if (!IS_SET(s)) {
         text_place place = flk_reader_end(p);
-        char list[WORDS_SIZE];
+        const char *kinds[MOST_WORDS];
+        char list[MESSAGE_SIZE];
 
         place.line = 1;
-        return flk_mistake(p->mistakes, place, "expected %s before the first section",
-                           flk_list_words(KEY_TOP_MECHANISM, NULL, "'mechanism = ", "'", list));
+        flk_key_words(KEY_TOP_MECHANISM, NULL, kinds);
+        flk_text_list(kinds, "', 'mechanism = ", "' or 'mechanism = ", list, sizeof list);
+        return flk_mistake(p->mistakes, place, "expected 'mechanism = %s' before the first section",
+                           list);
     }
     if (!s->word)
         return 0;
@@ -38,7 +42,8 @@ int flk_build_kind(parser *p)
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
-                        flk_link_of_section(use->section) == FOURLINK_COUPLER
+                        use->section == SECTION_COUPLER || use->section == SECTION_ROD ||
+                                use->section == SECTION_SLIDER
                             ? "%s %s has no [%s]; its link 3 is the [%s]"
                             : "%s %s has no [%s]",
                         flk_text_article(words), words, flk_section_table[use->section].name,
@@ -58,25 +63,265 @@ int flk_build_kind(parser *p)
     return 1;
 }
 
-/* A length in the unit in which another length is written, and the text of that unit. */
-static double in_unit_of(parser *p, const setting *s, double length, text *written)
+/* -------------------------------------------------------------------------------------------- links */
+
+int flk_build_has(const parser *p, key_code key)
 {
-    *written = flk_quantity_unit_text(s->value);
-    if (!written->length)
-        *written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
-    return flk_unit_from_si(length, s->unit);
+    const key_info *k = &flk_key_table[key];
+
+    return (k->kinds & flk_section_table[k->section].kinds & (int)p->d->design.kind) != 0;
 }
 
-/* A length as it is written, with the unit of a bare number. */
-static text with_unit(parser *p, const setting *s)
+/* Report a missing length. */
+static void require_length(parser *p, const char *link)
 {
-    char ending[DECK_NAME_SIZE + 1] = " ";
-    const char *copy;
+    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
 
-    if (flk_quantity_unit_text(s->value).length)
-        return s->value;
-    copy = flk_reader_copy(p, s->value, strcat(ending, p->d->bare[QUANTITY_LENGTH].name));
-    return copy ? flk_text_of(copy) : s->value;
+    if (use ? use->is_mistaken : p->has_unknown_section)
+        return;
+    if (use)
+        flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
+                    use->section == SECTION_CRANK && flk_build_has(p, KEY_CRANK_STROKE)
+                        ? ", and no stroke"
+                        : "");
+    else
+        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length", link);
+}
+
+/* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
+** (ME3491, example 2): L = g (T / 2 pi)^2 is the length of the equivalent simple pendulum, and
+**
+**    k^2 = h (L - h)
+*/
+static void build_swing(parser *p, const setting *period, const setting *pin, int number)
+{
+    fourlink_link *link = &p->d->design.link[number];
+    double g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
+           turns = period->si[0] / (2 * M_PI);
+    double h, L;
+    fourlink_vector at = {0, 0};
+
+    if (!IS_SET(pin)) {
+        flk_mistake(p->mistakes, period->place,
+                    "a swing_period needs a swing_pin: origin, end or a point of the link");
+        return;
+    }
+    flk_build_place(p, pin, number, &at);
+    if (g <= 0)
+        g = STANDARD_GRAVITY; /* gravity may be off in the machine, but not in the test */
+    h = gsl_hypot(at.x - link->cg.x, at.y - link->cg.y);
+    L = g * turns * turns;
+    if (h == 0)
+        flk_mistake(p->mistakes, pin->place,
+                    "the swing_pin is at the centre of mass: the link does not swing there");
+    else if (L < h)
+        flk_mistake(p->mistakes, period->place,
+                    "a swing_period of %t is too short: a point mass %.4g m from the pin swings "
+                    "more slowly",
+                    period->value, h);
+    else
+        link->inertia = link->mass * h * (L - h);
+}
+
+/* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
+** in line (two right triangles with the leg e):
+**
+**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
+**
+** which for e = 0 is r = S/2.  The longest stroke has r = l - |e|, the longest crank that turns fully:
+** S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots. */
+static void build_stroke(parser *p)
+{
+    fourlink_link *link = p->d->design.link;
+    const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
+    double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
+
+    if (l <= 0 || !flk_build_has(p, KEY_CRANK_STROKE))
+        return;
+    if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
+        flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
+    S = s->si[0];
+    link[2].length = S / 2;
+    rest = 4 * l * l - S * S;
+    if (S * S > 4 * l * (l - e))
+        flk_mistake(p->mistakes, s->place, "%s",
+                    e > 0 ? "this stroke is impossible with this rod and offset"
+                          : "this stroke is impossible: the crank would be longer than the rod");
+    else if (e > 0)
+        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
+}
+
+/* 1 if a link whose length is optional has none. */
+static int is_without_length(parser *p, const flk_kind *kind, int number)
+{
+    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+
+    return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
+           !IS_SET(flk_setting_by_name(p, section, "length"));
+}
+
+void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
+{
+    double length = p->d->design.link[link].length;
+    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+
+    at->x = s->si[0];
+    at->y = s->si[1];
+    if (!s->of_length || !link)
+        return;
+    at->x *= length;
+    at->y *= length;
+    if (is_without_length(p, kind, link))
+        flk_mistake(p->mistakes, s->place,
+                    "'%t' is a part of the length, and the %s has none: give the point in a unit "
+                    "of length",
+                    s->value, kind->link[link]);
+    else
+        flk_values_size(p, s, QUANTITY_LENGTH, gsl_hypot(at->x, at->y));
+}
+
+/* The mass data in the section of a link. */
+typedef struct body {
+    const setting *mass, *cg, *gyration, *inertia, *period, *pin, *uniform;
+} body;
+
+static body find_body(parser *p, section_code section)
+{
+    body b;
+
+    b.mass = flk_setting_by_name(p, section, "mass");
+    b.cg = flk_setting_by_name(p, section, "cg");
+    b.gyration = flk_setting_by_name(p, section, "gyration");
+    b.inertia = flk_setting_by_name(p, section, "inertia");
+    b.period = flk_setting_by_name(p, section, "swing_period");
+    b.pin = flk_setting_by_name(p, section, "swing_pin");
+    b.uniform = flk_setting_by_name(p, section, "uniform");
+    return b;
+}
+
+static void check_inertia(parser *p, const setting *s, const fourlink_link *link)
+{
+    if (link->inertia > FOURLINK_NUMBER_MAX)
+        flk_mistake(p->mistakes, s->place, "the resulting moment of inertia is out of range");
+}
+
+static void build_bar(parser *p, const flk_kind *kind, const body *b, int number)
+{
+    fourlink_link *link = &p->d->design.link[number];
+    const setting *others[5];
+    int i;
+
+    others[0] = b->cg;
+    others[1] = b->gyration;
+    others[2] = b->inertia;
+    others[3] = b->period;
+    others[4] = b->pin;
+    for (i = 0; i < 5; i++)
+        if (IS_SET(others[i]))
+            flk_mistake(p->mistakes, others[i]->place,
+                        "a uniform link has its centre of mass at mid-length and the inertia of a "
+                        "bar: give either 'uniform' or the others");
+    fourlink_uniform_bar(link->length, link->mass, link);
+    check_inertia(p, b->uniform, link);
+    if (is_without_length(p, kind, number))
+        flk_mistake(p->mistakes, b->uniform->place, "a uniform %s needs a length",
+                    kind->link[number]);
+}
+
+/* Note a mass with neither moment of inertia nor centre of mass. */
+static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int number)
+{
+    const fourlink_link *link = &p->d->design.link[number];
+
+    if (!(link->mass > 0) || kind->has_length[number] == FLK_NO_LENGTH || IS_SET(b->cg) ||
+        IS_SET(b->gyration) || IS_SET(b->inertia) || IS_SET(b->period))
+        return;
+    flk_mistake(NOTES(p), b->mass->place,
+                "[%s] is a point mass at %s: write %scg = 0 mm if this is meant",
+                kind->link[number],
+                number == FOURLINK_CRANK     ? "A"
+                : number == FOURLINK_COUPLER ? "B"
+                                             : "D",
+                link->length > 0 ? "uniform = yes for a uniform bar, " : "");
+}
+
+/* The moment of inertia, given in one of several ways. */
+static void build_inertia(parser *p, const body *b, int number, int is_mistaken)
+{
+    fourlink_link *link = &p->d->design.link[number];
+    const setting *other = IS_SET(b->gyration) ? b->gyration : b->period;
+
+    link->inertia = b->inertia->si[0];
+    if (IS_SET(b->gyration) + IS_SET(b->inertia) + IS_SET(b->period) > 1)
+        flk_mistake(p->mistakes, other->place,
+                    "give only one of gyration, inertia and swing_period");
+    if (IS_SET(b->gyration))
+        link->inertia = link->mass * b->gyration->si[0] * b->gyration->si[0]; /* I = m k^2 */
+    if (b->period->si[0] > 0 && !is_mistaken)
+        build_swing(p, b->period, b->pin, number);
+    if (IS_SET(other))
+        check_inertia(p, other, link);
+    if (!IS_SET(b->period) && IS_SET(b->pin) && !is_mistaken)
+        flk_mistake(p->mistakes, b->pin->place, "a swing_pin needs a swing_period");
+}
+
+static void build_body(parser *p, const flk_kind *kind, int number, section_code section)
+{
+    fourlink_link *link = &p->d->design.link[number];
+    const section_use *use = flk_section_find(p, section, NULL);
+    const body b = find_body(p, section);
+    const setting *other = IS_SET(b.gyration) ? b.gyration
+                           : IS_SET(b.period) ? b.period
+                           : b.uniform->word  ? b.uniform
+                                              : NULL;
+
+    link->mass = b.mass->si[0];
+    flk_build_place(p, b.cg, number, &link->cg);
+    if (other && !IS_SET(b.mass) && !use->is_mistaken)
+        flk_mistake(p->mistakes, other->place, "%s needs a mass",
+                    other == b.gyration ? "the radius of gyration"
+                    : other == b.period ? "the swing_period"
+                                        : "a uniform link");
+    if (b.uniform->word) {
+        build_bar(p, kind, &b, number);
+        return;
+    }
+    build_inertia(p, &b, number, use && use->is_mistaken);
+    check_point_mass(p, kind, &b, number);
+}
+
+static void build_link(parser *p, const flk_kind *kind, int number)
+{
+    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+    const setting *length = flk_setting_by_name(p, section, "length");
+
+    if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
+        build_stroke(p);
+    else if (IS_SET(length))
+        p->d->design.link[number].length = length->si[0];
+    else if (kind->has_length[number] == FLK_LENGTH)
+        require_length(p, kind->link[number]);
+    build_body(p, kind, number, section);
+}
+
+/* ---------------------------------------------------------------------------------------- assembly */
+
+/* A length in the unit in which a setting is written; the setting as it is written, with its unit. */
+static const char *length_in(parser *p, const setting *s, double length, char out[MESSAGE_SIZE])
+{
+    text written = flk_quantity_unit_text(s->value);
+
+    if (!written.length)
+        written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
+    return flk_message(out, MESSAGE_SIZE, "%.6g %t", flk_unit_from_si(length, s->unit), written);
+}
+
+static const char *as_written(parser *p, const setting *s, char out[MESSAGE_SIZE])
+{
+    int is_bare = !flk_quantity_unit_text(s->value).length;
+
+    return flk_message(out, MESSAGE_SIZE, "%t%s%s", s->value, is_bare ? " " : "",
+                       is_bare ? p->d->bare[QUANTITY_LENGTH].name : "");
 }
 
 /* The slide of a lever: its offset, or its angle at the end of the lever. */
@@ -106,34 +351,27 @@ static void build_slide(parser *p)
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
     const fourlink_design *design = &p->d->design;
-    const setting *s = flk_setting_find(p, KEY_LEVER_ANGLE);
+    const setting *angle = flk_setting_find(p, KEY_LEVER_ANGLE),
+                  *length = flk_setting_find(p, KEY_LEVER_LENGTH),
+                  *offset = flk_setting_find(p, KEY_LEVER_OFFSET);
     double distance = fabs(design->link[FOURLINK_FOLLOWER].length * sin(design->angle));
-    double in_unit;
-    const char *first =
-        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK];
-    const char *second =
-        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_CRANK : FOURLINK_COUPLER];
-    text written;
+    int first = kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK;
+    char at[MESSAGE_SIZE], most[MESSAGE_SIZE];
 
-    if (IS_SET(s) && distance > sum) {
-        const setting *length = flk_setting_find(p, KEY_LEVER_LENGTH);
-
-        in_unit = in_unit_of(p, length, sum, &written);
-        flk_mistake(p->mistakes, s->place,
-                    "the slide passes D at %.6g %t, farther than %s and %s together, %.6g %t: the "
-                    "linkage cannot be assembled",
-                    in_unit * distance / sum, written, first, second, in_unit, written);
-    }
-    if (IS_SET(s) || fabs(design->offset) <= sum)
-        return;
-    s = flk_setting_find(p, KEY_LEVER_OFFSET);
-    if (!IS_SET(s))
-        s = flk_setting_find(p, KEY_GROUND_OFFSET);
-    in_unit = in_unit_of(p, s, sum, &written);
-    flk_mistake(p->mistakes, s->place,
-                "the offset, %t, is larger than %s and %s together, %.6g %t: the linkage cannot be "
-                "assembled",
-                with_unit(p, s), first, second, in_unit, written);
+    if (!IS_SET(offset))
+        offset = flk_setting_find(p, KEY_GROUND_OFFSET);
+    if (IS_SET(angle) && distance > sum)
+        flk_mistake(p->mistakes, angle->place,
+                    "the slide passes D at %s, farther than %s and %s together, %s: the linkage "
+                    "cannot be assembled",
+                    length_in(p, length, distance, at), kind->link[first], kind->link[first + 1],
+                    length_in(p, length, sum, most));
+    else if (!IS_SET(angle) && fabs(design->offset) > sum)
+        flk_mistake(p->mistakes, offset->place,
+                    "the offset, %s, is larger than %s and %s together, %s: the linkage cannot be "
+                    "assembled",
+                    as_written(p, offset, at), kind->link[first], kind->link[first + 1],
+                    length_in(p, offset, sum, most));
 }
 
 /* A linkage can be assembled at some angle if no link is longer than the sum of the other three.  A linkage
@@ -143,8 +381,8 @@ static void check_reach(parser *p, const flk_kind *kind)
     const fourlink_link *link = p->d->design.link;
     const setting *s;
     int i, longest = FOURLINK_GROUND;
-    double sum = 0, in_unit;
-    text written;
+    char own[MESSAGE_SIZE], most[MESSAGE_SIZE];
+    double sum = 0;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
         if (kind->has_length[i] != FLK_LENGTH)
@@ -162,12 +400,11 @@ static void check_reach(parser *p, const flk_kind *kind)
     sum -= link[longest].length;
     if (link[longest].length > sum * (1 + 1e-14)) {
         s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
-        in_unit = in_unit_of(p, s, sum, &written);
         flk_mistake(
             p->mistakes, s->place,
-            "the %s, %t, is longer than the other three together, %.6g %t: the linkage cannot be "
+            "the %s, %s, is longer than the other three together, %s: the linkage cannot be "
             "assembled",
-            kind->link[longest], with_unit(p, s), in_unit, written);
+            kind->link[longest], as_written(p, s, own), length_in(p, s, sum, most));
     }
 }
 
@@ -179,12 +416,11 @@ void flk_build_mechanism(parser *p)
     int i;
 
     build_slide(p);
-    flk_build_link(p, kind, FOURLINK_GROUND);
-    flk_build_link(p, kind, flk_build_has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
-    flk_build_link(p, kind,
-                   flk_build_has_stroke(p) ? FOURLINK_CRANK
-                                           : FOURLINK_COUPLER); /* computed from stroke and rod */
-    flk_build_link(p, kind, FOURLINK_FOLLOWER);
+    build_link(p, kind, FOURLINK_GROUND);
+    for (i = 0; i < 2; i++) /* the rod before a crank that is computed from the stroke */
+        build_link(p, kind,
+                   i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
+    build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction =
         flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - flk_setting_or(p, KEY_GROUND_ANGLE, 0);

@@ -3,8 +3,6 @@
 ** build_motion.c - builds the motion of the crank, the table and the expected values.
 */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -66,17 +64,6 @@ static void build_run_up(parser *p, const setting *run_up)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
-/* Note a speed without a unit, unless the deck gives the unit: most speeds are in rpm. */
-static void check_speed(parser *p)
-{
-    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
-    if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
-        return;
-    if (!flk_quantity_unit_text(speed->value).length)
-        flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
-                    speed->value, speed->value, speed->value);
-}
-
 /* A cycle is at least one interval long; otherwise curves and windows would repeat within a row. */
 static void check_cycle(parser *p, double cycle)
 {
@@ -84,11 +71,6 @@ static void check_cycle(parser *p, double cycle)
 
     if (IS_SET(s) && cycle > 0 && cycle < p->d->motion.interval)
         flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
-}
-
-int flk_build_mode(parser *p)
-{
-    return flk_setting_find(p, KEY_MOTION_MODE)->word;
 }
 
 /* Refuse keys of the given motion in another mode, and the reverse. */
@@ -168,17 +150,6 @@ static void build_rows_by_time(parser *p, int mode)
                     duration->si[0] / step->si[0]);
 }
 
-/* How the speed of the crank is determined. */
-static void build_drive(parser *p)
-{
-    int mode = flk_build_mode(p);
-
-    p->d->drive.mode = mode;
-    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    check_mode(p, mode);
-    build_rows_by_time(p, mode);
-}
-
 /* The last crank angle, in the deck's unit. */
 static double last_angle(parser *p, double cycle)
 {
@@ -224,18 +195,6 @@ static text_place place_of_rows(parser *p)
     return flk_reader_end(p);
 }
 
-/* Refuse this many rows by angle; 0: not counted. */
-static void refuse_rows(parser *p, unsigned long n)
-{
-    char count[40] = "";
-
-    if (n)
-        flk_message(count, sizeof count, " (%g)", (double)n);
-    flk_mistake(p->mistakes, place_of_rows(p),
-                "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",
-                count);
-}
-
 /* The name of the setting that turns a steady motion against its range; null: none. */
 static const char *against_range(parser *p)
 {
@@ -254,8 +213,12 @@ static void check_range(parser *p)
     const fourlink_motion *motion = &p->d->motion;
     const setting *s = flk_setting_find(p, KEY_MOTION_INTERVAL);
     fourlink_range range;
+    char count[40] = "";
     int status = fourlink_motion_range(motion, &range);
+    int is_counted = status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time;
 
+    if (is_counted)
+        flk_message(count, sizeof count, " (%g)", (double)range.n_rows);
     if (status == FOURLINK_BAD_RANGE)
         flk_mistake(p->mistakes, place_of_end(p),
                     "the range runs against the rotation of an accelerated crank: swap 'from' and "
@@ -263,10 +226,11 @@ static void check_range(parser *p)
     else if (status == FOURLINK_NO_RUN_UP)
         flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_RUN_UP)->place,
                     "a run-up from rest needs an acceleration");
-    else if (status == FOURLINK_TOO_MANY_ROWS)
-        refuse_rows(p, 0);
-    else if (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time)
-        refuse_rows(p, range.n_rows);
+    else if (status == FOURLINK_TOO_MANY_ROWS || is_counted)
+        flk_mistake(
+            p->mistakes, place_of_rows(p),
+            "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",
+            count);
     else if (status != FOURLINK_OK)
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
                     fourlink_status_text(status));
@@ -288,8 +252,9 @@ void flk_build_motion(parser *p)
     size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
-    check_speed(p);
-    build_drive(p);
+    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    check_mode(p, p->d->drive.mode);
+    build_rows_by_time(p, p->d->drive.mode);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
@@ -365,16 +330,12 @@ void flk_build_expectations(parser *p)
     deck_expectation *list;
     size_t i;
 
-    if (p->is_answers)
-        d->n_expectations = 0;
+    d->n_expectations = 0; /* those of the deck, if these are its answers */
     if (!p->n_named)
         return;
-    list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
-    if (!list) {
-        p->out_of_memory = 1;
+    d->expectations = list = flk_reader_keep(p, p->n_named * sizeof *list);
+    if (!list)
         return;
-    }
-    d->expectations = list;
     for (i = 0; i < p->n_named; i++) {
         const named_value *named = &p->named[i];
         const section_use *use = &p->uses[named->use];
@@ -387,7 +348,6 @@ void flk_build_expectations(parser *p)
         branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
         tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
-        memset(e, 0, sizeof *e);
         e->place = named->place;
         e->name = named->name;
         e->value = named->value;

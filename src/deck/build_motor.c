@@ -4,6 +4,7 @@
 */
 #include <math.h>
 
+#include "mechanics/inertia.h"
 #include "reader.h"
 
 /* ------------------------------------------------------------------------------------------- motor */
@@ -51,31 +52,20 @@ static int has_power(parser *p)
                     "or the torque would be infinite at rest");
 }
 
-/* Check that the speeds of a curve increase.  Returns the number of points, or 0. */
-static size_t check_curve(parser *p, const setting *s)
-{
-    size_t i;
-
-    if (!s->curve || s->n_points < 2)
-        return (size_t)flk_mistake(p->mistakes, s->place,
-                                   "expected two or more points of speed and torque, such as "
-                                   "0 rpm 5 N m, 1500 rpm 0 N m, not '%t'",
-                                   s->value);
-    if (s->n_points > MOST_POINTS)
-        return (size_t)flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
-    for (i = 1; i < s->n_points; i++)
-        if (!(s->curve[i].x > s->curve[i - 1].x))
-            return (size_t)flk_mistake(p->mistakes, s->curve[i].place,
-                                       "the speeds of the motor's curve do not rise");
-    return s->n_points;
-}
-
 static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 {
-    size_t n = check_curve(p, s), i;
-    double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL;
+    size_t n = s->n_points, i;
+    double *x;
 
-    if (!x)
+    if (!s->curve || n < 2) {
+        flk_mistake(p->mistakes, s->place,
+                    "expected two or more points of speed and torque, such as 0 rpm 5 N m, 1500 "
+                    "rpm 0 N m, not '%t'",
+                    s->value);
+        return;
+    }
+    x = flk_reader_keep(p, 2 * n * sizeof *x);
+    if (!x || !flk_build_is_rising(p, s, 0, "the speeds of the motor's curve do not rise"))
         return;
     for (i = 0; i < n; i++) {
         x[i] = s->curve[i].x;
@@ -89,7 +79,7 @@ static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 /* A motor needs a motion that is not given; a motor that balances needs a cycle and its mean speed. */
 static void check_mode(parser *p, const section_use *use, const fourlink_motor *motor)
 {
-    int mode = flk_build_mode(p);
+    int mode = p->d->drive.mode;
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *word = flk_setting_find(p, KEY_MOTION_MODE);
 
@@ -150,37 +140,16 @@ void flk_build_motor(parser *p)
     use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 
-/* A torque of the motor that shows in which sense it turns. */
-static double driving_torque(const fourlink_motor *motor)
-{
-    double largest = 0;
-    unsigned long i;
-
-    switch (motor->kind) {
-    case FOURLINK_MOTOR_TORQUE:
-        return motor->torque;
-    case FOURLINK_MOTOR_LINEAR:
-        return motor->stall_torque;
-    case FOURLINK_MOTOR_POWER:
-        return motor->max_torque;
-    default:
-        for (i = 0; i < motor->n_curve; i++)
-            if (fabs(motor->curve_torque[i]) > fabs(largest))
-                largest = motor->curve_torque[i];
-        return largest;
-    }
-}
-
 int flk_build_sense(parser *p)
 {
     const fourlink_motor *motor = &p->d->machine.motor;
     double turning = flk_setting_or(p, KEY_MOTION_SPEED, 0);
 
     if (turning == 0)
-        turning = flk_build_mode(p) == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
-                                                   : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    if (turning == 0)
-        turning = motor->ratio < 0 ? -driving_torque(motor) : driving_torque(motor);
+        turning = p->d->drive.mode == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
+                                                  : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    if (turning == 0 && (motor->kind != FOURLINK_MOTOR_CURVE || motor->n_curve))
+        turning = flk_motor_torque(motor, 0, 0);
     return turning < 0 ? -1 : 1;
 }
 
@@ -193,14 +162,13 @@ static int has_inertia(const deck *d)
 
     return d->machine.flywheel > 0 || d->drive.fluctuation > 0 || d->machine.motor.inertia > 0 ||
            crank->inertia > 0 || (crank->mass > 0 && (crank->cg.x != 0 || crank->cg.y != 0)) ||
-           link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 ||
-           (link[4].inertia > 0 && d->design.kind != FOURLINK_SLIDER_CRANK);
+           link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 || link[4].inertia > 0;
 }
 
 /* The exact fluctuation is defined for the steady motion only. */
 static void build_exact(parser *p, const setting *exact, const setting *fluctuation)
 {
-    int mode = flk_build_mode(p);
+    int mode = p->d->drive.mode;
 
     if (exact->word && !IS_SET(fluctuation))
         flk_mistake(p->mistakes, exact->place,

@@ -151,15 +151,13 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
 
 void flk_build_springs(parser *p)
 {
+    const section_use *use = NULL;
     flk_element *element;
-    size_t i;
 
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++) {
-        if (p->uses[i].section != SECTION_SPRING)
-            continue;
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_SPRING, use)) != NULL) {
         element = flk_build_element(p);
         if (element)
-            build_spring(p, &p->uses[i], element);
+            build_spring(p, use, element);
         p->d->has_forces = 1;
     }
 }
@@ -177,7 +175,7 @@ static double build_circle(parser *p, const section_use *use, key_code coefficie
     const setting *mu = IS_SET(own) ? own : all;
     const setting *radius = IS_SET(own_radius) ? own_radius : common_radius;
 
-    if (!(flk_key_table[coefficient].kinds & (int)p->d->design.kind))
+    if (!flk_build_has(p, coefficient))
         return 0;
     if (IS_SET(all) && !IS_SET(own) && !IS_SET(radius) && mu->si[0] > 0)
         return -1;
@@ -192,10 +190,6 @@ static double build_circle(parser *p, const section_use *use, key_code coefficie
 
 void flk_build_friction(parser *p)
 {
-    static const key_code coefficients[4] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
-                                             KEY_FRICTION_D},
-                          radii[4] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
-                                      KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
     const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
     const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
                   *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
@@ -207,8 +201,8 @@ void flk_build_friction(parser *p)
     if (!use)
         return;
     for (i = 0; i < 4; i++) {
-        has_pins |= IS_SET(flk_setting_of(use, coefficients[i]));
-        friction->circle[i] = build_circle(p, use, coefficients[i], radii[i]);
+        has_pins |= IS_SET(flk_setting_of(use, KEY_FRICTION_A + i));
+        friction->circle[i] = build_circle(p, use, KEY_FRICTION_A + i, KEY_FRICTION_RADIUS_A + i);
         lacks_radius |= friction->circle[i] < 0;
     }
     if (lacks_radius && !use->is_mistaken)
@@ -255,7 +249,7 @@ void flk_build_balance(parser *p)
     b->radius = radius->si[0];
     if (!b->crank && !b->rocker && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[balance] needs %s",
-                    p->d->design.kind == FOURLINK_SLIDER_CRANK
+                    flk_build_has(p, KEY_BALANCE_FRACTION)
                         ? "the fraction of the reciprocating mass to be balanced"
                         : "'crank = yes', 'rocker = yes' or both");
     if (add->word && !IS_SET(radius) && !use->is_mistaken)
@@ -264,7 +258,7 @@ void flk_build_balance(parser *p)
     if (p->mistakes->count ||
         fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
         return;
-    if (p->d->design.kind == FOURLINK_SLIDER_CRANK)
+    if (flk_build_has(p, KEY_BALANCE_FRACTION))
         b->reciprocating = flk_balance_reciprocating(&p->d->design);
     if (b->crank && b->radius > 0)
         apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);

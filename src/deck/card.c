@@ -27,8 +27,7 @@ typedef struct card {
     char unit[2][UNIT_SIZE]; /* unit of bare numbers in each column; empty: that of the deck */
     int is_told[2];          /* 1: the deck gives the unit after the file name */
     int separator;           /* of the first line: ';', or ' ' for all others; 0 before that line */
-    char mark;               /* the first decimal mark in a file with semicolons: '.' or ','; 0
-                                before it */
+    char mark;               /* the first decimal mark in a file with semicolons: '.' or ',' */
     int headers;
 } card;
 
@@ -143,48 +142,24 @@ static int is_unit_of(text t, quantity q)
            flk_dimension_equal(u.dim, flk_quantities[q].dim);
 }
 
-/* The text after the last of these characters; all of it if there is none. */
-static text after_last(text t, const char *marks)
-{
-    size_t i = t.length;
-
-    while (i > 0 && !strchr(marks, t.start[i - 1]))
-        i--;
-    return flk_text_trim(flk_text_from(t, i));
-}
-
-/* The text in the last brackets of a field; 0 if there are none. */
-static int in_brackets(text field, text *inside)
+/* The unit of a column of a header: Angle [deg], p (bar), p/bar, p bar, bar; empty if there is none. */
+static text unit_in_header(text field, quantity q)
 {
     size_t open, end = field.length;
+    text found = field;
 
+    while (found.length && !is_unit_of(found, q))
+        do
+            found = flk_text_from(found, 1);
+        while (found.length && !strchr("/ _", found.start[-1]));
+    if (found.length)
+        return found;
     while (end > 0 && !strchr(")]", field.start[end - 1]))
         end--;
     for (open = end; open > 0 && !strchr("([", field.start[open - 1]); open--)
         ;
-    if (!open)
-        return 0;
-    inside->start = field.start + open;
-    inside->length = end - 1 - open;
-    *inside = flk_text_trim(*inside);
-    return 1;
-}
-
-/* The unit of a column of a header: Angle [deg], p (bar), p/bar, p bar, bar; empty if there is none. */
-static text unit_in_header(text field, quantity q)
-{
-    text found[4];
-    size_t i;
-
-    found[0] = field;
-    found[1] = after_last(field, "/");
-    found[2] = after_last(field, " _");
-    if (!in_brackets(field, &found[3]))
-        found[3].length = 0;
-    for (i = 0; i < 4; i++)
-        if (is_unit_of(found[i], q))
-            return found[i];
-    return found[3];
+    field.length = open ? end - 1 : open;
+    return flk_text_trim(flk_text_from(field, open));
 }
 
 /* Set the unit of a column; 0 and a mistake if it is not a unit, or differs from that of the deck. */
@@ -276,37 +251,32 @@ static int add_field(card *c, int column, text field, char *out)
 /* Check the columns of a row; 0 and a mistake if there are not two of them, separated as in other rows. */
 static int check_columns(card *c, const text *fields, size_t n)
 {
-    text line = c->line;
+    int is_mixed = (c->separator == ';') != (flk_text_count(c->line, ';') > 0);
     size_t i;
-    int is_mixed = (c->separator == ';') != (flk_text_count(line, ';') > 0);
 
-    for (i = 0; i < n && i < MOST_FIELDS && flk_text_count(line, ','); i++)
-        if (flk_curve_point_value(fields[i]) < fields[i].length)
-            is_mixed = 1;
+    for (i = 0; i < n && i < MOST_FIELDS && flk_text_count(c->line, ','); i++)
+        is_mixed |= flk_curve_point_value(fields[i]) < fields[i].length;
     if (is_mixed)
         return flk_mistake(c->p->mistakes, c->row.place,
                            "'%t': mixed separators; numbers with decimal commas are separated by ;",
                            c->row.value);
-    if (n > 2)
-        return refuse_columns(c, n);
-    return 1;
+    return n <= 2 || refuse_columns(c, n);
 }
 
-/* Read the text of a point.  A message may quote any part of it, so a long text is a separate mistake. */
+/* Read the text of a point.  A message may quote any part of it, so that of a long text is replaced. */
 static int read_point(card *c, text t, int is_long, point *result)
 {
-    mistakes *all = c->p->mistakes, aside;
-    int is_one;
+    mistakes *m = c->p->mistakes;
+    size_t before = m->count;
 
-    memset(&aside, 0, sizeof aside);
-    if (is_long)
-        c->p->mistakes = &aside;
-    is_one = flk_curve_point_read(c->p, &c->row, t, c->q[1], 0, result);
-    c->p->mistakes = all;
-    flk_mistakes_free(&aside);
-    return is_one || !is_long ||
-           flk_mistake(all, c->row.place, "expected an angle and a value, such as %s, not '%t'",
-                       flk_curve_point_example(c->q[1]), c->row.value);
+    if (flk_curve_point_read(c->p, &c->row, t, c->q[1], 0, result))
+        return 1;
+    if (is_long && m->count > before) {
+        m->count = before;
+        flk_mistake(m, c->row.place, "expected an angle and a value, such as %s, not '%t'",
+                    flk_curve_point_example(c->q[1]), c->row.value);
+    }
+    return 0;
 }
 
 /* Read a row; 0 and a mistake if it is not one. */
@@ -329,23 +299,16 @@ static int read_row(card *c, point *result)
 
 static void read_lines(card *c, text contents, setting *s)
 {
-    text line;
     int end = flk_text_line_end(contents);
 
     contents = flk_text_without_mark(contents);
-    while (!c->p->out_of_memory && flk_text_split(&contents, end, &line)) {
-        c->row.place.line++;
-        if (!flk_line_is_text(c->p, line, c->row.place))
-            return;
-        c->line = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
+    for (c->row.place.line = 1;
+         !c->p->out_of_memory &&
+         flk_line_take(c->p, &contents, end, c->row.place, without_comment, &c->line);
+         c->row.place.line++) {
         if (!c->line.length)
             continue;
-        c->p->n_characters += c->line.length;
-        if (c->p->n_characters > MOST_CHARACTERS) {
-            flk_mistake(c->p->mistakes, c->row.place,
-                        "more than 8,000,000 characters: not a curve");
-            return;
-        }
+        c->line = flk_reader_plain(c->p, c->line);
         c->row.value = flk_text_of(flk_text_quote(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
@@ -360,38 +323,17 @@ static void read_lines(card *c, text contents, setting *s)
     }
 }
 
-/* Cut NAME ANGLE_UNIT UNIT, NAME UNIT or NAME into the name and the units, which may be empty. */
-static void split_name(parser *p, const quantity q[2], text *name, text units[2])
+/* Cut UNIT or ANGLE_UNIT UNIT, either of which may be empty; 0 if they are not units of the columns. */
+static int cut_units(text t, const quantity q[2], text units[2])
 {
-    text t = *name;
-    size_t i, end;
-
-    units[0].length = units[1].length = 0;
-    for (i = 1; i < t.length; i++) {
-        text first = flk_reader_plain(p, flk_text_trim(flk_text_from(t, i))), second;
-
-        if (!flk_text_blank(flk_text_from(t, i)) ||
-            (t.start[0] == '"' && (i == 1 || t.start[i - 1] != '"')))
-            continue;
-        for (end = 0; end < first.length && !flk_text_blank(flk_text_from(first, end)); end++)
-            ;
-        second = flk_text_trim(flk_text_from(first, end));
-        name->length = i;
-        if (is_unit_of(first, q[1])) {
-            units[1] = first;
-            return;
-        }
-        first.length = end;
-        units[0] = first;
-        units[1] = second;
-        if (is_unit_of(first, q[0]) && is_unit_of(second, q[1]))
-            return;
-        *name = t;
-        units[0].length = units[1].length = 0;
-    }
+    units[0].length = 0;
+    units[1] = t;
+    return !t.length || is_unit_of(t, q[1]) ||
+           (flk_text_cut(t, " ", &units[0], &units[1]) && is_unit_of(units[0], q[0]) &&
+            is_unit_of(units[1], q[1]));
 }
 
-/* Load the file; null if it does not exist. */
+/* Load a file; null if it does not exist. */
 static const char *load(parser *p, text name, unsigned long *length)
 {
     char file[1024];
@@ -403,33 +345,34 @@ static const char *load(parser *p, text name, unsigned long *length)
                : NULL;
 }
 
-/* Refuse text after the name of an existing file if it is not the units of the two columns; 1 if refused. */
-static int refuse_units(parser *p, const setting *s, const quantity q[2], text t)
+/* Cut NAME, NAME UNIT or NAME ANGLE_UNIT UNIT at its first blank after which there are units or, `by_file`,
+** that ends the name of an existing file; 0 if there is no such file. */
+static int cut_name(const card *c, text whole, int by_file, text *name, text units[2])
 {
     unsigned long length;
-    text name = t, units[2];
-    unit u;
-    int i;
+    size_t i;
 
-    for (name.length = 1; name.length < t.length; name.length++) {
-        text rest = flk_text_from(t, name.length);
+    *name = whole;
+    for (i = 1; i <= whole.length; i++) {
+        text after = flk_text_from(whole, i);
 
-        if (!flk_text_blank(rest) || !load(p, name, &length))
+        if (after.length && (!flk_text_blank(after) ||
+                             (whole.start[0] == '"' && (i == 1 || whole.start[i - 1] != '"'))))
             continue;
-        rest = flk_reader_plain(p, flk_text_trim(rest));
-        units[1] = rest;
-        for (i = !flk_text_cut(rest, " ", &units[0], &units[1]); i < 2; i++)
-            if (!flk_quantity_unit(units[i], units[i], q[i], p->d->bare[q[i]].unit, &u, p->why))
-                return !flk_mistake(p->mistakes, s->place, "%s", p->why);
+        name->length = i;
+        if (cut_units(flk_reader_plain(c->p, flk_text_trim(after)), c->q, units) && !by_file)
+            return 1;
+        if (by_file && load(c->p, *name, &length))
+            return 1;
     }
     return 0;
 }
 
-int flk_card_read(parser *p, setting *s, quantity q, text name)
+int flk_card_read(parser *p, setting *s, quantity q, text whole)
 {
     size_t before = p->mistakes->count, rows;
     unsigned long length;
-    text whole = name, contents = {NULL, 0}, units[2];
+    text name, other, contents, units[2];
     card c;
     int i;
 
@@ -438,20 +381,21 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     c.row = *s;
     c.q[0] = p->argument;
     c.q[1] = q;
-    split_name(p, c.q, &name, units);
-    for (i = 0; i < 2; i++) {
-        c.is_told[i] = units[i].length > 0;
-        flk_text_copy(units[i], c.unit[i], UNIT_SIZE);
-    }
+    cut_name(&c, whole, 0, &name, units);
     contents.start = load(p, name, &length);
-    if (!contents.start && refuse_units(p, s, c.q, whole))
-        return 0;
+    if (!contents.start && cut_name(&c, whole, 1, &other, units))
+        contents.start = load(p, name = other, &length);
     if (!contents.start)
         return flk_mistake(p->mistakes, s->place, "cannot read the file '%t'%s",
                            flk_text_unquoted(name),
                            flk_text_count(name, ' ') && name.start[0] != '"'
                                ? "; units after its name are written as in deg bar"
                                : "");
+    for (i = 0; i < 2; i++) {
+        if (!keep_unit(&c, i, units[i]))
+            return 0;
+        c.is_told[i] = units[i].length > 0;
+    }
     contents.length = length;
     contents = flk_reader_utf8(p, contents);
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");

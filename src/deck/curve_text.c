@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve_text.c - curves over the crank angle from the text of a deck, or from a file that it names.
+** curve_text.c - curves over the crank angle, or over another argument, from the text of a deck, or from a
+** file that it names.
 */
 #include <string.h>
 
@@ -8,6 +9,91 @@
 
 #include "base/number.h"
 #include "reader.h"
+
+/* ------------------------------------------------------------------------------------------- a point */
+
+size_t flk_curve_point_value(text t)
+{
+    size_t i;
+
+    for (i = 1; i < t.length; i++)
+        if (strchr(" \t", t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]) &&
+            !(t.length - i > 2 && memcmp(t.start + i, "1/m", 3) == 0)) /* 300 1/min */
+            break;
+    return t.length ? i : 0;
+}
+
+/* The value of a point. */
+static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
+{
+    quantity_value value;
+
+    if (!flk_values_quantity(p, s->place, t, s->value, q, &value))
+        return 0;
+    result->y[0] = value.si;
+    result->has_unit = flk_quantity_unit_text(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, value.unit);
+    return 1;
+}
+
+const char *flk_curve_point_example(quantity q)
+{
+    return q == QUANTITY_PRESSURE ? "20 deg 32 bar"
+           : q == QUANTITY_FORCE  ? "20 deg (43, 25) N"
+           : q == QUANTITY_ANGLE  ? "36 deg 64 deg"
+           : q == QUANTITY_LENGTH ? "36 deg 80 mm"
+                                  : "20 deg 3 N m";
+}
+
+/* The same for another argument. */
+static const char *example(quantity argument, quantity q)
+{
+    if (argument == QUANTITY_ANGLE)
+        return flk_curve_point_example(q);
+    if (argument == QUANTITY_NUMBER)
+        return "1.5 2.25";
+    if (argument == QUANTITY_LENGTH)
+        return q == QUANTITY_FORCE ? "20 mm (43, 25) N" : "20 mm 3 N m";
+    if (argument == QUANTITY_SPEED)
+        return q == QUANTITY_FORCE ? "2 m/s (43, 25) N" : "2 m/s 3 N m";
+    return q == QUANTITY_FORCE ? "100 rpm (43, 25) N" : "100 rpm 3 N m";
+}
+
+int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result)
+{
+    double x;
+    unit u;
+    text angle;
+    size_t i;
+
+    if (!flk_values_number(p, s, &t, p->argument, &x))
+        return 0;
+    i = flk_curve_point_value(t);
+    if (i >= t.length && is_cut)
+        return flk_mistake(p->mistakes, s->place,
+                           "'%t': a comma as decimal mark? write a point, and a blank after the "
+                           "comma between two points of a curve",
+                           s->value);
+    if (i >= t.length)
+        return flk_mistake(p->mistakes, s->place,
+                           p->argument == QUANTITY_ANGLE
+                               ? "expected an angle and a value, such as %s, not '%t'"
+                               : "expected points of an argument and a value, such as %s, not '%t'",
+                           example(p->argument, q), s->value);
+    angle = t;
+    angle.length = i;
+    t = flk_text_from(t, i);
+    if (!flk_values_unit(p, s, angle, p->argument, &u))
+        return 0;
+    result->x = flk_unit_to_si(x, u);
+    result->place = s->place;
+    if (!flk_values_size(p, s, p->argument, result->x))
+        return 0;
+    return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
+                               : read_value(p, s, t, q, result);
+}
+
+/* ------------------------------------------------------------------------------------------- a curve */
 
 /* 1 if an item follows a digit and a comma, without a blank, as 5 does in 1,5. */
 static int follows_comma(text item, text whole)
@@ -76,19 +162,6 @@ static int is_file_name(text t)
     return 1;
 }
 
-static int read_constant(parser *p, setting *s, quantity q)
-{
-    point vector;
-
-    if (q != QUANTITY_FORCE)
-        return flk_values_piece(p, s, s->value, q, &s->si[0]);
-    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
-        return 0;
-    s->si[0] = vector.y[0];
-    s->si[1] = vector.y[1];
-    return 1;
-}
-
 /* Note values without units, unless the deck gives the unit of bare numbers.  Returns 1. */
 static int note_unit(parser *p, const setting *s, quantity q)
 {
@@ -96,7 +169,7 @@ static int note_unit(parser *p, const setting *s, quantity q)
     double largest = 0;
     size_t i;
 
-    if (IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name)))
+    if (p->d->bare[q].is_given)
         return 1;
     for (i = 0; s->curve && i < s->n_points; i++) {
         if (s->curve[i].has_unit)
@@ -132,7 +205,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
     if (is_constant(rest, q))
-        return read_constant(p, s, q);
+        return q == QUANTITY_FORCE ? flk_vector_read(p, s, q)
+                                   : flk_values_piece(p, s, rest, q, &s->si[0]);
     c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
     while (c && flk_curve_text_item(&rest, &item)) {
         const point *new = &c[s->n_points];
@@ -145,6 +219,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
             return flk_mistake(p->mistakes, s->place,
                                "either all values of a curve have a unit or none has");
     }
+    if (s->n_points > MOST_POINTS)
+        return flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
     s->curve = c;
     return note_unit(p, s, q);
 }

@@ -48,7 +48,6 @@ void flk_deck_free(deck *d)
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->defects);
     flk_mistakes_free(&d->notes);
-    free(d->expectations);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);
@@ -243,45 +242,33 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
-/* Set the information on a load of friction in a joint, or of an element. */
-static void set_info_of_friction(const flk_machine *machine, unsigned long i,
-                                 fourlink_load_info *info)
-{
-    int joint = flk_friction_joint[i];
-
-    info->name = "friction";
-    info->sort = FOURLINK_LOAD_FRICTION;
-    info->element = (unsigned long)joint;
-    info->link = flk_friction_link(flk_kind_of(machine->mechanism.design.kind), i);
-    info->has_torque = machine->friction.circle[joint] > 0;
-}
-
-static void set_info_of_element(const flk_element *e, unsigned long number, unsigned long i,
-                                fourlink_load_info *info)
-{
-    info->name = e->name[0] ? e->name : "load";
-    info->sort = e->sort->code;
-    info->element = number;
-    info->link = e->link[i];
-    info->has_torque = e->has_torque;
-}
-
 int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_info *info)
 {
-    unsigned long number = 0;
+    const flk_machine *machine;
     const flk_element *e;
 
     if (!d || !info)
         return FOURLINK_NULL;
-    if (i >= d->machine.n_loads)
+    machine = &d->machine;
+    if (i >= machine->n_loads)
         return FOURLINK_BAD_LINK;
-    if (i >= d->machine.first_friction && i < d->machine.first_gas) {
-        set_info_of_friction(&d->machine, i - d->machine.first_friction, info);
+    info->element = 0;
+    if (i >= machine->first_friction && i < machine->first_gas) {
+        int joint = flk_friction_joint[i -= machine->first_friction];
+
+        info->name = "friction";
+        info->sort = FOURLINK_LOAD_FRICTION;
+        info->element = (unsigned long)joint;
+        info->link = flk_friction_link(flk_kind_of(machine->mechanism.design.kind), i);
+        info->has_torque = machine->friction.circle[joint] > 0;
         return FOURLINK_OK;
     }
-    for (e = d->machine.element; i - e->first >= (unsigned long)e->n_loads; e++)
-        number = e[1].sort == e->sort ? number + 1 : 0;
-    set_info_of_element(e, number, i - e->first, info);
+    for (e = machine->element; i - e->first >= (unsigned long)e->n_loads; e++)
+        info->element = e[1].sort == e->sort ? info->element + 1 : 0;
+    info->name = e->name[0] ? e->name : "load";
+    info->sort = e->sort->code;
+    info->link = e->link[i - e->first];
+    info->has_torque = e->has_torque;
     return FOURLINK_OK;
 }
 

@@ -153,8 +153,8 @@ struct fourlink_deck {
     struct kept *storage; /* texts that names and places point to */
 };
 
-/* Read an item of a rule: a tolerance in per cent or of this quantity, in SI units; marks, as in "2 marks".  1; 0 if it
-** is something else. */
+/* Read an item of a rule: a tolerance in per cent or of this quantity, in SI units; marks, as in "2 marks".
+** 1; 0 if it is something else. */
 int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance);
 int flk_rule_marks(text item, double *marks);
 

@@ -12,21 +12,25 @@
 
 /* ------------------------------------------------------------------------------------------- units */
 
+static size_t count_digits(text t)
+{
+    size_t n;
+
+    for (n = 0; n < t.length && strchr("0123456789", t.start[n]); n++)
+        ;
+    return n;
+}
+
 /* 1 if a number has three decimals and at most three digits before them: 1.200 rpm. */
 static int is_like_thousands(text t)
 {
-    size_t digits, decimals;
+    size_t n;
 
     if (t.length && strchr("+-", t.start[0]))
         t = flk_text_from(t, 1);
-    for (digits = 0; digits < t.length && strchr("0123456789", t.start[digits]); digits++)
-        ;
-    if (digits < 1 || digits > 3 || digits == t.length || t.start[digits] != '.')
-        return 0;
-    t = flk_text_from(t, digits + 1);
-    for (decimals = 0; decimals < t.length && strchr("0123456789", t.start[decimals]); decimals++)
-        ;
-    return decimals == 3;
+    n = count_digits(t);
+    return n >= 1 && n <= 3 && n < t.length && t.start[n] == '.' &&
+           count_digits(flk_text_from(t, n + 1)) == 3;
 }
 
 #define SLOW 20 /* rpm; a thousand times as much is the speed of a fast machine */
@@ -49,7 +53,7 @@ static void check_thousands(parser *p, key_code key)
 static int is_bare(parser *p, const setting *s, quantity q)
 {
     return IS_SET(s) && !s->curve && !s->of_length && !flk_quantity_unit_text(s->value).length &&
-           !IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name));
+           !p->d->bare[q].is_given;
 }
 
 /* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */
@@ -130,26 +134,22 @@ static int check_above_one(parser *p, const setting *s, const char *words)
 
 static void check_friction(parser *p)
 {
-    static const key_code coefficients[] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
-                                            KEY_FRICTION_D},
-                          radii[] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
-                                     KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
     static const char words[] = "a coefficient of friction";
     const setting *all = flk_setting_find(p, KEY_FRICTION_RADIUS);
     double crank = p->d->design.link[FOURLINK_CRANK].length, circle;
     int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
 
     for (i = 0; i < 4; i++) {
-        const setting *radius = flk_setting_find(p, radii[i]);
+        const setting *radius = flk_setting_find(p, KEY_FRICTION_RADIUS_A + i);
 
         circle = p->d->machine.friction.circle[i];
-        if (check_above_one(p, flk_setting_find(p, coefficients[i]), words) || is_large ||
+        if (check_above_one(p, flk_setting_find(p, KEY_FRICTION_A + i), words) || is_large ||
             !(circle > crank))
             continue;
         flk_mistake(
             NOTES(p), (IS_SET(radius) ? radius : all)->place,
             "the friction circle of %s has a radius of %.4g m, the crank a length of %.4g m",
-            flk_key_table[coefficients[i]].name, circle, crank);
+            flk_key_table[KEY_FRICTION_A + i].name, circle, crank);
         is_large = !IS_SET(radius); /* of all pins: once */
     }
     check_above_one(p, flk_setting_find(p, KEY_FRICTION_GUIDE), words);
@@ -248,24 +248,24 @@ static void check_run_up(parser *p)
 
 void flk_build_doubts(parser *p)
 {
-    size_t i, n = 0;
+    const section_use *use = NULL;
+    size_t n = 0;
     int k;
 
     if (p->mistakes->count || p->out_of_memory)
         return;
     check_bare(p, QUANTITY_LENGTH, 10, "mm");
     check_bare(p, QUANTITY_MASS, 500, "g");
+    check_bare(p, QUANTITY_ANGULAR_SPEED, 0, "rpm"); /* most speeds are in rpm */
     check_thousands(p, KEY_MOTION_SPEED);
     check_thousands(p, KEY_MOTION_MEAN_SPEED);
     check_thousands(p, KEY_MOTOR_NO_LOAD_SPEED);
     for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
         check_body(p, k);
-    for (i = 0; i < p->n_uses; i++) {
-        if (p->uses[i].section == SECTION_SPRING)
-            check_spring(p, &p->uses[i]);
-        if (p->uses[i].section == SECTION_LOAD)
-            check_load(p, &p->uses[i], flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
-    }
+    while ((use = flk_section_next(p, SECTION_SPRING, use)) != NULL)
+        check_spring(p, use);
+    while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL)
+        check_load(p, use, flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
     check_friction(p);
     check_pressure(p, KEY_GAS_PRESSURE);
     check_pressure(p, KEY_GAS_BACK_PRESSURE);

@@ -71,57 +71,57 @@ text flk_line_without_comment(text line)
     return flk_text_trim(line);
 }
 
-int flk_line_is_text(parser *p, text line, text_place place)
+/* Refuse a text as a whole, and read no more of it; `code` is for %s. */
+static int refuse_text(parser *p, text_place place, const char *why, const char *code)
+{
+    p->not_text = 1;
+    return flk_mistake(p->mistakes, place, why, code);
+}
+
+/* 1 if a line is text; otherwise 0 and a mistake. */
+static int is_text(parser *p, text line, text_place place)
 {
     static const char hex[] = "0123456789abcdef";
     char code[3] = "00";
     size_t i;
 
-    if (line.length > LINE_MAX_LENGTH) {
-        p->not_text = 1;
-        return flk_mistake(p->mistakes, place, "line longer than 65536 characters: not a deck");
-    }
-    if (place.line > MOST_LINES) {
-        p->not_text = 1;
-        return flk_mistake(p->mistakes, place, "more than 4,000,000 lines: not a deck");
-    }
+    if (line.length > LINE_MAX_LENGTH)
+        return refuse_text(p, place, "line longer than 65536 characters: not a deck", "");
+    if (place.line > MOST_LINES)
+        return refuse_text(p, place, "more than 4,000,000 lines: not a deck", "");
     for (i = 0; i < line.length; i++) {
         unsigned char c = (unsigned char)line.start[i];
 
-        if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
-            p->not_text = 1;
-            if (!c && place.line == 1 && i < 2)
-                return flk_mistake(p->mistakes, place,
-                                   "UTF-16 without its mark, or no text: save the file as UTF-8");
-            code[0] = hex[c / 16];
-            code[1] = hex[c % 16];
-            return flk_mistake(p->mistakes, place, "control character (0x%s): a deck is plain text",
-                               code);
-        }
+        if ((c >= ' ' && c != 0x7f) || c == '\t' || c == '\r')
+            continue;
+        if (!c && place.line == 1 && i < 2)
+            return refuse_text(p, place,
+                               "UTF-16 without its mark, or no text: save the file as UTF-8", "");
+        code[0] = hex[c / 16];
+        code[1] = hex[c % 16];
+        return refuse_text(p, place, "control character (0x%s): a deck is plain text", code);
     }
     return 1;
+}
+
+int flk_line_take(parser *p, text *rest, int line_end, text_place place, text cut(text line),
+                  text *line)
+{
+    if (p->not_text || !flk_text_split(rest, line_end, line) || !is_text(p, *line, place))
+        return 0;
+    *line = cut(*line);
+    p->n_characters += line->length;
+    return p->n_characters <= MOST_CHARACTERS ||
+           refuse_text(p, place, "more than 8,000,000 characters: not a deck", "");
 }
 
 /* The next line without its comment; 0 at the end of the deck, or if the line is not text. */
 static int next_line(parser *p, text *rest, text *line)
 {
-    if (p->last_line > 0 && !rest->length)
+    if ((p->last_line > 0 && !rest->length) || !rest->start)
         return 0; /* nothing after the last line end */
-    if (!flk_text_split(rest, p->line_end, line))
-        return 0;
     p->last_line++;
-    if (!flk_line_is_text(p, *line, flk_reader_end(p))) {
-        rest->start = NULL;
-        return 0;
-    }
-    *line = flk_line_without_comment(*line);
-    p->n_characters += line->length;
-    if (p->n_characters <= MOST_CHARACTERS)
-        return 1;
-    p->not_text = 1;
-    rest->start = NULL;
-    return flk_mistake(p->mistakes, flk_reader_end(p),
-                       "more than 8,000,000 characters: not a deck");
+    return flk_line_take(p, rest, p->line_end, flk_reader_end(p), flk_line_without_comment, line);
 }
 
 /* A line that ends in a comma continues in the next, unless that is an assignment or a section.  In the
@@ -154,7 +154,8 @@ static int is_key(const section_use *use, text word, text value)
            (TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL);
 }
 
-/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section. */
+/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section.
+** */
 static void refuse_line(parser *p, section_use *use, text line, text_place place)
 {
     char meant[MESSAGE_SIZE] = "";

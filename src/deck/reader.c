@@ -24,6 +24,22 @@ void *flk_reader_keep(parser *p, size_t size)
     return result;
 }
 
+void *flk_reader_grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
+{
+    size_t more = *capacity ? 2 * *capacity : 64;
+    void *bigger;
+
+    if (n < *capacity)
+        return list;
+    bigger = flk_reader_keep(p, more * size);
+    if (!bigger)
+        return NULL;
+    if (n)
+        memcpy(bigger, list, n * size);
+    *capacity = more;
+    return bigger;
+}
+
 char *flk_reader_copy(parser *p, text t, const char *ending)
 {
     char *copy = flk_reader_keep(p, t.length + strlen(ending) + 1);
@@ -35,21 +51,11 @@ char *flk_reader_copy(parser *p, text t, const char *ending)
     return strcpy(copy + t.length, ending) - t.length;
 }
 
-static text spell(parser *p, text t, text spelling(text, char *))
+text flk_reader_plain(parser *p, text t)
 {
     char *copy = flk_spelling_is_plain(t) ? NULL : flk_reader_keep(p, SPELLING_SIZE(t.length));
 
-    return copy ? spelling(t, copy) : t;
-}
-
-text flk_reader_plain(parser *p, text t)
-{
-    return spell(p, t, flk_spelling_plain);
-}
-
-text flk_reader_blanks(parser *p, text t)
-{
-    return spell(p, t, flk_spelling_blanks);
+    return copy ? flk_spelling_plain(t, copy) : t;
 }
 
 text flk_reader_utf8(parser *p, text t)
@@ -138,6 +144,7 @@ static void build(parser *p)
     if (flk_section_find(p, SECTION_SYNTHESIS, NULL) && (p = find_linkage(p)) == NULL)
         return;
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
+    p->d->drive.mode = flk_setting_find(p, KEY_MOTION_MODE)->word;
     flk_build_mechanism(p);
     flk_build_loads(p);
     flk_build_balance(p);

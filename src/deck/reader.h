@@ -11,8 +11,6 @@
 #include "deck.h"
 #include "schema.h"
 
-struct flk_kind;
-
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
@@ -102,6 +100,7 @@ typedef struct parser {
     size_t n_slots;
     int has_changed_names;        /* 1: some value is not from the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
+    size_t variations_capacity;
     double samples;
     int is_sound; /* 1: no mistakes before a design is set */
     int is_design; /* 1: built from the settings of another deck, whose notes say what is not meant */
@@ -120,12 +119,14 @@ typedef struct parser {
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_reader_keep(parser *p, size_t size);
 
+/* Such memory with a list of n entries and room for one more; null if out of memory. */
+void *flk_reader_grow(parser *p, void *list, size_t *capacity, size_t n, size_t size);
+
 /* A null-terminated copy of a text with an ending, valid as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* A value in plain characters (see base/spelling.h), valid as long; the same for blanks only. */
+/* A value in plain characters (see base/spelling.h), valid as long. */
 text flk_reader_plain(parser *p, text t);
-text flk_reader_blanks(parser *p, text t);
 
 /* A file's text in UTF-8, if it is in UTF-16; valid as long. */
 text flk_reader_utf8(parser *p, text t);
@@ -136,9 +137,10 @@ text flk_reader_utf8(parser *p, text t);
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
 
-/* The section of the deck with this name (case matters), or the first if `name` is null; null if there is
-** none. */
+/* The section of the deck with this name (case matters), or the first if `name` is null; the next after a
+** section, or the first if that is null.  Null if there is none. */
 section_use *flk_section_find(const parser *p, section_code section, const text *name);
+section_use *flk_section_next(const parser *p, section_code section, const section_use *after);
 
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
@@ -153,7 +155,8 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* 1 if the deck has such a section with a mistake. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
-/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of memory. */
+/* Copy the settings of a section that belong to another deck before one of them changes; 0 if out of
+** memory. */
 int flk_section_unshare(parser *p, section_use *use);
 
 /* The setting of a key in a section that has the key. */
@@ -209,8 +212,10 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n);
 ** quotes. */
 text flk_line_without_comment(text line);
 
-/* 1 if a line is text and the file is not too large; otherwise 0 and a mistake, and reading stops. */
-int flk_line_is_text(parser *p, text line, text_place place);
+/* Take the next line off a text and cut off its comment.  0 at the end of the text; 0 and a mistake if the
+** line is not text, or the text is too large, and reading stops. */
+int flk_line_take(parser *p, text *rest, int line_end, text_place place, text cut(text line),
+                  text *line);
 
 /* First pass: the lines of the text. */
 void flk_lines_read(parser *p);
@@ -254,9 +259,8 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si);
 ** piece of the setting's value. */
 int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
 
-/* Read a point of a link; origin, end or a point; the parts that are set separately. */
+/* Read a point of a link; the parts that are set separately. */
 int flk_vector_read(parser *p, setting *s, quantity q);
-void flk_vector_read_pin(parser *p, setting *s, quantity q);
 void flk_vector_read_parts(parser *p, setting *s, quantity q);
 
 /* Sine and cosine, exact for whole quarters of a turn. */
@@ -286,7 +290,6 @@ int flk_curve_text_read(parser *p, setting *s, quantity q);
 /* Third pass. */
 int flk_build_kind(parser *p);
 void flk_build_mechanism(parser *p);
-void flk_build_link(parser *p, const struct flk_kind *kind, int number);
 /* The next element of the machine's list, for a load, a spring or gas; null if out of memory. */
 flk_element *flk_build_element(parser *p);
 
@@ -310,20 +313,19 @@ void flk_build_grading(parser *p);
 /* Note values that are allowed but probably not meant. */
 void flk_build_doubts(parser *p);
 
-/* How the speed of the crank is determined: DRIVE_GIVEN ... */
-int flk_build_mode(parser *p);
-
 /* The sense in which a speed or a motor turns the crank: -1 clockwise; otherwise 1. */
 int flk_build_sense(parser *p);
 
-/* 1 if the mechanism can have a stroke instead of the length of its crank. */
-int flk_build_has_stroke(const parser *p);
+/* 1 if the kind of the mechanism has this key. */
+int flk_build_has(const parser *p, key_code key);
 
-/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); allocate room for
-** each section of a kind; check that a name for columns is one word and not too long. */
+/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); check that a
+** name for columns is one word and not too long. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
-void *flk_build_keep_each(parser *p, section_code section, size_t size);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
+
+/* 1 if the arguments of a curve rise, by this step at least; otherwise 0 and this mistake. */
+int flk_build_is_rising(parser *p, const setting *s, double least, const char *message);
 
 /* A point of a link, in m. */
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at);

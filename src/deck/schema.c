@@ -109,41 +109,16 @@ size_t flk_section_keys(section_code section)
     return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
 }
 
-int flk_link_of_section(section_code section)
-{
-    const word_info *w;
-
-    for (w = flk_word_table; w->word; w++)
-        if (w->key == KEY_LOAD_LINK && strcmp(w->word, flk_section_table[section].name) == 0)
-            return w->value;
-    return 0;
-}
-
-static int is_word(const word_info *w, key_code key, const char *const *links)
+void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS])
 {
     int is_link = key == KEY_LOAD_LINK || key == KEY_POINT_LINK || key == KEY_SPRING_LINK ||
                   key == KEY_SPRING_TO;
-
-    return w->key == key && (!links || !is_link || strcmp(w->word, links[w->value]) == 0);
-}
-
-const char *flk_list_words(key_code key, const char *const *links, const char *before,
-                           const char *after, char list[WORDS_SIZE])
-{
-    const word_info *w, *last = NULL;
+    const word_info *w;
 
     for (w = flk_word_table; w->word; w++)
-        if (is_word(w, key, links))
-            last = w;
-    list[0] = '\0';
-    for (w = flk_word_table; w->word; w++)
-        if (is_word(w, key, links)) {
-            strcat(list, !list[0] ? "" : w == last ? " or " : ", ");
-            strcat(list, before);
-            strcat(list, w->word);
-            strcat(list, after);
-        }
-    return list;
+        if (w->key == key && (!links || !is_link || strcmp(w->word, links[w->value]) == 0))
+            *words++ = w->word;
+    *words = NULL;
 }
 
 key_code flk_find_key(section_code section, text name)

@@ -12,32 +12,35 @@
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define ANY_KIND FLK_EVERY_KIND
-#define SECTION_LIST(X)                                              \
-    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                           \
-    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                 \
-    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)              \
-    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                 \
-    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH)  \
-    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)     \
-    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)          \
-    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)   \
-    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)                \
-    X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                 \
-    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK | INVERTED, KEY_GAS_BORE) \
-    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)               \
-    X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                 \
-    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
-    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
-    X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)                \
-    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)            \
-    X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)            \
-    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
-    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
-    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
-    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)       \
-    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
-    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)        \
-    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
+#define WITH_GUIDE (FOURLINK_SLIDER_CRANK | INVERTED)
+#define WITH_PIN_C (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
+#define WITH_PIN_D (FOURLINK_FOUR_BAR | INVERTED)
+#define SECTION_LIST(X)                                             \
+    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                          \
+    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                \
+    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)             \
+    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                \
+    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH) \
+    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)    \
+    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)         \
+    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)  \
+    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)               \
+    X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                \
+    X(GAS, "gas", 0, WITH_GUIDE, KEY_GAS_BORE)                      \
+    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
+    X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                \
+    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)    \
+    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                     \
+    X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)               \
+    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)           \
+    X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)           \
+    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
+    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)  \
+    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)      \
+    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)               \
+    X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)       \
+    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                 \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
 /* The form of a value. */
@@ -47,12 +50,10 @@ typedef enum value_form {
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
-    FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, mid, 50 % */
-    FORM_PIN,      /* origin, end, or as FORM_POINT */
+    FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, mid, ... */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
-    FORM_EITHER,   /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
-    FORM_NAMES     /* names separated by commas or blanks */
+    FORM_EITHER    /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
 } value_form;
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
@@ -68,7 +69,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
     X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
-    X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
+    X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND)
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section)                                                                       \
@@ -107,7 +108,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(UNITS, TORSIONAL_STIFFNESS, "torsional_stiffness", UNIT, TORSIONAL_STIFFNESS, ANY, ANY_KIND) \
     X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND)       \
     X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND)                         \
-    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                            \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                      \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
     LINK_KEYS(X, CRANK)                                                                            \
@@ -175,57 +176,53 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                            \
     X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
-    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | INVERTED)              \
+    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_C)                                \
+    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_D)                                \
     X(FRICTION, RADIUS_A, "radius_A", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
     X(FRICTION, RADIUS_B, "radius_B", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
-    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE,                                  \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)    \
-    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK | INVERTED)  \
-    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE,                          \
-      FOURLINK_SLIDER_CRANK | INVERTED)                                                            \
+    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE, WITH_PIN_C)                      \
+    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                      \
+    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_GUIDE)                        \
+    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)              \
     X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND)                               \
     X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | INVERTED)                  \
+    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D)                                    \
     X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK)        \
     X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                             \
     X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND)                                        \
     X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                            \
     X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                               \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                                     \
+    X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND)                                      \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                  \
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
     X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND)                                       \
     X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
-    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
-    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)         \
-    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY,                                          \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
-    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)      \
+    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, WITH_PIN_C)                                  \
+    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, WITH_PIN_C)                                \
+    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, WITH_PIN_C)                                        \
+    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY, WITH_PIN_C)                              \
+    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, WITH_PIN_C)                                     \
+    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, WITH_PIN_C)                                     \
     X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
     X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
-    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE,                                  \
-      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
-    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)\
-    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)    \
-    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
-    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)     \
+    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE, WITH_PIN_C)                      \
+    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, WITH_PIN_C)                            \
+    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, WITH_PIN_C)                                   \
+    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, WITH_PIN_C)                                      \
+    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C)                                    \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
-    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
-    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK | INVERTED)   \
-    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)       \
+    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D)                            \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)                         \
+    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, WITH_PIN_C)                                      \
     X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED)                                        \
-    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)   \
+    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, WITH_PIN_C)                                  \
     X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR)                             \
     X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                            \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \
+    X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND)                                        \
     X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                                \
     X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
     X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)                                \
@@ -260,8 +257,6 @@ typedef struct key_info {
 /* By key_code. */
 extern const key_info flk_key_table[];
 
-enum { PIN_ORIGIN, PIN_END, PIN_POINT };
-
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
 /* The tasks of [synthesis]. */
@@ -287,14 +282,10 @@ extern const word_info flk_word_table[];
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
 
-/* The number of the link that a section describes in some mechanism; 0: not a link. */
-int flk_link_of_section(section_code section);
-
-/* List the words that a key accepts, as "a, b or c", each between two strings.  `links`, unless null, has
-** names by number: other links are left out. */
-#define WORDS_SIZE 200
-const char *flk_list_words(key_code key, const char *const *links, const char *before,
-                           const char *after, char list[WORDS_SIZE]);
+/* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:
+** other links are left out. */
+#define MOST_WORDS 16
+void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS]);
 
 /* The key of a section with this name; KEY_COUNT if there is none. */
 key_code flk_find_key(section_code section, text name);

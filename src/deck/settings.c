@@ -7,27 +7,11 @@
 
 #include "reader.h"
 
-/* Make room for one more entry in a list of n; null if out of memory. */
-static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
-{
-    size_t more = *capacity ? 2 * *capacity : 64;
-    void *bigger;
-
-    if (n < *capacity)
-        return list;
-    bigger = flk_reader_keep(p, more * size);
-    if (!bigger)
-        return NULL;
-    if (n)
-        memcpy(bigger, list, n * size);
-    *capacity = more;
-    return bigger;
-}
-
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
                               const char *start)
 {
-    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
+    section_use *uses = flk_reader_grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses),
+                *use;
     setting *settings = flk_reader_keep(p, flk_section_keys(section) * sizeof *settings);
 
     if (uses)
@@ -51,16 +35,25 @@ static int same_name(text x, text y)
     return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
 }
 
-section_use *flk_section_find(const parser *p, section_code section, const text *name)
+section_use *flk_section_next(const parser *p, section_code section, const section_use *after)
 {
-    size_t i;
+    size_t first = p->first_use[section], i;
 
-    if (!p->first_use[section])
-        return NULL;
-    for (i = p->first_use[section] - 1; i < p->n_uses; i++)
-        if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
+    if (!after)
+        return first ? &p->uses[first - 1] : NULL;
+    for (i = (size_t)(after - p->uses) + 1; i < p->n_uses; i++)
+        if (p->uses[i].section == section)
             return &p->uses[i];
     return NULL;
+}
+
+section_use *flk_section_find(const parser *p, section_code section, const text *name)
+{
+    section_use *use = flk_section_next(p, section, NULL);
+
+    while (use && name && !same_name(use->name, *name))
+        use = flk_section_next(p, section, use);
+    return use;
 }
 
 int flk_section_is_mistaken(parser *p, section_code section)
@@ -140,14 +133,11 @@ int flk_section_unknown(parser *p, text_place place, text name)
     const char *known[SECTION_COUNT];
     int i;
 
-    if (flk_mistakes_are_full(p->mistakes)) {
-        p->has_unknown_section = 1;
-        return flk_mistake(p->mistakes, place, "");
-    }
-    for (i = 1; i < SECTION_COUNT; i++)
-        known[i - 1] = flk_section_table[i].name;
-    known[SECTION_COUNT - 1] = NULL;
     p->has_unknown_section = 1;
+    if (flk_mistakes_are_full(p->mistakes))
+        return flk_mistake(p->mistakes, place, "");
+    for (i = 1; i <= SECTION_COUNT; i++) /* the table ends with null */
+        known[i - 1] = flk_section_table[i].name;
     return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
                        nearest_word(name, known));
 }
@@ -218,7 +208,8 @@ static size_t *find_slot(parser *p, size_t use, text name)
 /* Make room for one more name; at least half of the slots stay free. */
 static int grow_named(parser *p)
 {
-    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
+    named_value *list =
+        flk_reader_grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
     size_t i;
 
     if (!list)
@@ -369,20 +360,37 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
 
 const char *const flk_part_names[] = {"x", "y", "size", "angle"};
 
-/* Remove the part of SECTION.KEY.PART and return it. */
-static vector_part take_part(text *key)
+/* The pieces of [SECTION[ NAME].]KEY[.PART]. */
+typedef struct path {
+    text section, name, key;
+    text whole;        /* without the part */
+    section_code code; /* SECTION_COUNT: there is no such section */
+    vector_part part;
+} path;
+
+static path path_of(text whole)
 {
-    text before, part, section, rest;
+    static const path top = {{"", 0}, {"", 0}, {"", 0}, {"", 0}, SECTION_TOP, PART_NONE};
+    path a = top;
+    text before, last;
     int i;
 
-    if (flk_text_cut_last(*key, ".", &before, &part) &&
-        flk_text_cut_last(before, ".", &section, &rest))
+    a.key = a.whole = whole;
+    if (flk_text_cut(whole, ".", &a.section, &a.key) && flk_text_equal(a.section, "sweep")) {
+        a.code = SECTION_SWEEP; /* the rest is a name */
+        return a;
+    }
+    if (flk_text_cut_last(whole, ".", &before, &last) && flk_text_count(before, '.'))
         for (i = 0; i < PART_NONE; i++)
-            if (flk_text_equal(part, flk_part_names[i])) {
-                *key = before;
-                return (vector_part)i;
+            if (flk_text_equal(last, flk_part_names[i])) {
+                a.part = (vector_part)i;
+                a.whole = before;
             }
-    return PART_NONE;
+    if (flk_text_cut_last(a.whole, ".", &a.section, &a.key)) {
+        flk_section_split(&a.section, &a.name);
+        a.code = flk_find_section(a.section);
+    }
+    return a;
 }
 
 /* The section that "section NAME" in an assignment refers to, or the only section; null and a mistake if
@@ -391,27 +399,24 @@ static section_use *find_section(parser *p, text_place place, section_code code,
 {
     section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
     char word[DECK_NAME_SIZE];
-    size_t i, found = 0;
+    size_t found = 0;
 
-    for (i = 0; i < p->n_uses && !use; i++)
-        if (p->uses[i].section == code &&
-            (!name.length ||
-             flk_text_equal(name, flk_text_copy(p->uses[i].name, word, sizeof word)))) {
-            other = &p->uses[i];
+    if (use)
+        return use;
+    while ((other = flk_section_next(p, code, other)) != NULL)
+        if (!name.length || flk_text_equal(name, flk_text_copy(other->name, word, sizeof word))) {
+            use = other;
             found++;
         }
-    use = use ? use : other;
-    if (found > 1) {
+    if (found > 1)
         flk_mistake(p->mistakes, place, "there are several [%s] sections: name one of them",
                     flk_section_table[code].name);
-        return NULL;
-    }
-    if (!use && name.length) {
+    else if (!found && name.length)
         flk_mistake(p->mistakes, place, "there is no [%s %t] in the deck",
                     flk_section_table[code].name, name);
-        return NULL;
-    }
-    return use ? use : flk_section_open(p, code, name, place, NULL);
+    else
+        return use ? use : flk_section_open(p, code, name, place, NULL);
+    return NULL;
 }
 
 /* 1 if a key takes a force or a point. */
@@ -435,58 +440,39 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
                        key);
 }
 
-int flk_setting_target(parser *p, text_place place, text key, target *t)
+int flk_setting_target(parser *p, text_place place, text whole, target *t)
 {
-    vector_part part = take_part(&key);
-    text section = key, name = {"", 0}, last = key;
-    section_code code = SECTION_TOP;
+    path a = path_of(whole);
     section_use *use;
 
-    if (flk_text_cut_last(key, ".", &section, &last)) {
-        flk_section_split(&section, &name);
-        code = flk_find_section(section);
-    }
-    if (code == SECTION_COUNT)
-        return flk_section_unknown(p, place, section);
-    use = find_section(p, place, code, name);
-    if (!use || !find_key(p, place, use, last, t))
+    if (a.code == SECTION_COUNT)
+        return flk_section_unknown(p, place, a.section);
+    use = find_section(p, place, a.code, a.name);
+    if (!use || !find_key(p, place, use, a.key, t))
         return 0;
-    t->part = part;
-    return part == PART_NONE || has_parts(p, place, t, key);
+    t->part = a.part;
+    return a.part == PART_NONE || has_parts(p, place, t, a.whole);
 }
 
-/* The only section of a kind; null if there are several. */
-static const section_use *find_only(const parser *p, section_code code)
+int flk_setting_look(const parser *p, text whole, target *t)
 {
-    const section_use *use = flk_section_find(p, code, NULL), *other;
-
-    for (other = use; use && other < p->uses + p->n_uses; other++)
-        if (other != use && other->section == code)
-            return NULL;
-    return use;
-}
-
-int flk_setting_look(const parser *p, text key, target *t)
-{
-    vector_part part = take_part(&key);
-    text section, name, last;
+    path a = path_of(whole);
     const section_use *use;
-    section_code code;
 
-    if (!flk_text_cut_last(key, ".", &section, &last))
+    if (a.code == SECTION_COUNT || a.code == SECTION_TOP)
         return 0;
-    flk_section_split(&section, &name);
-    code = flk_find_section(section);
-    use = code < SECTION_COUNT ? flk_section_find(p, code, &name) : NULL;
-    if (!use && code < SECTION_COUNT && !name.length)
-        use = find_only(p, code);
+    use = flk_section_find(p, a.code, &a.name);
+    if (!use && !a.name.length) {
+        use = flk_section_next(p, a.code, NULL);
+        use = use && !flk_section_next(p, a.code, use) ? use : NULL; /* the only one */
+    }
     if (!use)
         return 0;
     t->use = (size_t)(use - p->uses);
-    t->part = part;
-    t->name = last;
-    t->key = flk_find_key(code, last);
-    return t->key != KEY_COUNT && (part == PART_NONE || is_vector(t->key));
+    t->part = a.part;
+    t->name = a.key;
+    t->key = flk_find_key(a.code, a.key);
+    return t->key != KEY_COUNT && (a.part == PART_NONE || is_vector(t->key));
 }
 
 void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,
@@ -503,17 +489,8 @@ void flk_setting_vary(parser *p, text_place place, const target *t, const quanti
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)
 {
-    static const text no_name = {"", 0};
-    const section_use *sweep;
-    text section, name;
     target t;
 
-    if (flk_text_cut(key, ".", &section, &name) && flk_text_equal(section, "sweep")) {
-        sweep = find_section(p, place, SECTION_SWEEP, no_name); /* the rest is a name */
-        if (!sweep || !find_key(p, place, sweep, name, &t))
-            return;
-    } else if (!flk_setting_target(p, place, key, &t)) {
-        return;
-    }
-    set_target(p, place, &t, value, GIVEN_BY_CHANGE);
+    if (flk_setting_target(p, place, key, &t))
+        set_target(p, place, &t, value, GIVEN_BY_CHANGE);
 }

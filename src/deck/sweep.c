@@ -274,17 +274,6 @@ static unsigned long mixed(unsigned long x)
     return x ^ x >> 16;
 }
 
-static int start_generator(generator *g, double seed, unsigned long design)
-{
-    g->rng.type = GENERATOR;
-    g->rng.state = g->state;
-    if (g->rng.type->size > sizeof g->state)
-        return 0;
-    gsl_rng_set(&g->rng,
-                mixed((mixed(design & BITS) + mixed(((unsigned long)seed + 1) & BITS)) & BITS));
-    return 1;
-}
-
 /* Draw a value within the tolerance: uniform, or normal with a third of the tolerance as standard deviation,
 ** redrawn while outside. */
 static double draw(const variation *v, const gsl_rng *rng)
@@ -422,15 +411,21 @@ static void leave_out(parser *p, const variation *v)
 
 /* Read a line of [sweep], whose quantities vary together.  Returns the number of values, 0 if it has
 ** mistakes. */
-static double read_line(parser *p, variation *list, const named_value *named)
+static double read_line(parser *p, const named_value *named)
 {
     deck_sweep *sweep = &p->d->sweep;
     int n = count_pieces(named->name), i;
     double count = 0;
 
     for (i = 0; i < n; i++) {
-        variation *v = &list[sweep->n_variables]; /* there is room for one more */
+        variation *list = flk_reader_grow(p, p->variations, &p->variations_capacity,
+                                          sweep->n_variables, sizeof *list);
+        variation *v;
 
+        if (!list)
+            return 0;
+        p->variations = list;
+        v = &list[sweep->n_variables];
         memset(v, 0, sizeof *v);
         v->name = piece_of(named->name, i);
         v->value = named->value;
@@ -452,31 +447,20 @@ static double read_line(parser *p, variation *list, const named_value *named)
 }
 
 /* Read the lines of [sweep]; returns the number of designs. */
-static double read_variations(parser *p, variation *list, double samples, int *has_tolerance)
+static double read_variations(parser *p, int *has_tolerance)
 {
     deck_sweep *sweep = &p->d->sweep;
-    double designs = samples, count;
+    double designs = p->samples, count;
     size_t i;
 
     for (i = 0; i < p->n_named && !p->out_of_memory; i++) {
         if (p->uses[p->named[i].use].section != SECTION_SWEEP)
             continue;
-        count = read_line(p, list, &p->named[i]);
+        count = read_line(p, &p->named[i]);
         designs *= count > 0 ? count : 1;
-        *has_tolerance |= count > 0 && list[sweep->n_variables - 1].form == VARY_TOLERANCE;
+        *has_tolerance |= count > 0 && p->variations[sweep->n_variables - 1].form == VARY_TOLERANCE;
     }
     return designs;
-}
-
-/* The number of quantities that [sweep] may name. */
-static size_t most_variations(const parser *p)
-{
-    size_t n = 1, i;
-
-    for (i = 0; i < p->n_named; i++)
-        if (p->uses[p->named[i].use].section == SECTION_SWEEP)
-            n += (size_t)count_pieces(p->named[i].name);
-    return GSL_MIN(n, MOST_VARIABLES + 1);
 }
 
 /* How many combinations with the same value of a quantity follow each other: the last changes fastest. */
@@ -498,10 +482,19 @@ static unsigned long index_in(const variation *v, const parser *p, unsigned long
 }
 
 /* Start the generator of a design if it has tolerances. */
-static int start_design(parser *p, unsigned long design, generator *g)
+static int start_generator(parser *p, unsigned long design, generator *g)
 {
-    return !IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)) ||
-           start_generator(g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design);
+    double seed = flk_setting_or(p, KEY_SWEEP_SEED, 1);
+
+    g->rng.type = GENERATOR;
+    g->rng.state = g->state;
+    if (!IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)))
+        return 1;
+    if (g->rng.type->size > sizeof g->state)
+        return 0;
+    gsl_rng_set(&g->rng,
+                mixed((mixed(design & BITS) + mixed(((unsigned long)seed + 1) & BITS)) & BITS));
+    return 1;
 }
 
 void flk_deck_variables(const deck *d, unsigned long design, size_t max, double *values,
@@ -511,7 +504,7 @@ void flk_deck_variables(const deck *d, unsigned long design, size_t max, double 
     generator g;
     size_t i;
 
-    if (!start_design(p, design, &g))
+    if (!start_generator(p, design, &g))
         return;
     for (i = 0; i < d->sweep.n_variables && i < max; i++) {
         const variation *v = &p->variations[i];
@@ -540,7 +533,7 @@ void flk_sweep_assign(parser *p, unsigned long design)
     sweep->variables = flk_reader_keep(p, n * sizeof *sweep->variables);
     if (!sweep->variables)
         return;
-    if (!start_design(p, design, &g)) {
+    if (!start_generator(p, design, &g)) {
         p->out_of_memory = 1;
         return;
     }
@@ -585,18 +578,14 @@ void flk_sweep_read(parser *p)
     int has_tolerance = 0;
     double designs;
     text_place place;
-    variation *list;
 
     if (!use)
         return;
     place = use->place;
     flk_values_read_section(p, use);
     p->samples = GSL_MAX(flk_setting_find(p, KEY_SWEEP_SAMPLES)->si[0], 1);
-    p->variations = list = flk_reader_keep(p, most_variations(p) * sizeof *list);
-    if (!list)
-        return;
     keys = p->mistakes->count;
-    designs = read_variations(p, list, p->samples, &has_tolerance);
+    designs = read_variations(p, &has_tolerance);
     if (p->mistakes->count == keys) {
         check_samples(p, place, has_tolerance);
         if (designs > MOST_DESIGNS)
@@ -604,8 +593,8 @@ void flk_sweep_read(parser *p)
     }
     if (p->mistakes->count == before)
         sweep->n_designs = (unsigned long)designs;
-    set_repeats(list, sweep->n_designs ? sweep->n_variables : 0);
+    set_repeats(p->variations, sweep->n_designs ? sweep->n_variables : 0);
     while (sweep->n_variables && !sweep->n_designs)
-        leave_out(p, &list[--sweep->n_variables]);
+        leave_out(p, &p->variations[--sweep->n_variables]);
     read_outputs(p);
 }

@@ -71,18 +71,15 @@ static int find_word(key_code key, text t, int *value)
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
-    const char *known[16];
-    char list[WORDS_SIZE];
-    size_t i, n = 0;
+    const char *known[MOST_WORDS], *listed[MOST_WORDS];
+    char list[MESSAGE_SIZE];
 
     if (find_word(key, s->value, &s->word))
         return;
-    for (i = 0; flk_word_table[i].word; i++)
-        if (flk_word_table[i].key == key)
-            known[n++] = flk_word_table[i].word;
-    known[n] = NULL;
+    flk_key_words(key, NULL, known);
+    flk_key_words(key, kind ? kind->link : NULL, listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
-                flk_list_words(key, kind ? kind->link : NULL, "", "", list), s->value,
+                flk_text_list(listed, ", ", " or ", list, sizeof list), s->value,
                 flk_text_nearest(s->value, known));
 }
 
@@ -199,16 +196,6 @@ static int read_count(parser *p, setting *s, quantity q)
     return 1;
 }
 
-/* A value in plain characters; titles and names are not changed. */
-static text spelled(parser *p, key_code code, text value)
-{
-    if (code == KEY_TOP_TITLE)
-        return value;
-    if (flk_key_table[code].form == FORM_NAMES || flk_curve_text_file(value, NULL))
-        return flk_reader_blanks(p, value);
-    return flk_reader_plain(p, value);
-}
-
 /* The unit of a quantity's text; 0 if it has none. */
 static int unit_of(text t, unit *u)
 {
@@ -303,7 +290,8 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
 {
     const key_info *key = &flk_key_table[code];
 
-    s->value = spelled(p, code, s->value);
+    if (code != KEY_TOP_TITLE && !flk_curve_text_file(s->value, NULL))
+        s->value = flk_reader_plain(p, s->value);
     p->argument = argument_of(use);
     switch (key->form) {
     case FORM_TEXT:
@@ -340,14 +328,8 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         if (s->parts)
             flk_vector_read_parts(p, s, key->q);
         break;
-    case FORM_PIN:
-        flk_vector_read_pin(p, s, key->q);
-        break;
     case FORM_CURVE:
         flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
-        break;
-    case FORM_NAMES:
-    default:
         break;
     }
 }

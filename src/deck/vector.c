@@ -86,18 +86,20 @@ static int read_size(parser *p, setting *s, text t, quantity q, point *result, d
 
 int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result)
 {
+    static const char *const places[] = {"origin", "mid", "end"};
     text size_text = t, angle_text, before;
     double size = 0, angle = 0, x, y;
-    int has_angle;
+    int has_angle, i;
 
     if (t.length && t.start[0] == '(')
         return read_components(p, s, t, q, result);
-    if (q == QUANTITY_LENGTH && flk_text_equal(t, "mid")) {
-        s->of_length = 1;
-        result->y[0] = 0.5;
-        result->y[1] = 0;
-        return 1;
-    }
+    for (i = 0; i < 3 && q == QUANTITY_LENGTH; i++)
+        if (flk_text_equal(t, places[i])) {
+            s->of_length = i > 0;
+            result->y[0] = 0.5 * i;
+            result->y[1] = 0;
+            return 1;
+        }
     if (flk_text_cut_last(t, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
         return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
                            s->value);
@@ -134,15 +136,6 @@ int flk_vector_read(parser *p, setting *s, quantity q)
     s->si[0] = vector.y[0];
     s->si[1] = vector.y[1];
     return 1;
-}
-
-void flk_vector_read_pin(parser *p, setting *s, quantity q)
-{
-    s->word = flk_text_equal(s->value, "origin") ? PIN_ORIGIN
-              : flk_text_equal(s->value, "end")  ? PIN_END
-                                                 : PIN_POINT;
-    if (s->word == PIN_POINT)
-        flk_vector_read(p, s, q);
 }
 
 /* Parts that are not set separately come from the whole vector. */

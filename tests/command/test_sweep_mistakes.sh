@@ -59,7 +59,7 @@ bad 2 'the samples must be positive, not -4' "$toleranced" 'samples = -4'
 bad 2 "expected a whole number, not '1.5'" "$toleranced" 'samples = 1.5'
 bad 2 "expected a whole number, not '0.5'" "$toleranced" 'samples = 0.5'
 bad 3 'the seed must not be negative: -1' "$toleranced" 'samples = 3' 'seed = -1'
-bad 1 "there is no [sweep .crank] in the deck" 'sweep.crank.length = 20 mm to 30 mm step 2 mm'
+bad 1 "'sweep.crank.length' is not a quantity that can be varied" 'sweep.crank.length = 20 mm to 30 mm step 2 mm'
 bad 2 '[sweep] is given twice; first at line' "$good" '[sweep]' "$good"
 bad 0 '[sweep] varies nothing' ''
 bad 0 '[sweep] varies nothing' 'output = swing'
