@@ -379,10 +379,9 @@ static int enter(flk_path *p, const flk_node *node, int turning, double length, 
     way.from = e->from;
     way.sense = e->sense * turning;
     way.has_loads = 1;
-    way.speed = NULL;
     c->turning = turning;
     c->goes_on = 0;
-    c->end = turning * flk_corners_next(&way, turning * s, GSL_POSINF, NULL, 0, &c->what);
+    c->end = turning * flk_corners_next(&way, turning * s, NULL, 0, &c->what);
     crank.theta2 = flk_equation_theta2(e, 0.5 * (s + c->end));
     crank.omega2 = way.sense;
     status = flk_mechanism_move(&e->machine.mechanism, e->branch, &crank, 1, &c->held);
