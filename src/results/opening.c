@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "condition.h"
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "name.h"
@@ -123,8 +122,44 @@ static void list_outputs(flk_opened *o)
         flk_mistake(&o->d.mistakes, place, "'output' names nothing");
 }
 
+/* NAME > QUANTITY */
+typedef struct condition {
+    text whole, name, limit;
+    int flags; /* FOURLINK_ABOVE ... */
+} condition;
+
+static const struct {
+    const char *sign;
+    int flags;
+} sign_table[] = {{">=", FOURLINK_ABOVE | FOURLINK_OR_EQUAL},
+                  {"<=", FOURLINK_BELOW | FOURLINK_OR_EQUAL},
+                  {">", FOURLINK_ABOVE},
+                  {"<", FOURLINK_BELOW}};
+
+#define SIGNS (sizeof sign_table / sizeof sign_table[0])
+
+/* Take the next condition from a list separated by commas.  Returns 1; 0 at the end; -1 if `whole`, its
+** text, is not a condition. */
+static int next_condition(text *rest, condition *c)
+{
+    size_t i;
+
+    if (!flk_text_split(rest, ',', &c->whole))
+        return 0;
+    c->whole = flk_text_trim(c->whole);
+    if (!c->whole.length && !rest->start)
+        return 0; /* a comma at the very end */
+    for (i = 0; i < SIGNS; i++)
+        if (flk_text_cut(c->whole, sign_table[i].sign, &c->name, &c->limit))
+            break;
+    if (i == SIGNS || !c->name.length || !c->limit.length)
+        return -1;
+    c->flags = sign_table[i].flags;
+    return 1;
+}
+
 /* Add a condition of the yield; its name is an output too.  Returns 0 if there are too many. */
-static int add_condition(flk_opened *o, const flk_condition *c)
+static int add_condition(flk_opened *o, const condition *c)
 {
     flk_list *list = &o->lists[FOURLINK_CONDITIONS];
     text_place place = o->d.sweep.yield.place;
@@ -153,10 +188,10 @@ static int add_condition(flk_opened *o, const flk_condition *c)
 static void list_conditions(flk_opened *o)
 {
     text rest = o->d.sweep.yield.names;
-    flk_condition c;
+    condition c;
     int status = 0;
 
-    while (rest.start && (status = flk_condition_next(&rest, &c)) != 0) {
+    while (rest.start && (status = next_condition(&rest, &c)) != 0) {
         if (status < 0)
             flk_mistake(&o->d.mistakes, o->d.sweep.yield.place,
                         "expected a condition, such as mu_min > 40 deg, not '%t'", c.whole);

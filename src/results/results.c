@@ -11,7 +11,6 @@
 #include "crossing.h"
 #include "expected.h"
 #include "fact.h"
-#include "hint.h"
 #include "name.h"
 #include "opening.h"
 #include "turning.h"
