@@ -47,7 +47,8 @@ void flk_corners_close(flk_corners *corners);
 /* Two passed angles that differ by less count as one. */
 #define FLK_CORNERS_CLOSE(passed) (1e-9 + 1e-14 * (passed))
 
-/* The next corner after `after`, in rad passed since the first row, and its kind; n more ends may be given. */
+/* The next corner after `after`, in rad passed since the first row, and its kind; n more ends may be
+** given. */
 double flk_corners_next(const flk_passage *passage, double after, const double *more, size_t n,
                         flk_piece_end *what);
 

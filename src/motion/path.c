@@ -461,8 +461,8 @@ static int start(flk_path *p, double speed)
     return keep(p, &node) && p->status == FOURLINK_OK;
 }
 
-/* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other values
-** where its variable falls can push to rest from both sides. */
+/* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other
+** values where its variable falls can push to rest from both sides. */
 static int leave(flk_path *p, const flk_node *node, double length, cell *c)
 {
     int turning = turns_to(p, node);

@@ -30,7 +30,7 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
     unsigned long n = flk_fact_list(
         &o->a, NULL, (int)e->branch,
         group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION, 0,
-        NULL, 0, o->facts, NULL);
+        NULL, 0, &o->facts);
     const char *meant = flk_column_meant(&o->a, e->name);
     unsigned long i;
 
@@ -39,7 +39,7 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
     for (i = 0; i < n; i++) {
         const char *known[2];
 
-        known[0] = o->facts[i].name;
+        known[0] = o->facts.list[i].name;
         known[1] = NULL;
         if (flk_text_nearest(e->name, known))
             return known[0];
@@ -232,8 +232,8 @@ static const char *without_hyphens(text t, char *copy)
     return copy;
 }
 
-/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses may be
-** missing. */
+/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses
+** may be missing. */
 static int are_words(text value, const char *words)
 {
     text all = flk_text_of(words), front, rest, given;
@@ -248,7 +248,7 @@ static int are_words(text value, const char *words)
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
-    const fourlink_value *facts = o->facts;
+    const fourlink_value *facts = o->facts.list;
     quantity_value printed;
     fourlink_value found;
     unsigned long n_facts, i;

@@ -6,8 +6,8 @@
 **
 **    y(x) = P(x) / x^m,   P(x) = p0 + p1 x + p2 x^2 + ...
 **
-** where m > 0 and p0 != 0 it has a pole; else its limit is p0.  P is the polynomial through rows on one of several scales:
-** on small ones it is more exact, but rows so close to the end may be rounding.
+** where m > 0 and p0 != 0 it has a pole; else its limit is p0.  P is the polynomial through rows on one of
+** several scales: on small ones it is more exact, but rows so close to the end may be rounding.
 */
 #include <math.h>
 #include <string.h>

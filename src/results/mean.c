@@ -4,10 +4,10 @@
 **
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
-** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion/crank_motion.c) is integrated over the parameter s of follow.h, in which a root at its end is smooth: at a
-** dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the rule is not exact is halved.
-** Where that does not end, the integral is infinite.
+** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the
+** motion (motion/crank_motion.c) is integrated over the parameter s of follow.h, in which a root at its end
+** is smooth: at a dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the
+** rule is not exact is halved.  Where that does not end, the integral is infinite.
 */
 #include <math.h>
 #include <string.h>

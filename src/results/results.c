@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** results.c - results by name, for fourlink.h: the columns, facts, extremes, turning moment of an opened deck, its
-** other designs, and the comparison with expected values.
+** results.c - results by name, for fourlink.h: the columns, facts, extremes, turning moment of an opened
+** deck, its other designs, and the comparison with expected values.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -206,7 +206,7 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
     if (which == FOURLINK_ALL_COLUMNS)
         flk_list_columns(&r->now->a, &r->now->lists[which]);
     else if (which == FOURLINK_INPUTS)
-        flk_list_inputs(&r->now->d, &r->now->lists[which], r->now->input_names);
+        flk_list_inputs(&r->now->d, &r->now->lists[which]);
     *list = r->now->lists[which].list;
     *n = r->now->lists[which].n;
     return FOURLINK_OK;
@@ -225,8 +225,8 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
     *n = flk_fact_list(&r->now->a, &r->now->extremes, branch, groups, 0, r->now->columns,
-                       r->now->n_columns, r->now->facts, r->now->statistic_names);
-    *facts = r->now->facts;
+                       r->now->n_columns, &r->now->facts);
+    *facts = r->now->facts.list;
     return FOURLINK_OK;
 }
 
