@@ -93,8 +93,4 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
 /* The angle through which the crank turns, forwards and backwards, rad. */
 double flk_path_travel(const flk_path *p);
 
-/* The growth over the path of the logarithm of a small difference in energy:
-** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
-double flk_path_growth(const flk_path *p);
-
 #endif

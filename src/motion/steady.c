@@ -32,6 +32,7 @@
 #include "base/solve.h"
 #include "mechanics/mechanics.h"
 
+#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 #define PLACES 18
 #define SLOWEST 1e-3 /* of the speed that the torque at rest gives in a radian */
 #define SPEEDS 60    /* that are tried */
@@ -83,6 +84,55 @@ static void find_range(const flk_path *p, double t, double *least, double *most)
         }
 }
 
+/* A step and its path. */
+typedef struct span {
+    const flk_path *p;
+    const flk_node *node;
+} span;
+
+/* d(T_m + Q)/d(omega2) / (J + I_f) at a time, by a difference within the cell. */
+static void growth_at(double t, void *data, double *growth)
+{
+    const span *x = data;
+    const flk_equation *e = &x->p->equation;
+    flk_machine_torque slower, faster;
+    flk_machine_place place;
+    fourlink_state held;
+    double speed, theta2;
+    flk_node at;
+
+    *growth = GSL_NAN;
+    flk_node_within(x->node, (t - x->node->t) / x->node->h, &at);
+    theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
+    speed = at.y[FLK_SPEED];
+    if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
+        return;
+    held = place.state;
+    fourlink_velocity(&e->machine.mechanism, e->sense, &held);
+    e->acting->held = &held;
+    e->acting->held_speed = e->sense * speed;
+    if (flk_equation_torque(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
+        flk_equation_torque(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
+        *growth = (faster.net - slower.net) / (2 * DIFFERENCE * speed) / place.total;
+    e->acting->held = NULL;
+}
+
+/* The growth over the path of the logarithm of a small difference in energy:
+** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
+static double growth_of(const flk_path *p)
+{
+    double growth = 0;
+    flk_integral here;
+    span x;
+
+    x.p = p;
+    for (x.node = p->node; x.node + 1 < p->node + p->n; x.node++) {
+        flk_integrate(growth_at, &x, 1, x.node->t, x.node[1].t, &here);
+        growth += here.value;
+    }
+    return growth;
+}
+
 void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
 {
     const flk_node *end = flk_path_end(p);
@@ -97,7 +147,7 @@ void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
     f->mean_speed_textbook = p->equation.sense * 0.5 * (least + most);
     f->fluctuation_exact = (most - least) / fabs(f->mean_speed);
     if (p->is_steady)
-        f->steady_rate = exp(flk_path_growth(p));
+        f->steady_rate = exp(growth_of(p));
 }
 
 void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
@@ -283,7 +333,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctua
     q.torque_guess = q.torque;
     solve(&q, COARSE, COARSE, 0.01);
     p->is_steady = solve(&q, tolerance, CLOSE, ROUNDED) &&
-                   (q.balances || q.speed.slope != SLOPE || flk_path_growth(p) < 0);
+                   (q.balances || q.speed.slope != SLOPE || growth_of(p) < 0);
     p->tolerance = tolerance;
     if (p->is_steady)
         return 1;

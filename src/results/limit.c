@@ -21,7 +21,8 @@
 
 #define EXACT 1e-9 /* error of a limit, of the column's size: its polynomial replaces the column; */
 #define KNOWN 1e-6 /* ... the limit is used; */
-#define CLOSE 1e-4 /* rad from a change point: rows are rounding error; */
+#define FINITE 1e-3    /* ... the column is known to have one */
+#define CLOSE 1e-4     /* rad from a change point: rows are rounding error; */
 #define LOST_DEAD 1e-4 /* ... from a dead position, for a column without an exact limit; */
 #define LOST 1e-2      /* ... from a change point, for such a column */
 
@@ -105,6 +106,17 @@ static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial
 
 /* ------------------------------------------------------------------------------------------------- poles */
 
+/* 1 if the rows closest to the end show a finite limit.  Rows farther away may still look like a pole,
+** which lies beyond a narrow locked range. */
+static int is_finite(const flk_limit_rows *e, values y)
+{
+    flk_polynomial p;
+    double error;
+
+    extrapolate(e, y, 0, 0, &p, &error);
+    return e->is_root && error <= FINITE * fabs(y[0][NODES - 1]);
+}
+
 /* A pole is the same on two scales and greater than the error.  On the larger scales, which show poles
 ** that rounding hides on the small ones, it must be far greater. */
 #define POLE_SCALE 1 /* the smallest one used: closer to the end rows may be rounding error */
@@ -127,7 +139,7 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
 {
     int scale, order;
 
-    for (scale = POLE_SCALE; scale + 1 < SCALES; scale++)
+    for (scale = POLE_SCALE; scale + 1 < SCALES && !is_finite(e, y); scale++)
         for (order = e->pole_order; order > 0; order--)
             if (is_pole(e, y, scale, order, strength))
                 return order;
@@ -193,8 +205,8 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 #define BESIDE 1e-3 /* ... of the reach */
 
 /* The limit of a column without a pole, or of the direction of a vector that may have one. */
-static void find_finite(const flk_limit_rows *e, const flk_followed *t, const best b[2],
-                        double size, flk_limit *l)
+static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
+                        const best b[2], double size, flk_limit *l)
 {
     double error = b[0].error, here = b[0].size, length = gsl_hypot(b[0].value, b[1].value), least;
 
@@ -206,7 +218,7 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, const be
     least = GSL_MAX_DBL(4 * error, EXACT * size);
     if (error <= EXACT * size)
         l->reach = GSL_MIN_DBL(b[0].reach, b[l->n - 1].reach);
-    else
+    else if (e->is_change || !is_finite(e, y[0]))
         l->rounded = e->is_change ? LOST : LOST_DEAD;
     if (l->n == 2 && t->turn > 0) {
         if (error <= KNOWN * size)
@@ -215,6 +227,8 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, const be
     }
     if (error <= KNOWN * size)
         l->value = l->n == 2 ? length : b[0].value;
+    else if (l->n == 1 && is_finite(e, y[0]))
+        l->value = y[0][0][0];
     if (fabs(l->value) <= least)
         l->value = 0; /* such as the transmission angle at a dead position */
 }
@@ -259,7 +273,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     for (k = 0; k < l->n; k++)
         b[k] = best_of(e, y[k], l->order, &l->of[k]);
     if (!has_pole || (is_vector && t->turn > 0))
-        find_finite(e, t, b, size, l);
+        find_finite(e, t, y, b, size, l);
     else if (is_vector && l->order > 0 && b[0].error <= EXACT * b[0].size &&
              b[1].error <= EXACT * b[1].size)
         l->reach = GSL_MIN_DBL(b[0].reach, b[1].reach);
