@@ -9,8 +9,6 @@
 #include <gsl/gsl_math.h>
 
 #include "actual.h"
-#include "motion_facts.h"
-#include "path.h"
 #include "steady.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"

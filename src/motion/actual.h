@@ -5,8 +5,7 @@
 #ifndef FOURLINK_ACTUAL_H
 #define FOURLINK_ACTUAL_H
 
-#include "actual_row.h"
-#include "corners.h"
+#include "path.h"
 
 /* The motion of a deck.  It is found for the requested branches when the deck is opened, and for the other
 ** branch when that is first requested. */

@@ -4,8 +4,9 @@
 ** change points.
 **
 ** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
-** twice per degree, and base/solve finds where they cross a level between two samples.  Only for variables
-** that are speeds does this place depend on the speed.
+** twice per degree, and base/solve finds where they cross a level between two samples.  At which angle a
+** speed crosses a level depends on the speed of the crank; such levels are corners only if that is one, given
+** speed.  Elsewhere they are left out: curves are smooth there but for their second derivative.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -29,21 +30,10 @@ static int index_of(fourlink_branch branch)
     return branch == FOURLINK_OPEN ? 0 : 1;
 }
 
-static int is_over_theta2(const flk_switch *s)
-{
-    return !s->joint && s->of == FLK_THETA2;
-}
-
 /* 1 if the crank has a single, given speed. */
 static int has_one_speed(const deck *d)
 {
     return d->drive.mode == DRIVE_GIVEN && d->motion.acceleration == 0;
-}
-
-/* 1 if the levels of a switch are crossed at the same angles in every period. */
-static int is_periodic(const deck *d, const flk_switch *s)
-{
-    return flk_switch_is_of_position(s) || has_one_speed(d);
 }
 
 /* ------------------------------------------------------------------------------------ crossings of levels */
@@ -51,54 +41,34 @@ static int is_periodic(const deck *d, const flk_switch *s)
 /* A variable minus a level, as a function of theta2. */
 typedef struct sought {
     const flk_corners *corners;
-    const flk_passage *passage; /* null: at the given speed */
     const flk_switch *s;
     fourlink_branch branch;
     double level;
 } sought;
 
-static int move(const flk_corners *c, fourlink_branch branch, double theta2, double speed,
-                fourlink_state *state)
+/* The state at an angle, at the given speed or, as only signs count then, at any. */
+static int move(const flk_corners *c, fourlink_branch branch, double theta2, fourlink_state *state)
 {
-    fourlink_crank crank = {0, 0, 0};
+    const deck *d = c->d;
+    fourlink_crank crank = {0, 1, 0};
 
     crank.theta2 = theta2;
-    crank.omega2 = speed;
-    return fourlink_analyse_dyad(&c->d->machine.mechanism, branch, &crank, NULL, 0, state, NULL) ==
+    if (has_one_speed(d) && d->motion.speed != 0)
+        crank.omega2 = d->motion.speed;
+    return fourlink_analyse_dyad(&d->machine.mechanism, branch, &crank, NULL, 0, state, NULL) ==
            FOURLINK_OK;
-}
-
-/* The speed used for a motion that gives none. */
-static double given_speed(const deck *d)
-{
-    return has_one_speed(d) && d->motion.speed != 0 ? d->motion.speed : 1;
 }
 
 static double value_at(double theta2, void *data)
 {
     const sought *x = data;
-    const flk_passage *p = x->passage;
-    double speed =
-        p ? p->speed(p->host, p->sense * (theta2 - p->from)) : given_speed(x->corners->d);
     fourlink_state state;
     double value;
 
-    if (gsl_isnan(speed) || !move(x->corners, x->branch, theta2, speed, &state))
+    if (!move(x->corners, x->branch, theta2, &state))
         return GSL_NAN;
     value = flk_switch_value(&x->corners->d->machine, x->s, &state) - x->level;
     return x->s->period > 0 ? value - x->s->period * floor(value / x->s->period + 0.5) : value;
-}
-
-/* The crank angle between `from` and `to` at which the variable, which goes from `last` to `now`, crosses a
-** level. */
-static double find_pass(sought *x, double from, double to, double last, double now, double number)
-{
-    flk_bracket b;
-
-    x->level = flk_switch_level(x->s, number);
-    b = from < to ? flk_bracket_of(from, to, last - x->level, now - x->level)
-                  : flk_bracket_of(to, from, now - x->level, last - x->level);
-    return flk_find_zero(value_at, x, &b, 0);
 }
 
 /* The value within half a period of `near`. */
@@ -113,36 +83,36 @@ static void keep(flk_corners *c, fourlink_branch branch, size_t j, double from, 
 {
     double *kept = c->theta2[index_of(branch)], number;
     size_t *n = &c->n[index_of(branch)], passes;
+    flk_bracket b;
     sought x;
     int step;
 
     x.corners = c;
-    x.passage = NULL;
     x.s = &c->switches[j];
     x.branch = branch;
     now = nearest(x.s, now, last);
     for (passes = flk_switch_passes(x.s, last, now, &number, &step); passes > 0 && *n < c->most;
-         passes--, number += step)
-        kept[(*n)++] = find_pass(&x, from, to, last, now, number);
+         passes--, number += step) {
+        x.level = flk_switch_level(x.s, number);
+        b = flk_bracket_of(from, to, last - x.level, now - x.level);
+        kept[(*n)++] = flk_find_zero(value_at, &x, &b, 0);
+    }
 }
 
-/* Find where a branch crosses levels, at all speeds or at the given one. */
+/* Find where a branch crosses levels. */
 static void find(flk_corners *c, fourlink_branch branch)
 {
-    const flk_machine *machine = &c->d->machine;
     size_t n = (size_t)floor(SAMPLES * c->period / (2 * M_PI) + 0.5), i, j;
-    double step = c->period / (double)n, speed = given_speed(c->d), now;
+    double step = c->period / (double)n, now;
     int is_there, was_there = 0;
     fourlink_state state;
 
     for (i = 0; i <= n && c->n_switches > c->n_over_theta2; i++) {
         double theta2 = step * ((double)i - 0.37);
 
-        is_there = move(c, branch, theta2, speed, &state);
+        is_there = move(c, branch, theta2, &state);
         for (j = c->n_over_theta2; j < c->n_switches && is_there; j++) {
-            if (!is_periodic(c->d, &c->switches[j]))
-                continue;
-            now = flk_switch_value(machine, &c->switches[j], &state);
+            now = flk_switch_value(&c->d->machine, &c->switches[j], &state);
             if (was_there)
                 keep(c, branch, j, theta2 - step, theta2, c->work[j], now);
             c->work[j] = now;
@@ -164,7 +134,7 @@ typedef struct search {
 
 static void offer(search *s, double passed, flk_piece_end end)
 {
-    double closest = CLOSEST + 1e-14 * passed;
+    double closest = FLK_CORNERS_CLOSE(passed);
 
     if (passed <= s->after + closest)
         return;
@@ -180,7 +150,7 @@ static void offer_angle(search *s, double theta2, double period, flk_piece_end e
 {
     double passed = s->p->sense * (theta2 - s->p->from);
 
-    offer(s, passed + period * ceil((s->after + CLOSEST + 1e-14 * s->after - passed) / period),
+    offer(s, passed + period * ceil((s->after + FLK_CORNERS_CLOSE(s->after) - passed) / period),
           end);
 }
 
@@ -205,43 +175,7 @@ static void offer_levels(search *s, const double *level, size_t n, double period
     }
 }
 
-/* The first level of a speed that is crossed before an end, at the speed of the motion. */
-static void offer_speed(search *s, const flk_switch *of, double end)
-{
-    const flk_passage *p = s->p;
-    double step = 2 * M_PI / SAMPLES, at = s->after + 2 * CLOSEST, next, last, now, number;
-    sought x;
-    int sense;
-
-    x.corners = p->corners;
-    x.passage = p;
-    x.s = of;
-    x.branch = p->branch;
-    x.level = 0;
-    for (last = value_at(p->from + p->sense * at, &x); at < end; at = next, last = now) {
-        next = GSL_MIN(at + step, end);
-        now = value_at(p->from + p->sense * next, &x);
-        if (gsl_isnan(last) || gsl_isnan(now) || !flk_switch_passes(of, last, now, &number, &sense))
-            continue;
-        at = find_pass(&x, p->from + p->sense * at, p->from + p->sense * next, last, now, number);
-        offer(s, p->sense * (at - p->from), FLK_END_PLAIN);
-        return;
-    }
-}
-
-/* Levels of speeds that are crossed before the next end, at the speed of the motion. */
-static void offer_speeds(search *s, double end)
-{
-    const flk_passage *p = s->p;
-    const flk_corners *c = p->corners;
-    size_t j;
-
-    for (j = c->n_over_theta2; j < c->n_switches && p->speed; j++)
-        if (!is_periodic(c->d, &c->switches[j]))
-            offer_speed(s, &c->switches[j], GSL_MIN(end, s->at));
-}
-
-static void offer_loads(search *s, double end)
+static void offer_loads(search *s)
 {
     flk_corners *c = s->p->corners;
     int i = index_of(s->p->branch);
@@ -252,7 +186,6 @@ static void offer_loads(search *s, double end)
     for (j = 0; j < c->n_over_theta2; j++)
         offer_levels(s, c->switches[j].level, c->switches[j].n, c->switches[j].period);
     offer_levels(s, c->theta2[i], c->n[i], c->period);
-    offer_speeds(s, end);
 }
 
 /* Dead positions are the ends of the reachable ranges; change points are where a range could end, at 0 and
@@ -275,8 +208,8 @@ static void offer_positions(search *s)
                 mechanism->change_stretched ? FLK_END_CHANGE : FLK_END_PLAIN);
 }
 
-double flk_corners_next(const flk_passage *passage, double after, double end, const double *more,
-                        size_t n, flk_piece_end *what)
+double flk_corners_next(const flk_passage *passage, double after, const double *more, size_t n,
+                        flk_piece_end *what)
 {
     search s;
     size_t i;
@@ -289,7 +222,7 @@ double flk_corners_next(const flk_passage *passage, double after, double end, co
     for (i = 0; i < n; i++)
         offer(&s, more[i], FLK_END_PLAIN);
     if (passage->has_loads)
-        offer_loads(&s, end);
+        offer_loads(&s);
     *what = s.end;
     return s.at;
 }
@@ -308,28 +241,25 @@ flk_piece_end flk_corners_first(const flk_passage *passage)
 
 /* ------------------------------------------------------------------------------------------- the switches */
 
-/* Sort switches over the crank angle to the front. */
-static size_t sort(flk_switch *list, size_t n)
+/* Put the switches over the crank angle first, and leave out those whose corners depend on the speed; count
+** the levels of the others. */
+static size_t sort(flk_corners *c, size_t n)
 {
-    size_t first = 0, i;
+    size_t i, n_levels = 0;
 
-    for (i = 0; i < n; i++)
-        if (is_over_theta2(&list[i])) {
-            flk_switch s = list[first];
+    for (i = 0; i < n; i++) {
+        flk_switch s = c->switches[i];
 
-            list[first++] = list[i];
-            list[i] = s;
+        if (!s.joint && s.of == FLK_THETA2) {
+            c->switches[i] = c->switches[c->n_switches];
+            c->switches[c->n_switches++] = c->switches[c->n_over_theta2];
+            c->switches[c->n_over_theta2++] = s;
+        } else if (flk_switch_is_of_position(&s) || has_one_speed(c->d)) {
+            c->switches[c->n_switches++] = s;
+            n_levels += s.n;
         }
-    return first;
-}
-
-static size_t count_levels(const flk_switch *list, size_t from, size_t to)
-{
-    size_t n = 0;
-
-    for (; from < to; from++)
-        n += list[from].n;
-    return n;
+    }
+    return n_levels;
 }
 
 flk_corners *flk_corners_open(const deck *d)
@@ -344,9 +274,8 @@ flk_corners *flk_corners_open(const deck *d)
     c->period = 2 * M_PI * (double)turns;
     c->switches = malloc((n + 1) * sizeof *c->switches);
     if (c->switches) {
-        c->n_switches = flk_switch_list(&d->machine, c->switches);
-        c->n_over_theta2 = sort(c->switches, n);
-        c->most = PASSES * turns * count_levels(c->switches, c->n_over_theta2, n);
+        flk_switch_list(&d->machine, c->switches);
+        c->most = PASSES * turns * sort(c, n);
     }
     c->work = malloc((2 * c->most + n + 1) * sizeof *c->work);
     c->theta2[0] = c->work + n;

@@ -31,9 +31,6 @@ typedef struct flk_corners {
     double *work; /* values of the switches */
 } flk_corners;
 
-/* The speed of the crank, rad/s, at an angle passed since the first row; NaN if it does not get there. */
-typedef double flk_speed_at(void *host, double passed);
-
 /* A motion that passes corners. */
 typedef struct flk_passage {
     flk_corners *corners;
@@ -41,9 +38,6 @@ typedef struct flk_passage {
     double from;   /* rad, theta2 at the first row */
     double sense;  /* 1 or -1 */
     int has_loads; /* 1: include the corners of loads */
-    flk_speed_at
-        *speed; /* for loads over speeds; null: they have corners only where the speed is 0 */
-    void *host;
 } flk_passage;
 
 /* Set up the corners of a deck; null if out of memory. */
@@ -53,10 +47,10 @@ void flk_corners_close(flk_corners *corners);
 /* Two passed angles that differ by less count as one. */
 #define FLK_CORNERS_CLOSE(passed) (1e-9 + 1e-14 * (passed))
 
-/* The next corner after `after`, in rad passed since the first row, or `end` if that is nearer, and its kind;
-** n more ends may be given. */
-double flk_corners_next(const flk_passage *passage, double after, double end, const double *more,
-                        size_t n, flk_piece_end *what);
+/* The next corner after `after`, in rad passed since the first row, and its kind; n more ends may be
+** given. */
+double flk_corners_next(const flk_passage *passage, double after, const double *more, size_t n,
+                        flk_piece_end *what);
 
 /* The kind of corner at the first row. */
 flk_piece_end flk_corners_first(const flk_passage *passage);

@@ -165,23 +165,6 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 
-/* The speed of the crank. */
-static double speed_at(void *host, double passed)
-{
-    const flk_pieces *x = host;
-    double angle = x->crank_motion->d->motion.from +
-                   direction(x->crank_motion) * passed / x->crank_motion->d->motion.angle_unit;
-    flk_actual_row actual;
-    fourlink_row row;
-
-    if (x->crank_motion->actual)
-        return flk_actual_at(x->crank_motion->actual, x->branch, angle, &actual) == FOURLINK_OK
-                   ? actual.crank.omega2
-                   : GSL_NAN;
-    fourlink_motion_at(&x->crank_motion->d->motion, angle, &row);
-    return row.crank.omega2;
-}
-
 static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
 {
     const fourlink_motion *motion = &x->crank_motion->d->motion;
@@ -191,8 +174,6 @@ static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
     p->from = motion->from * motion->angle_unit;
     p->sense = direction(x->crank_motion);
     p->has_loads = has_loads;
-    p->speed = speed_at;
-    p->host = (void *)x;
 }
 
 /* The next end after `after`; without loads, the next end for columns of the motion alone. */
@@ -205,7 +186,7 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
     find_passage(x, has_loads, &p);
     more[0] = motion->run_up * motion->angle_unit; /* 0 is passed */
     more[1] = x->period;
-    at = flk_corners_next(&p, after, x->length, more, 2, end);
+    at = flk_corners_next(&p, after, more, 2, end);
     if (at < x->length - FLK_CORNERS_CLOSE(x->length))
         return at;
     if (at > x->length + FLK_CORNERS_CLOSE(x->length))

@@ -32,7 +32,6 @@
 #define SHORTER 1e-4    /* ... and in other motions */
 #define FAST 0.1        /* of the largest energy: far from rest */
 #define NUDGE 1e-10     /* of a speed at an end of a piece of the motor's curve */
-#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 #define ROUNDING 1e-9   /* rad */
 #define WORST 1e8       /* of the errors of steps, relative to the tolerance */
 #define NOT_FINITE (-1) /* a step gives no finite values */
@@ -379,10 +378,9 @@ static int enter(flk_path *p, const flk_node *node, int turning, double length, 
     way.from = e->from;
     way.sense = e->sense * turning;
     way.has_loads = 1;
-    way.speed = NULL;
     c->turning = turning;
     c->goes_on = 0;
-    c->end = turning * flk_corners_next(&way, turning * s, GSL_POSINF, NULL, 0, &c->what);
+    c->end = turning * flk_corners_next(&way, turning * s, NULL, 0, &c->what);
     crank.theta2 = flk_equation_theta2(e, 0.5 * (s + c->end));
     crank.omega2 = way.sense;
     status = flk_mechanism_move(&e->machine.mechanism, e->branch, &crank, 1, &c->held);
@@ -462,8 +460,8 @@ static int start(flk_path *p, double speed)
     return keep(p, &node) && p->status == FOURLINK_OK;
 }
 
-/* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other values
-** where its variable falls can push to rest from both sides. */
+/* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other
+** values where its variable falls can push to rest from both sides. */
 static int leave(flk_path *p, const flk_node *node, double length, cell *c)
 {
     int turning = turns_to(p, node);
@@ -639,53 +637,4 @@ double flk_path_travel(const flk_path *p)
     for (k = 0; k + 1 < p->n; k++)
         travel += fabs(p->node[k + 1].y[FLK_PASSED] - p->node[k].y[FLK_PASSED]);
     return travel;
-}
-
-/* ------------------------------------------------------------------------------------------------- growth */
-
-/* A step and its path. */
-typedef struct span {
-    const flk_path *p;
-    const flk_node *node;
-} span;
-
-/* d(T_m + Q)/d(omega2) / (J + I_f) at a time, by a difference within the cell. */
-static void growth_at(double t, void *data, double *growth)
-{
-    const span *x = data;
-    const flk_equation *e = &x->p->equation;
-    flk_machine_torque slower, faster;
-    flk_machine_place place;
-    fourlink_state held;
-    double speed, theta2;
-    flk_node at;
-
-    *growth = GSL_NAN;
-    flk_node_within(x->node, (t - x->node->t) / x->node->h, &at);
-    theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
-    speed = at.y[FLK_SPEED];
-    if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
-        return;
-    held = place.state;
-    fourlink_velocity(&e->machine.mechanism, e->sense, &held);
-    e->acting->held = &held;
-    e->acting->held_speed = e->sense * speed;
-    if (flk_equation_torque(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
-        flk_equation_torque(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
-        *growth = (faster.net - slower.net) / (2 * DIFFERENCE * speed) / place.total;
-    e->acting->held = NULL;
-}
-
-double flk_path_growth(const flk_path *p)
-{
-    double growth = 0;
-    flk_integral here;
-    span x;
-
-    x.p = p;
-    for (x.node = p->node; x.node + 1 < p->node + p->n; x.node++) {
-        flk_integrate(growth_at, &x, 1, x.node->t, x.node[1].t, &here);
-        growth += here.value;
-    }
-    return growth;
 }

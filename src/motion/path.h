@@ -5,10 +5,39 @@
 #ifndef FOURLINK_PATH_H
 #define FOURLINK_PATH_H
 
-#include "actual_row.h"
 #include "corners.h"
 #include "equation.h"
 #include "mechanics/dormand_prince.h"
+
+/* The crank at one angle, and the columns of the actual motion. */
+typedef struct flk_actual_row {
+    fourlink_crank crank;
+    double angle;           /* in the deck's unit */
+    double time;            /* s */
+    double T_motor;         /* N m, at the crank */
+    double J;               /* kg m2, of the links, without flywheel and rotor */
+    double energy;          /* J, kinetic, with flywheel and rotor */
+    double energy_residual; /* 1, energy minus work done, relative to the largest energy */
+} flk_actual_row;
+
+/* The facts of the motion of one branch; NaN: not defined. */
+typedef struct flk_actual_facts {
+    int status;   /* FOURLINK_OK, or why the motion ends before the last row, or has none */
+    int no_cycle; /* FOURLINK_OK, or why the facts of the steady motion of a run-up are missing */
+    double end_angle;           /* in the deck's unit: where the motion ends, if the status is not
+                                   FOURLINK_OK */
+    double mean_speed;          /* rad/s, the time mean over the last cycle */
+    double mean_speed_textbook; /* rad/s, (largest + smallest) / 2 over that cycle */
+    double period;              /* s, of that cycle */
+    double fluctuation_exact;   /* 1, (largest - smallest) / mean speed */
+    double steady_rate;         /* 1, factor by which a difference from the steady cycle shrinks per
+                                   cycle */
+    double stall_angle;         /* in the deck's unit */
+    double run_up_time;  /* s, until the speed first reaches the mean speed of the steady cycle */
+    double motor_torque; /* N m, of a motor that balances: at the crank */
+    double flywheel;     /* kg m2, of the flywheel alone; found if requested */
+    double inertia;      /* kg m2, of flywheel and rotor at the crank */
+} flk_actual_facts;
 
 /* Where a step begins. */
 typedef struct flk_node {
@@ -63,9 +92,5 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
 
 /* The angle through which the crank turns, forwards and backwards, rad. */
 double flk_path_travel(const flk_path *p);
-
-/* The growth over the path of the logarithm of a small difference in energy:
-** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
-double flk_path_growth(const flk_path *p);
 
 #endif

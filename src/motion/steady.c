@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** steady.c - the motion that repeats after a cycle.
+** steady.c - the motion that repeats after a cycle, and facts of a motion.
 **
 ** From the energy E0 at the first row the crank reaches the energy g(E0) after a cycle, in the time t.  The
 ** unknowns are the speed v at the first row and, for a motor that balances the loads, its torque T:
@@ -16,17 +16,23 @@
 ** with the same T not at all.  So the energy after a cycle grows with T, there is at most one T for each v,
 ** and motions with larger v are faster at every angle: T is found for each v, and then v.
 **
-** A first solution is found with coarse steps.
+** A first solution is found with coarse steps.  Facts:
+**
+**    mean speed    cycle / period, the mean over time, as a tachometer shows it
+**    textbooks'    (largest + smallest) / 2
+**    fluctuation   (largest - smallest) / mean speed
+**    rate          exp(integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2 over a cycle)
 */
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "motion_facts.h"
 #include "steady.h"
 #include "base/solve.h"
+#include "mechanics/mechanics.h"
 
+#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 #define PLACES 18
 #define SLOWEST 1e-3 /* of the speed that the torque at rest gives in a radian */
 #define SPEEDS 60    /* that are tried */
@@ -38,6 +44,129 @@
 #define COARSE 1e-6      /* tolerance of the steps of first solutions, and their error */
 #define CLOSE 1e-12      /* of the energy, the cycle: solved */
 #define ROUNDED 1e-9     /* ... without getting closer: friction corners, last digits */
+
+/* -------------------------------------------------------------------------------------------------- facts */
+
+void flk_facts_forget(flk_actual_facts *f)
+{
+    f->status = f->no_cycle = FOURLINK_OK;
+    f->end_angle = f->mean_speed = f->mean_speed_textbook = f->period = f->fluctuation_exact =
+        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = f->flywheel =
+            f->inertia = FLK_UNDEFINED;
+}
+
+static void widen(const flk_node *node, double part, double *least, double *most)
+{
+    flk_node at;
+
+    flk_node_within(node, part, &at);
+    *least = GSL_MIN(*least, at.y[FLK_SPEED]);
+    *most = GSL_MAX(*most, at.y[FLK_SPEED]);
+}
+
+/* The smallest and the largest speed from a time to the end.  Within a step there may be two peaks, so its
+** halves are searched. */
+static void find_range(const flk_path *p, double t, double *least, double *most)
+{
+    const flk_node *node, *end = flk_path_end(p);
+
+    *least = GSL_POSINF;
+    *most = 0;
+    for (node = p->node; node < end; node++)
+        if (node[1].t > t) {
+            double from = GSL_MAX(0, (t - node->t) / node->h), to = (node[1].t - node->t) / node->h;
+            double middle = 0.5 * (from + to);
+
+            widen(node, from, least, most);
+            widen(node, flk_node_peak(node, from, middle), least, most);
+            widen(node, flk_node_peak(node, middle, to), least, most);
+            widen(node, to, least, most);
+        }
+}
+
+/* A step and its path. */
+typedef struct span {
+    const flk_path *p;
+    const flk_node *node;
+} span;
+
+/* d(T_m + Q)/d(omega2) / (J + I_f) at a time, by a difference within the cell. */
+static void growth_at(double t, void *data, double *growth)
+{
+    const span *x = data;
+    const flk_equation *e = &x->p->equation;
+    flk_machine_torque slower, faster;
+    flk_machine_place place;
+    fourlink_state held;
+    double speed, theta2;
+    flk_node at;
+
+    *growth = GSL_NAN;
+    flk_node_within(x->node, (t - x->node->t) / x->node->h, &at);
+    theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
+    speed = at.y[FLK_SPEED];
+    if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
+        return;
+    held = place.state;
+    fourlink_velocity(&e->machine.mechanism, e->sense, &held);
+    e->acting->held = &held;
+    e->acting->held_speed = e->sense * speed;
+    if (flk_equation_torque(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
+        flk_equation_torque(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
+        *growth = (faster.net - slower.net) / (2 * DIFFERENCE * speed) / place.total;
+    e->acting->held = NULL;
+}
+
+/* The growth over the path of the logarithm of a small difference in energy:
+** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
+static double growth_of(const flk_path *p)
+{
+    double growth = 0;
+    flk_integral here;
+    span x;
+
+    x.p = p;
+    for (x.node = p->node; x.node + 1 < p->node + p->n; x.node++) {
+        flk_integrate(growth_at, &x, 1, x.node->t, x.node[1].t, &here);
+        growth += here.value;
+    }
+    return growth;
+}
+
+void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
+{
+    const flk_node *end = flk_path_end(p);
+    double from = GSL_MAX(0, end->y[FLK_PASSED] - cycle), least, most;
+    flk_node first;
+
+    if (!(end->y[FLK_PASSED] > 0) || flk_path_node_at(p, from, &first) != FOURLINK_OK)
+        return;
+    find_range(p, first.t, &least, &most);
+    f->period = end->t - first.t;
+    f->mean_speed = p->equation.sense * (end->y[FLK_PASSED] - from) / f->period;
+    f->mean_speed_textbook = p->equation.sense * 0.5 * (least + most);
+    f->fluctuation_exact = (most - least) / fabs(f->mean_speed);
+    if (p->is_steady)
+        f->steady_rate = exp(growth_of(p));
+}
+
+void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
+{
+    double speed = p->equation.sense * f->mean_speed;
+    const flk_node *node;
+    flk_node at;
+
+    for (node = p->node; node < flk_path_end(p); node++)
+        if (node[1].y[FLK_SPEED] >= speed) {
+            double most = (node[1].t - node->t) / node->h;
+
+            flk_node_within(node, flk_node_part(node, FLK_SPEED, speed, most), &at);
+            f->run_up_time = at.t;
+            return;
+        }
+}
+
+/* --------------------------------------------------------------------------------------------- the search */
 
 typedef struct problem {
     flk_path *p;
@@ -204,7 +333,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctua
     q.torque_guess = q.torque;
     solve(&q, COARSE, COARSE, 0.01);
     p->is_steady = solve(&q, tolerance, CLOSE, ROUNDED) &&
-                   (q.balances || q.speed.slope != SLOPE || flk_path_growth(p) < 0);
+                   (q.balances || q.speed.slope != SLOPE || growth_of(p) < 0);
     p->tolerance = tolerance;
     if (p->is_steady)
         return 1;

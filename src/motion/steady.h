@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** steady.h - the motion that repeats after a cycle.
+** steady.h - the motion that repeats after a cycle, and facts of a motion.
 */
 #ifndef FOURLINK_STEADY_H
 #define FOURLINK_STEADY_H
@@ -19,5 +19,15 @@
 **    1 found, 0 not
 */
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctuation);
+
+/* Set all facts to unknown. */
+void flk_facts_forget(flk_actual_facts *f);
+
+/* The facts of the last cycle of a path, which must have one: mean speeds, period, fluctuation; if the path
+** is the steady cycle, also its rate. */
+void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f);
+
+/* The time of a run-up to the mean speed, which must be known. */
+void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f);
 
 #endif

@@ -19,10 +19,7 @@
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
 #define SAME 1e-7       /* rad: closer crank angles are the same */
 
-typedef struct sample {
-    double s, off; /* its parameter; the column minus the value, NaN: it is undefined */
-} sample;
-
+/* Samples here are of the column minus the value sought; NaN: it is undefined. */
 typedef struct crossings {
     flk_samples x;
     const flk_sampled *c;
@@ -71,19 +68,19 @@ static void keep(crossings *k, double s)
 }
 
 /* 1 if between two samples an angle passes the point half a turn from the value. */
-static int turns_over(const crossings *k, const sample *a, const sample *b)
+static int turns_over(const crossings *k, const flk_sample *a, const flk_sample *b)
 {
-    return k->c->of.turn > 0 && fabs(a->off - b->off) > 0.5 * k->c->of.turn;
+    return k->c->of.turn > 0 && fabs(a->value - b->value) > 0.5 * k->c->of.turn;
 }
 
-static void search_step(crossings *k, const sample *a, const sample *b)
+static void search_step(crossings *k, const flk_sample *a, const flk_sample *b)
 {
     flk_bracket bracket;
 
-    if (gsl_isnan(a->off) || gsl_isnan(b->off) || turns_over(k, a, b) ||
-        (a->off < 0) == (b->off < 0))
+    if (gsl_isnan(a->value) || gsl_isnan(b->value) || turns_over(k, a, b) ||
+        (a->value < 0) == (b->value < 0))
         return;
-    bracket = flk_bracket_of(a->s, b->s, a->off, b->off);
+    bracket = flk_bracket_of(a->x, b->x, a->value, b->value);
     keep(k, flk_find_zero(off_at, k, &bracket, 0));
 }
 
@@ -97,54 +94,52 @@ static double beyond(double s, void *data)
 
 /* Three samples on one side of the value approach it and turn back: between them the column may touch the
 ** value, or cross it twice. */
-static void search_turn(crossings *k, const sample *a, const sample *b, const sample *c)
+static void search_turn(crossings *k, const flk_sample *a, const flk_sample *b, const flk_sample *c)
 {
-    double sign = b->off < 0 ? -1 : 1;
-    flk_sample p[3], top;
-    sample near;
+    double sign = b->value < 0 ? -1 : 1;
+    flk_sample p[3], near;
+    int i;
 
-    if (sign * a->off < 0 || sign * c->off < 0 || !(fabs(b->off) < fabs(a->off)) ||
-        !(fabs(b->off) <= fabs(c->off))) /* or one of them is NaN */
+    if (sign * a->value < 0 || sign * c->value < 0 || !(fabs(b->value) < fabs(a->value)) ||
+        !(fabs(b->value) <= fabs(c->value))) /* or one of them is NaN */
         return;
     k->side = sign;
-    p[0].x = a->s;
-    p[1].x = b->s;
-    p[2].x = c->s;
-    p[0].value = -sign * a->off;
-    p[1].value = -sign * b->off;
-    p[2].value = -sign * c->off;
-    top = flk_find_peak(beyond, k, p, 0);
-    near.s = top.x;
-    near.off = -sign * top.value;
-    if (fabs(near.off) <= EXACT * size_of(k))
-        keep(k, near.s);
+    p[0] = *a;
+    p[1] = *b;
+    p[2] = *c;
+    for (i = 0; i < 3; i++)
+        p[i].value *= -sign;
+    near = flk_find_peak(beyond, k, p, 0);
+    near.value *= -sign;
+    if (fabs(near.value) <= EXACT * size_of(k))
+        keep(k, near.x);
     else {
         search_step(k, a, &near);
         search_step(k, &near, c);
     }
 }
 
-static void search_piece(crossings *k, sample *before)
+static void search_piece(crossings *k, flk_sample *before)
 {
-    sample a, b, c;
+    flk_sample a, b, c;
     size_t i;
 
-    a.s = b.s = c.s = 0;
-    a.off = b.off = c.off = GSL_NAN;
+    a.x = b.x = c.x = 0;
+    a.value = b.value = c.value = GSL_NAN;
     for (i = 0; i < k->x.n && !flk_follow_is_over(&k->x.f); i++) {
         a = b;
         b = c;
-        c.s = k->x.s[i];
-        c.off = off_of(k, k->c->v[i]);
-        if (i == 0 && (fabs(c.off) <= EXACT * size_of(k) ||
-                       (fabs(c.off - before->off) <= CONTINUOUS * size_of(k) &&
-                        (c.off < 0) != (before->off < 0))))
-            keep(k, c.s);
+        c.x = k->x.s[i];
+        c.value = off_of(k, k->c->v[i]);
+        if (i == 0 && (fabs(c.value) <= EXACT * size_of(k) ||
+                       (fabs(c.value - before->value) <= CONTINUOUS * size_of(k) &&
+                        (c.value < 0) != (before->value < 0))))
+            keep(k, c.x);
         search_turn(k, &a, &b, &c);
         search_step(k, &b, &c);
     }
-    if (fabs(c.off) <= EXACT * size_of(k))
-        keep(k, c.s);
+    if (fabs(c.value) <= EXACT * size_of(k))
+        keep(k, c.x);
     *before = c;
 }
 
@@ -178,9 +173,9 @@ static int measure(crossings *k)
 
 static void search_motion(crossings *k)
 {
-    sample before = {0, 0};
+    flk_sample before = {0, 0};
 
-    before.off = k->last = GSL_NAN;
+    before.value = k->last = GSL_NAN;
     while (flk_samples_next(&k->x))
         search_piece(k, &before);
     /* a revolution ends with its first row */

@@ -63,8 +63,8 @@ static double angle_at_C(const fourlink_vector *coupler, const fourlink_vector *
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have
-** the same velocity,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both
+** have the same velocity,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
@@ -97,8 +97,8 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     }
 }
 
-/* With X = r cos(theta2) +- l cos(phi), the first terms of -m_rec d2X/dt2 at constant speed (Bevan, Khurmi; "Balancing
-** of Reciprocating Masses"):
+/* With X = r cos(theta2) +- l cos(phi), the first terms of -m_rec d2X/dt2 at constant speed (Bevan, Khurmi;
+** "Balancing of Reciprocating Masses"):
 **
 **    m_rec r omega^2 cos(theta2),   +- m_rec r omega^2 cos(2 theta2) / n
 */

@@ -23,28 +23,22 @@ static void refuse(fourlink_check *c, text name, const char *nearest)
                 nearest ? "" : "; see --list");
 }
 
-/* The first fact of the deck with a similar name, or the most similar column. */
+/* The most similar name of the deck's facts, or of its columns. */
 static const char *find_nearest(flk_opened *o, const deck_expectation *e, int handle)
 {
+    const int all = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
+    const char *known[FLK_FACT_LIMIT + 1], *nearest = flk_column_meant(&o->a, e->name);
     int group = flk_fact_group(handle);
-    unsigned long n = flk_fact_list(
-        &o->a, NULL, (int)e->branch,
-        group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION, 0,
-        NULL, 0, o->facts, NULL);
-    const char *meant = flk_column_meant(&o->a, e->name);
-    unsigned long i;
+    unsigned long n, i;
 
-    if (meant)
-        return meant;
-    for (i = 0; i < n; i++) {
-        const char *known[2];
-
-        known[0] = o->facts[i].name;
-        known[1] = NULL;
-        if (flk_text_nearest(e->name, known))
-            return known[0];
-    }
-    return flk_column_nearest(&o->a, e->name);
+    if (nearest)
+        return nearest;
+    n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : all, 0, NULL, 0, &o->facts);
+    for (i = 0; i < n; i++)
+        known[i] = o->facts.list[i].name;
+    known[n] = NULL;
+    nearest = flk_text_nearest(e->name, known);
+    return nearest ? nearest : flk_column_nearest(&o->a, e->name);
 }
 
 /* Find what a name means; the first of o->facts are those of this name, such as the ends of two ranges.
@@ -232,8 +226,8 @@ static const char *without_hyphens(text t, char *copy)
     return copy;
 }
 
-/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses may be
-** missing. */
+/* 1 if a value is these words, with hyphens or blanks: crank-rocker, Crank rocker.  Their end in parentheses
+** may be missing. */
 static int are_words(text value, const char *words)
 {
     text all = flk_text_of(words), front, rest, given;
@@ -248,7 +242,7 @@ static int are_words(text value, const char *words)
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
-    const fourlink_value *facts = o->facts;
+    const fourlink_value *facts = o->facts.list;
     quantity_value printed;
     fourlink_value found;
     unsigned long n_facts, i;

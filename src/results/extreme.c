@@ -434,7 +434,7 @@ static void find_poles(sought *k)
     }
 }
 
-/* ------------------------------------------------------------------------------------------ piece by piece */
+/* --------------------------------------------------------------------------------------- piece by piece */
 
 static void search_column(flk_samples *x, const flk_sampled *c, bests *b)
 {

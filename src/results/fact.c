@@ -8,7 +8,6 @@
 
 #include "deck/synthesis.h"
 #include "fact.h"
-#include "list.h"
 #include "mean.h"
 #include "mechanics/kind.h"
 #include "turning.h"
@@ -484,15 +483,14 @@ static void add_actual(listing *t, flk_analysis *a)
 }
 
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
-                            const flk_column *columns, size_t n_columns, fourlink_value *list,
-                            char *names)
+                            const flk_column *columns, size_t n_columns, flk_list *list)
 {
     listing t;
     size_t j;
     int i;
 
     t.d = a->d;
-    t.list = list;
+    t.list = list->list;
     t.n = 0;
     t.only = handle;
     t.branch = 0;
@@ -517,7 +515,7 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         if (groups & FOURLINK_FACTS_LIMITS)
             add_limits(&t);
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
-            add_extremes(&t, a, x, &columns[j], names);
+            add_extremes(&t, a, x, &columns[j], list->names);
         if (groups & FOURLINK_FACTS_TURNING)
             add_turning(&t, a);
         if (groups & FOURLINK_FACTS_MOTION)

@@ -6,6 +6,7 @@
 #define FOURLINK_FACT_H
 
 #include "extreme.h"
+#include "list.h"
 
 /* The largest number of facts besides extremes, on both branches. */
 #define FLK_FACT_LIMIT 100
@@ -32,12 +33,11 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
                           flk_statistic statistic, fourlink_branch branch, int all, char *names,
                           fourlink_value *f);
 
-/* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  A handle
-** other than 0 lists only the facts of this handle, such as the ends of two ranges.  The extremes are those of
-** the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column, `names` for the names of the
-** statistics of all columns, as flk_column_statistic_name writes them. */
+/* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  A
+** handle other than 0 lists only the facts of this handle, such as the ends of two ranges.  The extremes are
+** those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column, and for the
+** names of the statistics of all columns, as flk_column_statistic_name writes them. */
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
-                            const flk_column *columns, size_t n_columns, fourlink_value *list,
-                            char *names);
+                            const flk_column *columns, size_t n_columns, flk_list *list);
 
 #endif

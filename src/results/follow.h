@@ -2,8 +2,8 @@
 **
 ** follow.h - columns along the motion of a branch, piece by piece.
 **
-** Within a piece the motion is followed over a parameter s from 0 to 1, in which columns are smooth even where they
-** behave as the root of the distance from an end:
+** Within a piece the motion is followed over a parameter s from 0 to 1, in which columns are smooth even
+** where they behave as the root of the distance from an end:
 **
 **    passed = from + (to - from) sin^2(pi s / 2)
 */

@@ -9,7 +9,6 @@
 
 #include "base/message.h"
 #include "expected.h"
-#include "hint.h"
 
 #define RPM (2 * M_PI / 60) /* rad/s */
 #define DEG (M_PI / 180)    /* rad */

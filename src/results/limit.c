@@ -6,8 +6,8 @@
 **
 **    y(x) = P(x) / x^m,   P(x) = p0 + p1 x + p2 x^2 + ...
 **
-** where m > 0 and p0 != 0 it has a pole; else its limit is p0.  P is the polynomial through rows on one of several scales:
-** on small ones it is more exact, but rows so close to the end may be rounding.
+** where m > 0 and p0 != 0 it has a pole; else its limit is p0.  P is the polynomial through rows on one of
+** several scales: on small ones it is more exact, but rows so close to the end may be rounding.
 */
 #include <math.h>
 #include <string.h>
@@ -147,30 +147,20 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
     return 0;
 }
 
-/* A number with the sign of a pole, if the rows close to the end grow as a power of x that is constant or
-** changes slowly; else 0.  A pole beside a narrow locked range has one order close to it and another
-** farther away.  In a very short piece all scales are close, and the larger ones have less rounding error. */
-#define GROWTH_CLOSE 0.00101 /* x */
-#define LEAST_ORDER 0.7      /* of a power */
-#define MOST_CHANGE 0.8      /* from row to row */
+/* A number with the sign of a pole, if the rows close to the end grow towards it; else 0.  Beside a narrow
+** locked range, or a change point that the links nearly reach, a pole has one order close to it and another
+** farther away. */
+#define LEAST_ORDER 0.7
 
 static double find_growth(const flk_limit_rows *e, values y)
 {
-    int scale, k;
+    const double *x = e->x[0], *near = y[0];
+    int k;
 
-    for (scale = 0; scale < SCALES && e->x[scale][NODES - 1] < GROWTH_CLOSE; scale++) {
-        double order = GSL_NAN, before;
-
-        for (k = 0; k + 1 < NODES; k++) {
-            before = order;
-            order = log(y[scale][k] / y[scale][k + 1]) / log(e->x[scale][k + 1] / e->x[scale][k]);
-            if (!(order > LEAST_ORDER) || fabs(order - before) > MOST_CHANGE)
-                break;
-        }
-        if (k + 1 == NODES)
-            return e->x[scale][0] * y[scale][0];
-    }
-    return 0;
+    for (k = 0; k + 1 < NODES; k++)
+        if (!(near[k] / near[k + 1] > pow(x[k + 1] / x[k], LEAST_ORDER)))
+            return 0;
+    return x[0] * near[0];
 }
 
 /* ------------------------------------------------------------------------------------------------ limits */

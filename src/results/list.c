@@ -60,7 +60,7 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns)
             flk_list_column(a->d, &c, &columns->list[columns->n++]);
 }
 
-void flk_list_variables(const deck *d, flk_list *variables, char *names)
+void flk_list_variables(const deck *d, flk_list *variables)
 {
     size_t i;
 
@@ -70,7 +70,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
 
         flk_list_describe(d, x->q, "varied by [sweep]", v);
         v->handle = FLK_NUMBER_HANDLE(x->number);
-        v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
+        v->name = flk_text_copy(x->name, variables->names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
     }
 }
@@ -79,14 +79,13 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
 typedef struct listing {
     const deck *d;
     flk_list *to;
-    char *names;
     const char *section; /* the present one */
 } listing;
 
 /* Add SECTION.KEY; `si` is its value in SI units. */
 static fourlink_value *add(listing *t, const char *key, quantity q, double si, const char *meaning)
 {
-    char *name = t->names + DECK_NAME_SIZE * t->to->n;
+    char *name = t->to->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
     unsigned long number;
 
@@ -325,7 +324,7 @@ size_t flk_list_input_limit(const deck *d)
     return MOST_OF_DECK + MOST_OF_ELEMENT * d->machine.n_elements + MOST_OF_FRICTION;
 }
 
-void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
+void flk_list_inputs(const deck *d, flk_list *inputs)
 {
     int kind = (int)d->design.kind, slides_on_lever = fourlink_slides(kind, FOURLINK_COUPLER) != 0;
     const flk_element *e;
@@ -337,7 +336,6 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
         return;
     t.d = d;
     t.to = inputs;
-    t.names = names;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         add_link(&t, link);
     t.section = fourlink_link_text(kind, slides_on_lever ? FOURLINK_FOLLOWER : FOURLINK_GROUND);

@@ -10,6 +10,7 @@
 /* A list, in memory allocated when the deck was opened. */
 typedef struct flk_list {
     fourlink_value *list;
+    char *names; /* of DECK_NAME_SIZE bytes each, of what has no lasting name */
     unsigned long n;
 } flk_list;
 
@@ -35,8 +36,8 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns);
 size_t flk_list_input_limit(const deck *d);
 
 /* The inputs of a deck as the reader understood them, listed once; the variables of its sweep, with this
-** design's values.  Both are in the deck's units; `names` receives names of DECK_NAME_SIZE bytes each. */
-void flk_list_inputs(const deck *d, flk_list *inputs, char *names);
-void flk_list_variables(const deck *d, flk_list *variables, char *names);
+** design's values.  Both are in the deck's units. */
+void flk_list_inputs(const deck *d, flk_list *inputs);
+void flk_list_variables(const deck *d, flk_list *variables);
 
 #endif

@@ -4,10 +4,10 @@
 **
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
-** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion/crank_motion.c) is integrated over the parameter s of follow.h, in which a root at its end is smooth: at a
-** dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the rule is not exact is halved.
-** Where that does not end, the integral is infinite.
+** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the
+** motion (motion/crank_motion.c) is integrated over the parameter s of follow.h, in which a root at its end
+** is smooth: at a dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the
+** rule is not exact is halved.  Where that does not end, the integral is infinite.
 */
 #include <math.h>
 #include <string.h>
@@ -42,7 +42,6 @@ typedef struct means {
     int poles;       /* UP, DOWN */
     int halvings;
     moments total, here; /* before, and since an angle started anew */
-    moments opening;     /* until it first did so */
     double size[3];      /* integrals of magnitudes so far */
 } means;
 
@@ -74,12 +73,12 @@ static void powers(double s, void *data, double *power)
     power[2] = value * power[1];
 }
 
-static void add(moments *sum, const moments *more)
+static void add(moments *sum, const moments *more, double times)
 {
     int k;
 
     for (k = 0; k < 3; k++)
-        sum->of[k] += more->of[k];
+        sum->of[k] += times * more->of[k];
 }
 
 /* The moments of y + by. */
@@ -89,23 +88,10 @@ static void shift(moments *m, double by)
     m->of[1] += by * m->of[0];
 }
 
-/* The moments of n periods, in each of which y is greater by `by` than in the one before. */
-static void repeat(moments *m, double n, double by)
-{
-    double sum = n * (n - 1) / 2, squares = sum * (2 * n - 1) / 3;
-
-    m->of[2] = n * m->of[2] + by * (2 * sum * m->of[1] + by * squares * m->of[0]);
-    m->of[1] = n * m->of[1] + by * sum * m->of[0];
-    m->of[0] *= n;
-}
-
 static void start_anew(means *m, double value)
 {
-    if (!m->t.restarts)
-        m->opening = m->here;
-    add(&m->total, &m->here);
+    add(&m->total, &m->here, 1);
     memset(&m->here, 0, sizeof m->here);
-    m->t.restarts |= !gsl_isnan(m->t.last);
     m->t.last = value;
 }
 
@@ -196,37 +182,7 @@ static void integrate_piece(means *m)
         integrate(m, i / n, (i + 1) / n, NULL);
 }
 
-/* Of a motion that repeats, the first period counts for all that are skipped.  Angles turn as often in
-** each of them; time and the crank angle go on.  An angle that starts anew in each period continues until
-** then from the period before. */
-static void count_skipped(means *m)
-{
-    const flk_follower *x = &m->x;
-    double n = 1 + floor(x->skipped / x->motion.period + 0.5), by = 0;
-    flk_row from, to;
-
-    if (flk_column_flags(m->t.c) & FOURLINK_OF_CRANK) {
-        flk_follow_row(x, 0, 0, &from);
-        flk_follow_row(x, 0, x->motion.period, &to);
-        by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
-    } else if (m->t.turn > 0 && !gsl_isnan(m->t.first + m->t.last)) {
-        by = flk_followed_turns(&m->t, m->t.first, m->t.last);
-    }
-    repeat(&m->total, n, 0);
-    if (m->t.restarts) {
-        moments later = m->opening;
-
-        shift(&later, by);
-        repeat(&later, n - 1, 0);
-        repeat(&m->opening, 1 - n, 0);
-        add(&m->total, &later);
-        add(&m->total, &m->opening);
-        by = 0;
-    }
-    repeat(&m->here, n, by);
-    m->t.last += by * (n - 1);
-}
-
+/* Of a motion that repeats, the first period counts for all that are skipped. */
 static void integrate_motion(means *m)
 {
     flk_follower *x = &m->x;
@@ -243,12 +199,14 @@ static void integrate_motion(means *m)
             start_anew(m, GSL_NAN);
             has_gap = 1;
         }
-        if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6)
-            count_skipped(m);
+        if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6) {
+            add(&m->total, &m->total, floor(x->skipped / x->motion.period + 0.5));
+            add(&m->here, &m->here, floor(x->skipped / x->motion.period + 0.5));
+        }
     }
     if (has_gap)
         shift(&m->here, flk_followed_behind_gap(&m->t, x));
-    add(&m->total, &m->here);
+    add(&m->total, &m->here, 1);
 }
 
 static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branch branch,
@@ -261,8 +219,11 @@ static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branc
     flk_follow_column(&m->x, &m->t, c);
     if (flags & FOURLINK_OF_CRANK)
         m->t.turn = 0; /* it goes on by itself */
-    m->most = statistic == FLK_MEAN ? 1 : 2;
-    m->first = m->t.turn > 0 || (flags & FOURLINK_OF_CRANK) ? 1 : m->most;
+    m->first = m->most = statistic == FLK_MEAN ? 1 : 2;
+    if (m->t.turn > 0 || (flags & FOURLINK_OF_CRANK)) {
+        flk_follow_all(&m->x); /* it does not repeat */
+        m->first = 1;
+    }
 }
 
 static int of_instant(means *m, flk_statistic statistic, double *mean)

@@ -2,8 +2,8 @@
 **
 ** name.c - what a name means: a column, a statistic of a column, a fact, or a value that the deck gives.
 **
-** The handle of an input that is not a number of the deck, such as gas.area, holds for one design only, as each
-** design leaves out inputs that are 0; others hold for all designs.
+** The handle of an input that is not a number of the deck, such as gas.area, holds for one design only, as
+** each design leaves out inputs that are 0; others hold for all designs.
 */
 #include <string.h>
 
@@ -19,7 +19,7 @@ static void find_given(flk_opened *o, text name, flk_name *n)
     unsigned long i;
     int k;
 
-    flk_list_inputs(&o->d, &o->lists[FOURLINK_INPUTS], o->input_names);
+    flk_list_inputs(&o->d, &o->lists[FOURLINK_INPUTS]);
     for (k = 0; k < 2; k++) {
         const flk_list *list = &o->lists[which[k]];
 
@@ -78,7 +78,7 @@ void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v
         flk_list_column(&o->d, &n->c, v);
     v->has_angle = n->kind == FLK_NAME_COLUMN;
     if (n->kind == FLK_NAME_STATISTIC) {
-        v->name = flk_column_statistic_name(n->statistic, &n->c, o->statistic_names);
+        v->name = flk_column_statistic_name(n->statistic, &n->c, o->facts.names);
         v->handle = n->handle;
     }
 }
@@ -107,7 +107,7 @@ static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch b
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
 {
     return flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), handle, NULL, 0,
-                         o->facts, NULL);
+                         &o->facts);
 }
 
 int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
@@ -118,11 +118,11 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
         return value_of_column(o, &n->c, branch, angle, value);
     case FLK_NAME_STATISTIC:
         return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch, 0,
-                                     o->statistic_names, value);
+                                     o->facts.names, value);
     case FLK_NAME_FACT:
         if (!flk_name_facts(o, n->handle, branch))
             return flk_fact_lack(&o->a, n->handle, branch);
-        *value = o->facts[0];
+        *value = o->facts.list[0];
         return FOURLINK_OK;
     case FLK_NAME_GIVEN:
         if (gsl_isnan(n->given->value))

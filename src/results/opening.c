@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** opening.c - opens decks and their designs for results: lists columns, and the outputs and conditions of a sweep.
+** opening.c - opens decks and their designs for results: lists columns, and the outputs and conditions of a
+** sweep.
 */
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/quantity.h"
-#include "condition.h"
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "name.h"
@@ -85,7 +85,7 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
     check_output(o, name, &n, place);
     ask_extreme(o, &n);
     output->name =
-        flk_text_copy(name, o->output_names + DECK_NAME_SIZE * outputs->n++, DECK_NAME_SIZE);
+        flk_text_copy(name, outputs->names + DECK_NAME_SIZE * outputs->n++, DECK_NAME_SIZE);
     return output;
 }
 
@@ -123,8 +123,44 @@ static void list_outputs(flk_opened *o)
         flk_mistake(&o->d.mistakes, place, "'output' names nothing");
 }
 
+/* NAME > QUANTITY */
+typedef struct condition {
+    text whole, name, limit;
+    int flags; /* FOURLINK_ABOVE ... */
+} condition;
+
+static const struct {
+    const char *sign;
+    int flags;
+} sign_table[] = {{">=", FOURLINK_ABOVE | FOURLINK_OR_EQUAL},
+                  {"<=", FOURLINK_BELOW | FOURLINK_OR_EQUAL},
+                  {">", FOURLINK_ABOVE},
+                  {"<", FOURLINK_BELOW}};
+
+#define SIGNS (sizeof sign_table / sizeof sign_table[0])
+
+/* Take the next condition from a list separated by commas.  Returns 1; 0 at the end; -1 if `whole`, its
+** text, is not a condition. */
+static int next_condition(text *rest, condition *c)
+{
+    size_t i;
+
+    if (!flk_text_split(rest, ',', &c->whole))
+        return 0;
+    c->whole = flk_text_trim(c->whole);
+    if (!c->whole.length && !rest->start)
+        return 0; /* a comma at the very end */
+    for (i = 0; i < SIGNS; i++)
+        if (flk_text_cut(c->whole, sign_table[i].sign, &c->name, &c->limit))
+            break;
+    if (i == SIGNS || !c->name.length || !c->limit.length)
+        return -1;
+    c->flags = sign_table[i].flags;
+    return 1;
+}
+
 /* Add a condition of the yield; its name is an output too.  Returns 0 if there are too many. */
-static int add_condition(flk_opened *o, const flk_condition *c)
+static int add_condition(flk_opened *o, const condition *c)
 {
     flk_list *list = &o->lists[FOURLINK_CONDITIONS];
     text_place place = o->d.sweep.yield.place;
@@ -145,18 +181,17 @@ static int add_condition(flk_opened *o, const flk_condition *c)
     *v = *output;
     v->value = flk_unit_from_si(limit.si, o->d.units[q].unit);
     v->flags = c->flags;
-    v->meaning = flk_text_copy(
-        c->whole, o->output_names + DECK_NAME_SIZE * (MOST_OUTPUTS + list->n++), DECK_NAME_SIZE);
+    v->meaning = flk_text_copy(c->whole, list->names + DECK_NAME_SIZE * list->n++, DECK_NAME_SIZE);
     return 1;
 }
 
 static void list_conditions(flk_opened *o)
 {
     text rest = o->d.sweep.yield.names;
-    flk_condition c;
+    condition c;
     int status = 0;
 
-    while (rest.start && (status = flk_condition_next(&rest, &c)) != 0) {
+    while (rest.start && (status = next_condition(&rest, &c)) != 0) {
         if (status < 0)
             flk_mistake(&o->d.mistakes, o->d.sweep.yield.place,
                         "expected a condition, such as mu_min > 40 deg, not '%t'", c.whole);
@@ -165,32 +200,28 @@ static void list_conditions(flk_opened *o)
     }
 }
 
-/* Allocate all lists in one piece, after the facts; 0 if out of memory. */
+/* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory. */
 static int take_memory(flk_opened *o)
 {
-    size_t columns = flk_column_limit(&o->d), inputs = flk_list_input_limit(&o->d);
-    size_t variables = o->d.sweep.n_variables, size[FOURLINK_CONDITIONS + 1], total = 0;
-    fourlink_value *next;
+    size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = 0;
+    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns;
     int i;
 
-    size[0] = FLK_FACT_LIMIT + 4 * columns;
     size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
-    size[FOURLINK_INPUTS] = inputs;
-    size[FOURLINK_VARIABLES] = variables;
+    size[FOURLINK_INPUTS] = flk_list_input_limit(&o->d);
+    size[FOURLINK_VARIABLES] = o->d.sweep.n_variables;
     size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
     o->columns = malloc(columns * sizeof *o->columns);
-    o->output_names =
-        malloc((2 * MOST_OUTPUTS + variables + inputs + FLK_STATISTICS * columns) * DECK_NAME_SIZE);
-    o->facts = next = malloc(total * sizeof *next);
-    for (i = 0; next && i <= FOURLINK_CONDITIONS; next += size[i++])
-        o->lists[i].list = next;
-    if (!o->columns || !o->output_names || !o->facts)
+    o->facts.names = malloc(total * DECK_NAME_SIZE);
+    o->facts.list = malloc(total * sizeof *o->facts.list);
+    if (!o->columns || !o->facts.names || !o->facts.list)
         return 0;
-    o->variable_names = o->output_names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE;
-    o->input_names = o->variable_names + variables * DECK_NAME_SIZE;
-    o->statistic_names = o->input_names + inputs * DECK_NAME_SIZE;
+    for (i = 1; i <= FOURLINK_CONDITIONS; n += size[i++]) {
+        o->lists[i].list = o->facts.list + n;
+        o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
+    }
     return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
 }
 
@@ -214,7 +245,7 @@ static int open_deck(flk_opened *o, const flk_opened *from)
         list_conditions(o);
     }
     ask_extremes(o);
-    flk_list_variables(&o->d, &o->lists[FOURLINK_VARIABLES], o->variable_names);
+    flk_list_variables(&o->d, &o->lists[FOURLINK_VARIABLES]);
     return 1;
 }
 
@@ -321,7 +352,7 @@ void flk_opened_free(flk_opened *o)
     flk_analysis_close(&o->a);
     flk_deck_free(&o->d);
     free(o->columns);
-    free(o->output_names);
-    free(o->facts);
+    free(o->facts.names);
+    free(o->facts.list);
     free(o);
 }

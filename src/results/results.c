@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** results.c - results by name, for fourlink.h: the columns, facts, extremes, turning moment of an opened deck, its
-** other designs, and the comparison with expected values.
+** results.c - results by name, for fourlink.h: the columns, facts, extremes, turning moment of an opened
+** deck, its other designs, and the comparison with expected values.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,6 @@
 #include "crossing.h"
 #include "expected.h"
 #include "fact.h"
-#include "hint.h"
 #include "name.h"
 #include "opening.h"
 #include "turning.h"
@@ -207,27 +206,31 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
     if (which == FOURLINK_ALL_COLUMNS)
         flk_list_columns(&r->now->a, &r->now->lists[which]);
     else if (which == FOURLINK_INPUTS)
-        flk_list_inputs(&r->now->d, &r->now->lists[which], r->now->input_names);
+        flk_list_inputs(&r->now->d, &r->now->lists[which]);
     *list = r->now->lists[which].list;
     *n = r->now->lists[which].n;
     return FOURLINK_OK;
 }
 
-static int is_branch(int branch)
+/* Check what a function on a branch is given: that nothing is null, and the branch. */
+static int check_branch(int is_given, int branch)
 {
-    return branch == FOURLINK_OPEN || branch == FOURLINK_CROSSED;
+    if (!is_given)
+        return FOURLINK_NULL;
+    return branch == FOURLINK_OPEN || branch == FOURLINK_CROSSED ? FOURLINK_OK
+                                                                 : FOURLINK_BAD_BRANCH;
 }
 
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
                            const fourlink_value **facts, unsigned long *n)
 {
-    if (!r || !facts || !n)
-        return FOURLINK_NULL;
-    if (branch && !is_branch(branch))
-        return FOURLINK_BAD_BRANCH;
+    int status = check_branch(r && facts && n, branch ? branch : FOURLINK_OPEN);
+
+    if (status != FOURLINK_OK)
+        return status;
     *n = flk_fact_list(&r->now->a, &r->now->extremes, branch, groups, 0, r->now->columns,
-                       r->now->n_columns, r->now->facts, r->now->statistic_names);
-    *facts = r->now->facts;
+                       r->now->n_columns, &r->now->facts);
+    *facts = r->now->facts.list;
     return FOURLINK_OK;
 }
 
@@ -265,12 +268,11 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
                          double *values, fourlink_instant *instant, fourlink_load *loads)
 {
+    int status = check_branch(r != NULL, (int)branch);
     flk_row row;
 
-    if (!r)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     if (i >= r->now->a.crank_motion.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->now->a, needs_of(r->now, values, instant, loads), branch, i, &row);
@@ -280,13 +282,12 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
 int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
                         fourlink_instant *instant, fourlink_load *loads)
 {
+    int status = check_branch(r != NULL, (int)branch);
     double at;
     flk_row row;
 
-    if (!r)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     if (!flk_crank_motion_find_angle(&r->now->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
@@ -296,12 +297,11 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
                                double value, unsigned long max, double *angles, unsigned long *n)
 {
+    int status = check_branch(r && name && n && (angles || !max), (int)branch);
     flk_column c;
 
-    if (!r || !name || !n || (!angles && max))
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     if (!FLK_WITHIN(value, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     if (!flk_column_find(&r->now->a, flk_text_of(name), &c))
@@ -330,12 +330,11 @@ int fourlink_results_find(fourlink_results *r, const char *name, fourlink_value 
 int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch, double angle,
                          fourlink_value *value)
 {
+    int status = check_branch(r && value, (int)branch);
     flk_name n;
 
-    if (!r || !value)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     flk_name_of_handle(r->now, handle, &n);
     return flk_name_value(r->now, &n, branch, angle, value);
 }
@@ -343,24 +342,22 @@ int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,
                            double angle, fourlink_value *value)
 {
-    flk_name n;
+    int status = check_branch(r && name && value, (int)branch);
+    fourlink_value found;
 
-    if (!r || !name || !value)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
-    flk_name_find(r->now, flk_text_of(name), &n);
-    return flk_name_value(r->now, &n, branch, angle, value);
+    if (status == FOURLINK_OK)
+        status = fourlink_results_find(r, name, &found);
+    return status == FOURLINK_OK ? fourlink_results_get(r, found.handle, branch, angle, value)
+                                 : status;
 }
 
 int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
 {
+    int status = check_branch(r && angle, (int)branch);
     const flk_actual_facts *actual;
 
-    if (!r || !angle)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     actual = flk_actual_facts_of(r->now->a.crank_motion.actual, branch);
     *angle =
         actual && actual->status != FOURLINK_OK ? actual->end_angle : r->now->a.crank_motion.end;
@@ -369,12 +366,11 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
 
 int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourlink_turning *turning)
 {
+    int status = check_branch(r && turning, (int)branch);
     const fourlink_turning *found;
 
-    if (!r || !turning)
-        return FOURLINK_NULL;
-    if (!is_branch((int)branch))
-        return FOURLINK_BAD_BRANCH;
+    if (status != FOURLINK_OK)
+        return status;
     found = flk_turning_find(&r->now->a, branch);
     if (!found)
         return FOURLINK_NO_TURNING_MOMENT;

@@ -97,15 +97,6 @@ int flk_turning_open(flk_analysis *a)
     return a->turning_memory != NULL;
 }
 
-/* The one speed of the cycle. */
-static double speed_at(void *host, double passed)
-{
-    const moment *m = host;
-
-    (void)passed;
-    return m->crank.omega2;
-}
-
 /* The pieces of the cycle: degrees, and the corners between them. */
 static void cut(moment *m)
 {
@@ -118,12 +109,10 @@ static void cut(moment *m)
     way.branch = m->branch;
     way.from = 0;
     way.sense = way.has_loads = 1;
-    way.speed = speed_at;
-    way.host = m;
     m->cuts[m->n_cuts++] = 0;
     for (i = 1; i <= steps; i++, at = degree) {
         degree = i < steps ? cycle * (double)i / (double)steps : cycle;
-        while ((corner = flk_corners_next(&way, at, degree, NULL, 0, &what)) <
+        while ((corner = flk_corners_next(&way, at, NULL, 0, &what)) <
                degree - FLK_CORNERS_CLOSE(degree))
             m->cuts[m->n_cuts++] = at = corner;
         m->cuts[m->n_cuts++] = degree;

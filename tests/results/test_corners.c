@@ -66,37 +66,6 @@ static void check_end(const char *contents, double angle)
     assert_false(has_end(contents, 0, angle));
 }
 
-/* omega2^2 = 2 alpha theta2: a point of the curve at 6 rad/s is passed at 18 / alpha, in either sense. */
-TEST(test_speed_that_grows)
-{
-    static const double alpha[] = {5, 50, -5, -50};
-    char contents[1000];
-    int i;
-
-    for (i = 0; i < 4; i++) {
-        int sense = alpha[i] < 0 ? -1 : 1;
-
-        sprintf(contents,
-                CRANK "[motion]\nspeed = 0 rad/s\nacceleration = %g rad/s2\nto = %d deg\ninterval "
-                      "= 10 deg\n[load]\nlink = crank\nover = omega2\ntorque = %d rad/s 0 N m, %d "
-                      "rad/s -2 N m, %d rad/s -3 N m\n",
-                alpha[i], 360 * sense, sense > 0 ? 0 : -20, sense > 0 ? 6 : -6, sense > 0 ? 20 : 0);
-        check_end(contents, 18 / fabs(alpha[i]) * 180 / M_PI);
-    }
-}
-
-/* The same of an actual motion: a torque of 1 N m brakes a flywheel of 1 kg m2 from 6.5 to 6 rad/s. */
-TEST(test_speed_that_falls)
-{
-    check_end("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 "
-              "mm\n[flywheel]\ninertia = 1 kg m2\n"
-              "[motion]\nmode = free\nspeed = 6.5 rad/s\nturns = 1\n[load brake]\nlink = "
-              "crank\ntorque = -1 N m\n"
-              "[load]\nlink = crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s 0 N m, 20 "
-              "rad/s 0 N m\n",
-              (6.5 * 6.5 - 6 * 6) / 2 * 180 / M_PI);
-}
-
 #define STEADY "[motion]\nspeed = %g rad/s\ninterval = 10 deg\n"
 
 static const double rest = 0.19525624189766637; /* m, sqrt(l^2 - r^2 sin^2 60 deg) */

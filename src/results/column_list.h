@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column_list.h - the list of columns: name, quantity, mechanisms, where the value is from, meaning.
+*/
+#ifndef FOURLINK_COLUMN_LIST_H
+#define FOURLINK_COLUMN_LIST_H
+
+#include "column_info.h"
+
+#define FOUR_BAR FOURLINK_FOUR_BAR
+#define SLIDER_CRANK FOURLINK_SLIDER_CRANK
+#define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
+#define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
+#define ALL FLK_EVERY_KIND
+#define USUAL 0x100
+#define USUAL_ACTUAL 0x200 /* the same, if the motion is not given */
+
+#define STATE(member) offsetof(flk_row, at.state.member)
+#define SERIES(member) offsetof(flk_row, series.member)
+
+/* need, form, x, y */
+#define OF_ROW(member) 0, VALUE, ROW(member), 0
+#define OF_STATE(member) 0, VALUE, STATE(member), 0
+#define OF_ANGLE(member) NEED_ANGLES, VALUE, STATE(member), 0
+#define OF_FORCES(member) NEED_FORCES, VALUE, FORCE(member), 0
+#define SIZE_OF(F) NEED_FORCES, SIZE, FORCE(F##x), FORCE(F##y)
+#define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
+#define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
+#define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
+#define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
+#define OF_INERTIA(i, form, x, y) \
+    NEED_DERIVED | NEED_FORCES, form, DERIVED(inertia[i].x), DERIVED(inertia[i].y)
+#define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
+#define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
+#define DIFFERENCE_OF(member, exact) \
+    NEED_SERIES | NEED_ANGLES, DIFFERENCE, SERIES(member), STATE(exact)
+#define OF_GAS NEED_GAS, VALUE, offsetof(flk_row, at.gas_force), 0
+#define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
+#define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
+#define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, VALUE, DERIVED(member), 0
+#define OF_ACTUAL(member) NEED_ACTUAL, VALUE, offsetof(flk_row, actual.member), 0
+#define OF_WANTED NEED_DERIVED | NEED_WANTED, VALUE, DERIVED(structural_error), 0
+#define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
+
+/* F12x, F12y; the numbers of the unknowns are ME3491's */
+#define COMPONENTS(X, F, kinds, words, nx, ny)                                         \
+    X(F##x, FORCE, kinds | USUAL, OF_FORCES(F##x), words ", x", "X(" #nx ") (ME3491)") \
+    X(F##y, FORCE, kinds | USUAL, OF_FORCES(F##y), words ", y", "X(" #ny ") (ME3491)")
+
+/* F12, F12_dir */
+#define RESULTANT(X, F, kinds)                                                         \
+    X(F, FORCE, kinds, SIZE_OF(F), "resultant of " #F "x and " #F "y", #F " (ME3491)") \
+    X(F##_dir, ANGLE, kinds, DIRECTION_OF(F), "direction of " #F, "theta_" #F " (ME3491)")
+
+/* F12_along, F12_across */
+#define AXIAL(X, F, kinds, link)                                                           \
+    X(F##_along, FORCE, kinds, OF_DERIVED(F.along), #F " along the line of the " link, "") \
+    X(F##_across, FORCE, kinds, OF_DERIVED(F.across),                                      \
+      #F " normal to the line of the " link ", to its left", "")
+
+/* Fi2, Fi2_dir, h2, Ci2 */
+#define INERTIA_FORCE(X, i)                                                                       \
+    X(Fi##i, FORCE, ALL, OF_INERTIA(i, POLAR_SIZE, size, direction), "inertia force of link " #i, \
+      "F_g" #i " (ME3491)")                                                                       \
+    X(Fi##i##_dir, ANGLE, ALL, OF_INERTIA(i, POLAR_DIRECTION, direction, size),                   \
+      "direction of Fi" #i, "")                                                                   \
+    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                                \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")          \
+    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                          \
+      "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
+
+/* friction_A */
+#define PIN_FRICTION(X, P, i, kinds) \
+    X(friction_##P, TORQUE, kinds, OF_LOSSES(pin[i]), "moment of friction in the pin " #P, "")
+
+/* I13x, I13y */
+#define CENTRE(X, I, links)                                                                \
+    X(I##x, LENGTH, ALL, OF_MOTION(I.x), "instantaneous centre of links " links ", x", "") \
+    X(I##y, LENGTH, ALL, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
+
+/* x_series, x_diff; x_harmonic */
+#define TERMS(X, x, q, exact, words, source)                                     \
+    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
+    X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
+#define HARMONIC(X, x, q)                                     \
+    X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
+      #x " with an infinitely long rod: simple harmonic motion", "")
+
+#define ENGINE(X, name, q, words, source) X(name, q, SLIDER_CRANK, OF_ENGINE(name), words, source)
+#define KLEIN(X, length, words)                               \
+    X(klein_##length, LENGTH, SLIDER_CRANK, OF_KLEIN(length), \
+      "length " #length " of Klein's construction: " words, "")
+
+/* name, quantity, mechanisms, where its value is from, meaning, name in the sources */
+#define COLUMN_LIST(X)                                                                             \
+    X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                             \
+      "thet (Alvi), thetaa (ME3491)")                                                              \
+    X(time, TIME, ALL | USUAL_ACTUAL, OF_ROW(time), "time since the first row", "")                \
+    X(omega2, ANGULAR_SPEED, ALL | USUAL_ACTUAL, OF_ROW(crank.omega2),                             \
+      "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
+    X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_ROW(crank.alpha2),                      \
+      "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
+    X(theta3, ANGLE, ALL | USUAL, OF_ANGLE(link[3].theta), "angle of the coupler, rod or slide",   \
+      "beta (Alvi), thetab (ME3491)")                                                              \
+    X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                 \
+      "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
+    X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                          \
+      "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
+    X(theta4, ANGLE, PINNED | USUAL, OF_ANGLE(link[4].theta), "angle of the rocker or lever",      \
+      "phi (Alvi), thetac (ME3491)")                                                               \
+    X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
+      "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                      \
+    X(alpha4, ANGULAR_ACCELERATION, PINNED | USUAL, OF_STATE(link[4].alpha),                       \
+      "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")               \
+    X(phi, ANGLE, SLIDER_CRANK, OF_ANGLE(phi), "obliquity of the rod to the line of stroke",       \
+      "beta (ME3491), phi (DFA)")                                                                  \
+    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
+      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
+    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                 \
+      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
+    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
+      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
+    X(slide, LENGTH, INVERTED | USUAL, OF_STATE(slide),                                            \
+      "coordinate of the crank pin B along the slide", "")                                         \
+    X(slide_v, SPEED, INVERTED | USUAL, OF_STATE(slide_v),                                         \
+      "velocity of B relative to the lever, along the slide", "")                                  \
+    X(slide_a, ACCELERATION, INVERTED | USUAL, OF_STATE(slide_a),                                  \
+      "acceleration of B relative to the lever, along the slide", "")                              \
+    X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
+      "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
+    X(mu, ANGLE, ALL | USUAL, OF_ANGLE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
+    X(gamma, ANGLE, FOUR_BAR, OF_MOTION(gamma), "angle between coupler and rocker, 0 to 180 deg",  \
+      "")                                                                                          \
+    COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
+    COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
+    COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
+    X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                                \
+      "force of slider on lever at B, to the left of the slide", "")                               \
+    X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                      \
+    COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                         \
+    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
+      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
+    X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
+    X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
+      "X(9), Ts (ME3491)")                                                                         \
+    RESULTANT(X, F12, ALL)                                                                         \
+    RESULTANT(X, F23, ALL)                                                                         \
+    RESULTANT(X, F34, ALL)                                                                         \
+    RESULTANT(X, F14, PINNED)                                                                      \
+    X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                           \
+    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx),                                                            \
+      "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
+    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy),                                                            \
+      "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
+    X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
+    X(Fs, FORCE, ALL, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                            \
+    X(Fs_dir, ANGLE, ALL, OF_SHAKING(DIRECTION), "direction of Fs", "")                            \
+    AXIAL(X, F12, ALL, "crank")                                                                    \
+    AXIAL(X, F32, ALL, "crank")                                                                    \
+    AXIAL(X, F23, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F43, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F34, PINNED, "rocker or lever")                                                       \
+    AXIAL(X, F14, PINNED, "rocker or lever")                                                       \
+    INERTIA_FORCE(X, 2)                                                                            \
+    INERTIA_FORCE(X, 3)                                                                            \
+    INERTIA_FORCE(X, 4)                                                                            \
+    X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                          \
+      "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
+      "A (Alvi), P (ME3491)")                                                                      \
+    X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
+    X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
+      "C (Alvi), R (ME3491)")                                                                      \
+    X(condition, NUMBER, ALL, OF_MOTION(condition),                                                \
+      "1 / sin(mu): the factor by which errors of the data grow", "")                              \
+    X(structural_error, ANGLE, FOUR_BAR, OF_WANTED, "theta4 - wanted theta4, of --synthesis", "")  \
+    X(structural_error, LENGTH, SLIDER_CRANK, OF_WANTED, "C.x - wanted C.x, of --synthesis", "")   \
+    CENTRE(X, I13, "1 and 3")                                                                      \
+    CENTRE(X, I24, "2 and 4")                                                                      \
+    X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
+      "driving torque by virtual work, without the nine equations", "")                            \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",    \
+      "")                                                                                          \
+    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")        \
+    X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                         \
+      "error of the superposition, relative to the largest force", "")                             \
+    X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0), "driving torque without friction", "")             \
+    X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power), "power lost by friction", "")          \
+    X(efficiency, NUMBER, ALL | USUAL, OF_LOSSES(efficiency),                                      \
+      "Ts0 / Ts if the crank drives, Ts / Ts0 if it is driven; 0: the load cannot drive", "")      \
+    PIN_FRICTION(X, A, 0, ALL)                                                                     \
+    PIN_FRICTION(X, B, 1, ALL)                                                                     \
+    PIN_FRICTION(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                 \
+    PIN_FRICTION(X, D, 3, PINNED)                                                                  \
+    X(friction_guide, FORCE, SLIDER_CRANK | INVERTED, OF_LOSSES(guide),                            \
+      "force of friction in the guide", "")                                                        \
+    X(Fs_primary, FORCE, SLIDER_CRANK, OF_BALANCE(primary),                                        \
+      "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
+    X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \
+      "secondary shaking force m_rec r omega2^2 cos(2 theta2) / n, along +x", "")                  \
+    X(T_motor, TORQUE, ALL | USUAL, OF_ACTUAL(T_motor), "torque of the motor, at the crank", "")   \
+    X(J, INERTIA, ALL, OF_ACTUAL(J),                                                               \
+      "generalised inertia of the links: kinetic energy J omega2^2 / 2", "")                       \
+    X(energy, ENERGY, ALL, OF_ACTUAL(energy), "kinetic energy of links, flywheel and rotor", "")   \
+    X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual),                                    \
+      "energy less the work done, relative to the largest energy", "")                             \
+    X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
+      "power balance, relative to its largest term", "")                                           \
+    TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
+    TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
+    TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
+    TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term",           \
+          "-omega_c (DFA)")                                                                        \
+    TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                          \
+          "angular acceleration of the rod, one term", "-alpha_c (DFA)")                           \
+    HARMONIC(X, x, LENGTH)                                                                         \
+    HARMONIC(X, v, SPEED)                                                                          \
+    HARMONIC(X, a, ACCELERATION)                                                                   \
+    X(gas_force, FORCE, SLIDER_CRANK | INVERTED, OF_GAS,                                           \
+      "gas on piston, towards the crank; on a rod, along the slide",                               \
+      "F_p (ME3491), (P1 - P2) A (DFA)")                                                           \
+    ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
+    ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
+           "F (ME3491), F_p (DFA)")                                                                \
+    ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
+    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y, the rod as two masses; exact: N",    \
+           "")                                                                                     \
+    ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                  \
+           "F_t (ME3491), F_T (DFA)")                                                              \
+    ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",              \
+           "force on crank shaft bearing (DFA)")                                                   \
+    ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
+    ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, correction_force, FORCE,                                                             \
+           "force of the correction couple at the crank pin, along +y", "F_y (ME3491)")            \
+    ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
+    ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_weight_b, TORQUE, "torque of the weight of m_b, part of T_piston", "T_b (ME3491)") \
+    ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
+    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",     \
+           "net torque (ME3491)")                                                                  \
+    KLEIN(X, OM, "v = omega2 OM")                                                                  \
+    KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
+    KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
+    KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
+    KLEIN(X, ON, "a = omega2^2 ON")                                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+      "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+      "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
+    X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
+      "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
+
+#endif
