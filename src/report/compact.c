@@ -189,7 +189,7 @@ static const char *put_words(const char *s, FILE *out)
 /* What every group of gnuplot's says stands once, around all of them; what every drawing has without it, nowhere. */
 #define COMMON " fill=\"none\" color=\"black\" stroke=\"currentColor\""
 #define USUAL " stroke-linecap=\"butt\" stroke-linejoin=\"miter\""
-#define BODY "</defs>"
+#define BODY "</defs"
 #define END "</svg>"
 
 static void shorten(const char *s, FILE *out)
@@ -200,7 +200,7 @@ static void shorten(const char *s, FILE *out)
         if ((after = skip_empty_group(s)) != NULL) {
             s = after;
         } else if (s == body) {
-            fputs(BODY "<g" COMMON ">", out);
+            fputs(BODY "><g" COMMON, out);
             s += strlen(BODY);
         } else if (s > body && begins(s, COMMON)) {
             s += strlen(COMMON);

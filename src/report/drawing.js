@@ -155,6 +155,7 @@ function forceScale(forces, tracks, i, longest) {
 
 const SHORT = 20; /* pixels of a crank */
 const ENLARGED = 1.7; /* at least, in an inset */
+const NARROW = 420; /* pixels of a panel that has no room for weights and numbers of links */
 
 function mechanism(data, panel) {
     let tracks, rows, view, forces, torques, put, cached, now = 0;
@@ -169,6 +170,8 @@ function mechanism(data, panel) {
     const carried = data.links.flatMap((link) => carriedBy(data, link));
     const largest = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
+    const isNarrow = () => panel.width < NARROW;
+    const isWeight = (f) => /^W\d$/.test(f.of);
     /* Half a block: one at the crank pin does not cover a short crank. */
     const atCrank = data.links.some((link) => link.shape === "slot");
     const half = () => atCrank ? Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now))))) : largest();
@@ -279,7 +282,7 @@ function mechanism(data, panel) {
     function drawTorques(i) {
         for (const t of torques)
             if (tracks.number(t.of, i)) {
-                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), t.spring ? 25 : 20);
+                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), (isNarrow() ? -6 : 0) + (t.spring ? 25 : 20));
                 if (!t.spring) /* the spring has the name */
                     text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
             }
@@ -290,7 +293,7 @@ function mechanism(data, panel) {
         let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
         for (const f of forces) {
             const v = tracks.vector(f.of, i), at = place(f.at, i);
-            if (!v || k * size(v) < 0.02 * view.part * longest())
+            if (!v || k * size(v) < 0.02 * view.part * longest() || (isNarrow() && isWeight(f)))
                 continue;
             arrow(panel, f.pen, at, times(k, v));
             if (!f.spring)
@@ -404,7 +407,7 @@ function mechanism(data, panel) {
         drawLetters(i);
         drawForces(i);
         drawInset(i);
-        if (!reason)
+        if (!reason && !isNarrow())
             for (const link of data.links)
                 drawNumber(panel, link, (track) => place(track, i));
         end(panel);
