@@ -155,6 +155,7 @@ function forceScale(forces, tracks, i, longest) {
 
 const SHORT = 20; /* pixels of a crank */
 const ENLARGED = 1.7; /* at least, in an inset */
+const NUMBERED = 12; /* wanted positions at most */
 const NARROW = 420; /* pixels of a panel that has no room for weights and numbers of links */
 
 function mechanism(data, panel) {
@@ -175,6 +176,7 @@ function mechanism(data, panel) {
     /* Half a block: one at the crank pin does not cover a short crank. */
     const atCrank = data.links.some((link) => link.shape === "slot");
     const half = () => atCrank ? Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now))))) : largest();
+    const wanted = () => data.wanted || [];
     panel.drawing.append(panel.ink, handle);
 
     /* Take a branch; `held`: of the same drawing. */
@@ -208,6 +210,8 @@ function mechanism(data, panel) {
                     marks.push([...at, ...times(forceScale(forces, tracks, i, longest()), v)]);
             }
         }
+        for (const p of wanted().flatMap((position) => position.lines.flat().concat([position.mark])))
+            marks.push([...tracks.turned(...p), 0, 0]);
         view = fit(panel, marks, 34);
         panel.drawing.dataset.scale = view.scale;
         panel.drawing.dataset.x = view.origin[0];
@@ -246,6 +250,18 @@ function mechanism(data, panel) {
                 ground(panel, add(minus(from, past), across), add(add(end, past), across), times(side, n));
             }
         }
+    }
+
+    /* The positions for which a linkage was found by synthesis. */
+    function drawWanted() {
+        const at = (p) => add(view.origin, times(view.scale, tracks.turned(...p)));
+        wanted().forEach((position, k) => {
+            for (const points of position.lines)
+                line(panel, "wanted", ...points.map(at));
+            circle(panel, "wanted", at(position.mark), 5, "wanted " + (k + 1));
+            if (wanted().length <= NUMBERED)
+                text(panel, at(position.mark), [0.8, 0.8], [String(k + 1), "", ""], 5, "small");
+        });
     }
 
     /* The crank angle, from the x axis. */
@@ -382,6 +398,7 @@ function mechanism(data, panel) {
         drawDirections();
         drawFrame(i);
         panel.ink.append(cached);
+        drawWanted();
         if (reason) {
             support(panel, place("A", i));
             line(panel, "link2", place("A", i), place("B", i));
@@ -702,13 +719,15 @@ function keyOf(data) {
     if (data.forces.some((f) => f.pen === "inertia"))
         entry("inertia", "inertia force and torque, in the free bodies");
     data.points.forEach((p, k) => entry("path" + k % 6, "path of " + p.label[0]));
+    if (data.wanted)
+        entry("wanted", "wanted positions");
     return key;
 }
 
 /* What the drawing consists of, whatever its numbers. */
 function structure(data) {
     return JSON.stringify([data.over, data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
-                           data.forces, data.torques, data.columns.map((c) => [c.name, c.unit]),
+                           data.forces, data.torques, (data.wanted || []).length, data.columns.map((c) => [c.name, c.unit]),
                            data.branches.map((b) => b.name)]);
 }
 

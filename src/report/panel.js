@@ -137,12 +137,13 @@ function tracksOf(data, branch) {
         const value = track ? pick(track[0], i) : null;
         return typeof value === "number" ? value : null;
     }
+    const turned = (x, y) => [c * x - s * y, -s * x - c * y];
     function vector(name, i) {
         const track = branch.tracks[name];
         const x = track ? pick(track[0], i) : null, y = track ? pick(track[1], i) : null;
-        return typeof x === "number" && typeof y === "number" ? [c * x - s * y, -s * x - c * y] : null;
+        return typeof x === "number" && typeof y === "number" ? turned(x, y) : null;
     }
-    return {number, vector, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
+    return {number, vector, turned, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
             x: [c, -s]};
 }
 

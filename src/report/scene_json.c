@@ -2,11 +2,18 @@
 **
 ** scene_json.c - what the interactive drawing consists of, as JSON.
 */
+#include <math.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_math.h>
+
 #include "base/text.h"
 #include "scene_json.h"
 #include "tables/json_text.h"
 #include "view/geometry.h"
 #include "view/scene.h"
+
+#define PLACE_DIGITS 5
 
 /* In UTF-8. */
 #define PRIME "\342\200\262"
@@ -213,6 +220,80 @@ static void put_forces(line *l, const char *name, const scene_force *list, int n
     line_put(l, "],\n");
 }
 
+/* ------------------------------------------------------------------------------ positions of a synthesis */
+
+static fourlink_vector polar(fourlink_vector from, double length, double angle)
+{
+    from.x += length * cos(angle);
+    from.y += length * sin(angle);
+    return from;
+}
+
+static void put_place(line *l, const rows *t, const char *before, fourlink_vector at)
+{
+    line_put(l, "%s[", before);
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, at.x), PLACE_DIGITS);
+    line_put(l, ",");
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, at.y), PLACE_DIGITS);
+    line_put(l, "]");
+}
+
+/* The wanted coupler as a triangle with its point, or the wanted crank and output, and a mark at what is wanted. */
+static void put_position(line *l, const rows *t, const fourlink_solution *s,
+                         const fourlink_precision *wanted)
+{
+    const fourlink_link *link = s->design.link;
+    double arm = link[FOURLINK_FOLLOWER].length;
+    fourlink_vector A = {0, 0}, from, to, mark;
+
+    if (s->has_point) {
+        mark = wanted->point;
+        from = polar(mark, -s->point.x, wanted->theta3);
+        from = polar(from, -s->point.y, wanted->theta3 + M_PI / 2);
+        to = polar(from, link[FOURLINK_COUPLER].length, wanted->theta3);
+        put_place(l, t, "{\"lines\":[[", mark);
+        put_place(l, t, ",", from);
+        put_place(l, t, ",", to);
+        put_place(l, t, ",", mark);
+    } else {
+        put_place(l, t, "{\"lines\":[[", A);
+        put_place(l, t, ",", polar(A, link[FOURLINK_CRANK].length, wanted->theta2));
+        from = polar(A, link[FOURLINK_GROUND].length, 0);
+        mark = polar(from, arm > 0 ? arm : t->v.lever_high, wanted->output);
+        if (t->v.kind.has_stroke) {
+            mark.x = wanted->output;
+            mark.y = s->design.offset;
+        } else {
+            put_place(l, t, "],[", from);
+            put_place(l, t, ",", mark);
+        }
+    }
+    put_place(l, t, "]],\"mark\":", mark);
+    line_put(l, "}");
+}
+
+/* The precision positions of a linkage found for [synthesis]; nothing for another deck. */
+static void put_wanted(line *l, const rows *t)
+{
+    unsigned long chosen, count;
+    fourlink_solution *s;
+    int i, n = 0;
+
+    if (fourlink_deck_solutions(t->v.deck, 0, NULL, &chosen, &count) != FOURLINK_OK)
+        return;
+    s = malloc((chosen + 1) * sizeof *s);
+    if (!s)
+        return;
+    fourlink_deck_solutions(t->v.deck, chosen + 1, s, &chosen, &count);
+    line_put(l, "\"wanted\":[");
+    for (i = 0; i < s[chosen].n_positions; i++) {
+        put_comma(l, &n);
+        put_position(l, t, &s[chosen], &s[chosen].position[i]);
+    }
+    line_put(l, "],\n");
+    free(s);
+}
+
 /* ----------------------------------------------------------------------------------------------- the rest */
 
 static void put_units(line *l, const rows *t)
@@ -253,4 +334,5 @@ void scene_json_write(line *l, const rows *t)
     put_polygons(l, t, &s);
     put_forces(l, "forces", s.forces, s.n_forces);
     put_forces(l, "torques", s.torques, s.n_torques);
+    put_wanted(l, t);
 }
