@@ -164,21 +164,12 @@ static void put_centres(report *r, math *m, const body bodies[5])
 
 /* ------------------------------------------------------------------------------ nine equations */
 
-static void put_cell(math *m, double value, const char *of)
-{
-    page_print(m->p, "<td>%.6g</td>", math_settled(m, value, of));
-}
-
 /* Write an equation's right-hand side and its parts: inertia, weight, loads. */
 static void put_side(math *m, const char *link, const char *what, double inertia, double weight,
                      double load, double b, const char *of)
 {
-    page_print(m->p, "<tr><th scope=\"row\">%s, %s</th>", link, what);
-    put_cell(m, inertia, of);
-    put_cell(m, -weight, of);
-    put_cell(m, -load, of);
-    put_cell(m, b, of);
-    page_print(m->p, "</tr>\n");
+    page_row(m->p, "%s, %s|%.6g|%.6g|%.6g|%.6g", link, what, math_settled(m, inertia, of),
+             math_settled(m, -weight, of), math_settled(m, -load, of), math_settled(m, b, of));
 }
 
 static void put_sides(report *r, math *m, const body bodies[5], const double b[9])
@@ -187,16 +178,14 @@ static void put_sides(report *r, math *m, const body bodies[5], const double b[9
     page *p = m->p;
     int link;
 
-    page_print(
-        p, "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along y, "
-           "and the moments about its centre of mass; F<sub>ij</sub> is the force of link i on "
-           "link j.  What is known stands on the right: mass times acceleration, less weight, "
-           "less loads.</p>\n"
-           "<div class=\"wide\"><table class=\"facts sides\">\n<thead><tr>");
-    page_print(p, "<th scope=\"col\">Equation</th><th scope=\"col\">m a, I \316\261</th>"
-                  "<th scope=\"col\">\342\210\222 weight</th>"
-                  "<th scope=\"col\">\342\210\222 loads</th><th scope=\"col\">b (N, N\302\267m)"
-                  "</th></tr></thead>\n<tbody>\n");
+    page_print(p,
+               "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along "
+               "y, and the moments about its centre of mass; F<sub>ij</sub> is the force of link i "
+               "on link j.  What is known stands on the right: mass times acceleration, less "
+               "weight, less loads.</p>\n");
+    page_table_of(
+        p, "facts sides",
+        "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b (N, N\302\267m)");
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
         const char *name = r->v.kind.link[link];
@@ -208,7 +197,7 @@ static void put_sides(report *r, math *m, const body bodies[5], const double b[9
         put_side(m, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2],
                  SAMPLE_NM);
     }
-    page_print(p, "</tbody>\n</table></div>\n");
+    page_table_end(p);
 }
 
 static void put_entry(math *m, double value, const char *of)
@@ -272,18 +261,11 @@ static void put_solution(report *r, math *m)
 
 /* ------------------------------------------------------------------------------ virtual work */
 
-/* Write the terms of a link, or their sum, and add them up. */
-static void put_works(math *m, const char *name, const double work[3], double sum[3])
+/* Write the terms of a link, or their sum. */
+static void put_works(math *m, const char *name, const double work[3])
 {
-    int i;
-
-    page_print(m->p, "<tr><th scope=\"row\">%s</th>", name);
-    for (i = 0; i < 3; i++) {
-        put_cell(m, work[i], SAMPLE_NM);
-        if (sum)
-            sum[i] += work[i];
-    }
-    page_print(m->p, "</tr>\n");
+    page_row(m->p, "%s|%.6g|%.6g|%.6g", name, math_settled(m, work[0], SAMPLE_NM),
+             math_settled(m, work[1], SAMPLE_NM), math_settled(m, work[2], SAMPLE_NM));
 }
 
 /* Virtual work: with the velocities of a unit crank speed,
@@ -294,26 +276,27 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
 {
     double sum[3] = {0, 0, 0}, work[3];
     page *p = m->p;
-    int link;
+    int link, i;
 
-    page_print(
-        p, "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the sum "
-           "of all forces times the velocities of their points for a unit crank speed, of all "
-           "torques times the angular velocities.</p>\n"
-           "<div class=\"wide\"><table class=\"facts works\">\n<thead><tr>");
-    page_print(p, "<th scope=\"col\">Link</th><th scope=\"col\">m a\302\267v + I \316\261 \317\211"
-                  "</th><th scope=\"col\">\342\210\222 weight\302\267v</th>"
-                  "<th scope=\"col\">\342\210\222 loads\302\267v</th></tr></thead>\n<tbody>\n");
+    page_print(p,
+               "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the "
+               "sum of all forces times the velocities of their points for a unit crank speed, of "
+               "all torques times the angular velocities.</p>\n");
+    page_table_of(p, "facts works",
+                  "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
+                  "\342\210\222 loads\302\267v");
     for (link = 2; link <= 4; link++) {
         const body *b = &bodies[link];
 
         work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
         work[1] = -b->data->mass * dot(r->v.design->gravity, b->v);
         work[2] = -b->work;
-        put_works(m, r->v.kind.link[link], work, sum);
+        put_works(m, r->v.kind.link[link], work);
+        for (i = 0; i < 3; i++)
+            sum[i] += work[i];
     }
-    put_works(m, "sum", sum, NULL);
-    page_print(p, "</tbody>\n</table></div>\n");
+    put_works(m, "sum", sum);
+    page_table_end(p);
     math_set(m, "Tinertia", math_settled(m, sum[0], SAMPLE_NM));
     math_set(m, "Tweight", math_settled(m, sum[1], SAMPLE_NM));
     math_set(m, "Tloads", math_settled(m, sum[2], SAMPLE_NM));

@@ -74,11 +74,9 @@ static void put_loads_of_joint(report *r, unsigned long joint)
         if (info.sort != FOURLINK_LOAD_FRICTION || info.element != joint ||
             (load->torque == 0 && load->force.x == 0 && load->force.y == 0))
             continue;
-        page_print(&r->page,
-                   "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
-                   "<td>%.6g</td></tr>\n",
-                   load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
-                   load->force.x, load->force.y, load->torque);
+        page_row(&r->page, "%s, on the %s|%.6g|%.6g|%.6g",
+                 load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
+                 load->force.x, load->force.y, load->torque);
     }
 }
 
@@ -92,13 +90,11 @@ static void put_loads(report *r)
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.guide > 0)
         page_print(p, "; the force of the guide acts at %s", r->v.kind.has_slot ? "B" : "C");
-    page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
-                  "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
-                  "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"
-                  "</tr></thead>\n<tbody>\n");
+    page_print(p, ":</p>\n");
+    page_table_of(p, "facts friction", "Load|x (N)|y (N)|moment (N\302\267m)");
     for (joint = 0; joint < PINS; joint++)
         put_loads_of_joint(r, joint);
-    page_print(p, "</tbody>\n</table></div>\n");
+    page_table_end(p);
 }
 
 void sample_put_friction(report *r, math *m)
