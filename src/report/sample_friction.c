@@ -35,7 +35,7 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
         return;
     }
     math_set(m, pins[i].radius, friction->circle[i]);
-    math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i], SAMPLE_NM);
+    math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i]);
 }
 
 /* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at
@@ -58,9 +58,9 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
     math_set(m, "lguide", l);
     math_set(m, is_slot ? "N34" : "N", fabs(N));
     math_set(m, is_slot ? "M34" : "M14", fabs(M));
-    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide, "N");
+    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide);
     if (is_slot)
-        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y), "N");
+        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y));
 }
 
 static void put_loads_of_joint(report *r, unsigned long joint)

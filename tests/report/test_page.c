@@ -127,8 +127,8 @@ static const char *equation(const char *words, double beta)
     m.p = &p;
     math_set(&m, "a", -2);
     math_set(&m, "b", 1.5e-7);
-    math_set_angle(&m, "beta", beta);
-    math_let(&m, "omega3", words, -0.1234567, "rad/s");
+    math_set(&m, "beta", beta);
+    math_let(&m, "omega3", words, -0.1234567);
     take(p.out);
     return text_of(written);
 }
