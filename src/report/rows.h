@@ -22,7 +22,8 @@ typedef struct rows {
     fourlink_results *own; /* opened here; null: none */
     view v;                /* of the deck; one instant has become a cycle */
     unsigned long n;
-    double *steps; /* crank angles or times, in the deck's unit */
+    double *steps;           /* crank angles or times, in the deck's unit */
+    fourlink_vector *values; /* room for those of all tracks */
 
     /* one branch */
     fourlink_branch branch;
@@ -44,7 +45,7 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
 double rows_step_of(const rows *t, const fourlink_instant *now);
 void rows_close(rows *t);
 
-/* Compute a branch; 0 without memory. */
+/* Compute a branch; 0 if it has no rows. */
 int rows_compute(rows *t, fourlink_branch branch);
 
 /* The track of a name; null if there is none. */
