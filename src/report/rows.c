@@ -130,21 +130,20 @@ static void put(rows *t, unsigned long i, const track *now)
 {
     int number = number_of(t, now->name);
     rows_track *x = &t->tracks[number];
-    fourlink_vector v;
     unsigned long k;
 
-    v.x = view_value(&t->v, now->q, now->v.x);
-    v.y = view_value(&t->v, now->q, now->v.y);
     if (number == t->n_tracks) {
-        x->values = t->values + (unsigned long)t->n_tracks++ * t->n;
+        x->x = t->values + 2 * t->n * (unsigned long)t->n_tracks++;
+        x->y = x->x + t->n;
         strcpy(x->name, now->name);
         x->is_number = now->is_number;
         x->size = 0;
-        for (k = 0; k < t->n; k++)
-            x->values[k].x = x->values[k].y = GSL_NAN;
+        for (k = 0; k < 2 * t->n; k++)
+            x->x[k] = GSL_NAN;
     }
-    x->values[i] = v;
-    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(v.x), fabs(v.y)));
+    x->x[i] = view_value(&t->v, now->q, now->v.x);
+    x->y[i] = view_value(&t->v, now->q, now->v.y);
+    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->x[i]), fabs(x->y[i])));
 }
 
 /* -------------------------------------------------------------------------------------------- all of them */
@@ -197,7 +196,7 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
     else if (t->steps)
         choose_angles(t, at);
     t->status = malloc((t->n + 1) * sizeof *t->status);
-    t->values = malloc((t->n + 1) * TRACKS_MOST * sizeof *t->values);
+    t->values = malloc((t->n + 1) * 2 * TRACKS_MOST * sizeof *t->values);
     t->table = malloc((t->n * t->v.n_columns + 1) * sizeof *t->table);
     t->out_of_memory |= !t->steps || !t->status || !t->values || !t->table || !t->loads;
     return !t->out_of_memory;

@@ -3,7 +3,9 @@
 ** scene_json.c - what the interactive drawing consists of, as JSON.
 */
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -19,33 +21,35 @@
 #define PRIME "\342\200\262"
 #define MINUS "\342\210\222"
 
+/* What a string in an element <script> must not have as it is, in HTML or in XML. */
+#define ESCAPED "<>&"
+
+void scene_json_put(line *l, const char *format, ...)
+{
+    const char *end;
+    va_list arguments;
+
+    va_start(arguments, format);
+    for (; *format; format = end) {
+        end = *format == '%' ? format + 2 : format + strcspn(format, "%");
+        if (*format != '%')
+            line_text(l, format, (size_t)(end - format));
+        else if (format[1] == 'q')
+            json_text_put(l, va_arg(arguments, const char *), ESCAPED);
+        else if (format[1] == 's')
+            line_put(l, "%s", va_arg(arguments, const char *));
+        else {
+            line_put(l, "%lu", va_arg(arguments, unsigned long));
+            end++; /* of three letters */
+        }
+    }
+    va_end(arguments);
+}
+
 /* Put what stands before an entry of a list; `n` counts them. */
 static void put_comma(line *l, int *n)
 {
     line_put(l, (*n)++ ? ",\n" : "\n");
-}
-
-static void put_string(line *l, const char *s)
-{
-    json_text_put(l, s, SCENE_ESCAPED);
-}
-
-static void put_text(line *l, const char *name, const char *s)
-{
-    line_put(l, ",\"%s\":", name);
-    put_string(l, s);
-}
-
-/* Begin an object with a label: a name, its subscript and its superscript. */
-static void put_label(line *l, const char *name, const char *sub, const char *super)
-{
-    line_put(l, "{\"label\":[");
-    put_string(l, name);
-    line_put(l, ",");
-    put_string(l, sub);
-    line_put(l, ",");
-    put_string(l, super);
-    line_put(l, "]");
 }
 
 /* ------------------------------------------------------------------------------------------------- links */
@@ -60,12 +64,10 @@ static void put_link(line *l, const rows *t, int link)
     unsigned long i;
     char name[TRACKS_NAME];
 
-    line_put(l, "{\"link\":%lu", (unsigned long)link);
-    put_text(l, "name", t->v.kind.link[link]);
-    put_text(l, "shape", shape);
-    line_put(l, ",\"pins\":[\"%s\"", ends[0].letter);
+    scene_json_put(l, "{\"link\":%lu,\"name\":%q,\"shape\":%q,\"pins\":[%q", (unsigned long)link,
+                   t->v.kind.link[link], shape, ends[0].letter);
     if (!slides)
-        line_put(l, ",\"%s\"", ends[1].letter);
+        scene_json_put(l, ",%q", ends[1].letter);
     line_put(l, "],\"points\":[");
     for (i = 0; i < t->v.problem.n_points; i++) {
         fourlink_vector at;
@@ -102,17 +104,22 @@ static void put_tracers(line *l, const scene *s)
         if (s->images[i].sub[0])
             continue;
         put_comma(l, &n);
-        put_label(l, s->images[i].name, "", "");
-        line_put(l, ",\"of\":\"%s\"}", s->images[i].of);
+        scene_json_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", s->images[i].name,
+                       s->images[i].of);
     }
     line_put(l, "],\n");
+}
+
+static const char *truth(int is)
+{
+    return is ? "true" : "false";
 }
 
 /* A spring: its name and what it is, its pin, or its ends on two links. */
 static void put_springs(line *l, const rows *t)
 {
     fourlink_spring spring;
-    char name[TRACKS_NAME];
+    char from[TRACKS_NAME], to[TRACKS_NAME];
     const char *words;
     unsigned long i;
     int n = 0;
@@ -121,16 +128,14 @@ static void put_springs(line *l, const rows *t)
     for (i = 0; i < t->v.problem.n_springs; i++) {
         fourlink_deck_spring(t->v.deck, i, &words, &spring);
         put_comma(l, &n);
-        put_label(l, words, "", "");
-        line_put(l, ",\"coil\":%s,\"damper\":%s", scene_has_coil(&spring) ? "true" : "false",
-                 scene_has_damper(&spring) ? "true" : "false");
-        if (spring.is_torsional) {
-            line_put(l, ",\"pin\":\"%s\"}", scene_pin_of(&t->v, &spring));
-            continue;
-        }
-        line_put(l, ",\"ends\":[\"%s\",", tracks_name("K", i, "P", name));
-        line_put(l, "\"%s\"],\"on\":[%lu,%lu]}", tracks_name("K", i, "Q", name),
-                 (unsigned long)spring.link, (unsigned long)spring.to);
+        scene_json_put(l, "{\"label\":[%q,\"\",\"\"],\"coil\":%s,\"damper\":%s", words,
+                       truth(scene_has_coil(&spring)), truth(scene_has_damper(&spring)));
+        if (spring.is_torsional)
+            scene_json_put(l, ",\"pin\":%q}", scene_pin_of(&t->v, &spring));
+        else
+            scene_json_put(l, ",\"ends\":[%q,%q],\"on\":[%lu,%lu]}", tracks_name("K", i, "P", from),
+                           tracks_name("K", i, "Q", to), (unsigned long)spring.link,
+                           (unsigned long)spring.to);
     }
     line_put(l, "],\n");
 }
@@ -147,9 +152,8 @@ static void put_sides(line *l, const rows *t, const scene_side *x)
         if (!rows_find(t, x->of))
             continue;
         put_comma(l, &n);
-        put_label(l, x->name, x->sub, x->super);
-        line_put(l, ",\"from\":\"%s\",\"to\":\"%s\",\"of\":\"%s\",\"pen\":%lu}", x->from, x->to,
-                 x->of, (unsigned long)x->link);
+        scene_json_put(l, "{\"label\":[%q,%q,%q],\"from\":%q,\"to\":%q,\"of\":%q,\"pen\":%lu}",
+                       x->name, x->sub, x->super, x->from, x->to, x->of, (unsigned long)x->link);
     }
     line_put(l, "]");
 }
@@ -162,8 +166,8 @@ static void put_images(line *l, const scene *s, const scene_polygon *g)
     line_put(l, ",\"images\":[");
     for (i = 0; i < s->n_images; i++) {
         put_comma(l, &n);
-        put_label(l, s->images[i].name, s->images[i].sub, *g->mark ? PRIME : "");
-        line_put(l, ",\"of\":\"%s%s\"}", g->of, s->images[i].of);
+        scene_json_put(l, "{\"label\":[%q,%q,%q],\"of\":\"%s%s\"}", s->images[i].name,
+                       s->images[i].sub, *g->mark ? PRIME : "", g->of, s->images[i].of);
     }
     line_put(l, "]");
 }
@@ -210,12 +214,13 @@ static void put_forces(line *l, const char *name, const scene_force *list, int n
 
         flk_text_join(words, sizeof words, MINUS, f->name + is_minus, (char *)NULL);
         put_comma(l, &n);
-        put_label(l, is_minus ? words : f->name, f->sub, "");
-        line_put(l, ",\"of\":\"%s\",\"sign\":%s1,\"at\":\"%s\",\"on\":%lu,\"pen\":\"%s\"%s}", f->of,
-                 f->sign < 0 ? "-" : "", f->at, (unsigned long)f->on, pens[f->sort],
-                 !f->is_inner                      ? ""
-                 : f->load == FOURLINK_LOAD_SPRING ? ",\"inner\":true,\"spring\":true"
-                                                   : ",\"inner\":true");
+        scene_json_put(
+            l, "{\"label\":[%q,%q,\"\"],\"of\":%q,\"sign\":%s1,\"at\":%q,\"on\":%lu,\"pen\":%q%s}",
+            is_minus ? words : f->name, f->sub, f->of, f->sign < 0 ? "-" : "", f->at,
+            (unsigned long)f->on, pens[f->sort],
+            !f->is_inner                      ? ""
+            : f->load == FOURLINK_LOAD_SPRING ? ",\"inner\":true,\"spring\":true"
+                                              : ",\"inner\":true");
     }
     line_put(l, "],\n");
 }
@@ -304,10 +309,9 @@ static void put_units(line *l, const rows *t)
     int i;
 
     line_put(l, "\"units\":{");
-    for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++) {
-        line_put(l, "%s\"%s\":", i ? "," : "", flk_quantities[used[i]].name);
-        put_string(l, t->v.units[used[i]].name);
-    }
+    for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++)
+        scene_json_put(l, "%s%q:%q", i ? "," : "", flk_quantities[used[i]].name,
+                       t->v.units[used[i]].name);
     line_put(l, "},\n");
 }
 
@@ -317,8 +321,8 @@ static void put_frame(line *l, const rows *t)
     line_put(l, "\"turn\":");
     json_text_number(l, geometry_turn(&t->v), 17);
     line_put(l, ",\"gravity\":%s,\"forced\":%s,\"supports\":[\"A\"%s],\n",
-             geometry_has_weight(&t->v) ? "true" : "false",
-             t->v.problem.has_forces ? "true" : "false", t->v.kind.has_stroke ? "" : ",\"D\"");
+             truth(geometry_has_weight(&t->v)), truth(t->v.problem.has_forces),
+             t->v.kind.has_stroke ? "" : ",\"D\"");
 }
 
 void scene_json_write(line *l, const rows *t)

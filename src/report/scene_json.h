@@ -9,8 +9,8 @@
 #include "rows.h"
 #include "tables/line.h"
 
-/* What a string in an element <script> must not have as it is, in HTML or in XML. */
-#define SCENE_ESCAPED "<>&"
+/* Write JSON into an element <script>: %s a text as it is, %q a string, %lu a whole number. */
+void scene_json_put(line *l, const char *format, ...);
 
 /* Write the members of an object, with a comma after the last. */
 void scene_json_write(line *l, const rows *t);
