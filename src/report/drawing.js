@@ -151,6 +151,17 @@ function forceScale(forces, tracks, i, longest) {
     return longest / roundUp(Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0]))));
 }
 
+/* The list of forces and torques beside a drawing; returns what puts their values of row i into it. */
+function makeForceValues(data, panel, forces, torques) {
+    const entry = (unit) => (f) => ({label: f.label, unit, kind: f.pen});
+    const put = makeValues(panel, forces.map(entry(data.units.force)).concat(torques.map(entry(data.units.torque))));
+    return (tracks, i) => {
+        const sizeOf = (v) => v && size(v), signed = (f, x) => x === null ? null : f.sign * x;
+        forces.forEach((f, k) => put[k](sizeOf(tracks.vector(f.of, i))));
+        torques.forEach((f, k) => put[forces.length + k](signed(f, tracks.number(f.of, i))));
+    };
+}
+
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
 const SHORT = 20; /* pixels of a crank */
@@ -159,7 +170,7 @@ const NUMBERED = 12; /* wanted positions at most */
 const NARROW = 420; /* pixels of a panel that has no room for weights and numbers of links */
 
 function mechanism(data, panel) {
-    let tracks, rows, view, forces, torques, put, cached, now = 0;
+    let tracks, rows, view, forces, torques, putValues, cached, now = 0;
     const handle = svg("g", {class: "handle"});
     const isOfWhole = (f) => f.sign > 0 && f.pen !== "inertia" && (!f.inner || f.spring);
     const names = data.forces.filter(isOfWhole), turning = data.torques.filter(isOfWhole);
@@ -187,8 +198,7 @@ function mechanism(data, panel) {
             return;
         forces = present(names, tracks, rows);
         torques = present(turning, tracks, rows);
-        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
-                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+        putValues = makeForceValues(data, panel, forces, torques);
     }
 
     /* Find the scale at which all rows fit, with their arrows. */
@@ -429,8 +439,7 @@ function mechanism(data, panel) {
                 drawNumber(panel, link, (track) => place(track, i));
         end(panel);
         drawHandle(i);
-        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
-        torques.forEach((f, k) => put[forces.length + k](tracks.number(f.of, i)));
+        putValues(tracks, i);
     }
 
     /* The row whose crank points to a place of the drawing: of several, the nearest to the present row. */
@@ -586,7 +595,7 @@ function polygon(data, panel, described) {
 /* ------------------------------------------------------------------------------------------------- free bodies */
 
 function freeBody(data, panel, link) {
-    let tracks, rows, view, forces, torques, put;
+    let tracks, rows, view, forces, torques, putValues;
     const mine = (list) => list.filter((x) => x.on === link.link);
     const longest = () => (link.shape === "block" ? 0.3 : 0.2) * Math.min(panel.width, panel.height);
     const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
@@ -604,8 +613,7 @@ function freeBody(data, panel, link) {
             return;
         forces = present(mine(data.forces), tracks, rows);
         torques = present(mine(data.torques), tracks, rows);
-        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
-                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+        putValues = makeForceValues(data, panel, forces, torques);
     }
 
     function layOut() {
@@ -631,9 +639,7 @@ function freeBody(data, panel, link) {
 
     function show(i, name) {
         begin(panel, name);
-        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
-        torques.forEach((f, k) => put[forces.length + k](
-            tracks.number(f.of, i) === null ? null : f.sign * tracks.number(f.of, i)));
+        putValues(tracks, i);
         if (tracks.reason(i))
             return;
         const place = (track) => {

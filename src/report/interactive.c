@@ -13,7 +13,6 @@
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
-#include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
 #include "view/notation.h"
@@ -50,13 +49,13 @@ void interactive_put_label(line *l, const char *name)
     notation n;
 
     notation_split(name, &n);
-    scene_json_put(l, "[%q,%q,\"\"]", n.symbol, notation_below(&n, below));
+    interactive_put(l, "[%q,%q,\"\"]", n.symbol, notation_below(&n, below));
 }
 
 static void put_column(line *l, const fourlink_value *c, const style *x)
 {
-    scene_json_put(l, "{\"name\":%q,\"unit\":%q,\"meaning\":%q,\"label\":", c->name, c->unit,
-                   c->meaning);
+    interactive_put(l, "{\"name\":%q,\"unit\":%q,\"meaning\":%q,\"label\":", c->name, c->unit,
+                    c->meaning);
     interactive_put_label(l, c->name);
     line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
@@ -161,8 +160,8 @@ static void put_reasons(line *l, const rows *t)
     line_put(l, "\"reasons\":{");
     for (i = 0; i < t->n; i++)
         if (t->status[i] != FOURLINK_OK)
-            scene_json_put(l, "%s\"%lu\":%q", n++ ? "," : "", i,
-                           fourlink_status_text(t->status[i]));
+            interactive_put(l, "%s\"%lu\":%q", n++ ? "," : "", i,
+                            fourlink_status_text(t->status[i]));
     line_put(l, "},\n");
 }
 
@@ -201,7 +200,7 @@ static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, do
         done = rows_compute(t, branches[i]);
         if (done && i == 0) {
             put_steps(l, t, start);
-            scene_json_write(l, t);
+            interactive_put_scene(l, t);
             line_put(l, "\"branches\":[\n");
         }
         line_put(l, i ? ",\n" : "");

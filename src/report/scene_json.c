@@ -10,7 +10,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "scene_json.h"
+#include "interactive.h"
 #include "tables/json_text.h"
 #include "view/geometry.h"
 #include "view/scene.h"
@@ -24,7 +24,7 @@
 /* What a string in an element <script> must not have as it is, in HTML or in XML. */
 #define ESCAPED "<>&"
 
-void scene_json_put(line *l, const char *format, ...)
+void interactive_put(line *l, const char *format, ...)
 {
     const char *end;
     va_list arguments;
@@ -64,10 +64,10 @@ static void put_link(line *l, const rows *t, int link)
     unsigned long i;
     char name[TRACKS_NAME];
 
-    scene_json_put(l, "{\"link\":%lu,\"name\":%q,\"shape\":%q,\"pins\":[%q", (unsigned long)link,
-                   t->v.kind.link[link], shape, ends[0].letter);
+    interactive_put(l, "{\"link\":%lu,\"name\":%q,\"shape\":%q,\"pins\":[%q", (unsigned long)link,
+                    t->v.kind.link[link], shape, ends[0].letter);
     if (!slides)
-        scene_json_put(l, ",%q", ends[1].letter);
+        interactive_put(l, ",%q", ends[1].letter);
     line_put(l, "],\"points\":[");
     for (i = 0; i < t->v.problem.n_points; i++) {
         fourlink_vector at;
@@ -104,8 +104,8 @@ static void put_tracers(line *l, const scene *s)
         if (s->images[i].sub[0])
             continue;
         put_comma(l, &n);
-        scene_json_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", s->images[i].name,
-                       s->images[i].of);
+        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", s->images[i].name,
+                        s->images[i].of);
     }
     line_put(l, "],\n");
 }
@@ -128,14 +128,14 @@ static void put_springs(line *l, const rows *t)
     for (i = 0; i < t->v.problem.n_springs; i++) {
         fourlink_deck_spring(t->v.deck, i, &words, &spring);
         put_comma(l, &n);
-        scene_json_put(l, "{\"label\":[%q,\"\",\"\"],\"coil\":%s,\"damper\":%s", words,
-                       truth(scene_has_coil(&spring)), truth(scene_has_damper(&spring)));
+        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"coil\":%s,\"damper\":%s", words,
+                        truth(scene_has_coil(&spring)), truth(scene_has_damper(&spring)));
         if (spring.is_torsional)
-            scene_json_put(l, ",\"pin\":%q}", scene_pin_of(&t->v, &spring));
+            interactive_put(l, ",\"pin\":%q}", scene_pin_of(&t->v, &spring));
         else
-            scene_json_put(l, ",\"ends\":[%q,%q],\"on\":[%lu,%lu]}", tracks_name("K", i, "P", from),
-                           tracks_name("K", i, "Q", to), (unsigned long)spring.link,
-                           (unsigned long)spring.to);
+            interactive_put(l, ",\"ends\":[%q,%q],\"on\":[%lu,%lu]}",
+                            tracks_name("K", i, "P", from), tracks_name("K", i, "Q", to),
+                            (unsigned long)spring.link, (unsigned long)spring.to);
     }
     line_put(l, "],\n");
 }
@@ -152,8 +152,8 @@ static void put_sides(line *l, const rows *t, const scene_side *x)
         if (!rows_find(t, x->of))
             continue;
         put_comma(l, &n);
-        scene_json_put(l, "{\"label\":[%q,%q,%q],\"from\":%q,\"to\":%q,\"of\":%q,\"pen\":%lu}",
-                       x->name, x->sub, x->super, x->from, x->to, x->of, (unsigned long)x->link);
+        interactive_put(l, "{\"label\":[%q,%q,%q],\"from\":%q,\"to\":%q,\"of\":%q,\"pen\":%lu}",
+                        x->name, x->sub, x->super, x->from, x->to, x->of, (unsigned long)x->link);
     }
     line_put(l, "]");
 }
@@ -166,8 +166,8 @@ static void put_images(line *l, const scene *s, const scene_polygon *g)
     line_put(l, ",\"images\":[");
     for (i = 0; i < s->n_images; i++) {
         put_comma(l, &n);
-        scene_json_put(l, "{\"label\":[%q,%q,%q],\"of\":\"%s%s\"}", s->images[i].name,
-                       s->images[i].sub, *g->mark ? PRIME : "", g->of, s->images[i].of);
+        interactive_put(l, "{\"label\":[%q,%q,%q],\"of\":\"%s%s\"}", s->images[i].name,
+                        s->images[i].sub, *g->mark ? PRIME : "", g->of, s->images[i].of);
     }
     line_put(l, "]");
 }
@@ -214,7 +214,7 @@ static void put_forces(line *l, const char *name, const scene_force *list, int n
 
         flk_text_join(words, sizeof words, MINUS, f->name + is_minus, (char *)NULL);
         put_comma(l, &n);
-        scene_json_put(
+        interactive_put(
             l, "{\"label\":[%q,%q,\"\"],\"of\":%q,\"sign\":%s1,\"at\":%q,\"on\":%lu,\"pen\":%q%s}",
             is_minus ? words : f->name, f->sub, f->of, f->sign < 0 ? "-" : "", f->at,
             (unsigned long)f->on, pens[f->sort],
@@ -310,8 +310,8 @@ static void put_units(line *l, const rows *t)
 
     line_put(l, "\"units\":{");
     for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++)
-        scene_json_put(l, "%s%q:%q", i ? "," : "", flk_quantities[used[i]].name,
-                       t->v.units[used[i]].name);
+        interactive_put(l, "%s%q:%q", i ? "," : "", flk_quantities[used[i]].name,
+                        t->v.units[used[i]].name);
     line_put(l, "},\n");
 }
 
@@ -325,7 +325,7 @@ static void put_frame(line *l, const rows *t)
              t->v.kind.has_stroke ? "" : ",\"D\"");
 }
 
-void scene_json_write(line *l, const rows *t)
+void interactive_put_scene(line *l, const rows *t)
 {
     scene s;
 
