@@ -186,7 +186,7 @@ static const char *put_words(const char *s, FILE *out)
     return s;
 }
 
-/* What every group of gnuplot's says stands once, around all of them; what every drawing has without it, nowhere. */
+/* What all groups of gnuplot's say is said once, around them; what SVG takes anyway, never. */
 #define COMMON " fill=\"none\" color=\"black\" stroke=\"currentColor\""
 #define USUAL " stroke-linecap=\"butt\" stroke-linejoin=\"miter\""
 #define BODY "</defs"

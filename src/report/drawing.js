@@ -9,7 +9,7 @@
 */
 fourlink.draw = (function () {
 
-const {html, svg, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+const {html, svg, withUnit, quantityText, stepText, cellText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
        makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
@@ -682,15 +682,6 @@ function freeBody(data, panel, link) {
 }
 
 /* ------------------------------------------------------------------------------------------ the row of the table */
-
-/* A number as the program's table writes it. */
-function cellText(column, value) {
-    if (typeof value !== "number")
-        return value === null ? "–" : value;
-    const text = column.form === "angle" ? String(value) : column.form === "exponent"
-        ? value.toExponential(column.decimals) : value.toFixed(column.decimals);
-    return text.replace(/^-(?=[0.]+$)/, "");
-}
 
 function tableRow(data, place) {
     const list = html("dl", {class: "cells"});

@@ -14,8 +14,8 @@
 ** in the deck's unit.  Returns 0 without memory. */
 int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start);
 
-/* What it consists of, in scene_json.c: links, polygons, forces by the names of their tracks, as members of an object
-** with a comma after the last. */
+/* What it consists of, in scene_json.c: links, polygons, forces by the names of their tracks.  Members of an
+** object with a comma after the last. */
 void interactive_put_scene(line *l, const rows *t);
 
 /* Write JSON into an element <script>: %s a text as it is, %q a string, %lu a whole number. */

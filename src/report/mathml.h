@@ -57,7 +57,7 @@ void math_given(math *m, const char *name, double value);
 /* Write NAME = EQUATION, the same with numbers, and the value; the symbol has this value from then on. */
 void math_let(math *m, const char *name, const char *equation, double value);
 
-/* Write EQUATION = 0, the same with numbers, and the length it comes to, 0 if that is below 1e-6 of `size`. */
+/* Write EQUATION = 0, the same with numbers, and the length it comes to, 0 if below 1e-6 of `size`. */
 void math_zero(math *m, const char *equation, double value, double size);
 
 /* Write an equation in symbols alone. */

@@ -26,7 +26,8 @@ void page_print(page *p, const char *format, ...);
 
 #define PAGE_AT "at \316\270\342\202\202" /* a heading of a column */
 
-/* Begin a table of facts with a heading h3, unless it is null; `columns` are its headings, NAME|NAME ...  End it. */
+/* Begin a table of facts with a heading h3, unless it is null; one of another class.  `columns` are the
+** headings, NAME|NAME.  End it. */
 void page_table(page *p, const char *heading, const char *columns);
 void page_table_of(page *p, const char *name_of_class, const char *columns);
 void page_table_end(page *p);
