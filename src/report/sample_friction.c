@@ -18,12 +18,6 @@ static const struct {
                 {"C", "rhoC", "MC", "F34", "rhoC * F34"},
                 {"D", "rhoD", "MD", "F14", "rhoD * F14"}};
 
-/* 1 if a pin is there: C and D may be sliders. */
-static int is_pin(const report *r, int i)
-{
-    return !r->v.kind.joint[i].slider;
-}
-
 /* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
 static void put_pin(const report *r, math *m, const fourlink_friction *friction, int i)
 {
@@ -112,8 +106,8 @@ void sample_put_friction(report *r, math *m)
                friction.guide > 0 && friction.guide_length > 0
                    ? ", or \316\274 2 |M| / l if the couple presses its edges more"
                    : "");
-    for (i = 0; i < PINS; i++)
-        if (friction.circle[i] > 0 && is_pin(r, i))
+    for (i = 0; i < PINS; i++) /* C and D may be sliders */
+        if (friction.circle[i] > 0 && !r->v.kind.joint[i].slider)
             put_pin(r, m, &friction, i);
     if (friction.guide > 0)
         put_guide(r, m, &friction);

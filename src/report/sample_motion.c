@@ -19,14 +19,16 @@ static void put_words(math *m, const char *words)
     page_print(m->p, "<p>%s</p>\n", words);
 }
 
-/* The crank, which all kinds have. */
-static void give_crank(report *r, math *m)
+/* Of what is given, the crank, which all kinds have. */
+static void end_given(report *r, math *m)
 {
     const fourlink_crank *crank = &r->now.row.crank;
 
     math_given(m, "theta2", crank->theta2);
     math_given(m, "omega2", crank->omega2);
     math_given(m, "alpha2", crank->alpha2);
+    page_print(m->p, "</ul>\n");
+    put_heading(m, "Position");
 }
 
 /* An angle in (-pi, pi]. */
@@ -35,20 +37,17 @@ static double principal(double angle)
     return angle - 2 * M_PI * ceil((angle - M_PI) / (2 * M_PI));
 }
 
-/* The last term of an angle, so that it is the library's, in (-pi, pi]: `plain` is the sum before it. */
-static const char *turn_of(double plain, double angle)
-{
-    return plain - angle > M_PI ? " - 360deg" : plain - angle < -M_PI ? " + 360deg" : "";
-}
-
-/* Write an angle whose equation may need a full turn more or less. */
+/* Write an angle whose equation, with the value `plain`, may need a full turn more or less, so that it is the
+** library's, in (-pi, pi]. */
 static void let_turned(math *m, const char *name, const char *equation, double plain, double angle)
 {
+    const char *turn = plain - angle > M_PI    ? " - 360deg"
+                       : plain - angle < -M_PI ? " + 360deg"
+                                               : "";
     char whole[200];
 
-    math_let(m, name,
-             flk_text_join(whole, sizeof whole, equation, turn_of(plain, angle), (char *)NULL),
-             angle);
+    flk_text_join(whole, sizeof whole, equation, turn, (char *)NULL);
+    math_let(m, name, whole, angle);
 }
 
 /* ------------------------------------------------------------------------------ four-bar */
@@ -90,14 +89,11 @@ static void put_four_bar(report *r, math *m)
 {
     const fourlink_link_state *link = r->now.state.link;
 
-    page_print(m->p, "<ul class=\"given\">\n");
     math_given(m, "a", r->v.design->link[2].length);
     math_given(m, "b", r->v.design->link[3].length);
     math_given(m, "c", r->v.design->link[4].length);
     math_given(m, "d", r->v.design->link[1].length);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    end_given(r, m);
     put_four_bar_position(r, m);
     put_heading(m, "Velocity");
     put_words(m, "The loop equations, differentiated by time, and solved:");
@@ -148,13 +144,10 @@ static void put_slider_crank(report *r, math *m)
 {
     const fourlink_link_state *link = r->now.state.link;
 
-    page_print(m->p, "<ul class=\"given\">\n");
     math_given(m, "r", r->v.design->link[2].length);
     math_given(m, "l", r->v.design->link[3].length);
     math_given(m, "e", r->v.design->offset);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    end_given(r, m);
     put_words(m,
               "x runs along the line of stroke; \316\270\342\202\203 is the angle of the rod from "
               "crank pin B to piston C:");
@@ -226,11 +219,8 @@ static void put_inverted(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
 
-    page_print(m->p, "<ul class=\"given\">\n");
     give_slide(r, m);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    end_given(r, m);
     put_inverted_position(r, m);
     put_heading(m, "Velocity");
     put_words(m,
@@ -254,6 +244,7 @@ static void put_inverted(report *r, math *m)
 void sample_put_motion(report *r, math *m)
 {
     put_heading(m, "Given");
+    page_print(m->p, "<ul class=\"given\">\n");
     switch (r->v.design->kind) {
     case FOURLINK_FOUR_BAR:
         put_four_bar(r, m);

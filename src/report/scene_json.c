@@ -176,27 +176,15 @@ static void put_polygon(line *l, const rows *t, const scene *s, const scene_poly
 {
     int i;
 
-    line_put(
-        l,
-        "{\"title\":\"%s polygon\",\"quantity\":\"%s\",\"zero\":\"%s\",\"pole\":\"%s\",\"lines\":[",
-        g->title, flk_quantities[g->q].name, g->zero, g->sides[0].from);
+    interactive_put(l,
+                    "{\"title\":\"%s polygon\",\"quantity\":%q,\"zero\":%q,\"pole\":%q,\"lines\":[",
+                    g->title, flk_quantities[g->q].name, g->zero, g->sides[0].from);
     for (i = 0; i < 2 && g->lines[i][0]; i++)
-        line_put(l, "%s[\"%s\",\"%s\"]", i ? "," : "", g->lines[i][0], g->lines[i][1]);
+        interactive_put(l, "%s[%q,%q]", i ? "," : "", g->lines[i][0], g->lines[i][1]);
     line_put(l, "]");
     put_sides(l, t, g->sides);
     put_images(l, s, g);
     line_put(l, "}");
-}
-
-static void put_polygons(line *l, const rows *t, const scene *s)
-{
-    const scene_polygon *g = scene_polygons(&t->v);
-
-    line_put(l, "\"polygons\":[\n");
-    put_polygon(l, t, s, &g[0]);
-    line_put(l, ",\n");
-    put_polygon(l, t, s, &g[1]);
-    line_put(l, "],\n");
 }
 
 /* ------------------------------------------------------------------------------------------------ forces */
@@ -327,6 +315,7 @@ static void put_frame(line *l, const rows *t)
 
 void interactive_put_scene(line *l, const rows *t)
 {
+    const scene_polygon *polygons = scene_polygons(&t->v);
     scene s;
 
     scene_find(&s, &t->v);
@@ -335,7 +324,11 @@ void interactive_put_scene(line *l, const rows *t)
     put_links(l, t);
     put_tracers(l, &s);
     put_springs(l, t);
-    put_polygons(l, t, &s);
+    line_put(l, "\"polygons\":[\n");
+    put_polygon(l, t, &s, &polygons[0]);
+    line_put(l, ",\n");
+    put_polygon(l, t, &s, &polygons[1]);
+    line_put(l, "],\n");
     put_forces(l, "forces", s.forces, s.n_forces);
     put_forces(l, "torques", s.torques, s.n_torques);
     put_wanted(l, t);
