@@ -105,9 +105,9 @@ build_page() {
     sed -e "s/@VERSION@/$version/g" -e "s/@SOURCES@/$hash/g" "$web/page.html" >web/frame.html
     while IFS= read -r line; do
         case $line in
-        @REPORT_STYLE@) cat "$report/report.css" ;;
+        @REPORT_STYLE@) sh "$report/embed.sh" report.css ;;
         @STYLE@) cat "$web/page.css" ;;
-        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/typed.js" "$report/controls.js" ;;
+        @REPORT_SCRIPT@) sh "$report/embed.sh" panel.js drawing.js typed.js controls.js ;;
         @EXAMPLES@) cat web/examples.json ;;
         @TEMPLATES@) cat web/templates.json ;;
         @MANUAL@) cat web/manual.txt ;;

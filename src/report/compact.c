@@ -186,13 +186,29 @@ static const char *put_words(const char *s, FILE *out)
     return s;
 }
 
+/* What all groups of gnuplot's say is said once, around them; what SVG takes anyway, never. */
+#define COMMON " fill=\"none\" color=\"black\" stroke=\"currentColor\""
+#define USUAL " stroke-linecap=\"butt\" stroke-linejoin=\"miter\""
+#define BODY "</defs"
+#define END "</svg>"
+
 static void shorten(const char *s, FILE *out)
 {
-    const char *body = strstr(s, "</defs>"), *after;
+    const char *body = strstr(s, BODY), *after;
 
     while (*s) {
         if ((after = skip_empty_group(s)) != NULL) {
             s = after;
+        } else if (s == body) {
+            fputs(BODY "><g" COMMON, out);
+            s += strlen(BODY);
+        } else if (s > body && begins(s, COMMON)) {
+            s += strlen(COMMON);
+        } else if (begins(s, USUAL)) {
+            s += strlen(USUAL);
+        } else if (body && begins(s, END)) {
+            fputs("</g>" END, out);
+            s += strlen(END);
         } else if (s > body && begins(s, " d='")) {
             s = put_path(s + 4, 0, out);
         } else if (begins(s, "<polygon ")) {

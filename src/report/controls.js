@@ -9,17 +9,10 @@ Object.assign(fourlink, (function () {
 function drag(drawing, go) {
     const sheet = drawing.main.panel.drawing;
     let dragged = null;
-    const follow = (event) => {
-        const box = sheet.getBoundingClientRect(), view = sheet.viewBox.baseVal;
-        const at = [(event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height];
-        go(drawing.main.rowAt(at));
-    };
+    const follow = (event) => go(drawing.main.rowAt(fourlink.placeOf(event, sheet)));
     drawing.main.handle.addEventListener("pointerdown", (event) => {
         dragged = event.pointerId;
-        event.preventDefault();
-        try {
-            sheet.setPointerCapture(dragged);
-        } catch (error) { /* a pointer that is already gone */ }
+        fourlink.hold(event, sheet);
         follow(event);
     });
     sheet.addEventListener("pointermove", (event) => {
@@ -154,11 +147,7 @@ function offerFiles() {
     for (const button of document.querySelectorAll("button[data-save]")) {
         button.hidden = false;
         button.addEventListener("click", () => {
-            const words = document.getElementById(button.dataset.from).textContent;
-            const address = URL.createObjectURL(new Blob([words], {type: "text/csv"}));
-            const link = fourlink.html("a", {href: address, download: button.dataset.save});
-            link.click();
-            setTimeout(() => URL.revokeObjectURL(address), 1000);
+            fourlink.save(button.dataset.save, "text/csv", document.getElementById(button.dataset.from).textContent);
         });
     }
 }

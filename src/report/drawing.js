@@ -9,7 +9,7 @@
 */
 fourlink.draw = (function () {
 
-const {html, svg, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+const {html, svg, withUnit, quantityText, stepText, cellText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
        makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
@@ -151,13 +151,26 @@ function forceScale(forces, tracks, i, longest) {
     return longest / roundUp(Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0]))));
 }
 
+/* The list of forces and torques beside a drawing; returns what puts their values of row i into it. */
+function makeForceValues(data, panel, forces, torques) {
+    const entry = (unit) => (f) => ({label: f.label, unit, kind: f.pen});
+    const put = makeValues(panel, forces.map(entry(data.units.force)).concat(torques.map(entry(data.units.torque))));
+    return (tracks, i) => {
+        const sizeOf = (v) => v && size(v), signed = (f, x) => x === null ? null : f.sign * x;
+        forces.forEach((f, k) => put[k](sizeOf(tracks.vector(f.of, i))));
+        torques.forEach((f, k) => put[forces.length + k](signed(f, tracks.number(f.of, i))));
+    };
+}
+
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
 const SHORT = 20; /* pixels of a crank */
 const ENLARGED = 1.7; /* at least, in an inset */
+const NUMBERED = 12; /* wanted positions at most */
+const NARROW = 420; /* pixels of a panel that has no room for weights and numbers of links */
 
 function mechanism(data, panel) {
-    let tracks, rows, view, forces, torques, put, cached, now = 0;
+    let tracks, rows, view, forces, torques, putValues, cached, now = 0;
     const handle = svg("g", {class: "handle"});
     const isOfWhole = (f) => f.sign > 0 && f.pen !== "inertia" && (!f.inner || f.spring);
     const names = data.forces.filter(isOfWhole), turning = data.torques.filter(isOfWhole);
@@ -169,9 +182,12 @@ function mechanism(data, panel) {
     const carried = data.links.flatMap((link) => carriedBy(data, link));
     const largest = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
+    const isNarrow = () => panel.width < NARROW;
+    const isWeight = (f) => /^W\d$/.test(f.of);
     /* Half a block: one at the crank pin does not cover a short crank. */
     const atCrank = data.links.some((link) => link.shape === "slot");
     const half = () => atCrank ? Math.max(5, Math.min(largest(), 0.4 * size(minus(place("B", now), place("A", now))))) : largest();
+    const wanted = () => data.wanted || [];
     panel.drawing.append(panel.ink, handle);
 
     /* Take a branch; `held`: of the same drawing. */
@@ -182,8 +198,7 @@ function mechanism(data, panel) {
             return;
         forces = present(names, tracks, rows);
         torques = present(turning, tracks, rows);
-        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
-                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+        putValues = makeForceValues(data, panel, forces, torques);
     }
 
     /* Find the scale at which all rows fit, with their arrows. */
@@ -205,6 +220,8 @@ function mechanism(data, panel) {
                     marks.push([...at, ...times(forceScale(forces, tracks, i, longest()), v)]);
             }
         }
+        for (const p of wanted().flatMap((position) => position.lines.flat().concat([position.mark])))
+            marks.push([...tracks.turned(...p), 0, 0]);
         view = fit(panel, marks, 34);
         panel.drawing.dataset.scale = view.scale;
         panel.drawing.dataset.x = view.origin[0];
@@ -245,6 +262,18 @@ function mechanism(data, panel) {
         }
     }
 
+    /* The positions for which a linkage was found by synthesis. */
+    function drawWanted() {
+        const at = (p) => add(view.origin, times(view.scale, tracks.turned(...p)));
+        wanted().forEach((position, k) => {
+            for (const points of position.lines)
+                line(panel, "wanted", ...points.map(at));
+            circle(panel, "wanted", at(position.mark), 5, "wanted " + (k + 1));
+            if (wanted().length <= NUMBERED)
+                text(panel, at(position.mark), [0.8, 0.8], [String(k + 1), "", ""], 5, "small");
+        });
+    }
+
     /* The crank angle, from the x axis. */
     function drawAngle(i) {
         const A = place("A", i), B = minus(place("B", i), A), x = tracks.x;
@@ -279,7 +308,7 @@ function mechanism(data, panel) {
     function drawTorques(i) {
         for (const t of torques)
             if (tracks.number(t.of, i)) {
-                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), t.spring ? 25 : 20);
+                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), (isNarrow() ? -6 : 0) + (t.spring ? 25 : 20));
                 if (!t.spring) /* the spring has the name */
                     text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
             }
@@ -290,7 +319,7 @@ function mechanism(data, panel) {
         let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
         for (const f of forces) {
             const v = tracks.vector(f.of, i), at = place(f.at, i);
-            if (!v || k * size(v) < 0.02 * view.part * longest())
+            if (!v || k * size(v) < 0.02 * view.part * longest() || (isNarrow() && isWeight(f)))
                 continue;
             arrow(panel, f.pen, at, times(k, v));
             if (!f.spring)
@@ -379,6 +408,7 @@ function mechanism(data, panel) {
         drawDirections();
         drawFrame(i);
         panel.ink.append(cached);
+        drawWanted();
         if (reason) {
             support(panel, place("A", i));
             line(panel, "link2", place("A", i), place("B", i));
@@ -404,13 +434,12 @@ function mechanism(data, panel) {
         drawLetters(i);
         drawForces(i);
         drawInset(i);
-        if (!reason)
+        if (!reason && !isNarrow())
             for (const link of data.links)
                 drawNumber(panel, link, (track) => place(track, i));
         end(panel);
         drawHandle(i);
-        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
-        torques.forEach((f, k) => put[forces.length + k](tracks.number(f.of, i)));
+        putValues(tracks, i);
     }
 
     /* The row whose crank points to a place of the drawing: of several, the nearest to the present row. */
@@ -566,7 +595,7 @@ function polygon(data, panel, described) {
 /* ------------------------------------------------------------------------------------------------- free bodies */
 
 function freeBody(data, panel, link) {
-    let tracks, rows, view, forces, torques, put;
+    let tracks, rows, view, forces, torques, putValues;
     const mine = (list) => list.filter((x) => x.on === link.link);
     const longest = () => (link.shape === "block" ? 0.3 : 0.2) * Math.min(panel.width, panel.height);
     const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
@@ -584,8 +613,7 @@ function freeBody(data, panel, link) {
             return;
         forces = present(mine(data.forces), tracks, rows);
         torques = present(mine(data.torques), tracks, rows);
-        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
-                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+        putValues = makeForceValues(data, panel, forces, torques);
     }
 
     function layOut() {
@@ -611,9 +639,7 @@ function freeBody(data, panel, link) {
 
     function show(i, name) {
         begin(panel, name);
-        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
-        torques.forEach((f, k) => put[forces.length + k](
-            tracks.number(f.of, i) === null ? null : f.sign * tracks.number(f.of, i)));
+        putValues(tracks, i);
         if (tracks.reason(i))
             return;
         const place = (track) => {
@@ -657,15 +683,6 @@ function freeBody(data, panel, link) {
 
 /* ------------------------------------------------------------------------------------------ the row of the table */
 
-/* A number as the program's table writes it. */
-function cellText(column, value) {
-    if (typeof value !== "number")
-        return value === null ? "–" : value;
-    const text = column.form === "angle" ? String(value) : column.form === "exponent"
-        ? value.toExponential(column.decimals) : value.toFixed(column.decimals);
-    return text.replace(/^-(?=[0.]+$)/, "");
-}
-
 function tableRow(data, place) {
     const list = html("dl", {class: "cells"});
     const cells = data.columns.map((column) => {
@@ -699,13 +716,15 @@ function keyOf(data) {
     if (data.forces.some((f) => f.pen === "inertia"))
         entry("inertia", "inertia force and torque, in the free bodies");
     data.points.forEach((p, k) => entry("path" + k % 6, "path of " + p.label[0]));
+    if (data.wanted)
+        entry("wanted", "wanted positions");
     return key;
 }
 
 /* What the drawing consists of, whatever its numbers. */
 function structure(data) {
     return JSON.stringify([data.over, data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
-                           data.forces, data.torques, data.columns.map((c) => [c.name, c.unit]),
+                           data.forces, data.torques, (data.wanted || []).length, data.columns.map((c) => [c.name, c.unit]),
                            data.branches.map((b) => b.name)]);
 }
 

@@ -6,20 +6,41 @@
 
 #include <gsl/gsl_math.h>
 
-#include "cell.h"
 #include "report.h"
 #include "tables/sheet.h"
 #include "view/notation.h"
 
-/* Write value and unit; words take so many cells. */
-static void put_value(report *r, const fourlink_value *v, int cells)
+/* The angle of a value as a cell. */
+static void put_angle(report *r, const fourlink_value *v)
 {
-    if (v->words) {
-        page_print(&r->page, "<td colspan=\"%d\">%s</td>", cells, v->words);
-        return;
+    page_print(&r->page, "<td>");
+    if (v->has_angle)
+        page_print(&r->page, "%v%U", v->angle, r->v.problem.digits,
+                   r->v.units[QUANTITY_ANGLE].name);
+    page_print(&r->page, "</td>");
+}
+
+void report_put_inputs(report *r)
+{
+    const fourlink_value *inputs;
+    page *p = &r->page;
+    unsigned long n, i;
+
+    fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
+    page_section(p, "inputs", "Inputs as understood");
+    page_table(p, NULL, "Name|Value|Unit|Meaning");
+    for (i = 0; i < n; i++) {
+        const fourlink_value *x = &inputs[i];
+
+        if (x->words)
+            page_print(p,
+                       "<tr><th scope=\"row\">%s</th><td colspan=\"2\">%s</td><td>%s</td></tr>\n",
+                       x->name, x->words, x->meaning);
+        else
+            page_row(p, "%s|%v|%u|%s", x->name, x->value, r->v.problem.digits, x->unit, x->meaning);
     }
-    cell_put(&r->page, v->value, r->v.problem.digits);
-    page_print(&r->page, "<td>%u</td>", v->unit);
+    page_table_end(p);
+    page_print(p, "</section>\n");
 }
 
 /* Begin a line with the name of a result. */
@@ -28,47 +49,17 @@ static void put_name(report *r, const char *name)
     page_print(&r->page, "<tr><th scope=\"row\" data-name=\"%s\">%n</th>", name, name);
 }
 
-/* Write the angle of a value as a cell. */
-static void put_angle(report *r, const fourlink_value *v)
-{
-    page_print(&r->page, "<td>");
-    if (v->has_angle) {
-        cell_number(&r->page, v->angle, r->v.problem.digits);
-        page_print(&r->page, "%U", r->v.units[QUANTITY_ANGLE].name);
-    }
-    page_print(&r->page, "</td>");
-}
-
-void report_put_inputs(report *r)
-{
-    const fourlink_value *inputs;
-    unsigned long n, i;
-
-    fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
-    page_section(&r->page, "inputs", "Inputs as understood");
-    cell_begin(&r->page, NULL,
-               CELL_HEAD("Name") CELL_HEAD("Value") CELL_HEAD("Unit") CELL_HEAD("Meaning"));
-    for (i = 0; i < n; i++) {
-        page_print(&r->page, "<tr><th scope=\"row\">%s</th>", inputs[i].name);
-        put_value(r, &inputs[i], 2);
-        page_print(&r->page, "<td>%s</td></tr>\n", inputs[i].meaning);
-    }
-    cell_end(&r->page);
-    page_print(&r->page, "</section>\n");
-}
-
 /* Write a group of facts; one that is the same on both branches once. */
 static void put_facts(report *r, const char *heading, int group)
 {
     const fourlink_value *facts;
+    page *p = &r->page;
     unsigned long n, i;
 
     fourlink_results_facts(r->v.results, 0, group, &facts, &n);
     if (!n)
         return;
-    cell_begin(&r->page, heading,
-               CELL_HEAD("Name") CELL_HEAD("Value") CELL_HEAD("Unit") CELL_AT CELL_HEAD("Branch")
-                   CELL_HEAD("Meaning"));
+    page_table(p, heading, "Name|Value|Unit|" PAGE_AT "|Branch|Meaning");
     for (i = 0; i < n; i++) {
         const fourlink_value *f = &facts[i];
         int is_on_both = sheet_is_on_both(f, facts, n);
@@ -76,15 +67,17 @@ static void put_facts(report *r, const char *heading, int group)
         if (is_on_both && f->branch == FOURLINK_CROSSED)
             continue;
         put_name(r, f->name);
-        put_value(r, f, 4);
-        if (!f->words) {
+        if (f->words) {
+            page_print(p, "<td colspan=\"4\">%s</td>", f->words);
+        } else {
+            page_print(p, "<td>%v</td><td>%u</td>", f->value, r->v.problem.digits, f->unit);
             put_angle(r, f);
-            page_print(&r->page, "<td>%s</td>",
+            page_print(p, "<td>%s</td>",
                        f->branch && !is_on_both ? fourlink_branch_text(f->branch) : "");
         }
-        page_print(&r->page, "<td>%s</td></tr>\n", f->meaning);
+        page_print(p, "<td>%s</td></tr>\n", f->meaning);
     }
-    cell_end(&r->page);
+    page_table_end(p);
 }
 
 /* Write the smallest value of a column, or the largest, and its angle; null: it has none. */
@@ -94,12 +87,13 @@ static void put_extreme(report *r, const fourlink_value *v)
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    cell_put(&r->page, v->value, r->v.problem.digits);
+    page_print(&r->page, "<td>%v</td>", v->value, r->v.problem.digits);
     put_angle(r, v);
 }
 
 static void put_extremes(report *r, fourlink_branch branch)
 {
+    const char *of = branch == FOURLINK_OPEN ? "open branch" : "crossed branch";
     const fourlink_value *columns = r->v.columns;
     view_extremes extremes;
     int status = view_find_extremes(&r->v, branch, &extremes);
@@ -107,16 +101,12 @@ static void put_extremes(report *r, fourlink_branch branch)
 
     if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) {
         page_print(&r->page, "<p class=\"missing\">No smallest and largest values, %s: %s.</p>\n",
-                   branch == FOURLINK_OPEN ? "open branch" : "crossed branch",
-                   fourlink_status_text(status));
+                   of, fourlink_status_text(status));
         r->failed++;
         return;
     }
-    cell_begin(&r->page,
-               branch == FOURLINK_OPEN ? "Smallest and largest values, open branch"
-                                       : "Smallest and largest values, crossed branch",
-               CELL_HEAD("Column") CELL_HEAD("Unit") CELL_HEAD("Smallest")
-                   CELL_AT CELL_HEAD("Largest") CELL_AT);
+    page_print(&r->page, "<h3>Smallest and largest values, %s</h3>\n", of);
+    page_table(&r->page, NULL, "Column|Unit|Smallest|" PAGE_AT "|Largest|" PAGE_AT);
     for (i = 0; i < r->v.n_columns; i++) {
         if (columns[i].flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING))
             continue;
@@ -126,7 +116,7 @@ static void put_extremes(report *r, fourlink_branch branch)
         put_extreme(r, view_extreme(&extremes, columns[i].handle + FOURLINK_MAX));
         page_print(&r->page, "</tr>\n");
     }
-    cell_end(&r->page);
+    page_table_end(&r->page);
 }
 
 void report_put_facts(report *r)
@@ -190,17 +180,13 @@ static int find_result(report *r, int i, fourlink_branch branch, fourlink_value 
 
 static void put_result(report *r, const fourlink_value *v)
 {
-    page *p = &r->page;
+    int digits = r->v.problem.digits;
 
-    page_print(p, "<td>");
-    cell_number(p, v->value, r->v.problem.digits);
-    page_print(p, "%U", v->unit);
-    if (v->has_angle && r->v.problem.n_rows > 1) {
-        page_print(p, " <small>at ");
-        cell_number(p, v->angle, r->v.problem.digits);
-        page_print(p, "%U</small>", r->v.units[QUANTITY_ANGLE].name);
-    }
-    page_print(p, "</td>");
+    page_print(&r->page, "<td>%v%U", v->value, digits, v->unit);
+    if (v->has_angle && r->v.problem.n_rows > 1)
+        page_print(&r->page, " <small>at %v%U</small>", v->angle, digits,
+                   r->v.units[QUANTITY_ANGLE].name);
+    page_print(&r->page, "</td>");
 }
 
 /* Write a line of the box: a result on each branch; once if it is the same on both. */
@@ -242,14 +228,10 @@ void report_put_results(report *r)
     fourlink_results_facts(r->v.results, 0, FOURLINK_FACTS_LIMITS, &facts, &n);
     if (n && facts[0].words)
         page_print(p, "<p class=\"type\">%s.</p>\n", facts[0].words);
-    page_print(p, "<div class=\"wide\"><table class=\"results\">\n<thead><tr>" CELL_HEAD("Result"));
-    for (i = 0; i < r->v.n_branches; i++)
-        page_print(p,
-                   r->v.n_branches > 1 ? "<th scope=\"col\">%s branch</th>"
-                                       : "<th scope=\"col\">Value%s</th>",
-                   r->v.n_branches > 1 ? fourlink_branch_text((int)r->v.branches[i]) : "");
-    page_print(p, "</tr></thead>\n<tbody>\n");
+    page_table_of(p, "results",
+                  r->v.n_branches > 1 ? "Result|open branch|crossed branch" : "Result|Value");
     for (i = 0; i < RESULTS; i++)
         put_results_line(r, i);
-    page_print(p, "</tbody>\n</table></div>\n</section>\n");
+    page_table_end(p);
+    page_print(p, "</section>\n");
 }

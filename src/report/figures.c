@@ -127,12 +127,12 @@ void report_put_curves(report *r)
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
                flk_text_join(caption, sizeof caption, "The pin forces and the driving torque ",
                              over, (char *)NULL));
+    put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
+               "Polar diagrams of the pin forces.");
     put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",
                "The actual motion: speed with its mean, torques over the speed, energy.");
     put_figure(r, PLOT_TURNING, NULL, "Turning moment, its mean, and the areas between them",
                "The turning moment.");
-    put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
-               "Polar diagrams of the pin forces.");
     put_figure(r, PLOT_KLEIN, at,
                "Klein's construction: lengths that stand for velocity and acceleration",
                at_angle(r, "Klein's construction", caption));

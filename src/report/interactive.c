@@ -13,7 +13,6 @@
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
-#include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
 #include "view/notation.h"
@@ -50,22 +49,13 @@ void interactive_put_label(line *l, const char *name)
     notation n;
 
     notation_split(name, &n);
-    line_put(l, "[");
-    json_text_put(l, n.symbol, SCENE_ESCAPED);
-    line_put(l, ",");
-    json_text_put(l, notation_below(&n, below), SCENE_ESCAPED);
-    line_put(l, ",\"\"]");
+    interactive_put(l, "[%q,%q,\"\"]", n.symbol, notation_below(&n, below));
 }
 
 static void put_column(line *l, const fourlink_value *c, const style *x)
 {
-    line_put(l, "{\"name\":");
-    json_text_put(l, c->name, SCENE_ESCAPED);
-    line_put(l, ",\"unit\":");
-    json_text_put(l, c->unit, SCENE_ESCAPED);
-    line_put(l, ",\"meaning\":");
-    json_text_put(l, c->meaning, SCENE_ESCAPED);
-    line_put(l, ",\"label\":");
+    interactive_put(l, "{\"name\":%q,\"unit\":%q,\"meaning\":%q,\"label\":", c->name, c->unit,
+                    c->meaning);
     interactive_put_label(l, c->name);
     line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
@@ -119,37 +109,26 @@ static void put_table(line *l, const rows *t, const style *styles)
 
 /* ----------------------------------------------------------------------------------------------- the tracks */
 
-/* 1 if a track has the same value in every row. */
-static int is_constant(const rows *t, const rows_track *x, int of_y)
+static void put_value(line *l, double value, double size)
 {
-    unsigned long i;
-
-    for (i = 1; i < t->n; i++)
-        if (!((of_y ? x->values[i].y : x->values[i].x) == (of_y ? x->values[0].y : x->values[0].x)))
-            return 0;
-    return 1;
-}
-
-static void put_value(line *l, const rows_track *x, unsigned long i, int of_y)
-{
-    double value = of_y ? x->values[i].y : x->values[i].x;
-
-    json_text_number(l, fabs(value) <= ROUNDING * x->size ? 0 : value, DIGITS);
+    json_text_number(l, fabs(value) <= ROUNDING * size ? 0 : value, DIGITS);
 }
 
 /* Write the values of a track; one number if it is the same in every row. */
-static void put_values(line *l, const rows *t, const rows_track *x, int of_y)
+static void put_values(line *l, const rows *t, const double *values, double size)
 {
     unsigned long i;
 
-    if (is_constant(t, x, of_y)) {
-        put_value(l, x, 0, of_y);
+    for (i = 1; i < t->n && values[i] == values[0]; i++)
+        ;
+    if (i >= t->n) {
+        put_value(l, values[0], size);
         return;
     }
     line_put(l, "[");
     for (i = 0; i < t->n; i++) {
         line_put(l, i ? "," : "");
-        put_value(l, x, i, of_y);
+        put_value(l, values[i], size);
     }
     line_put(l, "]");
 }
@@ -163,10 +142,10 @@ static void put_tracks(line *l, const rows *t)
         const rows_track *x = &t->tracks[i];
 
         line_put(l, "%s\n\"%s\":[", i ? "," : "", x->name);
-        put_values(l, t, x, 0);
+        put_values(l, t, x->x, x->size);
         if (!x->is_number) {
             line_put(l, ",");
-            put_values(l, t, x, 1);
+            put_values(l, t, x->y, x->size);
         }
         line_put(l, "]");
     }
@@ -180,10 +159,9 @@ static void put_reasons(line *l, const rows *t)
 
     line_put(l, "\"reasons\":{");
     for (i = 0; i < t->n; i++)
-        if (t->status[i] != FOURLINK_OK) {
-            line_put(l, "%s\"%lu\":", n++ ? "," : "", i);
-            json_text_put(l, fourlink_status_text(t->status[i]), SCENE_ESCAPED);
-        }
+        if (t->status[i] != FOURLINK_OK)
+            interactive_put(l, "%s\"%lu\":%q", n++ ? "," : "", i,
+                            fourlink_status_text(t->status[i]));
     line_put(l, "},\n");
 }
 
@@ -222,7 +200,7 @@ static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, do
         done = rows_compute(t, branches[i]);
         if (done && i == 0) {
             put_steps(l, t, start);
-            scene_json_write(l, t);
+            interactive_put_scene(l, t);
             line_put(l, "\"branches\":[\n");
         }
         line_put(l, i ? ",\n" : "");

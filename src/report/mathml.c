@@ -33,28 +33,68 @@ void math_close(page *p)
 
 /* ------------------------------------------------------------------------------ symbols and numbers */
 
+/* Symbols that are no Latin letters, or no lengths, by the beginning of their names. */
 static const struct {
     const char *name, *letter;
-} letters[] = {{"theta", "\316\270"},  {"omega", "\317\211"}, {"alpha", "\316\261"},
-               {"beta", "\316\262"},   {"gamma", "\316\263"}, {"psi", "\317\210"},
-               {"rho", "\317\201"},    {"mu", "\316\274"},    {"sdot", "\341\271\241"},
-               {"sddot", "s\314\210"}, {NULL, NULL}};
+    math_unit unit;
+} letters[] = {{"theta", "\316\270", MATH_ANGLE},
+               {"beta", "\316\262", MATH_ANGLE},
+               {"gamma", "\316\263", MATH_ANGLE},
+               {"psi", "\317\210", MATH_ANGLE},
+               {"delta", "\316\264", MATH_ANGLE},
+               {"omega", "\317\211", MATH_RAD_S},
+               {"alpha", "\316\261", MATH_RAD_S2},
+               {"rho", "\317\201", MATH_M},
+               {"mu", "\316\274", MATH_ONE},
+               {"sdot", "\341\271\241", MATH_M_S},
+               {"sddot", "s\314\210", MATH_M_S2},
+               {"v", "v", MATH_M_S},
+               {"aB", "a", MATH_M_S2},
+               {"aC", "a", MATH_M_S2},
+               {"aG", "a", MATH_M_S2},
+               {"acor", "a", MATH_M_S2},
+               {"F", "F", MATH_N},
+               {"N", "N", MATH_N},
+               {"M", "M", MATH_NM},
+               {"T", "T", MATH_NM},
+               {"P", "P", MATH_W},
+               {"K", "K", MATH_ONE},
+               {"Q", "Q", MATH_ONE},
+               {"S3", "S", MATH_M2}};
+
+enum { LETTERS = sizeof letters / sizeof letters[0] };
+
+static const char *const unit_names[MATH_UNITS] = {"m",   "m\302\262",   "",      "",
+                                                   "m/s", "m/s\302\262", "rad/s", "rad/s\302\262",
+                                                   "N",   "N\302\267m",  "W"};
+
+/* The entry of a name; LETTERS if it has none. */
+static int letter_of(const char *name)
+{
+    int i;
+
+    for (i = 0; i < LETTERS && strncmp(name, letters[i].name, strlen(letters[i].name)) != 0; i++)
+        ;
+    return i;
+}
+
+static math_unit unit_of(const char *name)
+{
+    int i = letter_of(name);
+
+    return i < LETTERS ? letters[i].unit : MATH_M;
+}
 
 void math_symbol(page *p, const char *name)
 {
-    size_t length = 1;
+    int i = letter_of(name), is_latin = i == LETTERS || strlen(letters[i].letter) == 1;
+    size_t length = is_latin ? 1 : strlen(letters[i].name);
     char letter[2];
-    int i;
 
-    for (i = 0; letters[i].name; i++)
-        if (strncmp(name, letters[i].name, strlen(letters[i].name)) == 0)
-            break;
     letter[0] = name[0];
     letter[1] = '\0';
-    if (letters[i].name)
-        length = strlen(letters[i].name);
     page_print(p, name[length] ? "<msub><mi>%s</mi><mtext>%s</mtext></msub>" : "<mi>%s</mi>",
-               letters[i].name ? letters[i].letter : letter, name + length);
+               is_latin ? letter : letters[i].letter, name + length);
 }
 
 /* The digits of a number without its sign; a power of ten has its own element. */
@@ -107,42 +147,20 @@ static int find(const math *m, text name)
     return i;
 }
 
-static void set(math *m, const char *name, double value, int is_angle)
+double math_settled(const math *m, double value, math_unit unit)
+{
+    return format_settled(value, m->size[unit]);
+}
+
+void math_set(math *m, const char *name, double value)
 {
     int i = find(m, flk_text_of(name));
 
     if (i == MATH_SYMBOLS)
         return;
     m->symbol[i].name = name;
-    m->symbol[i].value = value;
-    m->symbol[i].is_angle = is_angle;
+    m->symbol[i].value = math_settled(m, value, unit_of(name));
     m->n += i == m->n;
-}
-
-void math_set(math *m, const char *name, double value)
-{
-    set(m, name, value, 0);
-}
-
-void math_set_angle(math *m, const char *name, double value)
-{
-    set(m, name, value, 1);
-}
-
-void math_size(math *m, const char *unit, double size)
-{
-    m->units[m->n_units].name = unit;
-    m->units[m->n_units++].size = size;
-}
-
-double math_settled(const math *m, double value, const char *unit)
-{
-    int i;
-
-    for (i = 0; i < m->n_units; i++)
-        if (strcmp(m->units[i].name, unit) == 0)
-            return format_settled(value, m->units[i].size);
-    return value;
 }
 
 /* ------------------------------------------------------------------------------ equations */
@@ -179,7 +197,7 @@ static void put_named(writer *w, text token)
     }
     in_brackets = w->m->symbol[i].value < 0 && !w->is_first;
     page_print(p, in_brackets ? "<mrow>" LEFT : "");
-    put_number(p, w->m->symbol[i].value, w->m->symbol[i].is_angle);
+    put_number(p, w->m->symbol[i].value, unit_of(w->m->symbol[i].name) == MATH_ANGLE);
     page_print(p, in_brackets ? RIGHT "</mrow>" : "");
 }
 
@@ -277,22 +295,40 @@ static void put_equation(math *m, const char *equation, int has_numbers)
         put_token(&w, token);
 }
 
-static void put_value(math *m, double value, int is_angle, const char *unit)
+static void put_value(math *m, double value, math_unit unit)
 {
+    const char *name = unit_names[unit];
+
     page_print(m->p, "<mo>=</mo>");
-    put_number(m->p, value, is_angle);
-    page_print(m->p, unit[0] ? "<mtext>\302\240%s</mtext>" : "%s", unit);
+    put_number(m->p, value, unit == MATH_ANGLE);
+    page_print(m->p, *name ? "<mtext>\302\240%s</mtext>" : "%s", name);
 }
 
-static void let(math *m, const char *name, const char *equation, double value, int is_angle,
-                const char *unit)
+/* Begin the block of an equation: what it is for, or null, and the equation in symbols. */
+static void put_symbols(math *m, const char *name, const char *equation, const char *end)
 {
     page_print(m->p, "<div class=\"equation\">\n");
     math_open(m->p, "symbols");
-    math_symbol(m->p, name);
-    page_print(m->p, "<mo>=</mo>");
+    if (name) {
+        math_symbol(m->p, name);
+        page_print(m->p, "<mo>=</mo>");
+    }
     put_equation(m, equation, 0);
+    page_print(m->p, "%m", end);
     math_close(m->p);
+}
+
+static void end_block(math *m)
+{
+    math_close(m->p);
+    page_print(m->p, "</div>\n");
+}
+
+void math_let(math *m, const char *name, const char *equation, double value)
+{
+    math_unit unit = unit_of(name);
+
+    put_symbols(m, name, equation, "");
     math_open(m->p, "numbers");
     page_print(m->p, "<mo>=</mo>");
     put_equation(m, equation, 1);
@@ -300,62 +336,41 @@ static void let(math *m, const char *name, const char *equation, double value, i
         math_close(m->p);
         math_open(m->p, "numbers");
     }
-    put_value(m, value, is_angle, unit);
-    math_close(m->p);
-    page_print(m->p, "</div>\n");
-    set(m, name, value, is_angle);
+    put_value(m, math_settled(m, value, unit), unit);
+    end_block(m);
+    math_set(m, name, value);
 }
 
-void math_let(math *m, const char *name, const char *equation, double value, const char *unit)
+void math_zero(math *m, const char *equation, double value, double size, math_unit unit)
 {
-    let(m, name, equation, math_settled(m, value, unit), 0, unit);
-}
-
-void math_let_angle(math *m, const char *name, const char *equation, double value)
-{
-    let(m, name, equation, value, 1, "");
-}
-
-void math_zero(math *m, const char *equation, double value, double size, const char *unit)
-{
-    page_print(m->p, "<div class=\"equation\">\n");
-    math_open(m->p, "symbols");
-    put_equation(m, equation, 0);
-    page_print(m->p, "<mo>=</mo><mn>0</mn>");
-    math_close(m->p);
+    put_symbols(m, NULL, equation, "<mo>=</mo><mn>0</mn>");
     math_open(m->p, "numbers");
     put_equation(m, equation, 1);
-    put_value(m, fabs(value) < 1e-6 * size ? 0 : value, 0, unit);
-    math_close(m->p);
-    page_print(m->p, "</div>\n");
-}
-
-static void show(math *m, const char *equation, int has_numbers)
-{
-    page_print(m->p, "<div class=\"equation\">\n");
-    math_open(m->p, has_numbers ? "numbers" : "symbols");
-    put_equation(m, equation, has_numbers);
-    math_close(m->p);
-    page_print(m->p, "</div>\n");
+    put_value(m, fabs(value) < 1e-6 * size ? 0 : value, unit);
+    end_block(m);
 }
 
 void math_show(math *m, const char *equation)
 {
-    show(m, equation, 0);
+    put_symbols(m, NULL, equation, "");
+    page_print(m->p, "</div>\n");
 }
 
 void math_show_numbers(math *m, const char *equation)
 {
-    show(m, equation, 1);
+    page_print(m->p, "<div class=\"equation\">\n");
+    math_open(m->p, "numbers");
+    put_equation(m, equation, 1);
+    end_block(m);
 }
 
-void math_given(math *m, const char *name, const char *unit)
+void math_given(math *m, const char *name, double value)
 {
-    int i = find(m, flk_text_of(name));
+    math_unit unit = unit_of(name);
 
-    m->symbol[i].value = math_settled(m, m->symbol[i].value, unit);
+    math_set(m, name, value);
     page_print(m->p, "<li><math xmlns=\"" NAMESPACE "\"><mrow>");
     math_symbol(m->p, name);
-    put_value(m, m->symbol[i].value, m->symbol[i].is_angle, unit);
+    put_value(m, math_settled(m, value, unit), unit);
     page_print(m->p, "</mrow></math></li>\n");
 }

@@ -18,48 +18,52 @@
 #include "page.h"
 
 #define MATH_SYMBOLS 64
-#define MATH_UNITS 8
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
+
+/* The unit of a symbol follows from its name.  Angles are in radians, and written in degrees. */
+typedef enum math_unit {
+    MATH_M,
+    MATH_M2,
+    MATH_ANGLE,
+    MATH_ONE,
+    MATH_M_S,
+    MATH_M_S2,
+    MATH_RAD_S,
+    MATH_RAD_S2,
+    MATH_N,
+    MATH_NM,
+    MATH_W,
+    MATH_UNITS
+} math_unit;
 
 /* Set it to zero, then set `p`. */
 typedef struct math {
     page *p;
+    double
+        size[MATH_UNITS]; /* how large values are: beside them rounding error is 0; 0: not known */
     int n;
     struct {
         const char *name;
         double value;
-        int is_angle; /* 1: the value is in radians, and written in degrees */
     } symbol[MATH_SYMBOLS];
-    int n_units;
-    struct {
-        const char *name;
-        double size;
-    } units[MATH_UNITS];
 } math;
 
-/* Say how large values in a unit are: beside them rounding error is 0 from then on. */
-void math_size(math *m, const char *unit, double size);
-
 /* A value in a unit; 0 if it is rounding error. */
-double math_settled(const math *m, double value, const char *unit);
+double math_settled(const math *m, double value, math_unit unit);
 
-/* Give a symbol its value. */
+/* Give a symbol its value; write NAME = VALUE UNIT within a line, too. */
 void math_set(math *m, const char *name, double value);
-void math_set_angle(math *m, const char *name, double value);
+void math_given(math *m, const char *name, double value);
 
 /* Write NAME = EQUATION, the same with numbers, and the value; the symbol has this value from then on. */
-void math_let(math *m, const char *name, const char *equation, double value, const char *unit);
-void math_let_angle(math *m, const char *name, const char *equation, double value);
+void math_let(math *m, const char *name, const char *equation, double value);
 
-/* Write EQUATION = 0, the same with numbers, and what it comes to, 0 if that is below 1e-6 of `size`. */
-void math_zero(math *m, const char *equation, double value, double size, const char *unit);
+/* Write EQUATION = 0, the same with numbers, and the value it comes to, 0 if below 1e-6 of `size`. */
+void math_zero(math *m, const char *equation, double value, double size, math_unit unit);
 
 /* Write an equation in symbols alone; with the numbers of those symbols that have a value. */
 void math_show(math *m, const char *equation);
 void math_show_numbers(math *m, const char *equation);
-
-/* Write NAME = VALUE UNIT within a line. */
-void math_given(math *m, const char *name, const char *unit);
 
 /* Write a number, or a symbol, as an element within <math>. */
 void math_number(page *p, double value);

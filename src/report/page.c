@@ -6,7 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/format.h"
+#include "base/text.h"
 #include "base/xml.h"
 #include "page.h"
 #include "view/notation.h"
@@ -33,16 +36,29 @@ static void put_unit(page *p, const char *unit, int has_gap)
                notation_unit(unit, typeset));
 }
 
-void page_print(page *p, const char *format, ...)
+/* A number with the digits of a deck. */
+static void put_number(page *p, double value, int digits)
 {
-    va_list arguments;
+    if (gsl_isnan(value))
+        page_print(p, "\342\200\223"); /* a dash */
+    else if (gsl_isinf(value))
+        page_print(p, value > 0 ? "\342\210\236" : "\342\210\222\342\210\236");
+    else
+        page_print(p, digits > 12 ? "%.15g" : digits > 6 ? "%.9g" : "%.6g", value);
+}
+
+/* The same as printf's; in a row, | begins the next cell. */
+static void print(page *p, const char *format, va_list arguments, int is_row)
+{
     const char *words;
     char number[FORMAT_SIZE], *end;
-    int digits;
+    double value;
+    int digits, cells = 0;
 
-    va_start(arguments, format);
     for (; *format; format++) {
-        if (*format != '%' || *++format == '%') {
+        if (is_row && *format == '|') {
+            fputs(cells++ ? "</td><td>" : "</th><td>", p->out);
+        } else if (*format != '%' || *++format == '%') {
             putc(*format, p->out);
         } else if (*format == 's') {
             words = va_arg(arguments, const char *);
@@ -58,6 +74,9 @@ void page_print(page *p, const char *format, ...)
         } else if (*format == 'l') {
             format++;
             fprintf(p->out, "%lu", va_arg(arguments, unsigned long));
+        } else if (*format == 'v') {
+            value = va_arg(arguments, double);
+            put_number(p, value, va_arg(arguments, int));
         } else { /* .6g, .4f */
             digits = (int)strtol(format + 1, &end, 10);
             format = end;
@@ -66,7 +85,51 @@ void page_print(page *p, const char *format, ...)
                   p->out);
         }
     }
+}
+
+void page_print(page *p, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    print(p, format, arguments, 0);
     va_end(arguments);
+}
+
+void page_row(page *p, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    page_print(p, "<tr><th scope=\"row\">");
+    print(p, format, arguments, 1);
+    page_print(p, "</td></tr>\n");
+    va_end(arguments);
+}
+
+void page_table_of(page *p, const char *name_of_class, const char *columns)
+{
+    text rest = flk_text_of(columns), name;
+
+    page_print(p, "<div class=\"wide\"><table class=\"%s\">\n<thead><tr>", name_of_class);
+    while (flk_text_split(&rest, '|', &name)) {
+        page_print(p, "<th scope=\"col\">");
+        xml_put(p->out, name.start, name.length);
+        page_print(p, "</th>");
+    }
+    page_print(p, "</tr></thead>\n<tbody>\n");
+}
+
+void page_table(page *p, const char *heading, const char *columns)
+{
+    if (heading)
+        page_print(p, "<h3>%s</h3>\n", heading);
+    page_table_of(p, "facts", columns);
+}
+
+void page_table_end(page *p)
+{
+    page_print(p, "</tbody>\n</table></div>\n");
 }
 
 /* RFC 4648, section 4 */

@@ -20,8 +20,20 @@ typedef struct page {
 **    %n     the name of a value, typeset; %u, a unit; %U, the unit of the number before it
 **    %d     a whole number, an int; %lu, an unsigned long
 **    %.6g   a number with so many significant digits, -0 as 0; %.4f with so many decimals
+**    %v     a number and how many digits its deck has; undefined and unbounded ones as signs
 **    %%     a per cent sign */
 void page_print(page *p, const char *format, ...);
+
+#define PAGE_AT "at \316\270\342\202\202" /* a heading of a column */
+
+/* Begin a table of facts with a heading h3, unless it is null; one of another class.  `columns` are the
+** headings, NAME|NAME.  End it. */
+void page_table(page *p, const char *heading, const char *columns);
+void page_table_of(page *p, const char *name_of_class, const char *columns);
+void page_table_end(page *p);
+
+/* Write a row of a table, as page_print does: its name and its cells, with | between them. */
+void page_row(page *p, const char *format, ...);
 
 /* Write bytes in base64. */
 void page_base64(page *p, FILE *bytes);

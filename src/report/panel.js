@@ -70,6 +70,36 @@ function stepText(data, i) {
     return withUnit(text, unit).replace("\u00a0", " ");
 }
 
+/* A number as the program's table writes it. */
+function cellText(column, value) {
+    if (typeof value !== "number")
+        return value === null ? "–" : value;
+    const text = column.form === "angle" ? String(value) : column.form === "exponent"
+        ? value.toExponential(column.decimals) : value.toFixed(column.decimals);
+    return text.replace(/^-(?=[0.]+$)/, "");
+}
+
+/* Save words as a file. */
+function save(file, type, words) {
+    const address = URL.createObjectURL(new Blob([words], {type}));
+    html("a", {href: address, download: file}).click();
+    setTimeout(() => URL.revokeObjectURL(address), 1000);
+}
+
+/* Where a pointer is in a drawing, in its pixels. */
+function placeOf(event, sheet) {
+    const box = sheet.getBoundingClientRect(), view = sheet.viewBox.baseVal;
+    return [(event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height];
+}
+
+/* Let a drawing have all that a pointer does until it is up. */
+function hold(event, sheet) {
+    event.preventDefault();
+    try {
+        sheet.setPointerCapture(event.pointerId);
+    } catch (error) { /* a pointer that is already gone */ }
+}
+
 /* A label is [name, subscript, superscript].  A short name of the program's own is a variable, in italics. */
 function isVariable(label) {
     return label[1] !== "" || label[0].length === 1;
@@ -137,12 +167,13 @@ function tracksOf(data, branch) {
         const value = track ? pick(track[0], i) : null;
         return typeof value === "number" ? value : null;
     }
+    const turned = (x, y) => [c * x - s * y, -s * x - c * y];
     function vector(name, i) {
         const track = branch.tracks[name];
         const x = track ? pick(track[0], i) : null, y = track ? pick(track[1], i) : null;
-        return typeof x === "number" && typeof y === "number" ? [c * x - s * y, -s * x - c * y] : null;
+        return typeof x === "number" && typeof y === "number" ? turned(x, y) : null;
     }
-    return {number, vector, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
+    return {number, vector, turned, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
             x: [c, -s]};
 }
 
@@ -381,7 +412,7 @@ function present(list, tracks, rows) {
     }));
 }
 
-return {html, svg, unitText, withUnit, quantityText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+return {html, svg, unitText, withUnit, quantityText, stepText, cellText, save, placeOf, hold, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
         makePanel, begin, end, measure, line, area, circle, head, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
         reached, present, pairs, digits};
 }());

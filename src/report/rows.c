@@ -125,41 +125,25 @@ double rows_step_of(const rows *t, const fourlink_instant *now)
 
 /* ----------------------------------------------------------------------------------------------- tracks */
 
-/* The track of a name, made if there is none; null without memory. */
-static rows_track *track_of(rows *t, const char *name)
-{
-    int number = number_of(t, name);
-    rows_track *x = &t->tracks[number];
-    unsigned long i;
-
-    if (number < t->n_tracks)
-        return x;
-    if (t->n_tracks == TRACKS_MOST)
-        return NULL;
-    x->values = malloc(t->n * sizeof *x->values);
-    if (!x->values) {
-        t->out_of_memory = 1;
-        return NULL;
-    }
-    strcpy(x->name, name);
-    x->size = 0;
-    for (i = 0; i < t->n; i++)
-        x->values[i].x = x->values[i].y = GSL_NAN;
-    t->n_tracks++;
-    return x;
-}
-
-/* Put a number of row i into its track. */
+/* Put a number of row i into its track, which is made if there is none. */
 static void put(rows *t, unsigned long i, const track *now)
 {
-    rows_track *x = track_of(t, now->name);
+    int number = number_of(t, now->name);
+    rows_track *x = &t->tracks[number];
+    unsigned long k;
 
-    if (!x)
-        return;
-    x->is_number = now->is_number;
-    x->values[i].x = view_value(&t->v, now->q, now->v.x);
-    x->values[i].y = view_value(&t->v, now->q, now->v.y);
-    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->values[i].x), fabs(x->values[i].y)));
+    if (number == t->n_tracks) {
+        x->x = t->values + 2 * t->n * (unsigned long)t->n_tracks++;
+        x->y = x->x + t->n;
+        strcpy(x->name, now->name);
+        x->is_number = now->is_number;
+        x->size = 0;
+        for (k = 0; k < 2 * t->n; k++)
+            x->x[k] = GSL_NAN;
+    }
+    x->x[i] = view_value(&t->v, now->q, now->v.x);
+    x->y[i] = view_value(&t->v, now->q, now->v.y);
+    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->x[i]), fabs(x->y[i])));
 }
 
 /* -------------------------------------------------------------------------------------------- all of them */
@@ -212,22 +196,17 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
     else if (t->steps)
         choose_angles(t, at);
     t->status = malloc((t->n + 1) * sizeof *t->status);
+    t->values = malloc((t->n + 1) * 2 * TRACKS_MOST * sizeof *t->values);
     t->table = malloc((t->n * t->v.n_columns + 1) * sizeof *t->table);
-    t->out_of_memory |= !t->steps || !t->status || !t->table || !t->loads;
+    t->out_of_memory |= !t->steps || !t->status || !t->values || !t->table || !t->loads;
     return !t->out_of_memory;
-}
-
-static void close_branch(rows *t)
-{
-    while (t->n_tracks > 0)
-        free(t->tracks[--t->n_tracks].values);
 }
 
 void rows_close(rows *t)
 {
-    close_branch(t);
     fourlink_results_free(t->own);
     free(t->steps);
+    free(t->values);
     free(t->status);
     free(t->table);
     free(t->loads);
@@ -253,7 +232,7 @@ int rows_compute(rows *t, fourlink_branch branch)
 {
     unsigned long i;
 
-    close_branch(t);
+    t->n_tracks = 0;
     t->branch = branch;
     for (i = 0; i < t->n; i++)
         compute_row(t, i);

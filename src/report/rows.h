@@ -12,9 +12,9 @@ enum { ROWS_LOADS = 42, ROWS_POINTS = 24 };
 
 typedef struct rows_track {
     char name[TRACKS_NAME];
-    int is_number;           /* 1: only x is used */
-    fourlink_vector *values; /* by row; NaN where the linkage cannot be assembled */
-    double size;             /* the largest magnitude */
+    int is_number; /* 1: only x is used */
+    double *x, *y; /* by row; NaN where the linkage cannot be assembled */
+    double size;   /* the largest magnitude */
 } rows_track;
 
 typedef struct rows {
@@ -22,7 +22,8 @@ typedef struct rows {
     fourlink_results *own; /* opened here; null: none */
     view v;                /* of the deck; one instant has become a cycle */
     unsigned long n;
-    double *steps; /* crank angles or times, in the deck's unit */
+    double *steps;  /* crank angles or times, in the deck's unit */
+    double *values; /* room for those of all tracks */
 
     /* one branch */
     fourlink_branch branch;
@@ -44,7 +45,7 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
 double rows_step_of(const rows *t, const fourlink_instant *now);
 void rows_close(rows *t);
 
-/* Compute a branch; 0 without memory. */
+/* Compute a branch; 0 if it has no rows. */
 int rows_compute(rows *t, fourlink_branch branch);
 
 /* The track of a name; null if there is none. */

@@ -20,13 +20,13 @@ static void set_sizes(const report *r, math *m)
     fourlink_unknowns(r->v.mechanism, &r->now.forces, x);
     for (i = 0; i < 8; i++)
         force = GSL_MAX_DBL(force, fabs(x[i]));
-    math_size(m, SAMPLE_M, a);
-    math_size(m, SAMPLE_RAD_S, omega);
-    math_size(m, SAMPLE_RAD_S2, alpha);
-    math_size(m, SAMPLE_M_S, omega * a);
-    math_size(m, SAMPLE_M_S2, alpha * a);
-    math_size(m, SAMPLE_N, r->v.problem.has_forces ? force : 0);
-    math_size(m, SAMPLE_NM, r->v.problem.has_forces ? force * a : 0);
+    m->size[MATH_M] = a;
+    m->size[MATH_RAD_S] = omega;
+    m->size[MATH_RAD_S2] = alpha;
+    m->size[MATH_M_S] = omega * a;
+    m->size[MATH_M_S2] = alpha * a;
+    m->size[MATH_N] = r->v.problem.has_forces ? force : 0;
+    m->size[MATH_NM] = r->v.problem.has_forces ? force * a : 0;
 }
 
 void report_put_sample(report *r)

@@ -8,14 +8,6 @@
 #include "mathml.h"
 #include "report.h"
 
-#define SAMPLE_M_S "m/s"
-#define SAMPLE_M_S2 "m/s\302\262"
-#define SAMPLE_RAD_S "rad/s"
-#define SAMPLE_RAD_S2 "rad/s\302\262"
-#define SAMPLE_M "m"
-#define SAMPLE_N "N"
-#define SAMPLE_NM "N\302\267m"
-
 /* Position, velocities and accelerations by the equations of the kind.  The symbols stay set. */
 void sample_put_motion(report *r, math *m);
 

@@ -15,7 +15,8 @@
 typedef struct body {
     const fourlink_link *data;
     const fourlink_link_state *now;
-    fourlink_vector rho;   /* from its origin to its centre of mass G */
+    fourlink_vector G;     /* its centre of mass */
+    fourlink_vector rho;   /* from its origin to G */
     fourlink_vector a;     /* of G */
     fourlink_vector v;     /* of G, for a unit crank speed */
     fourlink_vector force; /* sum of its loads, and their moment about G */
@@ -23,13 +24,13 @@ typedef struct body {
     double work; /* of its loads, for a unit crank speed */
 } body;
 
-/* For a unit crank speed. */
-static fourlink_vector velocity_of(const fourlink_link_state *link, fourlink_vector arm)
+/* The velocity of a place on a link, for a unit crank speed. */
+static fourlink_vector velocity_of(const fourlink_link_state *link, fourlink_vector place)
 {
     fourlink_vector v;
 
-    v.x = link->k_origin.x - link->k * arm.y;
-    v.y = link->k_origin.y + link->k * arm.x;
+    v.x = link->k_origin.x - link->k * (place.y - link->origin.y);
+    v.y = link->k_origin.y + link->k * (place.x - link->origin.x);
     return v;
 }
 
@@ -52,48 +53,26 @@ static double cross(fourlink_vector u, fourlink_vector v)
 
 static body cut_free(const report *r, int link)
 {
-    fourlink_vector G;
     body b;
 
     memset(&b, 0, sizeof b);
     b.data = &r->v.design->link[link];
     b.now = &r->now.state.link[link];
-    fourlink_point(&r->now.state, link, &b.data->cg, &G, NULL, &b.a);
-    b.rho = from(b.now->origin, G);
-    b.v = velocity_of(b.now, b.rho);
+    fourlink_point(&r->now.state, link, &b.data->cg, &b.G, NULL, &b.a);
+    b.rho = from(b.now->origin, b.G);
+    b.v = velocity_of(b.now, b.G);
     return b;
 }
 
-/* A load at this position. */
-typedef struct applied {
-    fourlink_vector force, arm; /* in the axes of the ground; from the link's origin */
-    double work;                /* for a unit crank speed */
-} applied;
-
-static applied apply(const report *r, const fourlink_load *load)
+static void add_load(const report *r, body *b, const fourlink_load *load)
 {
-    const fourlink_link_state *link = &r->now.state.link[load->link];
-    applied x;
+    fourlink_vector at = geometry_of_link(&r->now.state, load->link, &load->at);
+    fourlink_vector force = geometry_force(load, &r->now.state);
 
-    x.arm = from(link->origin, geometry_of_link(&r->now.state, load->link, &load->at));
-    x.force = geometry_force(load, &r->now.state);
-    x.work = dot(x.force, velocity_of(link, x.arm)) + load->torque * link->k;
-    return x;
-}
-
-static void add_loads(const report *r, body bodies[5])
-{
-    unsigned long i;
-
-    for (i = 0; i < r->v.problem.n_loads; i++) {
-        applied x = apply(r, &r->loads[i]);
-        body *b = &bodies[r->loads[i].link];
-
-        b->force.x += x.force.x;
-        b->force.y += x.force.y;
-        b->moment += r->loads[i].torque + cross(from(b->rho, x.arm), x.force);
-        b->work += x.work;
-    }
+    b->force.x += force.x;
+    b->force.y += force.y;
+    b->moment += load->torque + cross(from(b->G, at), force);
+    b->work += dot(force, velocity_of(b->now, at)) + load->torque * b->now->k;
 }
 
 /* ------------------------------------------------------------------------------ accelerations */
@@ -115,14 +94,12 @@ static const char *const of_centre[5][2] = {
 
 static void put_centre(report *r, math *m, const body *b, int link)
 {
-    math_set(m, names[link][0], b->rho.x);
-    math_set(m, names[link][1], b->rho.y);
     page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->v.kind.link[link]);
-    math_given(m, names[link][0], SAMPLE_M);
-    math_given(m, names[link][1], SAMPLE_M);
+    math_given(m, names[link][0], b->rho.x);
+    math_given(m, names[link][1], b->rho.y);
     page_print(m->p, "</ul>\n");
-    math_let(m, names[link][2], of_centre[link][0], b->a.x, SAMPLE_M_S2);
-    math_let(m, names[link][3], of_centre[link][1], b->a.y, SAMPLE_M_S2);
+    math_let(m, names[link][2], of_centre[link][0], b->a.x);
+    math_let(m, names[link][3], of_centre[link][1], b->a.y);
 }
 
 /* The acceleration of B, with the crank's length under its name. */
@@ -135,11 +112,11 @@ static void put_crank_pin(report *r, math *m)
     math_let(m, "aBx",
              is_r ? "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2"
                   : "<alpha2 - a * alpha2 * sin theta2 > - a * omega2 ^2 * cos theta2",
-             a->x, SAMPLE_M_S2);
+             a->x);
     math_let(m, "aBy",
              is_r ? "<alpha2 r * alpha2 * cos theta2 > - r * omega2 ^2 * sin theta2"
                   : "<alpha2 a * alpha2 * cos theta2 > - a * omega2 ^2 * sin theta2",
-             a->y, SAMPLE_M_S2);
+             a->y);
 }
 
 static void put_centres(report *r, math *m, const body bodies[5])
@@ -148,15 +125,15 @@ static void put_centres(report *r, math *m, const body bodies[5])
 
     page_print(m->p, "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector "
                      "from a link's pin (A, B, D) to its centre of mass G.</p>\n");
-    math_set(m, "omega4", math_settled(m, r->now.state.link[4].omega, SAMPLE_RAD_S));
-    math_set(m, "alpha4", math_settled(m, r->now.state.link[4].alpha, SAMPLE_RAD_S2));
+    math_set(m, "omega4", r->now.state.link[4].omega);
+    math_set(m, "alpha4", r->now.state.link[4].alpha);
     for (link = 2; link <= 4; link++) {
         if (!(bodies[link].data->mass > 0))
             continue;
         if (link == 3)
             put_crank_pin(r, m);
         if (link == 4 && r->v.kind.has_stroke)
-            math_let(m, "aG4x", "aC", bodies[4].a.x, SAMPLE_M_S2);
+            math_let(m, "aG4x", "aC", bodies[4].a.x);
         else
             put_centre(r, m, &bodies[link], link);
     }
@@ -164,21 +141,12 @@ static void put_centres(report *r, math *m, const body bodies[5])
 
 /* ------------------------------------------------------------------------------ nine equations */
 
-static void put_cell(math *m, double value, const char *of)
-{
-    page_print(m->p, "<td>%.6g</td>", math_settled(m, value, of));
-}
-
 /* Write an equation's right-hand side and its parts: inertia, weight, loads. */
 static void put_side(math *m, const char *link, const char *what, double inertia, double weight,
-                     double load, double b, const char *of)
+                     double load, double b, math_unit of)
 {
-    page_print(m->p, "<tr><th scope=\"row\">%s, %s</th>", link, what);
-    put_cell(m, inertia, of);
-    put_cell(m, -weight, of);
-    put_cell(m, -load, of);
-    put_cell(m, b, of);
-    page_print(m->p, "</tr>\n");
+    page_row(m->p, "%s, %s|%.6g|%.6g|%.6g|%.6g", link, what, math_settled(m, inertia, of),
+             math_settled(m, -weight, of), math_settled(m, -load, of), math_settled(m, b, of));
 }
 
 static void put_sides(report *r, math *m, const body bodies[5], const double b[9])
@@ -187,31 +155,29 @@ static void put_sides(report *r, math *m, const body bodies[5], const double b[9
     page *p = m->p;
     int link;
 
-    page_print(
-        p, "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along y, "
-           "and the moments about its centre of mass; F<sub>ij</sub> is the force of link i on "
-           "link j.  What is known stands on the right: mass times acceleration, less weight, "
-           "less loads.</p>\n"
-           "<div class=\"wide\"><table class=\"facts sides\">\n<thead><tr>");
-    page_print(p, "<th scope=\"col\">Equation</th><th scope=\"col\">m a, I \316\261</th>"
-                  "<th scope=\"col\">\342\210\222 weight</th>"
-                  "<th scope=\"col\">\342\210\222 loads</th><th scope=\"col\">b (N, N\302\267m)"
-                  "</th></tr></thead>\n<tbody>\n");
+    page_print(p,
+               "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along "
+               "y, and the moments about its centre of mass; F<sub>ij</sub> is the force of link i "
+               "on link j.  What is known stands on the right: mass times acceleration, less "
+               "weight, less loads.</p>\n");
+    page_table_of(
+        p, "facts sides",
+        "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b (N, N\302\267m)");
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
         const char *name = r->v.kind.link[link];
         double mass = x->data->mass;
         const double *side = b + 3 * (link - 2);
 
-        put_side(m, name, "x", mass * x->a.x, mass * g->x, x->force.x, side[0], SAMPLE_N);
-        put_side(m, name, "y", mass * x->a.y, mass * g->y, x->force.y, side[1], SAMPLE_N);
+        put_side(m, name, "x", mass * x->a.x, mass * g->x, x->force.x, side[0], MATH_N);
+        put_side(m, name, "y", mass * x->a.y, mass * g->y, x->force.y, side[1], MATH_N);
         put_side(m, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2],
-                 SAMPLE_NM);
+                 MATH_NM);
     }
-    page_print(p, "</tbody>\n</table></div>\n");
+    page_table_end(p);
 }
 
-static void put_entry(math *m, double value, const char *of)
+static void put_entry(math *m, double value, math_unit of)
 {
     page_print(m->p, "<mtd>");
     math_number(m->p, math_settled(m, value, of));
@@ -230,22 +196,16 @@ static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
     for (i = 0; i < 9; i++) {
         page_print(p, "<mtr>");
         for (j = 0; j < 9; j++)
-            put_entry(m, A[i][j], SAMPLE_M);
+            put_entry(m, A[i][j], MATH_M);
         page_print(p, "<mtd>");
         math_symbol(p, fourlink_unknown_text((int)r->v.design->kind, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
-        put_entry(m, b[i], i % 3 == 2 ? SAMPLE_NM : SAMPLE_N);
+        put_entry(m, b[i], i % 3 == 2 ? MATH_NM : MATH_N);
         page_print(p, "</mtr>\n");
     }
     page_print(p, "</mtable>");
     math_close(p);
     page_print(p, "</div>\n");
-}
-
-/* Torques and couples have N m. */
-static const char *unit_of(const char *unknown)
-{
-    return unknown[0] == 'M' || unknown[0] == 'T' ? SAMPLE_NM : SAMPLE_N;
 }
 
 static void put_solution(report *r, math *m)
@@ -255,35 +215,24 @@ static void put_solution(report *r, math *m)
 
     fourlink_unknowns(&r->v.problem.mechanism, &r->now.forces, x);
     page_print(m->p, "<p>The solution:</p>\n<ul class=\"given solution\">\n");
-    for (i = 0; i < 9; i++) {
-        const char *name = fourlink_unknown_text((int)r->v.kind.kind, i);
-
-        math_set(m, name, x[i]);
-        math_given(m, name, unit_of(name));
-    }
+    for (i = 0; i < 9; i++)
+        math_given(m, fourlink_unknown_text((int)r->v.kind.kind, i), x[i]);
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
-    math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), SAMPLE_N);
-    math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), SAMPLE_N);
+    math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]));
+    math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]));
     if (!r->v.kind.has_slot)
-        math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), SAMPLE_N);
+        math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]));
     if (!r->v.kind.has_stroke)
-        math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), SAMPLE_N);
+        math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]));
 }
 
 /* ------------------------------------------------------------------------------ virtual work */
 
-/* Write the terms of a link, or their sum, and add them up. */
-static void put_works(math *m, const char *name, const double work[3], double sum[3])
+/* Write the terms of a link, or their sum. */
+static void put_works(math *m, const char *name, const double work[3])
 {
-    int i;
-
-    page_print(m->p, "<tr><th scope=\"row\">%s</th>", name);
-    for (i = 0; i < 3; i++) {
-        put_cell(m, work[i], SAMPLE_NM);
-        if (sum)
-            sum[i] += work[i];
-    }
-    page_print(m->p, "</tr>\n");
+    page_row(m->p, "%s|%.6g|%.6g|%.6g", name, math_settled(m, work[0], MATH_NM),
+             math_settled(m, work[1], MATH_NM), math_settled(m, work[2], MATH_NM));
 }
 
 /* Virtual work: with the velocities of a unit crank speed,
@@ -294,30 +243,31 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
 {
     double sum[3] = {0, 0, 0}, work[3];
     page *p = m->p;
-    int link;
+    int link, i;
 
-    page_print(
-        p, "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the sum "
-           "of all forces times the velocities of their points for a unit crank speed, of all "
-           "torques times the angular velocities.</p>\n"
-           "<div class=\"wide\"><table class=\"facts works\">\n<thead><tr>");
-    page_print(p, "<th scope=\"col\">Link</th><th scope=\"col\">m a\302\267v + I \316\261 \317\211"
-                  "</th><th scope=\"col\">\342\210\222 weight\302\267v</th>"
-                  "<th scope=\"col\">\342\210\222 loads\302\267v</th></tr></thead>\n<tbody>\n");
+    page_print(p,
+               "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the "
+               "sum of all forces times the velocities of their points for a unit crank speed, of "
+               "all torques times the angular velocities.</p>\n");
+    page_table_of(p, "facts works",
+                  "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
+                  "\342\210\222 loads\302\267v");
     for (link = 2; link <= 4; link++) {
         const body *b = &bodies[link];
 
         work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
         work[1] = -b->data->mass * dot(r->v.design->gravity, b->v);
         work[2] = -b->work;
-        put_works(m, r->v.kind.link[link], work, sum);
+        put_works(m, r->v.kind.link[link], work);
+        for (i = 0; i < 3; i++)
+            sum[i] += work[i];
     }
-    put_works(m, "sum", sum, NULL);
-    page_print(p, "</tbody>\n</table></div>\n");
-    math_set(m, "Tinertia", math_settled(m, sum[0], SAMPLE_NM));
-    math_set(m, "Tweight", math_settled(m, sum[1], SAMPLE_NM));
-    math_set(m, "Tloads", math_settled(m, sum[2], SAMPLE_NM));
-    math_let(m, "Ts", "Tinertia + Tweight + Tloads", r->now.forces.Ts_work, SAMPLE_NM);
+    put_works(m, "sum", sum);
+    page_table_end(p);
+    math_set(m, "Tinertia", sum[0]);
+    math_set(m, "Tweight", sum[1]);
+    math_set(m, "Tloads", sum[2]);
+    math_let(m, "Ts", "Tinertia + Tweight + Tloads", r->now.forces.Ts_work);
     page_print(p,
                "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
                "balance, the difference is %.2g.</p>\n",
@@ -328,11 +278,13 @@ void sample_put_forces(report *r, math *m)
 {
     double A[9][9], b[9];
     body bodies[5];
+    unsigned long i;
     int link;
 
     for (link = 2; link <= 4; link++)
         bodies[link] = cut_free(r, link);
-    add_loads(r, bodies);
+    for (i = 0; i < r->v.problem.n_loads; i++)
+        add_load(r, &bodies[r->loads[i].link], &r->loads[i]);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
     put_centres(r, m, bodies);
     put_sides(r, m, bodies, b);
@@ -340,5 +292,5 @@ void sample_put_forces(report *r, math *m)
     put_solution(r, m);
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
-    math_let(m, "P", "Ts * omega2", r->now.forces.Ts * r->now.row.crank.omega2, "W");
+    math_let(m, "P", "Ts * omega2", r->now.forces.Ts * r->now.row.crank.omega2);
 }

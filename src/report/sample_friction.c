@@ -18,12 +18,6 @@ static const struct {
                 {"C", "rhoC", "MC", "F34", "rhoC * F34"},
                 {"D", "rhoD", "MD", "F14", "rhoD * F14"}};
 
-/* 1 if a pin is there: C and D may be sliders. */
-static int is_pin(const report *r, int i)
-{
-    return !r->v.kind.joint[i].slider;
-}
-
 /* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
 static void put_pin(const report *r, math *m, const fourlink_friction *friction, int i)
 {
@@ -35,7 +29,7 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
         return;
     }
     math_set(m, pins[i].radius, friction->circle[i]);
-    math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i], SAMPLE_NM);
+    math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i]);
 }
 
 /* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at
@@ -58,9 +52,9 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
     math_set(m, "lguide", l);
     math_set(m, is_slot ? "N34" : "N", fabs(N));
     math_set(m, is_slot ? "M34" : "M14", fabs(M));
-    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide, "N");
+    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide);
     if (is_slot)
-        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y), "N");
+        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y));
 }
 
 static void put_loads_of_joint(report *r, unsigned long joint)
@@ -74,11 +68,9 @@ static void put_loads_of_joint(report *r, unsigned long joint)
         if (info.sort != FOURLINK_LOAD_FRICTION || info.element != joint ||
             (load->torque == 0 && load->force.x == 0 && load->force.y == 0))
             continue;
-        page_print(&r->page,
-                   "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
-                   "<td>%.6g</td></tr>\n",
-                   load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
-                   load->force.x, load->force.y, load->torque);
+        page_row(&r->page, "%s, on the %s|%.6g|%.6g|%.6g",
+                 load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
+                 load->force.x, load->force.y, load->torque);
     }
 }
 
@@ -92,13 +84,11 @@ static void put_loads(report *r)
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.guide > 0)
         page_print(p, "; the force of the guide acts at %s", r->v.kind.has_slot ? "B" : "C");
-    page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
-                  "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
-                  "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"
-                  "</tr></thead>\n<tbody>\n");
+    page_print(p, ":</p>\n");
+    page_table_of(p, "facts friction", "Load|x (N)|y (N)|moment (N\302\267m)");
     for (joint = 0; joint < PINS; joint++)
         put_loads_of_joint(r, joint);
-    page_print(p, "</tbody>\n</table></div>\n");
+    page_table_end(p);
 }
 
 void sample_put_friction(report *r, math *m)
@@ -116,8 +106,8 @@ void sample_put_friction(report *r, math *m)
                friction.guide > 0 && friction.guide_length > 0
                    ? ", or \316\274 2 |M| / l if the couple presses its edges more"
                    : "");
-    for (i = 0; i < PINS; i++)
-        if (friction.circle[i] > 0 && is_pin(r, i))
+    for (i = 0; i < PINS; i++) /* C and D may be sliders */
+        if (friction.circle[i] > 0 && !r->v.kind.joint[i].slider)
             put_pin(r, m, &friction, i);
     if (friction.guide > 0)
         put_guide(r, m, &friction);

@@ -19,23 +19,16 @@ static void put_words(math *m, const char *words)
     page_print(m->p, "<p>%s</p>\n", words);
 }
 
-/* The crank, which all kinds have. */
-static void give_crank(report *r, math *m)
+/* Of what is given, the crank, which all kinds have. */
+static void end_given(report *r, math *m)
 {
     const fourlink_crank *crank = &r->now.row.crank;
 
-    math_set_angle(m, "theta2", crank->theta2);
-    math_set(m, "omega2", crank->omega2);
-    math_set(m, "alpha2", crank->alpha2);
-    math_given(m, "theta2", "");
-    math_given(m, "omega2", SAMPLE_RAD_S);
-    math_given(m, "alpha2", SAMPLE_RAD_S2);
-}
-
-static void give(math *m, const char *name, double value, const char *unit_name)
-{
-    math_set(m, name, value);
-    math_given(m, name, unit_name);
+    math_given(m, "theta2", crank->theta2);
+    math_given(m, "omega2", crank->omega2);
+    math_given(m, "alpha2", crank->alpha2);
+    page_print(m->p, "</ul>\n");
+    put_heading(m, "Position");
 }
 
 /* An angle in (-pi, pi]. */
@@ -44,20 +37,17 @@ static double principal(double angle)
     return angle - 2 * M_PI * ceil((angle - M_PI) / (2 * M_PI));
 }
 
-/* The last term of an angle, so that it is the library's, in (-pi, pi]: `plain` is the sum before it. */
-static const char *turn_of(double plain, double angle)
-{
-    return plain - angle > M_PI ? " - 360deg" : plain - angle < -M_PI ? " + 360deg" : "";
-}
-
-/* Write an angle whose equation may need a full turn more or less. */
+/* Write an angle whose equation, with the value `plain`, may need a full turn more or less, so that it is the
+** library's, in (-pi, pi]. */
 static void let_turned(math *m, const char *name, const char *equation, double plain, double angle)
 {
+    const char *turn = plain - angle > M_PI    ? " - 360deg"
+                       : plain - angle < -M_PI ? " + 360deg"
+                                               : "";
     char whole[200];
 
-    math_let_angle(
-        m, name, flk_text_join(whole, sizeof whole, equation, turn_of(plain, angle), (char *)NULL),
-        angle);
+    flk_text_join(whole, sizeof whole, equation, turn, (char *)NULL);
+    math_let(m, name, whole, angle);
 }
 
 /* ------------------------------------------------------------------------------ four-bar */
@@ -75,24 +65,24 @@ static void put_four_bar_position(report *r, math *m)
     double beta3 = fabs(principal(theta3 - psi)), beta4 = fabs(principal(psi + M_PI - theta4));
 
     put_words(m, "Pin B, then the diagonal BD of the loop, its length f and its angle \317\210:");
-    math_let(m, "xB", "a * cos theta2", B->x, SAMPLE_M);
-    math_let(m, "yB", "a * sin theta2", B->y, SAMPLE_M);
-    math_let(m, "f", "[ ( d - xB )^2 + yB ^2 ]", f, SAMPLE_M);
-    math_let_angle(m, "psi", "atan2 ( - yB , d - xB )", psi);
+    math_let(m, "xB", "a * cos theta2", B->x);
+    math_let(m, "yB", "a * sin theta2", B->y);
+    math_let(m, "f", "[ ( d - xB )^2 + yB ^2 ]", f);
+    math_let(m, "psi", "atan2 ( - yB , d - xB )", psi);
     put_words(m, side > 0 ? "The triangle BCD by the law of cosines; C lies to the left of BD:"
                           : "The triangle BCD by the law of cosines; C lies to the right of BD:");
-    math_let_angle(m, "beta3", "acos { b ^2 + f ^2 - c ^2 | 2 * b * f }", beta3);
-    math_let_angle(m, "beta4", "acos { c ^2 + f ^2 - b ^2 | 2 * c * f }", beta4);
+    math_let(m, "beta3", "acos { b ^2 + f ^2 - c ^2 | 2 * b * f }", beta3);
+    math_let(m, "beta4", "acos { c ^2 + f ^2 - b ^2 | 2 * c * f }", beta4);
     let_turned(m, "theta3", side > 0 ? "psi + beta3" : "psi - beta3", psi + side * beta3, theta3);
     let_turned(m, "theta4", side > 0 ? "psi + 180deg - beta4" : "psi + 180deg + beta4",
                psi + M_PI - side * beta4, theta4);
     put_words(m, "The loop A, B, C, D closes along x and along y:");
     math_zero(m, "a * cos theta2 + b * cos theta3 - c * cos theta4 - d",
               a * cos(r->now.row.crank.theta2) + b * cos(theta3) - c * cos(theta4) - d,
-              a + b + c + d, SAMPLE_M);
+              a + b + c + d, MATH_M);
     math_zero(m, "a * sin theta2 + b * sin theta3 - c * sin theta4",
               a * sin(r->now.row.crank.theta2) + b * sin(theta3) - c * sin(theta4), a + b + c + d,
-              "m");
+              MATH_M);
 }
 
 /* Alvi, eqs. 4.1 and 4.2 and section 3.3, corrected; see four_bar.c. */
@@ -100,14 +90,11 @@ static void put_four_bar(report *r, math *m)
 {
     const fourlink_link_state *link = r->now.state.link;
 
-    page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "a", r->v.design->link[2].length, SAMPLE_M);
-    give(m, "b", r->v.design->link[3].length, SAMPLE_M);
-    give(m, "c", r->v.design->link[4].length, SAMPLE_M);
-    give(m, "d", r->v.design->link[1].length, SAMPLE_M);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    math_given(m, "a", r->v.design->link[2].length);
+    math_given(m, "b", r->v.design->link[3].length);
+    math_given(m, "c", r->v.design->link[4].length);
+    math_given(m, "d", r->v.design->link[1].length);
+    end_given(r, m);
     put_four_bar_position(r, m);
     put_heading(m, "Velocity");
     put_words(m, "The loop equations, differentiated by time, and solved:");
@@ -115,21 +102,21 @@ static void put_four_bar(report *r, math *m)
               "- a * omega2 * sin theta2 - b * omega3 * sin theta3 + c * omega4 * sin theta4 = 0");
     math_show(m, "a * omega2 * cos theta2 + b * omega3 * cos theta3 - c * omega4 * cos theta4 = 0");
     math_let(m, "omega3", "{ a * omega2 * sin ( theta4 - theta2 ) | b * sin ( theta3 - theta4 ) }",
-             link[3].omega, SAMPLE_RAD_S);
+             link[3].omega);
     math_let(m, "omega4", "{ a * omega2 * sin ( theta3 - theta2 ) | c * sin ( theta3 - theta4 ) }",
-             link[4].omega, SAMPLE_RAD_S);
+             link[4].omega);
     put_heading(m, "Acceleration");
     put_words(m, "Differentiated once more, and solved:");
     math_let(m, "alpha3",
              "{ <alpha2 a * alpha2 * sin ( theta4 - theta2 ) > - a * omega2 ^2 * cos ( theta4 - "
              "theta2 ) - b * omega3 ^2 * cos ( theta4 - theta3 ) + c * omega4 ^2 | "
              "b * sin ( theta3 - theta4 ) }",
-             link[3].alpha, SAMPLE_RAD_S2);
+             link[3].alpha);
     math_let(m, "alpha4",
              "{ <alpha2 a * alpha2 * sin ( theta3 - theta2 ) > - a * omega2 ^2 * cos ( theta3 - "
              "theta2 ) - b * omega3 ^2 + c * omega4 ^2 * cos ( theta3 - theta4 ) | "
              "c * sin ( theta3 - theta4 ) }",
-             link[4].alpha, SAMPLE_RAD_S2);
+             link[4].alpha);
 }
 
 /* ------------------------------------------------------------------------------ slider-crank */
@@ -143,14 +130,14 @@ static void put_slider_crank_position(report *r, math *m)
     double phi = asin(GSL_MAX_DBL(-1, GSL_MIN_DBL(1, (e - a * sin(theta2)) / l)));
 
     if (now->sine > 0)
-        math_let_angle(m, "theta3", "asin { <e e > - r * sin theta2 | l }", theta3);
+        math_let(m, "theta3", "asin { <e e > - r * sin theta2 | l }", theta3);
     else
         let_turned(m, "theta3", "180deg - asin { <e e > - r * sin theta2 | l }", M_PI - phi,
                    theta3);
-    math_let(m, "xC", "r * cos theta2 + l * cos theta3", now->link[4].origin.x, SAMPLE_M);
+    math_let(m, "xC", "r * cos theta2 + l * cos theta3", now->link[4].origin.x);
     put_words(m, "The loop closes at right angles to the line of stroke:");
     math_zero(m, "r * sin theta2 + l * sin theta3 <e - e >", a * sin(theta2) + l * sin(theta3) - e,
-              a + l + fabs(e), SAMPLE_M);
+              a + l + fabs(e), MATH_M);
 }
 
 /* DFA, eq. 1, and its derivatives; see slider_crank.c. */
@@ -158,39 +145,33 @@ static void put_slider_crank(report *r, math *m)
 {
     const fourlink_link_state *link = r->now.state.link;
 
-    page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "r", r->v.design->link[2].length, SAMPLE_M);
-    give(m, "l", r->v.design->link[3].length, SAMPLE_M);
-    give(m, "e", r->v.design->offset, SAMPLE_M);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    math_given(m, "r", r->v.design->link[2].length);
+    math_given(m, "l", r->v.design->link[3].length);
+    math_given(m, "e", r->v.design->offset);
+    end_given(r, m);
     put_words(m,
               "x runs along the line of stroke; \316\270\342\202\203 is the angle of the rod from "
               "crank pin B to piston C:");
     put_slider_crank_position(r, m);
     put_heading(m, "Velocity");
     put_words(m, "The loop equations, differentiated by time:");
-    math_let(m, "omega3", "- { r * omega2 * cos theta2 | l * cos theta3 }", link[3].omega,
-             SAMPLE_RAD_S);
-    math_let(m, "vC", "- r * omega2 * sin theta2 - l * omega3 * sin theta3", link[4].velocity.x,
-             SAMPLE_M_S);
+    math_let(m, "omega3", "- { r * omega2 * cos theta2 | l * cos theta3 }", link[3].omega);
+    math_let(m, "vC", "- r * omega2 * sin theta2 - l * omega3 * sin theta3", link[4].velocity.x);
     put_heading(m, "Acceleration");
     put_words(m, "Differentiated once more:");
     math_let(m, "alpha3",
              "{ <alpha2 - r * alpha2 * cos theta2 > + r * omega2 ^2 * sin theta2 + l * omega3 ^2 * "
              "sin theta3 | l * cos theta3 }",
-             link[3].alpha, SAMPLE_RAD_S2);
+             link[3].alpha);
     math_let(m, "aC",
              "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2 - l * alpha3 * sin "
              "theta3 - l * omega3 ^2 * cos theta3",
-             link[4].acceleration.x, SAMPLE_M_S2);
+             link[4].acceleration.x);
     page_print(m->p,
                "<p>In the tables the piston is counted from its inner dead centre: x = %.6g m, "
                "v = %.6g m/s, a = %.6g m/s\302\262.</p>\n",
-               math_settled(m, r->now.state.x, SAMPLE_M),
-               math_settled(m, r->now.state.v, SAMPLE_M_S),
-               math_settled(m, r->now.state.a, SAMPLE_M_S2));
+               math_settled(m, r->now.state.x, MATH_M), math_settled(m, r->now.state.v, MATH_M_S),
+               math_settled(m, r->now.state.a, MATH_M_S2));
 }
 
 /* ------------------------------------------------------------------------------ inverted */
@@ -204,34 +185,34 @@ static void put_inverted_position(report *r, math *m)
     const fourlink_vector *B = &now->link[3].origin;
 
     put_words(m, "From D to pin B:");
-    math_let(m, "rx", "a * cos theta2 - d", B->x - d, SAMPLE_M);
-    math_let(m, "ry", "a * sin theta2", B->y, SAMPLE_M);
-    math_let(m, "f", "[ rx ^2 + ry ^2 ]", gsl_hypot(B->x - d, B->y), SAMPLE_M);
+    math_let(m, "rx", "a * cos theta2 - d", B->x - d);
+    math_let(m, "ry", "a * sin theta2", B->y);
+    math_let(m, "f", "[ rx ^2 + ry ^2 ]", gsl_hypot(B->x - d, B->y));
     put_words(m, "s runs along the slide from the foot of the perpendicular from D, whose length "
                  "is h; \316\270\342\202\203 is the angle of the slide:");
-    math_let(m, "s", s > 0 ? "[ f ^2 - h ^2 ]" : "- [ f ^2 - h ^2 ]", s, SAMPLE_M);
-    math_let_angle(m, "theta3", "atan2 ( s * ry <h - h * rx > , s * rx <h + h * ry > )", theta3);
+    math_let(m, "s", s > 0 ? "[ f ^2 - h ^2 ]" : "- [ f ^2 - h ^2 ]", s);
+    math_let(m, "theta3", "atan2 ( s * ry <h - h * rx > , s * rx <h + h * ry > )", theta3);
     let_turned(m, "theta4", "theta3 <gamma - gamma >", theta3 - r->v.design->angle,
                now->link[4].theta);
     put_words(m, "The loop A, B, D closes along x and along y:");
     math_zero(m, "a * cos theta2 - d - s * cos theta3 <h + h * sin theta3 >",
-              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, SAMPLE_M);
+              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, MATH_M);
     math_zero(m, "a * sin theta2 - s * sin theta3 <h - h * cos theta3 >",
-              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, SAMPLE_M);
+              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, MATH_M);
 }
 
 static void give_slide(report *r, math *m)
 {
     double c = r->v.design->link[4].length, h = r->v.problem.mechanism.h;
 
-    give(m, "a", r->v.design->link[2].length, SAMPLE_M);
-    give(m, "d", r->v.design->link[1].length, SAMPLE_M);
-    math_set_angle(m, "gamma", c > 0 ? r->v.design->angle : 0);
+    math_given(m, "a", r->v.design->link[2].length);
+    math_given(m, "d", r->v.design->link[1].length);
+    math_set(m, "gamma", 0);
     if (c > 0) {
-        give(m, "c", c, SAMPLE_M);
-        math_given(m, "gamma", "");
+        math_given(m, "c", c);
+        math_given(m, "gamma", r->v.design->angle);
     }
-    give(m, "h", h, SAMPLE_M);
+    math_given(m, "h", h);
 }
 
 /* See inverted.c. */
@@ -239,36 +220,32 @@ static void put_inverted(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
 
-    page_print(m->p, "<ul class=\"given\">\n");
     give_slide(r, m);
-    give_crank(r, m);
-    page_print(m->p, "</ul>\n");
-    put_heading(m, "Position");
+    end_given(r, m);
     put_inverted_position(r, m);
     put_heading(m, "Velocity");
     put_words(m,
               "Slider and lever turn together.  The loop equations, differentiated by time, across "
               "the slide and along it:");
-    math_let(m, "omega3", "{ a * omega2 * cos ( theta3 - theta2 ) | s }", now->link[3].omega,
-             SAMPLE_RAD_S);
-    math_let(m, "sdot", "a * omega2 * sin ( theta3 - theta2 ) <h + h * omega3 >", now->slide_v,
-             SAMPLE_M_S);
+    math_let(m, "omega3", "{ a * omega2 * cos ( theta3 - theta2 ) | s }", now->link[3].omega);
+    math_let(m, "sdot", "a * omega2 * sin ( theta3 - theta2 ) <h + h * omega3 >", now->slide_v);
     put_heading(m, "Acceleration");
     put_words(m, "Differentiated once more; the third line is the Coriolis acceleration of B:");
     math_let(m, "alpha3",
              "{ <alpha2 a * alpha2 * cos ( theta3 - theta2 ) > + a * omega2 ^2 * sin ( theta3 - "
              "theta2 ) - 2 * sdot * omega3 <h + h * omega3 ^2 > | s }",
-             now->link[3].alpha, SAMPLE_RAD_S2);
+             now->link[3].alpha);
     math_let(m, "sddot",
              "<alpha2 a * alpha2 * sin ( theta3 - theta2 ) > - a * omega2 ^2 * cos ( theta3 - "
              "theta2 ) <h + h * alpha3 > + s * omega3 ^2",
-             now->slide_a, SAMPLE_M_S2);
-    math_let(m, "acor", "2 * omega3 * sdot", now->coriolis, SAMPLE_M_S2);
+             now->slide_a);
+    math_let(m, "acor", "2 * omega3 * sdot", now->coriolis);
 }
 
 void sample_put_motion(report *r, math *m)
 {
     put_heading(m, "Given");
+    page_print(m->p, "<ul class=\"given\">\n");
     switch (r->v.design->kind) {
     case FOURLINK_FOUR_BAR:
         put_four_bar(r, m);

@@ -9,15 +9,16 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "cell.h"
 #include "sample.h"
 
 #define MOST_EQUATIONS 10
 #define DIGITS 6
 #define DEGREES(angle) ((angle) * (180 / M_PI))
-#define M2 "m\302\262"
 #define THETA "\316\270"
 #define THETA2 THETA "\342\202\202"
+#define THETA3 THETA "\342\202\203"
+#define THETA4 THETA "\342\202\204"
+#define MU "\316\274"
 #define DEG ", \302\260"
 
 static int is_slider_crank(const fourlink_solution *s)
@@ -59,8 +60,8 @@ static void put_function(report *r, math *m)
     for (i = 0; i < s->n_positions && i < MOST_EQUATIONS; i++) {
         double theta4 = s->position[i].output - s->rocker_turn;
 
-        math_set_angle(m, "theta2", s->position[i].theta2 - s->crank_turn);
-        math_set_angle(m, "theta4", theta4 > -M_PI ? theta4 : theta4 + 2 * M_PI);
+        math_set(m, "theta2", s->position[i].theta2 - s->crank_turn);
+        math_set(m, "theta4", theta4 > -M_PI ? theta4 : theta4 + 2 * M_PI);
         math_set(m, "X", s->position[i].output);
         math_show_numbers(m, equation);
     }
@@ -69,19 +70,18 @@ static void put_function(report *r, math *m)
     put_words(r, "They are linear, with the solution:");
     page_print(&r->page, "<ul class=\"given\">\n");
     for (i = 0; i < 3; i++) {
-        math_set(m, names[slides][i], s->K[i]);
-        math_given(m, names[slides][i], !slides ? "" : i < 2 ? "m" : M2);
+        math_given(m, names[slides][i], s->K[i]);
     }
     page_print(&r->page, "</ul>\n");
     if (slides) {
-        math_let(m, "r", "{ S1 | 2 }", s->a, "m");
-        math_let(m, "e", "{ S2 | S1 }", s->design.offset, "m");
-        math_let(m, "l", "[ r ^2 + e ^2 - S3 ]", s->design.link[FOURLINK_COUPLER].length, "m");
+        math_let(m, "r", "{ S1 | 2 }", s->a);
+        math_let(m, "e", "{ S2 | S1 }", s->design.offset);
+        math_let(m, "l", "[ r ^2 + e ^2 - S3 ]", s->design.link[FOURLINK_COUPLER].length);
     } else {
-        math_let(m, "a", "{ d | K1 }", s->a, "m");
-        math_let(m, "c", "{ d | K2 }", s->c, "m");
+        math_let(m, "a", "{ d | K1 }", s->a);
+        math_let(m, "c", "{ d | K2 }", s->c);
         math_let(m, "b", "[ a ^2 + c ^2 + d ^2 - 2 * a * c * K3 ]",
-                 s->design.link[FOURLINK_COUPLER].length, "m");
+                 s->design.link[FOURLINK_COUPLER].length);
     }
     if (s->a < 0)
         put_words(
@@ -132,21 +132,20 @@ static void put_guided(report *r, math *m)
         set_point(m, "xC", "yC", C);
         set_point(m, "xD", "yD", D);
         math_let(m, slides ? "r" : "a", "[ ( xB - xA )^2 + ( yB - yA )^2 ]",
-                 gsl_hypot(B.x - A.x, B.y - A.y), "m");
+                 gsl_hypot(B.x - A.x, B.y - A.y));
         if (!slides)
-            math_let(m, "c", "[ ( xC - xD )^2 + ( yC - yD )^2 ]", gsl_hypot(C.x - D.x, C.y - D.y),
-                     "m");
+            math_let(m, "c", "[ ( xC - xD )^2 + ( yC - yD )^2 ]", gsl_hypot(C.x - D.x, C.y - D.y));
     }
     math_let(m, slides ? "l" : "b", "[ ( xC - xB )^2 + ( yC - yB )^2 ]",
-             gsl_hypot(C.x - B.x, C.y - B.y), "m");
+             gsl_hypot(C.x - B.x, C.y - B.y));
     if (!slides) {
-        math_let(m, "d", "[ ( xD - xA )^2 + ( yD - yA )^2 ]", gsl_hypot(D.x - A.x, D.y - A.y), "m");
+        math_let(m, "d", "[ ( xD - xA )^2 + ( yD - yA )^2 ]", gsl_hypot(D.x - A.x, D.y - A.y));
         return;
     }
-    math_set_angle(m, "gamma", s->direction);
+    math_set(m, "gamma", s->direction);
     put_words(r,
               "The places of C are on a line in the direction \316\263, at the distance e from A:");
-    math_let(m, "e", "( yC - yA ) * cos gamma - ( xC - xA ) * sin gamma", s->design.offset, "m");
+    math_let(m, "e", "( yC - yA ) * cos gamma - ( xC - xA ) * sin gamma", s->design.offset);
 }
 
 /* ------------------------------------------------------------------------------- quick returns */
@@ -156,62 +155,56 @@ static void put_quick_return(report *r, math *m)
     const fourlink_solution *s = r->request->found;
     const fourlink_precision *first = &s->position[0], *last = &s->position[1];
     const fourlink_link *link = s->design.link;
-    double alpha = last->theta2 - first->theta2 - M_PI;
+    double delta = last->theta2 - first->theta2 - M_PI;
     double extent = fabs(last->output - first->output);
     double a = s->a, b = link[FOURLINK_COUPLER].length, c = s->c, d = link[FOURLINK_GROUND].length;
 
-    math_set(m, "Q", (M_PI + fabs(alpha)) / (M_PI - fabs(alpha)));
-    put_words(r, "The crank turns by 180\302\260 + \316\261 and 180\302\260 - \316\261; Q is the "
+    math_set(m, "Q", (M_PI + fabs(delta)) / (M_PI - fabs(delta)));
+    put_words(r, "The crank turns by 180\302\260 + \316\264 and 180\302\260 - \316\264; Q is the "
                  "time ratio:");
-    math_let_angle(m, "alpha",
-                   alpha < 0 ? "- 180deg * { Q - 1 | Q + 1 }" : "180deg * { Q - 1 | Q + 1 }",
-                   alpha);
+    math_let(m, "delta", delta < 0 ? "- 180deg * { Q - 1 | Q + 1 }" : "180deg * { Q - 1 | Q + 1 }",
+             delta);
     if (s->type == FOURLINK_CRANK_ROCKER) {
         double psi = extent > M_PI ? 2 * M_PI - extent : extent;
 
-        math_set_angle(m, "psi", psi);
+        math_set(m, "psi", psi);
         put_words(r, "The crank and the coupler are in line in both limits of the rocker, with the "
                      "swing \317\210:");
         math_zero(
             m,
-            "( a * cos { alpha | 2 } )^2 + ( b * sin { alpha | 2 } )^2 - ( c * sin { psi | 2 } )^2",
-            gsl_pow_2(a * cos(alpha / 2)) + gsl_pow_2(b * sin(alpha / 2)) -
+            "( a * cos { delta | 2 } )^2 + ( b * sin { delta | 2 } )^2 - ( c * sin { psi | 2 } )^2",
+            gsl_pow_2(a * cos(delta / 2)) + gsl_pow_2(b * sin(delta / 2)) -
                 gsl_pow_2(c * sin(psi / 2)),
-            b * b, M2);
+            b * b, MATH_M2);
         math_zero(m,
-                  "( a * cos { psi - alpha | 2 } )^2 + ( b * sin { psi - alpha | 2 } )^2 - "
+                  "( a * cos { psi - delta | 2 } )^2 + ( b * sin { psi - delta | 2 } )^2 - "
                   "( d * sin { psi | 2 } )^2",
-                  gsl_pow_2(a * cos((psi - alpha) / 2)) + gsl_pow_2(b * sin((psi - alpha) / 2)) -
+                  gsl_pow_2(a * cos((psi - delta) / 2)) + gsl_pow_2(b * sin((psi - delta) / 2)) -
                       gsl_pow_2(d * sin(psi / 2)),
-                  b * b, M2);
+                  b * b, MATH_M2);
     } else if (is_slider_crank(s)) {
         math_set(m, "s", extent);
         put_words(r, "The crank and the rod are in line at both ends of the stroke s:");
-        math_zero(m, "( r * cos { alpha | 2 } )^2 + ( l * sin { alpha | 2 } )^2 - { s ^2 | 4 }",
-                  gsl_pow_2(a * cos(alpha / 2)) + gsl_pow_2(b * sin(alpha / 2)) -
+        math_zero(m, "( r * cos { delta | 2 } )^2 + ( l * sin { delta | 2 } )^2 - { s ^2 | 4 }",
+                  gsl_pow_2(a * cos(delta / 2)) + gsl_pow_2(b * sin(delta / 2)) -
                       extent * extent / 4,
-                  b * b, M2);
-        math_let(m, "e", "{ ( l ^2 - r ^2 ) * sin alpha | s }", s->design.offset, "m");
+                  b * b, MATH_M2);
+        math_let(m, "e", "{ ( l ^2 - r ^2 ) * sin delta | s }", s->design.offset);
     } else if (s->type == FOURLINK_WHITWORTH) {
         put_words(r, "The tool reverses where the lever is at right angles to AD:");
-        math_let(m, "d", "a * sin { alpha | 2 }", d, "m");
+        math_let(m, "d", "a * sin { delta | 2 }", d);
     } else {
         put_words(r, "The crank is at right angles to the lever in both limits:");
         math_set(m, "h", s->design.offset);
         math_let(m, "d",
                  s->design.offset == 0
-                     ? "{ a | sin { alpha | 2 } }"
-                     : "[ ( { a | sin { alpha | 2 } } )^2 + ( { h | cos { alpha | 2 } } )^2 ]",
-                 d, "m");
+                     ? "{ a | sin { delta | 2 } }"
+                     : "[ ( { a | sin { delta | 2 } } )^2 + ( { h | cos { delta | 2 } } )^2 ]",
+                 d);
     }
 }
 
 /* ---------------------------------------------------------------------------------------- checks */
-
-static void put_angle(report *r, double angle)
-{
-    cell_put(&r->page, DEGREES(angle), DIGITS);
-}
 
 /* An error in degrees or m; 0 if it is rounding. */
 static double shown_error(double error, int is_angle)
@@ -224,34 +217,29 @@ static void put_positions(report *r)
 {
     const fourlink_solution *s = r->request->found;
     int is_angle = !s->has_point && !is_slider_crank(s), i;
-    const char *wanted = s->has_point ? CELL_HEAD("x, m") CELL_HEAD("y, m")
-                                            CELL_HEAD(THETA "\342\202\203" DEG)
-                         : is_angle ? CELL_HEAD(THETA "\342\202\204" DEG)
-                                    : CELL_HEAD("X, m");
-    char columns[400];
 
-    flk_text_join(columns, sizeof columns, CELL_HEAD("Position") CELL_HEAD(THETA2 DEG), wanted,
-                  is_angle ? CELL_HEAD("Error" DEG) : CELL_HEAD("Error, m"),
-                  CELL_HEAD("\316\274" DEG) CELL_HEAD("Branch"), (char *)NULL);
-    cell_begin(&r->page, "Wanted positions, in the frame of the linkage", columns);
+    page_table(&r->page, "Wanted positions, in the frame of the linkage",
+               s->has_point ? "Position|" THETA2 DEG "|x, m|y, m|" THETA3 DEG "|Error, m|" MU DEG
+                              "|Branch"
+               : is_angle ? "Position|" THETA2 DEG "|" THETA4 DEG "|Error" DEG "|" MU DEG "|Branch"
+                          : "Position|" THETA2 DEG "|X, m|Error, m|" MU DEG "|Branch");
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
+        double theta2 = DEGREES(p->theta2), mu = DEGREES(p->mu);
+        double error = shown_error(p->error, is_angle);
+        const char *branch =
+            p->branch ? fourlink_branch_text(p->branch) : fourlink_status_text(p->status);
 
-        page_print(&r->page, "<tr><th scope=\"row\">%d</th>", i + 1);
-        put_angle(r, p->theta2);
-        if (s->has_point) {
-            cell_put(&r->page, p->point.x, DIGITS);
-            cell_put(&r->page, p->point.y, DIGITS);
-            put_angle(r, p->theta3);
-        } else {
-            cell_put(&r->page, is_angle ? DEGREES(p->output) : p->output, DIGITS);
-        }
-        cell_put(&r->page, shown_error(p->error, is_angle), DIGITS);
-        put_angle(r, p->mu);
-        page_print(&r->page, "<td>%s</td></tr>\n",
-                   p->branch ? fourlink_branch_text(p->branch) : fourlink_status_text(p->status));
+        if (s->has_point)
+            page_row(&r->page, "%d|%v|%v|%v|%v|%v|%v|%s", i + 1, theta2, DIGITS, p->point.x, DIGITS,
+                     p->point.y, DIGITS, DEGREES(p->theta3), DIGITS, error, DIGITS, mu, DIGITS,
+                     branch);
+        else
+            page_row(&r->page, "%d|%v|%v|%v|%v|%s", i + 1, theta2, DIGITS,
+                     is_angle ? DEGREES(p->output) : p->output, DIGITS, error, DIGITS, mu, DIGITS,
+                     branch);
     }
-    cell_end(&r->page);
+    page_table_end(&r->page);
 }
 
 static void put_checks(report *r)

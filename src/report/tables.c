@@ -10,7 +10,6 @@
 
 #include "base/system.h"
 #include "base/xml.h"
-#include "cell.h"
 #include "report.h"
 #include "tables/style.h"
 #include "tables/content.h"
@@ -64,7 +63,7 @@ static void put_styled(page *p, double value, const style *x)
     char number[FORMAT_SIZE];
 
     if (!gsl_finite(value)) {
-        cell_put(p, value, 0);
+        page_print(p, "<td>%v</td>", value, 0);
         return;
     }
     style_text(value, x, number);
@@ -104,48 +103,34 @@ static void close_block(sheet *s, fourlink_branch branch)
 
 /* ------------------------------------------------------------------------------ comparisons */
 
-/* Begin the table of comparisons, unless it is open. */
-static void begin_checks(sheet *s, const char *columns)
-{
-    if (s->list)
-        return;
-    s->list = "checks";
-    cell_begin(page_of(s), "Expected values", columns);
-}
-
 static void end_checks(sheet *s)
 {
     if (s->list)
-        cell_end(page_of(s));
+        page_table_end(page_of(s));
     s->list = NULL;
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
 {
-    page *p = page_of(s);
     int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
+    int agrees = c->verdict == FOURLINK_AGREES || c->verdict == FOURLINK_MISPRINT;
+    page *p = page_of(s);
 
-    begin_checks(s, "<th scope=\"col\">Name</th><th scope=\"col\">at \316\270\342\202\202</th>"
-                    "<th scope=\"col\">Branch</th><th scope=\"col\">Expected</th>"
-                    "<th scope=\"col\">Computed</th><th scope=\"col\">Unit</th>"
-                    "<th scope=\"col\">Tolerance</th><th scope=\"col\">Result</th>");
-    page_print(p, "<tr class=\"%s\"><th scope=\"row\">%s</th><td>",
-               c->verdict == FOURLINK_AGREES || c->verdict == FOURLINK_MISPRINT ? "agrees"
-                                                                                : "differs",
+    if (!s->list)
+        page_table(p, "Expected values",
+                   "Name|" PAGE_AT "|Branch|Expected|Computed|Unit|Tolerance|Result");
+    s->list = "checks";
+    page_print(p, "<tr class=\"%s\"><th scope=\"row\">%s</th><td>", agrees ? "agrees" : "differs",
                c->name);
     if (c->has_angle)
         page_print(p, "%.9g%U", c->angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)
-        cell_put(p, c->computed, 9);
+        page_print(p, "<td>%v</td><td>%u</td><td>%v</td>", c->computed, 9, c->unit, c->tolerance,
+                   0);
     else
-        page_print(p, "<td>%s</td>", c->words);
-    page_print(p, "<td>%u</td>", c->unit);
-    if (is_number)
-        cell_put(p, c->tolerance, 0);
-    else
-        page_print(p, "<td></td>");
+        page_print(p, "<td>%s</td><td>%u</td><td></td>", c->words, c->unit);
     page_print(p, "<td>%s%s%s</td></tr>\n", sheet_verdicts[c->verdict],
                c->message[0] || c->hint[0] ? ": " : "",
                c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
@@ -274,9 +259,7 @@ static void put_agreement(report *r, fourlink_branch branch)
         differs = GSL_MAX_DBL(differs, difference(r, &now.forces, &forces));
         n++;
     }
-    page_print(&r->page,
-               "<tr><th scope=\"row\">%s</th><td>%lu</td><td>%.2g</td><td>%.2g</td></tr>\n",
-               fourlink_branch_text((int)branch), n, residual, differs);
+    page_row(&r->page, "%s|%lu|%.2g|%.2g", fourlink_branch_text((int)branch), n, residual, differs);
 }
 
 void report_put_checks(report *r)
@@ -292,13 +275,10 @@ void report_put_checks(report *r)
                    "virtual work, relative to the largest term of the balance.  The nine equations "
                    "are solved as a matrix and, eliminated by hand, in closed form; the difference "
                    "of their pin forces is relative to the largest.</p>\n");
-        page_print(p, "<div class=\"wide\"><table class=\"facts\">\n<thead><tr>"
-                      "<th scope=\"col\">Branch</th><th scope=\"col\">Rows</th>"
-                      "<th scope=\"col\">Largest residual</th>"
-                      "<th scope=\"col\">Largest difference</th></tr></thead>\n<tbody>\n");
+        page_table(p, NULL, "Branch|Rows|Largest residual|Largest difference");
         for (i = 0; i < r->v.n_branches; i++)
             put_agreement(r, r->v.branches[i]);
-        page_print(p, "</tbody>\n</table></div>\n");
+        page_table_end(p);
     }
     if (r->v.problem.n_expected)
         write_sheet(r, SHEET_CHECK, &html_format, p->out);

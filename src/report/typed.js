@@ -33,13 +33,6 @@ function fileOf() {
     return "<!DOCTYPE html>\n" + copy.outerHTML + "\n";
 }
 
-function save() {
-    const words = decodeURIComponent(location.pathname.split("/").pop()) || "report.html";
-    const address = URL.createObjectURL(new Blob([fileOf()], {type: "text/html"}));
-    fourlink.html("a", {href: address, download: words}).click();
-    setTimeout(() => URL.revokeObjectURL(address), 1000);
-}
-
 function start() {
     const fields = ["name", "date", "discussion"].map((x) => document.getElementById("typed-" + x)).filter((x) => x);
     const store = fields.length ? storeOf() : null, button = document.getElementById("typed-save");
@@ -74,7 +67,7 @@ function start() {
     }
     button.hidden = false;
     button.addEventListener("click", () => {
-        save();
+        fourlink.save(decodeURIComponent(location.pathname.split("/").pop()) || "report.html", "text/html", fileOf());
         unsaved = false;
     });
     window.addEventListener("beforeunload", (event) => {

@@ -433,6 +433,24 @@ async function tryCurves() {
     await click("tab-drawing");
 }
 
+/* A [synthesis]: a mark for each wanted position, on the path of the point, of pin C, or of the piston. */
+async function tryWanted() {
+    const folder = path.join(root, "data/synthesis");
+    for (const [file, count, way] of [["three-positions", 3, ".path0"], ["log10", 3, ".path.construction"], ["power-nine", 9, ".path.construction"],
+                                      ["quadratic-slider", 3, ".path.construction"]]) {
+        await put(file + ".deck", fs.readFileSync(path.join(folder, file + ".deck"), "utf8"));
+        const far = await b.evaluate(`(() => {
+            const path = document.querySelector(".panel.whole ${way}"), length = path.getTotalLength();
+            const points = Array.from({length: 2001}, (_, k) => path.getPointAtLength(length * k / 2000));
+            return [...document.querySelectorAll(".panel.whole circle.wanted")].map((x) => Math.min(...points.map((p) =>
+                Math.hypot(p.x - x.getAttribute("cx"), p.y - x.getAttribute("cy")))));
+        })()`);
+        check(file + ": " + count + " wanted positions, pixels from the path: " + far, far.length === count && Math.max(...far) < 3);
+    }
+    await load("alvi-5.1.deck");
+    check("none without a task", await b.evaluate(`document.querySelectorAll(".wanted").length === 0`));
+}
+
 /* A deck that is pasted in place of all is named after its title. */
 async function tryPasted() {
     const words = fs.readFileSync(path.join(root, "tests/report/look/springs.deck"), "utf8");
@@ -668,7 +686,7 @@ async function main() {
     for (const [what, run] of [["tables", tryTables], ["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
                                ["exercises", tryExercises], ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
                                ["address", tryAddress], ["examples", tryExamples], ["shares", tryShares], ["curves", tryCurves],
-                               ["pasted", tryPasted], ["phone", tryPhone],
+                               ["wanted", tryWanted], ["pasted", tryPasted], ["phone", tryPhone],
                                ["layout", tryLayout], ["times", tryTimes],
                                ["decks", async () => {
                                    await compareAll(path.join(root, "data"));

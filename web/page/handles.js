@@ -164,13 +164,10 @@ function pull(handle, frame, at) {
 function listen(handle) {
     const sheet = drawing.main.panel.drawing;
     handle.mark.addEventListener("pointerdown", (event) => {
-        event.preventDefault();
         event.stopPropagation();
         handle.mark.focus();
         held = {id: event.pointerId, handle, frame: begin(handle)};
-        try {
-            sheet.setPointerCapture(event.pointerId);
-        } catch (error) { /* a pointer that is already gone */ }
+        fourlink.hold(event, sheet);
     });
     handle.mark.addEventListener("keydown", (event) => {
         const far = event.shiftKey ? 10 : 1;
@@ -186,9 +183,7 @@ function listen(handle) {
 function follow(event) {
     if (!held || event.pointerId !== held.id)
         return;
-    const sheet = drawing.main.panel.drawing, box = sheet.getBoundingClientRect(), view = sheet.viewBox.baseVal;
-    pull(held.handle, held.frame, [(event.clientX - box.left) * view.width / box.width,
-                                   (event.clientY - box.top) * view.height / box.height]);
+    pull(held.handle, held.frame, fourlink.placeOf(event, drawing.main.panel.drawing));
 }
 
 function release(event) {

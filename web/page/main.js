@@ -4,7 +4,7 @@
 */
 (function () {
 
-const {html} = fourlink;
+const {html, save} = fourlink;
 const find = (id) => document.getElementById(id);
 const examples = JSON.parse(find("examples").textContent), templates = JSON.parse(find("templates").textContent);
 const CURVES = ["curve-y", "curve-y2", "curve-y3", "curve-y4"];
@@ -285,12 +285,6 @@ tabs.forEach((tab, k) => {
 });
 
 /* --------------------------------------------------------------------------------------------- files and links */
-
-function save(file, type, words) {
-    const address = URL.createObjectURL(new Blob([words], {type}));
-    html("a", {href: address, download: file}).click();
-    setTimeout(() => URL.revokeObjectURL(address), 1000);
-}
 
 const own = (id) => find(id).textContent.trimStart();
 const stem = () => name.replace(/\.deck$/, "");

@@ -4,7 +4,7 @@
 */
 web.tables = (function () {
 
-const {html, htmlLabel, unitText, withUnit} = fourlink;
+const {html, htmlLabel, unitText, withUnit, cellText} = fourlink;
 
 /* A number with so many significant digits, or words. */
 function shown(value, digits) {
@@ -24,9 +24,8 @@ function head(...names) {
 
 /* Rows of a branch: `scene` has the form of each column. */
 function table(place, columns, forms, rows) {
-    const cell = (form, x) => form.form === "angle" ? String(Number(x.toPrecision(12)))
-        : Number.isNaN(x) ? "nan" : !Number.isFinite(x) ? (x > 0 ? "inf" : "-inf")
-        : form.form === "exponent" ? x.toExponential(form.decimals) : x.toFixed(form.decimals).replace(/^-(?=[0.]+$)/, "");
+    const cell = (form, x) => Number.isNaN(x) ? "nan" : !Number.isFinite(x) ? (x > 0 ? "inf" : "-inf")
+        : cellText(form, form.form === "angle" ? Number(x.toPrecision(12)) : x);
     const body = html("tbody", {}, ...rows.map((row) => {
         const line = html("tr", {}, ...columns.map((c, j) => html(j ? "td" : "th", j ? {} : {scope: "row"}, cell(forms[j], row.values[j]))));
         if (row.status !== "ok")
