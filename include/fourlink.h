@@ -121,7 +121,8 @@ extern "C" {
       "no linkage whose crank turns fully has this time ratio with these lengths")                \
     X(FOURLINK_NONE_FOUND, 57, "the search found no linkage without a defect")                    \
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
-    X(FOURLINK_BAD_TIME_RATIO, 59, "a time ratio is at least 1: slow stroke / quick stroke, in time")\
+    X(FOURLINK_BAD_TIME_RATIO, 59,                                                                \
+      "a time ratio is at least 1: slow stroke / quick stroke, in time")                          \
     X(FOURLINK_BAD_CHOICE, 60,                                                                    \
       "too much or too little is given, or a choice that the task does not have")
 
@@ -2053,7 +2054,7 @@ typedef enum fourlink_choice {
     FOURLINK_FIXED_PIVOT = 1,  /* m */
     FOURLINK_MOVING_PIVOT = 2, /* k in the first position */
     FOURLINK_ROTATIONS =
-        3, /* the link's rotations from the first to the second and third position */
+        3,              /* the link's rotations from the first to the second and third position */
     FOURLINK_SLIDER = 4 /* right: in place of a link, a slider on a line in a given direction */
 } fourlink_choice;
 

@@ -16,7 +16,7 @@ typedef struct flk_opened {
     flk_extremes extremes;
     flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
-    int needs; /* what these columns need */
+    int needs;      /* what these columns need */
     flk_list facts; /* of the last call of flk_fact_list; names by column and statistic */
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
     fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
