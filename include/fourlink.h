@@ -2189,8 +2189,8 @@ FOURLINK_API int fourlink_synthesis_error(const fourlink_solution *solution, dou
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_CHOICE
 ** Notes:
 ** 1) If the three places of the right moving pivot are on a line, or a slider is asked for, the linkage is a
-**    slider-crank.  FOURLINK_INFINITE_LINK: those of the left one are, or those of a fixed pivot seen from the
-**    coupler.
+**    slider-crank.  FOURLINK_INFINITE_LINK: those of the left one are, or those of a fixed pivot seen
+**    from the coupler.
 ** 2) FOURLINK_DEPENDENT: two positions are equal, or a pivot is a pole of two positions, so that the other
 **    pivot may be anywhere on a line.
 ** 3) FOURLINK_NO_LENGTH: A and D or B and C are the same point, or both dyads are the same.

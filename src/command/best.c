@@ -2,8 +2,9 @@
 **
 ** best.c - the best design of a sweep: of its grid, refined between its neighbours there.
 **
-** The simplex method of J. A. Nelder and R. Mead (Computer J. 7, 1965) needs no derivatives: extremes have corners.
-** Every point is computed from the digits that the deck will have, so that what is printed is what was found.
+** The simplex method of J. A. Nelder and R. Mead (Computer J. 7, 1965) needs no derivatives: extremes
+** have corners. Every point is computed from the digits that the deck will have, so that what is
+** printed is what was found.
 */
 #include <math.h>
 #include <stdlib.h>

@@ -16,9 +16,9 @@ void command_say(const char *first, ...);
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 
-/* Print a message about a file, FILE:LINE: error: MESSAGE, or another word for "error"; without the line if it
-** is 0.  `deck_name` is null if there is only one deck; otherwise it is added if the message is about another
-** file. */
+/* Print a message about a file, FILE:LINE: error: MESSAGE, or another word for "error"; without the
+** line if it is 0.  `deck_name` is null if there is only one deck; otherwise it is added if the message
+** is about another file. */
 void command_tell(const char *what, const char *file, long line, const char *message,
                   const char *deck_name);
 

@@ -2,8 +2,8 @@
 **
 ** designs.c - the designs of a deck's [sweep], one after the other.
 **
-** Every design is a deck of its own, built from the same settings.  Its output depends on its number alone, so
-** the parts joined are the whole, and memory holds one design.
+** Every design is a deck of its own, built from the same settings.  Its output depends on its number
+** alone, so the parts joined are the whole, and memory holds one design.
 */
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** grade.c - the answers that decks are checked against: a file, one of a folder for each deck, or all of a folder for
-** one deck.
+** grade.c - the answers that decks are checked against: a file, one of a folder for each deck, or all
+** of a folder for one deck.
 */
 #include <errno.h>
 #include <stdlib.h>
@@ -51,7 +51,8 @@ static int list_files(grade_answers *a)
     return 0;
 }
 
-/* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the deck's name. */
+/* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the
+** deck's name. */
 static int is_class(const options *o)
 {
     char *path;

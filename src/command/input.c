@@ -257,8 +257,8 @@ static int read_text(input *in, const char *path)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.  Returns the
-** exit status. */
+/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.
+** Returns the exit status. */
 static int take_answers(input *in, const char *path, const grade_answers *answers, const char *file)
 {
     int status = 0;
@@ -296,7 +296,8 @@ static int takes_found(const input *in)
            (o->report || (o->content == SHEET_CHECK && !o->check_file));
 }
 
-/* In place of a deck, that of the design that is asked for, or of the linkage found; returns the exit status. */
+/* In place of a deck, that of the design that is asked for, or of the linkage found; returns the exit
+** status. */
 static int take_design(input *in)
 {
     unsigned long length = 0;

@@ -28,8 +28,8 @@ typedef struct input {
     grade_answers answers; /* its own, of a folder */
     const struct input
         *deck; /* the same deck without answers, whose notes have been told; null: there is none */
-    /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so that nothing is
-    ** known about it */
+    /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so
+    ** that nothing is known about it */
     char refusal[MESSAGE_SIZE];
 } input;
 

@@ -199,8 +199,8 @@ static int write_all(const options *o, const input *inputs, size_t n, int usable
     return status;
 }
 
-/* Read n inputs, write what is asked for, and close them; returns the exit status.  `deck` is not null for a deck with
-** the answers of many. */
+/* Read n inputs, write what is asked for, and close them; returns the exit status.  `deck` is not null
+** for a deck with the answers of many. */
 static int run_inputs(const options *o, const grade_answers *answers, const input *deck)
 {
     size_t n = deck ? answers->n_files : o->n_decks, i;

@@ -2,9 +2,9 @@
 **
 ** marks.c - what is asked of many answers, and what each is worth.
 **
-** All answers are asked for the same values, so that one who leaves some out is not better off.  What is asked is in
-** the deck's own [expect].  If it has none, it is what a quarter of the answers have: neither a slip of one student
-** nor a value that many leave out changes it.
+** All answers are asked for the same values, so that one who leaves some out is not better off.  What
+** is asked is in the deck's own [expect].  If it has none, it is what a quarter of the answers have:
+** neither a slip of one student nor a value that many leave out changes it.
 */
 #include <math.h>
 #include <stdlib.h>

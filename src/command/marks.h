@@ -15,8 +15,9 @@ typedef struct marks {
     int are_guessed;    /* 1: found in the answers, because the deck does not list them */
 } marks;
 
-/* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own [expect];
-** if it has none, the values that enough answers have, which a note tells.  Returns the exit status. */
+/* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own
+** [expect]; if it has none, the values that enough answers have, which a note tells.  Returns the exit
+** status. */
 int marks_find(marks *m, const input *inputs, size_t n);
 
 /* What an input is worth. */

@@ -182,8 +182,8 @@ static int set_answers(options *o, const char *value, char message[400])
     return *value || say(message, "--answers= needs a folder", "", "");
 }
 
-/* An option sets what its entry names: a key of the deck, the content, a member of the options (a text, or a flag
-** if it takes no value), and what its function does. */
+/* An option sets what its entry names: a key of the deck, the content, a member of the options (a text,
+** or a flag if it takes no value), and what its function does. */
 typedef struct option_info {
     char letter; /* 0: it has none */
     const char *name;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solutions.c - the solutions of a [synthesis] as a table, a line for each: written as designs of a sweep are.
+** solutions.c - the solutions of a [synthesis] as a table, a line for each: written as designs of a
+** sweep are.
 */
 #include <string.h>
 

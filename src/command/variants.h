@@ -18,8 +18,8 @@ typedef struct variants {
 int variants_open(variants *v, const input *deck);
 void variants_close(variants *v);
 
-/* FOLDER/NAME.ending or FOLDER/DECK-N.ending, N from 1 with as many digits as the largest has: memory to free, or
-** null. */
+/* FOLDER/NAME.ending or FOLDER/DECK-N.ending, N from 1 with as many digits as the largest has: memory
+** to free, or null. */
 char *variants_path(const variants *v, const char *folder, const input *deck, unsigned long i,
                     const char *ending);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** columns.c - columns as curves: any over the crank angle or another column; motion and forces over the crank angle or
-** over time; the actual motion.
+** columns.c - columns as curves: any over the crank angle or another column; motion and forces over the
+** crank angle or over time; the actual motion.
 */
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** polar.c - pin forces as curves in the axes of their links, as in bearing-load diagrams, which show where a
-** bearing wears; and the shaking force of a deck with [balance], without the counterweights and with them.  Dots show
-** the crank angle, an arrow the direction, dashes the jumps of loads.
+** bearing wears; and the shaking force of a deck with [balance], without the counterweights and with
+** them.  Dots show the crank angle, an arrow the direction, dashes the jumps of loads.
 */
 #include <math.h>
 #include <string.h>

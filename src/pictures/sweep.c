@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sweep.c - pictures of the designs of a sweep: histograms of its outputs, and outputs over the quantity that it
-** varies.
+** sweep.c - pictures of the designs of a sweep: histograms of its outputs, and outputs over the
+** quantity that it varies.
 */
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** interactive.c - the interactive drawing of a report: its controls, its rows as JSON, its style and its script.
+** interactive.c - the interactive drawing of a report: its controls, its rows as JSON, its style and
+** its script.
 **
 ** The script computes nothing: it draws rows that are computed here.  See drawing.js.
 */
@@ -41,7 +42,8 @@ void report_put_script(page *p)
     page_print(p, "//]]></script>\n");
 }
 
-/* ----------------------------------------------------------------------------------------- the deck's table */
+/* ----------------------------------------------------------------------------------------- the deck's
+** table */
 
 void interactive_put_label(line *l, const char *name)
 {
@@ -107,7 +109,8 @@ static void put_table(line *l, const rows *t, const style *styles)
     line_put(l, "]");
 }
 
-/* ----------------------------------------------------------------------------------------------- the tracks */
+/* ----------------------------------------------------------------------------------------------- the
+** tracks */
 
 static void put_value(line *l, double value, double size)
 {
@@ -224,7 +227,8 @@ int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n
     return done;
 }
 
-/* ----------------------------------------------------------------------------------------------- the markup */
+/* ----------------------------------------------------------------------------------------------- the
+** markup */
 
 static const char *const controls[] = {
     "<div class=\"controls\" id=\"fourlink-controls\" hidden=\"hidden\">",
@@ -238,8 +242,8 @@ static const char *const controls[] = {
     "</div>",
     NULL};
 
-/* The drawing of the mechanism, with its controls; without rows the results alone.  The results are between it
-** and the other drawings. */
+/* The drawing of the mechanism, with its controls; without rows the results alone.  The results are
+** between it and the other drawings. */
 static void put_drawing(report *r, rows *t, double start)
 {
     page *p = &r->page;

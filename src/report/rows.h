@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rows.h - the numbers of the interactive drawing: tracks, each a vector or a number at every step of the motion, in
-** the deck's units.  Steps are crank angles, or times if the deck has rows by time.
+** rows.h - the numbers of the interactive drawing: tracks, each a vector or a number at every step of
+** the motion, in the deck's units.  Steps are crank angles, or times if the deck has rows by time.
 */
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H

@@ -18,7 +18,8 @@ static const struct {
                 {"C", "rhoC", "MC", "F34", "rhoC * F34"},
                 {"D", "rhoD", "MD", "F14", "rhoD * F14"}};
 
-/* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
+/* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see
+** mechanics/friction.c). */
 static void put_pin(const report *r, math *m, const fourlink_friction *friction, int i)
 {
     if (!(r->now.losses.pin[i] > 0)) {

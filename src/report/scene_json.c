@@ -231,7 +231,8 @@ static void put_place(line *l, const rows *t, const char *before, fourlink_vecto
     line_put(l, "]");
 }
 
-/* The wanted coupler as a triangle with its point, or the wanted crank and output; a mark at what is wanted. */
+/* The wanted coupler as a triangle with its point, or the wanted crank and output; a mark at what is
+** wanted. */
 static void put_position(line *l, const rows *t, const fourlink_solution *s,
                          const fourlink_precision *wanted)
 {

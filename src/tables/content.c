@@ -42,8 +42,8 @@ static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink
     take_row(s, branch, at, row);
 }
 
-/* Write all rows of a branch, and why it ends before; where the format is brief, rows without numbers, for the
-** same reason, as one. */
+/* Write all rows of a branch, and why it ends before; where the format is brief, rows without numbers,
+** for the same reason, as one. */
 static void write_all_rows(sheet *s, fourlink_branch branch)
 {
     fourlink_instant at, first;
@@ -417,7 +417,8 @@ static int is_within(double from, double to, double low, double high)
     return high - low > 2 * M_PI - 1e-9 || to - turns <= high + 1e-9;
 }
 
-/* Why a design has no positions at some crank angles of its motion: the angles at which it has; null if it has all. */
+/* Why a design has no positions at some crank angles of its motion: the angles at which it has; null if
+** it has all. */
 static const char *find_gap(const sheet *s, char words[200])
 {
     const fourlink_motion *motion = &s->v.problem.motion;

@@ -2,9 +2,9 @@
 **
 ** expect.c - a deck's values as [expect] sections, for --check.
 **
-** A value without a tolerance agrees within half of its last digit.  All values of a column have the same last
-** digit, chosen so that this is 0.05 to 0.5 per cent of the column's largest value: near its zeros a column is
-** not asked for more than elsewhere.  With [grading] the last digit does not matter.
+** A value without a tolerance agrees within half of its last digit.  All values of a column have the
+** same last digit, chosen so that this is 0.05 to 0.5 per cent of the column's largest value: near its
+** zeros a column is not asked for more than elsewhere.  With [grading] the last digit does not matter.
 */
 #include <math.h>
 #include <string.h>

@@ -40,7 +40,8 @@ size_t line_left(line *l, const char *s, size_t width);
 int line_fixed(line *l, double value, int decimals, size_t width);
 
 /* End a line that began at `start`, which line_here gave, without blanks at its end: on a terminal of this
-** width in letters it is broken at blanks, and goes on below the column `indent`.  Width 0: it stays whole. */
+** width in letters it is broken at blanks, and goes on below the column `indent`.  Width 0: it stays
+** whole. */
 size_t line_here(line *l);
 void line_finish(line *l, size_t start, size_t width, size_t indent);
 

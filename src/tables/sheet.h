@@ -2,8 +2,8 @@
 **
 ** sheet.h - a sheet of results, and the formats it can be written in.
 **
-** content.c decides what a sheet shows, once for all formats.  A format is a record of functions that write it
-** (table.c, csv.c, json.c, paper.c), and one entry in the table of formats, SHEET_FORMATS.
+** content.c decides what a sheet shows, once for all formats.  A format is a record of functions that
+** write it (table.c, csv.c, json.c, paper.c), and one entry in the table of formats, SHEET_FORMATS.
 */
 #ifndef FOURLINK_SHEET_H
 #define FOURLINK_SHEET_H

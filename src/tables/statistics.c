@@ -144,7 +144,8 @@ static void summarise(statistics_sample *sample, sheet_statistic *to)
 }
 
 /* The interval that holds the true share of successes with 95 per cent probability:
-** (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927). */
+** (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) (E. B. Wilson, J. Am. Stat. Assoc. 22,
+** 1927). */
 static void find_interval(unsigned long passed, unsigned long n, double *low, double *high)
 {
     static const double z = 1.959963984540054; /* 97.5 per cent of the normal distribution */
