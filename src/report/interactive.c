@@ -42,8 +42,7 @@ void report_put_script(page *p)
     page_print(p, "//]]></script>\n");
 }
 
-/* ----------------------------------------------------------------------------------------- the deck's
-** table */
+/* ------------------------------------------------------------------------------------ the deck's table */
 
 void interactive_put_label(line *l, const char *name)
 {
@@ -109,8 +108,7 @@ static void put_table(line *l, const rows *t, const style *styles)
     line_put(l, "]");
 }
 
-/* ----------------------------------------------------------------------------------------------- the
-** tracks */
+/* ------------------------------------------------------------------------------------------ the tracks */
 
 static void put_value(line *l, double value, double size)
 {
@@ -227,8 +225,7 @@ int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n
     return done;
 }
 
-/* ----------------------------------------------------------------------------------------------- the
-** markup */
+/* ------------------------------------------------------------------------------------------ the markup */
 
 static const char *const controls[] = {
     "<div class=\"controls\" id=\"fourlink-controls\" hidden=\"hidden\">",

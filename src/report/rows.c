@@ -32,8 +32,7 @@ const rows_track *rows_find(const rows *t, const char *name)
     return i < t->n_tracks ? &t->tracks[i] : NULL;
 }
 
-/* ------------------------------------------------------------------------------------------------ the
-** steps */
+/* ------------------------------------------------------------------------------------------- the steps */
 
 /* In how many parts so many intervals of the deck are divided, to have so many steps as wanted. */
 static unsigned long parts_of(unsigned long intervals, double wanted)
