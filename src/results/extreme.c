@@ -7,7 +7,6 @@
 ** the peak.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -18,16 +17,9 @@
 #define CLOSE 1e-12       /* relative difference of values that are equal within rounding, */
 #define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
 
-/* The extremes of a column so far: the largest value and the smallest. */
-typedef struct flk_bests {
-    flk_extreme best[2];
-    flk_extreme here[2]; /* since an angle started anew or a piece of an integrated motion began */
-    double close;        /* CLOSE or CLOSE_TURNS */
-} bests;
-
 typedef struct search {
     flk_samples samples;
-    bests *bests; /* of each column */
+    flk_bests *bests; /* of each column */
 } search;
 
 /* ----------------------------------------------------------------------------------------- best values */
@@ -61,7 +53,7 @@ static void offer(flk_extreme *best, int which, double value, double angle, doub
 typedef struct sought {
     const flk_samples *x;
     const flk_sampled *c;
-    bests *b;
+    flk_bests *b;
     int which;
     double near;      /* value from which an angle continues */
     double end, away; /* near an end of the piece: its s, and the distance to the next sample */
@@ -80,7 +72,7 @@ static void offer_at(const sought *k, int which, double value, double s)
 }
 
 /* Finish the part of a column's curve since it started anew; `shift` moves it by whole turns. */
-static void commit(bests *b, double shift)
+static void commit(flk_bests *b, double shift)
 {
     int which;
 
@@ -270,7 +262,7 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 ** anew. */
 static double best_so_far(const sought *k, int which)
 {
-    const bests *b = k->b;
+    const flk_bests *b = k->b;
     double best = b->here[which].is_there ? signed_value(which, b->here[which].value) : GSL_NEGINF;
 
     return k->c->of.turn > 0 || !b->best[which].is_there
@@ -436,7 +428,7 @@ static void find_poles(sought *k)
 
 /* --------------------------------------------------------------------------------------- piece by piece */
 
-static void search_column(flk_samples *x, const flk_sampled *c, bests *b)
+static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
 {
     sought k;
     int which;
@@ -489,7 +481,7 @@ static void skip_turns(search *x)
 #define NOISE 1e-10 /* of a column's size: so much a constant one may vary near a change point */
 
 /* A column that is constant within rounding has its extremes at the first row. */
-static void move_constant(const search *x, const flk_followed *t, bests *b)
+static void move_constant(const search *x, const flk_followed *t, flk_bests *b)
 {
     flk_extreme *max = &b->best[0], *min = &b->best[1];
     double value;
@@ -522,7 +514,7 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
 
     for (i = 0; i < x->samples.n_columns; i++) {
         const flk_sampled *c = &x->samples.columns[i];
-        bests *b = &x->bests[i];
+        flk_bests *b = &x->bests[i];
 
         commit(b, has_gap ? flk_followed_behind_gap(&c->of, &x->samples.f) : 0);
         move_constant(x, &c->of, b);
@@ -531,13 +523,13 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
     }
 }
 
-static void start(search *x, const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
-                  const flk_extreme_pair *pairs, size_t n)
+static void start(search *x, const flk_samples_room *room, flk_bests *bests, flk_analysis *a,
+                  fourlink_branch branch, const flk_extreme_pair *pairs, size_t n)
 {
     size_t i;
 
-    flk_samples_begin(&x->samples, &e->room, a, branch);
-    x->bests = e->bests;
+    flk_samples_begin(&x->samples, room, a, branch);
+    x->bests = bests;
     for (i = 0; i < n; i++) {
         flk_samples_add(&x->samples, &pairs[i].c);
         memset(&x->bests[i], 0, sizeof x->bests[i]);
@@ -564,17 +556,15 @@ static void search_motion(search *x, flk_extreme_pair *pairs)
     finish(x, has_gap, pairs);
 }
 
-/* Find the extremes of n columns on a branch, unless the search takes too many rows, or the motion too
-** many steps. */
-static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
-                 flk_extreme_pair *pairs, size_t n)
+void flk_extreme_search(flk_analysis *a, const flk_samples_room *room, flk_bests *bests,
+                        fourlink_branch branch, flk_extreme_pair *pairs, size_t n)
 {
     int status = flk_crank_motion_stops(&a->crank_motion, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
     search x;
     size_t i;
 
     if (status == FOURLINK_OK) {
-        start(&x, e, a, branch, pairs, n);
+        start(&x, room, bests, a, branch, pairs, n);
         a->is_fast = 1;
         search_motion(&x, pairs);
         a->is_fast = 0;
@@ -586,77 +576,4 @@ static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
         if (status != FOURLINK_OK)
             pairs[i].max.is_there = pairs[i].min.is_there = 0;
     }
-}
-
-/* ------------------------------------------------------------------------------------- the asked for */
-
-int flk_extremes_open(flk_extremes *x, size_t most)
-{
-    int k;
-
-    x->together[0] = malloc(4 * most * sizeof *x->together[0]);
-    x->bests = malloc((most + 1) * sizeof *x->bests);
-    x->asked = calloc(most, sizeof *x->asked);
-    if (!flk_samples_open(&x->room, most + 1) || !x->together[0] || !x->bests || !x->asked)
-        return 0;
-    for (k = 0; k < 2; k++) {
-        x->together[k] = x->together[0] + (size_t)k * most;
-        x->alone[k] = x->together[0] + (size_t)(2 + k) * most;
-    }
-    return 1;
-}
-
-void flk_extremes_close(flk_extremes *x)
-{
-    free(x->together[0]);
-    free(x->bests);
-    free(x->asked);
-    flk_samples_close(&x->room);
-}
-
-void flk_extremes_ask(flk_extremes *x, const flk_column *c)
-{
-    int k;
-
-    if (x->asked[c->number])
-        return;
-    for (k = 0; k < 2; k++) {
-        flk_extreme_pair *together = &x->together[k][x->n], *alone = &x->alone[k][x->n];
-
-        together->c = alone->c = *c;
-        together->is_searched = alone->is_searched = 0;
-    }
-    x->asked[c->number] = ++x->n;
-}
-
-#define FEW 8 /* columns that cost hardly more than one */
-
-static const flk_extreme_pair *pair_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
-                                       fourlink_branch branch, int all)
-{
-    int k = branch == FOURLINK_OPEN ? 0 : 1;
-    size_t i = x->asked[c->number];
-    int is_alone = !i || !(all || x->is_together || x->n <= FEW);
-    flk_extreme_pair *pair = !i         ? &x->other[k]
-                             : is_alone ? &x->alone[k][i - 1]
-                                        : &x->together[k][i - 1];
-
-    if (!i && !(pair->is_searched && pair->c.number == c->number)) {
-        pair->c = *c;
-        pair->is_searched = 0;
-    }
-    if (!pair->is_searched)
-        find(x, a, branch, is_alone ? pair : x->together[k], is_alone ? 1 : x->n);
-    return pair;
-}
-
-int flk_extremes_find(flk_extremes *x, flk_analysis *a, const flk_column *c, fourlink_branch branch,
-                      flk_statistic statistic, int all, flk_extreme *found)
-{
-    const flk_extreme_pair *pair = pair_of(x, a, c, branch, all);
-
-    *found = statistic == FLK_MAX ? pair->max : pair->min;
-    if (pair->status != FOURLINK_OK)
-        return pair->status;
-    return found->is_there ? FOURLINK_OK : FOURLINK_NOT_REACHED;
 }

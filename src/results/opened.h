@@ -5,7 +5,7 @@
 #ifndef FOURLINK_OPENED_H
 #define FOURLINK_OPENED_H
 
-#include "extreme.h"
+#include "extremes.h"
 #include "list.h"
 
 /* One design of a deck. */

@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "extreme.h"
+#include "extremes.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
 
