@@ -93,6 +93,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: --check, --expect, --matrix and --summary work for one design'
+says 't.deck:1: error: --check, --expect, --matrix and --summary work for one design of a [sweep], with --design=N'
 
 finish
