@@ -129,6 +129,10 @@ with_c() {
         sed '$d' by_ctypes >printed
         check 'Python by ctypes' cmp printed three
         check 'its table' grep -qx '([1-9][0-9]*, [1-9][0-9]*)' by_ctypes
+        echo x | LD_LIBRARY_PATH=$lib python3 by_ctypes.py 2>printed
+        check 'its mistake' grep -q "^1: expected 'key = value' or '\[section\]', not 'x'" printed
+        LD_LIBRARY_PATH=$lib python3 by_ctypes.py <usr/share/fourlink/data/alvi-5.1.deck 2>printed
+        check 'a name that its deck lacks' grep -qx 'there is no column, fact or input of this name' printed
     fi
     answer=answer
 

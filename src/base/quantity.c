@@ -40,7 +40,7 @@ static void refuse_comma(text rest, text whole, char message[MESSAGE_SIZE])
     if (commas > 1 || strchr(none, '.'))
         flk_message(message, MESSAGE_SIZE, "'%t': a comma within a number: write it without",
                     whole);
-    else if (digits == 3)
+    else if (digits == 3 && none[strspn(none, "+-")] != '0')
         flk_message(message, MESSAGE_SIZE, "'%t': a comma within a number: write %s or %s", whole,
                     none, point);
     else

@@ -26,6 +26,7 @@
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */
 #define TOLERANCE 1e-8 /* of the simplex, where the neighbours are 1 apart */
 #define MOST_STEPS 400
+#define ROUNDING 1e-9 /* of the value, as a fraction of it, by these digits */
 
 typedef struct search {
     const input *in;
@@ -34,6 +35,7 @@ typedef struct search {
     const fourlink_value *conditions, *variables;
     unsigned long n_conditions, n; /* values of variables are in the deck's units */
     double *best, *low, *high;     /* of the grid, with its neighbours; then of the free ones */
+    int is_words;                  /* what is sought has no number */
     fourlink_results *trial;       /* the best design, in which values between these are set */
     int *handles;                  /* of the variables that have neighbours: the free ones */
     unsigned long n_free;
@@ -59,7 +61,7 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
 }
 
 /* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield. */
-static double value_of(const search *s, fourlink_results *r, fourlink_branch *branch)
+static double value_of(search *s, fourlink_results *r, fourlink_branch *branch)
 {
     fourlink_problem problem;
     fourlink_value v;
@@ -71,8 +73,10 @@ static double value_of(const search *s, fourlink_results *r, fourlink_branch *br
         fourlink_branch b = (fourlink_branch)i;
 
         if (!(b == FOURLINK_OPEN ? problem.open : problem.crossed) ||
-            fourlink_results_value(r, s->name, b, problem.motion.from, &v) != FOURLINK_OK ||
-            v.words || !gsl_finite(v.value) || !(s->sign * v.value < least) ||
+            fourlink_results_value(r, s->name, b, problem.motion.from, &v) != FOURLINK_OK)
+            continue;
+        s->is_words |= v.words != NULL;
+        if (v.words || !gsl_finite(v.value) || !(s->sign * v.value < least) ||
             !is_met(s, r, b, problem.motion.from))
             continue;
         least = s->sign * v.value;
@@ -118,6 +122,7 @@ static int search_grid(search *s, FILE *out)
         s->handles[s->n_free] = s->variables[i].handle;
         s->low[s->n_free] = s->low[i];
         s->high[s->n_free] = s->high[i];
+        s->best[s->n_free] = s->best[i];
         s->refined[s->n_free++] = s->best[i];
     }
     return !s->out_of_memory;
@@ -200,6 +205,24 @@ static void go_down(search *s, double size)
     gsl_set_error_handler(handler);
 }
 
+/* Give a variable on which the value does not depend, but for rounding, its value of the grid again. */
+static void put_back(search *s)
+{
+    unsigned long i;
+
+    for (i = 0; i < s->n_free; i++) {
+        double refined = s->refined[i], value;
+        fourlink_branch branch;
+
+        s->refined[i] = s->best[i];
+        value = set_values(s, s->refined) ? value_of(s, s->trial, &branch) : WORST;
+        if (value <= s->found + ROUNDING * fabs(s->found))
+            s->branch = branch;
+        else
+            s->refined[i] = refined;
+    }
+}
+
 /* Refine the free variables; a second simplex goes on where the first has become flat. */
 static void refine(search *s)
 {
@@ -210,7 +233,8 @@ static void refine(search *s)
     go_down(s, 0.3);
     go_down(s, 0.05);
     if (s->found < on_grid)
-        set_values(s, s->refined);
+        put_back(s);
+    set_values(s, s->refined);
 }
 
 /* ------------------------------------------------------------------------------------------ the deck */
@@ -296,8 +320,9 @@ static int find_best(FILE *out, search *s)
     if (is_found)
         return write_result(out, s);
     flk_message(message, sizeof message,
-                s->n_conditions ? "no design has a value of %s and meets the yield"
-                                : "no design has a value of %s",
+                s->is_words       ? "%s is in words: it has no largest or smallest value"
+                : s->n_conditions ? "no design has a value of %s and meets the yield"
+                                  : "no design has a value of %s",
                 s->name);
     command_tell("error", "--best", 0, message, NULL);
     return EXIT_ROWS;

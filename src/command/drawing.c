@@ -191,7 +191,8 @@ int reporting_write(const input *in)
     if (outcome.gnuplot[0])
         command_say("fourlink: ", path, " has no pictures: ", outcome.gnuplot, (char *)NULL);
     if (outcome.has_failed)
-        command_say("fourlink: ", path, ": rows could not be computed, or expected values differ",
-                    (char *)NULL);
-    return outcome.has_failed ? EXIT_ROWS : 0;
+        command_say("fourlink: ", path, ": rows could not be computed", (char *)NULL);
+    if (outcome.differs)
+        command_say("fourlink: ", path, ": expected values differ", (char *)NULL);
+    return outcome.has_failed || outcome.differs ? EXIT_ROWS : 0;
 }

@@ -13,10 +13,19 @@
 #include "files.h"
 #include "grade.h"
 
-/* FOLDER/NAME.expect of a deck: memory to free, or null. */
+/* FOLDER/NAME.expect of a deck, or NAME.txt if there is only that: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    return files_within(folder, files_stem(deck), ".expect");
+    char *path = files_within(folder, files_stem(deck), ".expect");
+    char *other = files_within(folder, files_stem(deck), ".txt");
+
+    if (path && other && system_kind_of(path) == SYSTEM_NOTHING &&
+        system_kind_of(other) != SYSTEM_NOTHING) {
+        free(path);
+        return other;
+    }
+    free(other);
+    return path;
 }
 
 /* Keep a file of answers; 0 if out of memory.  Hidden files are those that systems add to a folder. */

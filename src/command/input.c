@@ -155,7 +155,8 @@ static int serves_options(input *in)
     } else if (is_sweep && o->n_decks > 1) {
         why = "a deck with a [sweep] must be the only deck";
     } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
-        why = "--check, --expect, --matrix and --summary work for one design, not for a [sweep]";
+        why = "--check, --expect, --matrix and --summary work for one design of a [sweep], with "
+              "--design=N";
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
                             formats_of(SHEET_DESIGNS, ", ", " or ", names), " only", (char *)NULL);

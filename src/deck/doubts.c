@@ -167,6 +167,7 @@ static void check_spring(parser *p, const section_use *use)
 }
 
 #define VACUUM -101325 /* Pa, against the atmosphere */
+#define FAINT 1000     /* Pa; a bare pressure below it was meant in bar or MPa */
 
 static void check_pressure(parser *p, key_code key)
 {
@@ -176,6 +177,9 @@ static void check_pressure(parser *p, key_code key)
         flk_mistake(NOTES(p), s->place,
                     "%t is less than a vacuum, which is -1.01325 bar against the atmosphere",
                     s->value);
+    if (s->si[0] != 0 && fabs(s->si[0]) < FAINT && is_bare(p, s, QUANTITY_PRESSURE))
+        flk_mistake(NOTES(p), s->place, "'%t' is read as Pa: write %t Pa or %t MPa", s->value,
+                    s->value, s->value);
 }
 
 /* 1 if a torque over a speed always has the sign of that speed. */

@@ -118,6 +118,14 @@ static int units_agree(parser *p, const variation *v, text x, text y)
                        "either all values of a quantity have a unit or none has");
 }
 
+static int refuse_range(parser *p, const variation *v, const char *what)
+{
+    return flk_mistake(p->mistakes, v->place,
+                       "a range needs %s, '20 mm to 30 mm step 2 mm', or the number of its "
+                       "values, '20 mm to 30 mm in 6'",
+                       what);
+}
+
 /* A to B step S; A to B in N */
 static int read_range(parser *p, variation *v)
 {
@@ -129,10 +137,7 @@ static int read_range(parser *p, variation *v)
     in_steps = !flk_text_cut(rest, " step ", &last, &step);
     if (in_steps &&
         !flk_text_cut_last(rest, " in ", &last, &number)) /* the last " in ": 1 in to 2 in in 3 */
-        return flk_mistake(
-            p->mistakes, v->place,
-            "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "
-            "values, '20 mm to 30 mm in 6'");
+        return refuse_range(p, v, "its step");
     v->form = VARY_RANGE;
     if (!read_first(p, v, first) || !units_agree(p, v, first, last) ||
         !read_in(p, v, last, &v->first.unit, &end))
@@ -240,6 +245,7 @@ static int read_list(parser *p, variation *v)
 static int read_variation(parser *p, variation *v)
 {
     static const char *const signs[] = {"\302\261", "+/-", "+-"};
+    static const char *const others[] = {"..", ":", " - "}; /* of a range, elsewhere */
     text before, after;
     size_t i;
 
@@ -250,6 +256,9 @@ static int read_variation(parser *p, variation *v)
             return read_tolerance(p, before, after, v);
     if (flk_text_cut(v->value, " to ", &before, &after))
         return read_range(p, v);
+    for (i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (flk_text_cut(v->value, others[i], &before, &after))
+            return refuse_range(p, v, "'to' and its step");
     return read_list(p, v);
 }
 

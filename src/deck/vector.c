@@ -26,10 +26,16 @@ void flk_vector_direction(double angle, double *x, double *y)
     }
 }
 
-static int refuse_components(parser *p, const setting *s, quantity q)
+static int refuse_components(parser *p, const setting *s, quantity q, text inside)
 {
-    return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
-                       q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
+    int has_marks = 0; /* (40,5, 25,2) mm */
+    size_t i;
+
+    for (i = 0; i + 1 < inside.length && flk_text_count(inside, ',') > 1; i++)
+        has_marks |= inside.start[i] == ',' && strchr("0123456789", inside.start[i + 1]);
+    return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'%s",
+                       q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value,
+                       has_marks ? ": a comma as decimal mark? write a point" : "");
 }
 
 /* (10, 5) mm */
@@ -41,7 +47,7 @@ static int read_components(parser *p, setting *s, text t, quantity q, point *res
 
     flk_text_split(&rest, ')', &inside);
     if (!rest.start || flk_text_count(inside, ',') != 1)
-        return refuse_components(p, s, q);
+        return refuse_components(p, s, q, inside);
     if (!flk_values_unit(p, s, rest, q, &u))
         return 0;
     result->has_unit = flk_text_trim(rest).length > 0;
@@ -53,7 +59,7 @@ static int read_components(parser *p, setting *s, text t, quantity q, point *res
         if (!flk_values_number(p, s, &x, q, &number))
             return 0;
         if (flk_text_trim(x).length)
-            return refuse_components(p, s, q);
+            return refuse_components(p, s, q, inside);
         result->y[i] = flk_unit_to_si(number, u);
         if (!flk_values_size(p, s, q, result->y[i]))
             return 0;

@@ -164,6 +164,7 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
     flk_text_join(outcome->gnuplot, sizeof outcome->gnuplot, r.gnuplot ? r.gnuplot : "",
                   (char *)NULL);
     outcome->has_failed = r.failed > 0;
+    outcome->differs = r.differing > 0;
     fourlink_results_free(r.drawn);
     free(r.loads);
     free(r.row_loads);

@@ -35,7 +35,7 @@ typedef struct report {
     int out_of_memory;
     const char *gnuplot; /* null; or the reason why there are no pictures */
     char reason[GNUPLOT_REASON];
-    unsigned long failed; /* rows that could not be computed, values that differ */
+    unsigned long failed, differing; /* rows that could not be computed, expected values */
 
     /* the sample calculation */
     fourlink_instant now; /* its status says why there is none */
@@ -48,7 +48,8 @@ typedef struct report {
 /* What became of a report that was written. */
 typedef struct report_outcome {
     char gnuplot[GNUPLOT_REASON]; /* the reason why there are no pictures, or empty */
-    int has_failed;               /* 1: rows could not be computed, or expected values differ */
+    int has_failed;               /* 1: rows could not be computed */
+    int differs;                  /* 1: expected values differ */
 } report_outcome;
 
 /* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the

@@ -174,9 +174,11 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
     fourlink_results_list(r->v.results, FOURLINK_COLUMNS, &h.s.header, &h.s.n_header);
     content_begin(&h.s, out, 1);
     content_write(&h.s, r->v.results, r->source->name, NULL);
-    if (format == &html_format)
-        r->failed += h.s.failed + h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
-                     h.s.checks[FOURLINK_NO_VALUE];
+    if (format == &html_format) {
+        r->failed += h.s.failed;
+        r->differing += h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
+                        h.s.checks[FOURLINK_NO_VALUE];
+    }
     r->out_of_memory |= h.s.out_of_memory;
 }
 

@@ -23,11 +23,11 @@ static void refuse(fourlink_check *c, text name, const char *nearest)
                 nearest ? "" : "; see --list");
 }
 
-/* The most similar name of the deck's facts, or of its columns. */
+/* The most similar name of the deck's facts and columns. */
 static const char *find_nearest(flk_opened *o, const deck_expectation *e, int handle)
 {
     const int all = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
-    const char *known[FLK_FACT_LIMIT + 1], *nearest = flk_column_meant(&o->a, e->name);
+    const char *known[FLK_FACT_LIMIT + 2], *nearest = flk_column_meant(&o->a, e->name);
     int group = flk_fact_group(handle);
     unsigned long n, i;
 
@@ -36,9 +36,9 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
     n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : all, 0, NULL, 0, &o->facts);
     for (i = 0; i < n; i++)
         known[i] = o->facts.list[i].name;
-    known[n] = NULL;
-    nearest = flk_text_nearest(e->name, known);
-    return nearest ? nearest : flk_column_nearest(&o->a, e->name);
+    known[n] = flk_column_nearest(&o->a, e->name);
+    known[n + 1] = NULL;
+    return flk_text_nearest(e->name, known);
 }
 
 /* Find what a name means; the first of o->facts are those of this name, such as the ends of two ranges.

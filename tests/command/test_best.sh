@@ -48,6 +48,14 @@ for change in "coupler.length=$(awk "BEGIN {print $b * 1.0005}") m" "coupler.len
     check "nothing is better nearby: $change" awk -F, -v best="$at_best" '$1 == "mu_min" {ok = $2 <= best + 1e-3} END {exit !ok}' out
 done
 
+# a quantity that does not matter keeps its value of the grid, also if nothing is better than the grid
+sweep 'crank.length = 16 mm to 24 mm step 2 mm' 'motion.speed = 10 rad/s to 50 rad/s in 5' 'output = mu_min'
+best 'max mu_min'
+check 'the end of a range' awk '/^\[/ {on = $0 == "[crank]"} on && $0 == "length = 16 mm" {ok = 1} END {exit !ok}' best.deck
+check 'a speed of the grid' grep -qx 'speed = 10 rad/s' best.deck
+best 'max swing' -s 'sweep.yield=mu_min > 55 deg'
+check 'beside a refined value' grep -qx 'speed = 10 rad/s' best.deck
+
 # min, a list that is not refined, quantities in step, other parts of the deck
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm' 'output = mu_min'
 best 'min max(omega4)' -b open
@@ -153,7 +161,7 @@ for other in --summary --check --part=1/2 --format=csv --plot=p.svg --statistics
 done
 run 1 --best='max type' t.deck
 nothing
-says '--best: error: no design has a value of type'
+says '--best: error: type is in words: it has no largest or smallest value'
 run 1 --best='max swing' -s 'sweep.yield=mu_min > 89 deg' t.deck
 says 'no design has a value of swing and meets the yield'
 run 1 --best='max stroke' t.deck

@@ -181,6 +181,14 @@ run 0 --design=all --expect --at='40 deg' --columns=theta4 --output=keys/ --name
 check 'their answers' test "$(ls keys | wc -l)" -eq 3
 run 0 --check=keys --scores decks/*.deck
 check 'all right' test "$(grep -c ' 2 *2 *100' out)" -eq 3
+# answers as Notepad saves them; of two files it is the .expect
+mv keys/Anna.expect keys/Anna.txt
+echo '[expect]' >'keys/Ben K..txt'
+run 0 --check=keys --scores decks/*.deck
+check 'a .txt is an answer' test "$(grep -c ' 2 *2 *100' out)" -eq 3
+rm keys/Anna.txt
+run 3 --check=keys --scores decks/*.deck
+says "cannot read keys/Anna.expect"
 run 0 --design=all --report=reports/ --names=students.txt sweep.deck
 check 'their reports' test -s reports/Anna.html
 run 0 --design=all --expect --output=keys/ sweep.deck

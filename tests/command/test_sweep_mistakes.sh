@@ -45,6 +45,9 @@ bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length
 bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length = 18 mm to 20 mm step 1 mm +- 1 mm' 'samples = 2'
 bad 1 'a tolerance in per cent needs a value other than 0' 'ground.angle = 0 deg +- 1 %' 'samples = 2'
 bad 1 'a range needs its step' 'crank.length = 18 mm to 22 mm'
+for range in '18 mm .. 22 mm' '18:1:22 mm' '18 mm - 22 mm'; do
+    bad 1 "a range needs 'to' and its step, '20 mm to 30 mm step 2 mm', or the number" "crank.length = $range"
+done
 bad 1 'the step does not lead' 'crank.length = 18 mm to 22 mm step 0 mm'
 bad 1 'the step does not lead' 'crank.length = 18 mm to 22 mm step -1 mm'
 bad 1 'the number of values of a range' 'crank.length = 18 mm to 22 mm in 1'
@@ -93,6 +96,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: --check, --expect, --matrix and --summary work for one design'
+says 't.deck:1: error: --check, --expect, --matrix and --summary work for one design of a [sweep], with --design=N'
 
 finish

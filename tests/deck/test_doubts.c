@@ -50,6 +50,16 @@ TEST(test_bare_numbers)
     check_none("mechanism = slider-crank\n[crank]\nlength = 10\n[rod]\nlength = 10 m\n");
 }
 
+TEST(test_bare_pressures)
+{
+    check_note(ENGINE "pressure = 1.5\n", NULL, 8, "'1.5' is read as Pa: write 1.5 Pa or 1.5 MPa");
+    check_note(ENGINE "pressure = 2 MPa\nback_pressure = 1\n", NULL, 9,
+               "'1' is read as Pa: write 1 Pa or 1 MPa");
+    check_none(ENGINE "pressure = 1500000\nback_pressure = 0\n");
+    check_none(ENGINE "pressure = 1.5\n[units]\npressure = MPa\n");
+    check_none(ENGINE "pressure = 900 Pa\n");
+}
+
 TEST(test_masses)
 {
     check_note("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n"

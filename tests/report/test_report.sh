@@ -130,8 +130,11 @@ has 'Klein'
 run 0 --report=r.html "$data/me3491-example-2.deck"
 has 'misprint confirmed'
 run 1 --report=r.html --set='expect.n=6' "$engine"
+says 'r.html: expected values differ'
+check 'all rows are there' none 'rows' err
 run 1 --report=r.html "$decks/reach.deck"
-says 'rows could not be computed'
+says 'r.html: rows could not be computed'
+check 'nothing was expected' none 'expected' err
 has 'cannot be assembled'
 sound r.html "$decks/reach.deck"
 run 1 --report=r.html "$data/me3491-exercise-1.deck" --set='motion.from=150 deg' --set='motion.to=200 deg'

@@ -473,6 +473,8 @@ TEST(test_mistakes_of_columns)
 {
     check_mistake(engine(300, "[expect]\nat = 40 deg\nomga3 = 3 rad/s\n"), 11,
                   "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
+    check_mistake(engine(300, "[expect]\nat = 40 deg\nOmega3 = 3 rad/s\n"), 11,
+                  "'Omega3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[expect]\nxyzzy = 3 rad/s\n"), 10,
                   "'xyzzy' is neither a column nor a fact of this deck; see --list");
     check_mistake(engine(300, "[expect]\nmax(omga3) = 3 rad/s\n"), 10,
