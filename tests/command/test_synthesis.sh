@@ -84,6 +84,14 @@ printf 'theta2 [deg]; theta4 [deg]\n36; 64\n75; 98\n114; 142\n' >points.csv
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = file points.csv'
 proves 0
 check 'points of a file' grep -q '^length = 60.005448180335[0-9]* mm' found.deck
+# lengths are in the unit of the points
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = 45 deg 95 mm, 90 deg 60 mm, 135 deg 30 mm'
+proves 0
+check 'the unit of a list' grep -q '^length = 45.96194077712[0-9]* mm' found.deck
+printf '45 95\n90 60\n135 30\n' >piston.csv
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = file piston.csv deg mm'
+proves 0
+check 'the unit of a file' grep -q '^length = 45.96194077712[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = linear' 'x = 0 to 1' 'crank = 45 to 135 deg' \
     'piston = 100 to 30 mm'
 proves 0
