@@ -126,6 +126,8 @@ check 'the coupler' grep -q '^length = 103.197034989212[0-9]* mm' found.deck
 task 'mechanism = inverted-slider-crank' '[crank]' 'length = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.7' \
     'stroke = 120 mm'
 proves 0 1
+run 0 --synthesis --format=csv t.deck
+check 'the lever in the table of solutions' grep -q '^solution,branch,.*,rocker_length' out
 task "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 mm' '[rocker]' 'length = 80 mm' '[point Q]' \
     'link = coupler' 'at = (40, 30) mm' '[synthesis]' 'task = cognate' 'which = right'
 proves 0 6
