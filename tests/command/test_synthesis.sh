@@ -133,6 +133,9 @@ run 0 --synthesis --format=csv t.deck
 check 'the lever in the table of solutions' grep -q '^solution,branch,.*,rocker_length' out
 task "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 mm' '[rocker]' 'length = 80 mm' '[point Q]' \
     'link = coupler' 'at = (40, 30) mm' '[synthesis]' 'task = cognate' 'which = right'
+run 0 --synthesis --report=r.html t.deck
+check 'rounding is 0 in equations' awk \
+    '/id="synthesis"/ {on = 1} /<\/section>/ {on = 0} on && /<mn>10<\/mn>/ {bad = 1} END {exit bad}' r.html
 proves 0 6
 check 'the point of the deck' grep -q '^Q.x = ' found.deck
 
