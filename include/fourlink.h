@@ -1995,7 +1995,7 @@ typedef struct fourlink_solution {
     double a, c;            /* m, crank and rocker with the signs of the equations */
     double crank_turn;  /* rad, 0 or pi: crank angle of the linkage minus that of the designer */
     double rocker_turn; /* rad, 0 or pi: the same for theta4 */
-    double K[3];        /* function: K1, K2, K3 (1); slider-crank: S1, S2 (m), S3 (m2); else 0 */
+    double K[3];        /* function: K1, K2, K3 (1); slider-crank: S1 (m), S2, S3 (m2); else 0 */
     double condition;   /* 1, of the linear system, columns scaled to the same length; 1: none */
     fourlink_vector origin; /* m, A in the designer's axes */
     double direction;       /* rad, angle of A->D in the designer's axes */

@@ -225,6 +225,7 @@ static int read_points(parser *p, setting *s)
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
     double range[2] = {0, 0};
+    text rest = s->value, item, last;
     setting read = *s;
     size_t i;
 
@@ -245,7 +246,8 @@ static int read_points(parser *p, setting *s)
         t->theta2[i] = read.curve[i].x;
         t->output[i] = read.curve[i].y[0];
     }
-    flk_task_unit(p, flk_quantity_unit_text(s->value));
+    if (flk_curve_text_item(&rest, &item) && flk_text_cut_last(item, " ", &item, &last))
+        flk_task_unit(p, last); /* 45 deg 95 mm; file points.csv deg mm */
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK)) &&
         !flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, range))
         return 0;

@@ -48,7 +48,8 @@ static const deck_task_kind kinds[] = {
      1,
      "the ground or the crank, time_ratio or, of a slotted lever, swing, and the lever or stroke",
      KEY_LEVER_ANGLE,
-     {"ground_length crank_length defects type", NULL}}};
+     {"ground_length crank_length defects type",
+      "ground_length crank_length rocker_length defects type"}}};
 
 /* -------------------------------------------------------------------------------- motion and path */
 

@@ -304,11 +304,11 @@ static void read_lines(card *c, text contents, setting *s)
     contents = flk_text_without_mark(contents);
     for (c->row.place.line = 1;
          !c->p->out_of_memory &&
-         flk_line_take(c->p, &contents, end, c->row.place, without_comment, &c->line);
+         flk_line_take(c->p, &contents, end, c->row.place, flk_text_trim, &c->line);
          c->row.place.line++) {
+        c->line = without_comment(flk_reader_plain(c->p, c->line));
         if (!c->line.length)
             continue;
-        c->line = flk_reader_plain(c->p, c->line);
         c->row.value = flk_text_of(flk_text_quote(c->line, c->quote, sizeof c->quote));
         if (s->n_points == MOST_POINTS) {
             flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");

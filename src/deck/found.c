@@ -178,6 +178,14 @@ static const char *set_point(parser *p)
     return flk_reader_copy(p, name, "");
 }
 
+/* The outputs of a [sweep], and of the table of solutions, that names none. */
+static const char *outputs_of(const deck_synthesis *t)
+{
+    int finds_lever = t->kind->kind == FOURLINK_INVERTED_SLIDER_CRANK && t->quick_return.stroke > 0;
+
+    return t->kind->outputs[t->task == TASK_FUNCTION || finds_lever];
+}
+
 void flk_synthesis_assign(parser *p)
 {
     const deck_synthesis *t = p->d->synthesis;
@@ -185,7 +193,7 @@ void flk_synthesis_assign(parser *p)
     const char *point_name = NULL;
 
     if (!sweep->output.names.start && !sweep->yield.names.start)
-        sweep->output.names = flk_text_of(t->kind->outputs[t->task == TASK_FUNCTION]);
+        sweep->output.names = flk_text_of(outputs_of(t));
     set_lengths(p);
     if (t->chosen->has_point)
         point_name = set_point(p);

@@ -277,7 +277,7 @@ static void put_task(page *g)
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
     if (t->task == TASK_FUNCTION)
-        put(g, t->kind->constants, s->K[0] / one, s->K[1] / one, s->K[2] / (one * one));
+        put(g, t->kind->constants, s->K[0] / one, s->K[1] / (one * one), s->K[2] / (one * one));
     if (s->crank_turn != 0)
         put(g, "# a = %g %s: the crank is turned by 180 deg: wanted crank angle = theta2 - %g deg",
             flk_unit_from_si(s->a, u->unit), u->name, FLK_DEGREES(s->crank_turn));

@@ -154,8 +154,8 @@ static int is_key(const section_use *use, text word, text value)
            (TAKES_NAMES(use->section) && strchr("+-.0123456789", value.start[0]) != NULL);
 }
 
-/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or section.
-** */
+/* Refuse a line without an =, and show what it probably was meant to be: key value, key: value, or
+** section. */
 static void refuse_line(parser *p, section_use *use, text line, text_place place)
 {
     char meant[MESSAGE_SIZE] = "";

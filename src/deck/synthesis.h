@@ -26,7 +26,7 @@ typedef struct deck_task_kind {
     const char *quick_return;
 
     key_code besides;       /* what is found besides lengths: offset or angle; or KEY_COUNT */
-    const char *outputs[2]; /* of a [sweep]; of one with a function */
+    const char *outputs[2]; /* of a [sweep]; of one with a function, or the stroke of a lever */
 } deck_task_kind;
 
 /* The wanted function y = f(x): crank angle and output are linear in x and y.  Two numbers are those at both

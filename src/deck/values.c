@@ -286,11 +286,18 @@ static int has_meaning(const section_use *use, key_code key)
     return key != KEY_LOAD_AT_SPEED || FLK_IS_SPEED(over);
 }
 
+/* 1 if a value keeps its characters: a title, and names. */
+static int is_verbatim(key_code code, text value)
+{
+    return code == KEY_TOP_TITLE || code == KEY_TABLE_COLUMNS || code == KEY_SWEEP_OUTPUT ||
+           flk_curve_text_file(value, NULL);
+}
+
 static void read_value(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
 
-    if (code != KEY_TOP_TITLE && !flk_curve_text_file(s->value, NULL))
+    if (!is_verbatim(code, s->value))
         s->value = flk_reader_plain(p, s->value);
     p->argument = argument_of(use);
     switch (key->form) {

@@ -133,8 +133,8 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
     return largest;
 }
 
-/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it.
-** */
+/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on
+** it. */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
     static const struct {

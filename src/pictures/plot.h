@@ -27,8 +27,7 @@ int plot_write(FILE *out, const fourlink_source *source, const plot_request *req
 #define GNUPLOT_REASON 400
 
 /* Run gnuplot on a script, from its beginning; the picture goes to `out`, an SVG with `caption`, which is
-** null for other files.  Returns null, or the reason why there is none, for which there is room in `reason`.
-** */
+** null for other files.  Returns null, or the reason why there is none; `reason` has room for it. */
 const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
                         char reason[GNUPLOT_REASON]);
 

@@ -230,13 +230,14 @@ static unsigned long put_bins(const picture *p, const designs *d, unsigned long 
 static int put_histogram(picture *p, designs *d, unsigned long output)
 {
     size_t n = sort_values(p, d, output);
-    double low = d->sorted[0], high, width;
+    double low, high, width;
     unsigned long most = 0, here;
     char symbol[NOTATION_SIZE];
     int b, bins;
 
     if (n == 0)
         return 0;
+    low = d->sorted[0];
     high = d->sorted[n - 1];
     bins = count_bins(d->sorted, n);
     width = bins > 1 ? (high - low) / bins : low != 0 ? 0.01 * fabs(low) : 1;
@@ -278,13 +279,14 @@ static int put_curve(picture *p, designs *d, unsigned long output, const char *s
 {
     const fourlink_value *x = &d->variables[d->axis];
     size_t n = sort_values(p, d, output);
-    double low = d->sorted[0], high, value;
+    double low, high, value;
     char symbol[NOTATION_SIZE];
     unsigned long i;
     int b;
 
     if (n == 0)
         return 0;
+    low = d->sorted[0];
     high = d->sorted[n - 1];
     begin_panel(p, x->name, x->unit, canvas_symbol(&p->on, d->outputs[output].name, symbol),
                 d->outputs[output].unit);

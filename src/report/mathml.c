@@ -60,6 +60,7 @@ static const struct {
                {"P", "P", MATH_W},
                {"K", "K", MATH_ONE},
                {"Q", "Q", MATH_ONE},
+               {"S2", "S", MATH_M2},
                {"S3", "S", MATH_M2}};
 
 enum { LETTERS = sizeof letters / sizeof letters[0] };

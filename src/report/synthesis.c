@@ -56,7 +56,7 @@ static void put_function(report *r, math *m)
     put_words(r, slides ? "The coupler's length is the same in all positions:"
                         : "Freudenstein's equation, from the constant length of the coupler:");
     math_show(m, equation);
-    put_words(r, s->n_positions > 3 ? "At the points; least squares:" : "At the three points:");
+    put_words(r, s->n_positions > 3 ? "At the points:" : "At the three points:");
     for (i = 0; i < s->n_positions && i < MOST_EQUATIONS; i++) {
         double theta4 = s->position[i].output - s->rocker_turn;
 
@@ -67,11 +67,11 @@ static void put_function(report *r, math *m)
     }
     if (s->n_positions > MOST_EQUATIONS)
         put_words(r, "and so on.");
-    put_words(r, "They are linear, with the solution:");
+    put_words(r, s->n_positions > 3 ? "They are linear; the constants with the least errors:"
+                                    : "They are linear, with the solution:");
     page_print(&r->page, "<ul class=\"given\">\n");
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < 3; i++)
         math_given(m, names[slides][i], s->K[i]);
-    }
     page_print(&r->page, "</ul>\n");
     if (slides) {
         math_let(m, "r", "{ S1 | 2 }", s->a);
@@ -119,8 +119,7 @@ static void put_guided(report *r, math *m)
     put_words(
         r, slides ? "In the axes of the task, A is the centre of a circle through the places of B:"
                   : "In the axes of the task, each fixed pivot is the centre of a circle through "
-                    "the three "
-                    "places of its moving pivot:");
+                    "the three places of its moving pivot:");
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
 
@@ -160,8 +159,10 @@ static void put_quick_return(report *r, math *m)
     double a = s->a, b = link[FOURLINK_COUPLER].length, c = s->c, d = link[FOURLINK_GROUND].length;
 
     math_set(m, "Q", (M_PI + fabs(delta)) / (M_PI - fabs(delta)));
-    put_words(r, "The crank turns by 180\302\260 + \316\264 and 180\302\260 - \316\264; Q is the "
-                 "time ratio:");
+    put_words(
+        r,
+        "The crank turns by 180\302\260 + \316\264 and 180\302\260 \342\210\222 \316\264; Q is the "
+        "time ratio:");
     math_let(m, "delta", delta < 0 ? "- 180deg * { Q - 1 | Q + 1 }" : "180deg * { Q - 1 | Q + 1 }",
              delta);
     if (s->type == FOURLINK_CRANK_ROCKER) {
@@ -277,6 +278,7 @@ void report_put_synthesis(report *r)
         return;
     memset(&m, 0, sizeof m);
     m.p = &r->page;
+    m.size[MATH_M] = fabs(s->a) + s->design.link[FOURLINK_COUPLER].length;
     set_lengths(s, &m);
     page_section(&r->page, "synthesis", "Synthesis");
     if (s->K[0] != 0)

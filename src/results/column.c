@@ -361,12 +361,18 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
                 nearest ? "" : "; see --list");
 }
 
+/* The length of a comma or blank at the front of a text; 0 if there is none. */
+static size_t separator(text t)
+{
+    return t.length && t.start[0] == ',' ? 1 : flk_text_blank(t);
+}
+
 int flk_column_next_name(text *rest, text *name)
 {
-    while (rest->length && strchr(", \t", rest->start[0]))
-        *rest = flk_text_from(*rest, 1);
+    while (separator(*rest))
+        *rest = flk_text_from(*rest, separator(*rest));
     *name = *rest;
-    while (rest->length && !strchr(", \t", rest->start[0]))
+    while (rest->length && !separator(*rest))
         *rest = flk_text_from(*rest, 1);
     name->length -= rest->length;
     return name->length > 0;

@@ -171,20 +171,21 @@ double flk_followed_value(const flk_follower *f, const flk_followed *t, double s
     return flk_column_value(t->c, &row);
 }
 
-double flk_followed_turns(const flk_followed *t, double from, double to)
+/* The whole turns of an angle from one value to another, in its unit. */
+static double whole_turns(const flk_followed *t, double from, double to)
 {
     return t->turn * floor((to - from) / t->turn + 0.5);
 }
 
 double flk_followed_nearest(const flk_followed *t, double value, double near)
 {
-    return t->turn > 0 && !gsl_isnan(near) ? value + flk_followed_turns(t, value, near) : value;
+    return t->turn > 0 && !gsl_isnan(near) ? value + whole_turns(t, value, near) : value;
 }
 
 double flk_followed_per_period(const flk_followed *t)
 {
     return t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last)
-               ? flk_followed_turns(t, t->first, t->last)
+               ? whole_turns(t, t->first, t->last)
                : 0;
 }
 
@@ -192,7 +193,7 @@ double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
 {
     return t->turn > 0 && flk_crank_motion_is_periodic(&f->a->crank_motion) &&
                    !gsl_isnan(t->first + t->last)
-               ? flk_followed_turns(t, t->last, t->first)
+               ? whole_turns(t, t->last, t->first)
                : 0;
 }
 

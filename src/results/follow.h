@@ -78,9 +78,7 @@ void flk_follow_column(flk_follower *f, flk_followed *t, const flk_column *c);
 /* Its value at a parameter. */
 double flk_followed_value(const flk_follower *f, const flk_followed *t, double s);
 
-/* The whole turns of an angle from one value to another, in its unit; a value moved by such turns as near as
-** possible to another. */
-double flk_followed_turns(const flk_followed *t, double from, double to);
+/* A value of an angle, moved by whole turns as near as possible to another. */
 double flk_followed_nearest(const flk_followed *t, double value, double near);
 
 /* The turns of an angle in a period, 0 of other columns and where it started anew; those that move it,

@@ -13,7 +13,7 @@
 #include "samples.h"
 
 #define STEP (M_PI / 48) /* rad, */
-#define MOST_STEPS 1e5   /* ... longer over more than 625 turns */
+#define MOST_STEPS 1e5   /* ... longer over more than 1000 turns */
 #define LEAST_STEPS 12   /* of a piece */
 #define SHORT 1e-9       /* rad, of a piece of which one row is computed */
 #define HALVINGS 9       /* of the step towards some ends */

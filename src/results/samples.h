@@ -2,8 +2,8 @@
 **
 ** samples.h - samples of columns along the motion of a branch, piece by piece.
 **
-** A piece of the motion is sampled once for all columns, in steps of about two degrees over the parameter of
-** follow.h, of four where all columns are smooth.  Where there is no row, at dead positions and change
+** A piece of the motion is sampled once for all columns, in steps of about four degrees over the parameter of
+** follow.h, of eight where all columns are smooth.  Where there is no row, at dead positions and change
 ** points, columns have a limit (limit.h).  A piece in which friction locks the mechanism is cut
 ** further, where that begins and ends.
 */

@@ -84,6 +84,17 @@ printf 'theta2 [deg]; theta4 [deg]\n36; 64\n75; 98\n114; 142\n' >points.csv
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = file points.csv'
 proves 0
 check 'points of a file' grep -q '^length = 60.005448180335[0-9]* mm' found.deck
+# lengths are in the unit of the points
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = 45 deg 95 mm, 90 deg 60 mm, 135 deg 30 mm'
+proves 0
+check 'constants in this unit' grep -q '^# S1 = 91.92388[0-9]*, S2 = 2560.66[0-9]*, S3 = -1039.33[0-9]*;' found.deck
+run 0 --synthesis --report=r.html t.deck
+check 'S2 of a report is an area' grep -q '<mtext>2</mtext></msub><mo>=</mo><mn>0.00256066</mn><mtext>[^m]*m²</mtext>' r.html
+check 'the unit of a list' grep -q '^length = 45.96194077712[0-9]* mm' found.deck
+printf '45 95\n90 60\n135 30\n' >piston.csv
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = file piston.csv deg mm'
+proves 0
+check 'the unit of a file' grep -q '^length = 45.96194077712[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = linear' 'x = 0 to 1' 'crank = 45 to 135 deg' \
     'piston = 100 to 30 mm'
 proves 0
@@ -118,8 +129,13 @@ check 'the coupler' grep -q '^length = 103.197034989212[0-9]* mm' found.deck
 task 'mechanism = inverted-slider-crank' '[crank]' 'length = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.7' \
     'stroke = 120 mm'
 proves 0 1
+run 0 --synthesis --format=csv t.deck
+check 'the lever in the table of solutions' grep -q '^solution,branch,.*,rocker_length' out
 task "$four_bar" "$ground" '[crank]' 'length = 40 mm' '[coupler]' 'length = 90 mm' '[rocker]' 'length = 80 mm' '[point Q]' \
     'link = coupler' 'at = (40, 30) mm' '[synthesis]' 'task = cognate' 'which = right'
+run 0 --synthesis --report=r.html t.deck
+check 'rounding is 0 in equations' awk \
+    '/id="synthesis"/ {on = 1} /<\/section>/ {on = 0} on && /<mn>10<\/mn>/ {bad = 1} END {exit bad}' r.html
 proves 0 6
 check 'the point of the deck' grep -q '^Q.x = ' found.deck
 

@@ -33,6 +33,7 @@ static const struct {
     {"file card.csv deg bar", "0;1;;\n20,5;32,5;;\n180;4;;\n"},
     {"file card.csv deg bar", "\357\273\277# a card\n\n0 1 # top\n; a remark\n20.5 32.5\n180 4"},
     {"file card.csv deg bar", "0 1 ; at the top\n20.5 32.5\n180 4\n"},
+    {"file card.csv deg bar", "\342\210\2220 1 ; a minus of print\n20.5 32.5\n180 4\n"},
     {"file card.csv deg bar", "\"0\",\"1\"\n\"20.5\",\"32.5\"\n\"180\",\"4\"\n"},
     {"file card.csv deg bar", "\"0\";\"1\"\n\"20,5\";\"32,5\"\n\"180\";\"4\"\n"},
     {"file card.csv bar", "0 1\n20.5 32.5\n180 4\n"},

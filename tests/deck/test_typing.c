@@ -212,7 +212,7 @@ TEST(test_lines)
     assert_true(d.design.link[2].length == 0.02);
     assert_string_equal(flk_machine_find(&d.machine, &flk_own_sort, 0)->name, "F" TWO);
     assert_string_equal(d.points[0].name, "P" TWO);
-    assert_int_equal(d.columns.names.length, strlen("theta2, P" TWO ".x"));
+    assert_int_equal(d.columns.names.length, strlen("theta2," NO_BREAK "P" TWO ".x"));
     assert_string_equal(d.units[QUANTITY_ANGLE].name, "deg");
     flk_deck_free(&d);
     check_mistake(FOUR_BAR "length = 20 mm\342\200\213# the crank\n", NULL, 11, /* no blank */

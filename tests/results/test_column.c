@@ -149,6 +149,11 @@ TEST(test_choice)
     assert_string_equal(list[1].name, "theta2");
     assert_int_equal(n, list_of(r, FOURLINK_ALL_COLUMNS, &all));
     fourlink_results_free(r);
+    r = opened(linkage("[point \302\260\302\262]\nlink = crank\n" /* a degree sign, a raised 2 */
+                       "[table]\ncolumns = mu,\302\240\302\260\302\262.x\n")); /* no-break space */
+    assert_int_equal(list_of(r, FOURLINK_COLUMNS, &list), 2);
+    assert_string_equal(list[1].name, "\302\260\302\262.x");
+    fourlink_results_free(r);
 }
 
 TEST(test_columns_that_cannot_be_chosen)
