@@ -206,15 +206,17 @@ static int read_function(parser *p, setting *s)
     deck_synthesis *t = p->d->synthesis;
     deck_wanted *w = &t->wanted;
     text name;
+    int is_read;
 
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_POINTS)))
         return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
-    return (flk_curve_text_file(s->value, &name) ? read_table(p, s, name, w)
-                                                 : read_name(p, s, w)) &&
-           read_argument(p) && flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") &&
-           flk_task_require(p, t->kind->range, t->kind->example) &&
-           flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank) &&
-           flk_task_range(p, t->kind->range, t->kind->output, w->output) && set_points(p, s);
+    is_read = flk_curve_text_file(s->value, &name) ? read_table(p, s, name, w) : read_name(p, s, w);
+    is_read = is_read && read_argument(p);
+    is_read &= flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") &&
+               flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank);
+    is_read &= flk_task_require(p, t->kind->range, t->kind->example) &&
+               flk_task_range(p, t->kind->range, t->kind->output, w->output);
+    return is_read && set_points(p, s);
 }
 
 /* Pairs of crank angle and output. */
@@ -226,6 +228,7 @@ static int read_points(parser *p, setting *s)
     fourlink_function_task *task = &t->function;
     double range[2] = {0, 0};
     setting read = *s;
+    text before, last = s->value;
     size_t i;
 
     for (i = 0; i < sizeof others / sizeof others[0]; i++)
@@ -245,7 +248,8 @@ static int read_points(parser *p, setting *s)
         t->theta2[i] = read.curve[i].x;
         t->output[i] = read.curve[i].y[0];
     }
-    flk_task_unit(p, flk_quantity_unit_text(s->value));
+    flk_text_cut_last(s->value, " ", &before, &last);
+    flk_task_unit(p, flk_quantity_unit_text(last));
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK)) &&
         !flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, range))
         return 0;

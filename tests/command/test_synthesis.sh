@@ -92,6 +92,9 @@ task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) m 0 deg, (1.2
 proves 0 6
 check 'where A is' grep -q 'pivot A is at (0.5, 3.5) m' found.deck
 check 'the crank' grep -q '^length = 0.97986206560052[0-9]* m' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = 45 deg 100 mm, 90 deg 82.5 mm, 135 deg 30 mm'
+proves 0
+check 'lengths in the unit of the points' grep -q '^length = 49.497474683058[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
     'left = fixed (10, -30) mm' 'right = slider 10 deg'
 proves 0 6
@@ -115,6 +118,16 @@ task "$four_bar" '[crank]' 'length = 60 mm' '[ground]' 'length = 120 mm' '[synth
 proves 0 2
 quiet
 check 'the coupler' grep -q '^length = 103.197034989212[0-9]* mm' found.deck
+check 'no linear equations, no condition' none 'condition' found.deck
+stroke='stroke = 100 mm'
+task 'mechanism = slider-crank' '[rod]' 'length = 150 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1' "$stroke"
+proves 0 1
+task 'mechanism = slider-crank' '[ground]' 'offset = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.2' "$stroke"
+proves 0 2
+check 'the offset that is given' grep -qx 'offset = 30 mm' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = quick-return' 'time_ratio = 1.2' 'slow = against' "$stroke"
+proves 0 2
+check 'angles of a turn' grep -q 'smallest 47.2011 deg at theta2 = 90 deg' found.deck
 task 'mechanism = inverted-slider-crank' '[crank]' 'length = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.7' \
     'stroke = 120 mm'
 proves 0 1
@@ -138,6 +151,15 @@ task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = 10 deg 60 d
 proves 1
 says 't.deck:4: defect: '
 check 'the defect in the deck' grep -q '^#   defect: ' found.deck
+task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
+    'left = rotations -40 deg -70 deg' 'right = fixed (50, 0) mm'
+proves 1
+says 'open at positions 2, 3, crossed at position 1'
+check 'no position has a smaller one' grep -q 'smallest 4.64795 deg at theta2 = 344.423 deg; at the positions 4.64795' found.deck
+task "$four_bar" "$ground" '[crank]' 'length = 10 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 2' 'swing = 60 deg'
+run 1 --synthesis t.deck
+nothing
+says 'a given value follows from others'
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = 10 deg 60 deg, 10 deg 60 deg, 150 deg 160 deg'
 run 1 --synthesis t.deck
 nothing
@@ -197,6 +219,12 @@ refuses 'bad.csv:3: error: x must rise' "$four_bar" "$ground" '[synthesis]' 'tas
 printf '1 2\n2 4\n' >two.csv
 refuses 'three or more rows' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file two.csv' "$ranges"
 refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
+refuses "crank's rotations" "$four_bar" '[synthesis]' 'task = path' 'positions = 1, 2, 3' 'timing = 4 deg' 'right = fixd (5, 4) mm'
+says 'expected a point'
+says "did you mean 'fixed'?"
+refuses "did you mean 'ln'?" "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sn' 'crank = 3 deg' 'rocker = 1 mm to 3 mm'
+says "not '3 deg'"
+says 'is a length'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' \
