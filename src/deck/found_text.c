@@ -276,6 +276,8 @@ static void put_task(page *g)
         (long)(s - t->solutions) + 1, (long)t->n, t->place.source, t->place.line);
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
+    if (t->n > i)
+        put(g, "#   %ld more: fourlink --synthesis --format=table", (long)(t->n - i));
     if (t->task == TASK_FUNCTION)
         put(g, t->kind->constants, s->K[0] / one, s->K[1] / one, s->K[2] / (one * one));
     if (s->crank_turn != 0)

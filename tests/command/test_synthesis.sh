@@ -105,6 +105,7 @@ task "$four_bar" '[synthesis]' 'task = path' 'positions = (0, 0) mm, (12, 5) mm,
 proves 0 6
 run 0 --synthesis --solution=2 t.deck
 prints 'solution 2 of'
+prints ' more: fourlink --synthesis --format=table'
 run 0 --synthesis --format=csv t.deck
 holds 'a line for each solution' 'BEGIN {FS = ","} NR == 1 {ok = $1 == "solution" && /mu_range/} END {exit !ok || NR < 3}'
 run 0 --synthesis --format=json t.deck
