@@ -50,6 +50,9 @@ holds 'the facts of the linkage found' '/^defects,none,/ {n++} /^coupler_length,
 
 run 0 --synthesis --check t.deck
 prints 'score: 3 of 3'
+run 0 --synthesis --report=t.html --set=rocker.mass='1 kg' t.deck
+check "a note once, in the report as well: $(cat err)" test "$(grep -c 'point mass' err)" -eq 1
+check 'the note in the report' grep -q 'is a point mass' t.html
 run 0 --synthesis --report=t.html t.deck
 check 'the checks in the report' grep -q 'condition of the linear equations' t.html
 check 'the steps in the report' grep -q '<h3>Checks</h3>' t.html
