@@ -104,14 +104,21 @@ static double angle_of(const deck_wanted *w, double x)
     return w->crank[0] + (x - w->x[0]) / (w->x[1] - w->x[0]) * (w->crank[1] - w->crank[0]);
 }
 
+/* The x of a crank angle; NaN outside the range. */
+static double argument_of(const deck_wanted *w, double theta2)
+{
+    double share = (theta2 - w->crank[0]) / (w->crank[1] - w->crank[0]);
+
+    return share > -1e-9 && share < 1 + 1e-9 ? w->x[0] + share * (w->x[1] - w->x[0]) : GSL_NAN;
+}
+
 /* The output that is wanted at a crank angle; NaN outside the range. */
 static double wanted(void *host, double theta2)
 {
     const deck_wanted *w = host;
-    double share = (theta2 - w->crank[0]) / (w->crank[1] - w->crank[0]);
-    double x = w->x[0] + share * (w->x[1] - w->x[0]);
+    double x = argument_of(w, theta2);
 
-    if (!(share > -1e-9 && share < 1 + 1e-9))
+    if (gsl_isnan(x))
         return GSL_NAN;
     return w->output[0] +
            (value_of(w, x) - w->y[0]) / (w->y[1] - w->y[0]) * (w->output[1] - w->output[0]);
@@ -151,6 +158,7 @@ static int set_points(parser *p, const setting *s)
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
     deck_wanted *w = &t->wanted;
+    double largest = 0;
     int is_defined;
     unsigned long i;
 
@@ -162,7 +170,9 @@ static int set_points(parser *p, const setting *s)
     for (i = 0; i < task->n; i++) {
         t->output[i] = wanted(w, t->theta2[i]);
         is_defined &= gsl_finite(t->output[i]);
+        largest = GSL_MAX(largest, fabs(value_of(w, argument_of(w, t->theta2[i]))));
     }
+    is_defined &= fabs(w->y[1] - w->y[0]) > 1e-12 * largest; /* sin 180 deg is not 0 */
     if (!is_defined)
         return flk_mistake(p->mistakes, s->place,
                            "the function is not defined, or has the same value at both ends, in "

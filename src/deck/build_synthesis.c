@@ -162,6 +162,8 @@ static int build_quick_return(parser *p)
     if (t->type == FOURLINK_ENGINE && IS_SET(offset) && offset->si[0] == 0)
         return flk_mistake(p->mistakes, offset->place,
                            "an offset of 0 has a time ratio of 1: remove it, it is found");
+    if (IS_SET(swing) && !(swing->si[0] > 0 && swing->si[0] < M_PI))
+        return flk_mistake(p->mistakes, swing->place, "a swing is between 0 and 180 deg");
     if (IS_SET(choose) && n + IS_SET(offset) > kind->n_best)
         return flk_mistake(p->mistakes, choose->place, "the task takes %s", kind->quick_return);
     if (!(t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing)) &&

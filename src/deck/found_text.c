@@ -327,7 +327,8 @@ static void put_checks(page *g)
             "#   all positions are on the %s branch and on one circuit, the crank passes them in "
             "their order,",
             fourlink_branch_text((int)s->branch));
-        put(g, "#   and without a dead position from theta2 = %.6g to %.6g deg",
+        put(g, "#   and %s from theta2 = %.6g to %.6g deg",
+            s->mu_min > DEAD ? "without a dead position" : "through a change point",
             FLK_DEGREES(s->from), FLK_DEGREES(s->to));
     }
     put(g,

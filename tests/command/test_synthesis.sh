@@ -103,6 +103,10 @@ task 'mechanism = slider-crank' '[synthesis]' 'task = motion' 'positions = (0, 0
 proves 0 6
 check 'the line of the slider' grep -q 'the direction of stroke is at -170 deg' found.deck
 check 'the offset' grep -q '^offset = 39.3007466283' found.deck
+task "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 0 deg, (3, 2) mm 0 deg, (4, 4) mm 0 deg' \
+    'left = fixed (5, 6) mm' 'right = fixed (7, 6) mm'
+proves 0 6
+check 'a change point on the way' grep -q 'and through a change point from theta2 = -119.745 to 7.12502 deg' found.deck
 task "$four_bar" '[synthesis]' 'task = path' 'positions = (0, 0) mm, (12, 5) mm, (21, 16) mm' 'timing = 40 deg, 85 deg' \
     'right = fixed (50, -10) mm'
 proves 0 6
@@ -211,6 +215,10 @@ refuses "did you mean 'power'?" "$four_bar" "$ground" '[synthesis]' 'task = func
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'needs a unit, such as 0 deg to 90 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sin' 'x = 0 to 90' \
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
+refuses 'the same value at both ends' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sin' \
+    'x = 0 to 180 deg' 'crank = 0 deg to 90 deg' 'rocker = 0 deg to 90 deg'
+refuses 'error: a swing is between 0 and 180 deg' "$four_bar" "$ground" '[synthesis]' 'task = quick-return' 'time_ratio = 1.1' \
+    'swing = 200 deg'
 refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = -1 to 2' \
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
