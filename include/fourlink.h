@@ -113,7 +113,7 @@ extern "C" {
     X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")     \
     X(FOURLINK_NOT_A_NUMBER, 51, "the input is words, a list or a curve")                         \
     X(FOURLINK_DEPENDENT, 52,                                                                     \
-      "no single linkage: two points are equal, or one follows from the others")                  \
+      "no single linkage: two points are equal, or a given value follows from others")            \
     X(FOURLINK_INFINITE_LINK, 53, "no linkage: a link would have to be infinitely long")          \
     X(FOURLINK_NO_LINKAGE, 54, "no linkage: the square of a length would be negative or zero")    \
     X(FOURLINK_NO_LENGTH, 55, "no linkage: two of its pivots would be the same point")            \

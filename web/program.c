@@ -120,14 +120,26 @@ static void put_message(int *n, const char *kind, const char *file, long at, con
     line_put(&l, "}");
 }
 
-static void put_messages(const fourlink_mistake *list, unsigned long count, const char *kind)
+static void put_list(int *n, const fourlink_mistake *list, unsigned long count, const char *kind)
 {
     unsigned long i;
+
+    for (i = 0; i < count && i < MOST_MISTAKES; i++)
+        put_message(n, kind, list[i].file, list[i].line, list[i].message);
+}
+
+/* Put the mistakes of a deck or, if there are results, its notes and the defects of a linkage found. */
+static void put_messages(fourlink_mistake *list, unsigned long count,
+                         const fourlink_results *results)
+{
+    unsigned long n_defects;
     int n = 0;
 
     line_put(&l, "\"messages\":[");
-    for (i = 0; i < count && i < MOST_MISTAKES; i++)
-        put_message(&n, kind, list[i].file, list[i].line, list[i].message);
+    put_list(&n, list, count, results ? "note" : "error");
+    if (results && fourlink_deck_defects(fourlink_results_deck(results), MOST_MISTAKES, list,
+                                         &n_defects) == FOURLINK_OK)
+        put_list(&n, list, n_defects, "defect");
     line_put(&l, "]");
     put_number("more", count > MOST_MISTAKES ? count - MOST_MISTAKES : 0);
 }
@@ -228,7 +240,7 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     }
     if (status != FOURLINK_NO_MEMORY && begin_answer()) {
         line_put(&l, "{");
-        put_messages(list, n, results ? "note" : "error");
+        put_messages(list, n, results);
         if (results)
             put_deck();
         line_put(&l, "}\n");

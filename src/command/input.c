@@ -225,7 +225,7 @@ static int open_results(input *in)
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
-        if (!in->o->is_again)
+        if (!in->o->is_again && !(in->is_design && in->found)) /* told of the task's deck */
             tell_all(in, list, n, "note", "note");
     }
     free(list);

@@ -104,14 +104,21 @@ static double angle_of(const deck_wanted *w, double x)
     return w->crank[0] + (x - w->x[0]) / (w->x[1] - w->x[0]) * (w->crank[1] - w->crank[0]);
 }
 
+/* The x of a crank angle; NaN outside the range. */
+static double argument_of(const deck_wanted *w, double theta2)
+{
+    double share = (theta2 - w->crank[0]) / (w->crank[1] - w->crank[0]);
+
+    return share > -1e-9 && share < 1 + 1e-9 ? w->x[0] + share * (w->x[1] - w->x[0]) : GSL_NAN;
+}
+
 /* The output that is wanted at a crank angle; NaN outside the range. */
 static double wanted(void *host, double theta2)
 {
     const deck_wanted *w = host;
-    double share = (theta2 - w->crank[0]) / (w->crank[1] - w->crank[0]);
-    double x = w->x[0] + share * (w->x[1] - w->x[0]);
+    double x = argument_of(w, theta2);
 
-    if (!(share > -1e-9 && share < 1 + 1e-9))
+    if (gsl_isnan(x))
         return GSL_NAN;
     return w->output[0] +
            (value_of(w, x) - w->y[0]) / (w->y[1] - w->y[0]) * (w->output[1] - w->output[0]);
@@ -151,6 +158,7 @@ static int set_points(parser *p, const setting *s)
     deck_synthesis *t = p->d->synthesis;
     fourlink_function_task *task = &t->function;
     deck_wanted *w = &t->wanted;
+    double largest = 0;
     int is_defined;
     unsigned long i;
 
@@ -162,7 +170,9 @@ static int set_points(parser *p, const setting *s)
     for (i = 0; i < task->n; i++) {
         t->output[i] = wanted(w, t->theta2[i]);
         is_defined &= gsl_finite(t->output[i]);
+        largest = GSL_MAX(largest, fabs(value_of(w, argument_of(w, t->theta2[i]))));
     }
+    is_defined &= fabs(w->y[1] - w->y[0]) > 1e-12 * largest; /* sin 180 deg is not 0 */
     if (!is_defined)
         return flk_mistake(p->mistakes, s->place,
                            "the function is not defined, or has the same value at both ends, in "
@@ -206,15 +216,17 @@ static int read_function(parser *p, setting *s)
     deck_synthesis *t = p->d->synthesis;
     deck_wanted *w = &t->wanted;
     text name;
+    int is_read;
 
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_POINTS)))
         return flk_mistake(p->mistakes, s->place, "give either 'points' or a 'function', not both");
-    return (flk_curve_text_file(s->value, &name) ? read_table(p, s, name, w)
-                                                 : read_name(p, s, w)) &&
-           read_argument(p) && flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") &&
-           flk_task_require(p, t->kind->range, t->kind->example) &&
-           flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank) &&
-           flk_task_range(p, t->kind->range, t->kind->output, w->output) && set_points(p, s);
+    is_read = flk_curve_text_file(s->value, &name) ? read_table(p, s, name, w) : read_name(p, s, w);
+    is_read = is_read && read_argument(p);
+    is_read &= flk_task_require(p, KEY_SYNTHESIS_CRANK, "30 deg to 120 deg") &&
+               flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, w->crank);
+    is_read &= flk_task_require(p, t->kind->range, t->kind->example) &&
+               flk_task_range(p, t->kind->range, t->kind->output, w->output);
+    return is_read && set_points(p, s);
 }
 
 /* Pairs of crank angle and output. */

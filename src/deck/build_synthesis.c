@@ -53,7 +53,7 @@ static const deck_task_kind kinds[] = {
 
 /* -------------------------------------------------------------------------------- motion and path */
 
-/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg; slider 30 deg */
+/* fixed (0.5, 3.5) mm; moving (4, 1) mm; rotations 20 deg 50 deg; slider 30 deg.  0 if it is missing. */
 static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
 {
     static const char *const words[] = {"fixed", "moving", "rotations", "slider", NULL};
@@ -61,6 +61,8 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
     text word = s->value, rest;
     int i;
 
+    if (!IS_SET(s))
+        return 0;
     flk_section_split(&word, &rest);
     for (i = 0; words[i] && !flk_text_equal(word, words[i]); i++)
         ;
@@ -89,8 +91,8 @@ static int read_positions(parser *p, key_code other, const char *example,
     int n = 0, n_angles = 0;
 
     flk_task_check_lengths(p, 0);
-    if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) ||
-        !flk_task_require(p, other, example) || !flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD))
+    if (!(flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) &
+          flk_task_require(p, other, example) & flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD)))
         return -1;
     while (n < POSITIONS && flk_curve_text_item(&rest, &item) &&
            flk_task_point(p, s, item, &at[n], &after)) {
@@ -109,12 +111,13 @@ static int build_motion(parser *p)
 {
     fourlink_motion_task *t = &p->d->synthesis->motion;
     int n_angles = read_positions(p, KEY_SYNTHESIS_LEFT, DYAD, t->point, t->angle);
+    int has_dyads =
+        read_dyad(p, KEY_SYNTHESIS_LEFT, &t->left) & read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
 
     if (n_angles >= 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "each position needs an angle of the coupler, such as (24, 10) mm -30 deg");
-    return n_angles == POSITIONS && read_dyad(p, KEY_SYNTHESIS_LEFT, &t->left) &
-                                        read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
+    return n_angles == POSITIONS && has_dyads;
 }
 
 static int build_path(parser *p)
@@ -122,22 +125,22 @@ static int build_path(parser *p)
     fourlink_path_task *t = &p->d->synthesis->path;
     double angle[POSITIONS] = {0, 0, 0};
     int n_angles = read_positions(p, KEY_SYNTHESIS_TIMING, "40 deg, 85 deg", t->point, angle);
+    int has_dyad = read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
 
     if (n_angles > 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "give the angle of the coupler at all positions, or at none: then they are "
                     "searched for");
-    if (n_angles != 0 && n_angles != POSITIONS)
-        return 0;
     t->search = n_angles == 0;
     t->rotation[0] = angle[1] - angle[0];
     t->rotation[1] = angle[2] - angle[0];
-    if (flk_task_list(p, KEY_SYNTHESIS_TIMING, QUANTITY_ANGLE, POSITIONS - 1, t->timing) !=
-        POSITIONS - 1)
+    if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_TIMING)) &&
+        flk_task_list(p, KEY_SYNTHESIS_TIMING, QUANTITY_ANGLE, POSITIONS - 1, t->timing) !=
+            POSITIONS - 1)
         return flk_task_refuse(p, KEY_SYNTHESIS_TIMING,
                                "the crank's rotations from the first position to the second and "
                                "third, such as 40 deg, 85 deg");
-    return read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
+    return has_dyad && (n_angles == 0 || n_angles == POSITIONS);
 }
 
 /* ---------------------------------------------------------------------------------- quick return */
@@ -160,6 +163,8 @@ static int build_quick_return(parser *p)
     if (t->type == FOURLINK_ENGINE && IS_SET(offset) && offset->si[0] == 0)
         return flk_mistake(p->mistakes, offset->place,
                            "an offset of 0 has a time ratio of 1: remove it, it is found");
+    if (IS_SET(swing) && !(swing->si[0] > 0 && swing->si[0] < M_PI))
+        return flk_mistake(p->mistakes, swing->place, "a swing is between 0 and 180 deg");
     if (IS_SET(choose) && n + IS_SET(offset) > kind->n_best)
         return flk_mistake(p->mistakes, choose->place, "the task takes %s", kind->quick_return);
     if (!(t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing)) &&

@@ -182,6 +182,8 @@ static int note_unit(parser *p, const setting *s, quantity q)
                     "unit, such as '%s'",
                     name, flk_unit_from_si(largest, p->d->bare[q].unit), name,
                     !flk_curve_text_file(s->value, NULL) ? flk_curve_point_example(q)
+                    : q == QUANTITY_ANGLE                ? "file points.csv deg deg"
+                    : q == QUANTITY_LENGTH               ? "file points.csv deg mm"
                     : q == QUANTITY_PRESSURE             ? "file card.csv deg bar"
                     : q == QUANTITY_FORCE                ? "file card.csv deg N"
                                                          : "file card.csv deg N m");

@@ -29,22 +29,22 @@ static void append(char list[MESSAGE_SIZE], const char *format, ...)
 
 /* --------------------------------------------------------------------------------------- defects */
 
-/* The positions on a branch, or on none. */
-static char *list_positions(const fourlink_solution *s, int branch, char list[MESSAGE_SIZE])
+/* The positions on a branch, or on none: " 2", "s 1, 3". */
+static char *list_positions(const fourlink_solution *s, int branch, char list[MESSAGE_SIZE + 1])
 {
     int i;
 
-    *list = '\0';
+    memcpy(list, "s", 2);
     for (i = 0; i < s->n_positions && strlen(list) < MESSAGE_SIZE / 3; i++)
         if (s->position[i].branch == branch)
-            append(list, " %ld", (long)i + 1);
-    return list;
+            append(list + 1, " %ld", (long)i + 1);
+    return strchr(list, ',') ? list : list + 1;
 }
 
 void flk_synthesis_tell_defects(parser *p)
 {
     static const char *const texts[] = {
-        "branch defect: open at position%s, crossed at%s",
+        "branch defect: open at position%s, crossed at position%s",
         "circuit defect: the linkage has to be taken apart between two positions",
         "order defect: the crank does not pass the positions in their order",
         "dead position at position%s",
@@ -52,7 +52,7 @@ void flk_synthesis_tell_defects(parser *p)
         "the crank does not reach the whole working range",
         "a position is not met"};
     deck_synthesis *t = p->d->synthesis;
-    char names[MESSAGE_SIZE] = "", first[MESSAGE_SIZE], second[MESSAGE_SIZE];
+    char names[MESSAGE_SIZE] = "", first[MESSAGE_SIZE + 1], second[MESSAGE_SIZE + 1];
     int bit, i;
 
     for (i = 0; i < (int)(sizeof texts / sizeof texts[0]); i++) {
@@ -162,6 +162,8 @@ static void put_expect(page *g, const double *theta2, int branch, const char *na
     if (theta2)
         put(g, "at = %s", flk_found_value(g->p, *theta2, QUANTITY_ANGLE));
     put(g, "branch = %s", fourlink_branch_text(branch));
+    if (tolerance <= 1e-6) /* two digits may be 5 % less */
+        tolerance *= 1.06;
     put(g, tolerance > 1e-6 ? "tolerance = %g%s%s" : "tolerance = %.2g%s%s",
         flk_unit_from_si(tolerance, u->unit), q == QUANTITY_NUMBER ? "" : " ",
         q == QUANTITY_NUMBER ? "" : u->name);
@@ -223,7 +225,7 @@ static void put_positions(page *g, const char *point_name)
     }
 }
 
-/* The facts that prove a quick return. */
+/* The facts that prove a quick return.  A slider-crank without offset has no time ratio: it is 1. */
 static void put_facts(page *g)
 {
     const fourlink_quick_return_task *t = &g->p->d->synthesis->quick_return;
@@ -231,7 +233,7 @@ static void put_facts(page *g)
     double small = ROUNDING * growth(s, s->mu_min);
     int branch = (int)s->branch;
 
-    if (t->time_ratio > 0)
+    if (t->time_ratio > 0 && (t->type != FOURLINK_ENGINE || s->design.offset != 0))
         put_expect(g, NULL, branch, "time_ratio", t->time_ratio, small * t->time_ratio,
                    QUANTITY_NUMBER);
     if (t->swing > 0)
@@ -276,6 +278,8 @@ static void put_task(page *g)
         (long)(s - t->solutions) + 1, (long)t->n, t->place.source, t->place.line);
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
+    if (t->n > i)
+        put(g, "#   %ld more: fourlink --synthesis --format=table", (long)(t->n - i));
     if (t->task == TASK_FUNCTION)
         put(g, t->kind->constants, s->K[0] / one, s->K[1] / (one * one), s->K[2] / (one * one));
     if (s->crank_turn != 0)
@@ -325,13 +329,15 @@ static void put_checks(page *g)
             "#   all positions are on the %s branch and on one circuit, the crank passes them in "
             "their order,",
             fourlink_branch_text((int)s->branch));
-        put(g, "#   and without a dead position from theta2 = %.6g to %.6g deg",
+        put(g, "#   and %s from theta2 = %.6g to %.6g deg",
+            s->mu_min > DEAD ? "without a dead position" : "through a change point",
             FLK_DEGREES(s->from), FLK_DEGREES(s->to));
     }
     put(g,
         "#   transmission angle: smallest %.6g deg at theta2 = %.6g deg; at the positions %.6g deg",
         FLK_DEGREES(s->mu_min), FLK_DEGREES(s->mu_min_at), FLK_DEGREES(s->mu_positions));
-    put(g, "#   condition of the linear equations: %.4g", s->condition);
+    if (s->condition > 1)
+        put(g, "#   condition of the linear equations: %.4g", s->condition);
     if (t->task == TASK_FUNCTION && (t->function.wanted || t->function.n > 3))
         put_error(g);
     put(g, "");

@@ -24,8 +24,13 @@ int flk_task_require(parser *p, key_code key, const char *example)
 
 int flk_task_refuse(parser *p, key_code key, const char *expected)
 {
-    return flk_mistakes_count(p->mistakes) == 0 &&
-           flk_mistake(p->mistakes, flk_task_find(p, key)->place, "expected %s", expected);
+    text_place place = flk_task_find(p, key)->place;
+    size_t i;
+
+    for (i = 0; i < p->mistakes->count; i++)
+        if (p->mistakes->list[i].place.line == place.line)
+            return 0;
+    return flk_mistake(p->mistakes, place, "expected %s", expected);
 }
 
 /* ------------------------------------------------------------------------------ pieces of values */

@@ -199,18 +199,21 @@ static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
 }
 
 /* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds; in a range it is
-** smallest there or at an end. */
+** smallest there or at an end.  Positions in another order may lie outside the range.  Angles of a full turn
+** are counted from 0. */
 static void find_transmission(fourlink_solution *s, const fourlink_mechanism *mechanism)
 {
     double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to);
     fourlink_state state;
     int i;
 
-    s->mu_positions = FLK_UNDEFINED;
-    for (i = 0; i < s->n_positions; i++)
-        if (!(s->position[i].mu >= s->mu_positions))
-            s->mu_positions = s->position[i].mu;
     s->mu_min = GSL_POSINF;
+    for (i = 0; i < s->n_positions; i++)
+        if (s->position[i].mu < s->mu_min) { /* it may be NaN */
+            s->mu_min = s->position[i].mu;
+            s->mu_min_at = s->position[i].theta2;
+        }
+    s->mu_positions = gsl_finite(s->mu_min) ? s->mu_min : FLK_UNDEFINED;
     for (i = 0; i < 7; i++) { /* the ends, and the multiples in a turn */
         double quarter = M_PI_2 * (floor(low / M_PI_2) + i), mu = 0;
         double theta2 = i == 6 ? high : GSL_MAX_DBL(low, GSL_MIN_DBL(quarter, high));
@@ -222,6 +225,8 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
             s->mu_min_at = theta2;
         }
     }
+    if (high - low >= 2 * M_PI)
+        s->mu_min_at -= 2 * M_PI * floor(s->mu_min_at / (2 * M_PI));
 }
 
 int flk_check_solution(fourlink_solution *s, int is_free)

@@ -94,7 +94,8 @@ static int find_slider(quick_return *q)
         *l = root((quarter - *r * *r * cosine2) / sine2, quarter);
     else
         *r = root((quarter - *l * *l * sine2) / cosine2, quarter);
-    q->offset = (*l - *r) * (*l + *r) * sin(q->alpha) / s;
+    q->offset = q->offset != 0 ? GSL_SIGN(q->alpha) * fabs(q->offset)
+                               : (*l - *r) * (*l + *r) * sin(q->alpha) / s;
     return *r > 0 && *l > 0 ? FOURLINK_OK : FOURLINK_NO_LINKAGE;
 }
 
@@ -212,7 +213,7 @@ static int find_best(quick_return *q)
         if (q->task->length[i] > 0)
             factor = q->task->length[i] / q->length[i];
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        q->length[i] *= factor;
+        q->length[i] = q->task->length[i] > 0 ? q->task->length[i] : factor * q->length[i];
     return FOURLINK_OK;
 }
 

@@ -50,6 +50,9 @@ holds 'the facts of the linkage found' '/^defects,none,/ {n++} /^coupler_length,
 
 run 0 --synthesis --check t.deck
 prints 'score: 3 of 3'
+run 0 --synthesis --report=t.html --set=rocker.mass='1 kg' t.deck
+check "a note once, in the report as well: $(cat err)" test "$(grep -c 'point mass' err)" -eq 1
+check 'the note in the report' grep -q 'is a point mass' t.html
 run 0 --synthesis --report=t.html t.deck
 check 'the checks in the report' grep -q 'condition of the linear equations' t.html
 check 'the steps in the report' grep -q '<h3>Checks</h3>' t.html
@@ -67,6 +70,10 @@ if command -v gnuplot >/dev/null; then
 fi
 run 2 --plot=x.svg --plot-kind=error first.deck
 says 'needs --synthesis'
+# a fit that is nearly exact
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'function = x^1.5' 'x = 1.77055 to 4.74299' \
+    'crank = 75.2029 deg to 131.351 deg' 'piston = 172.947 mm to 43.6346 mm' 'precision = 4'
+proves 0 4
 # a table: all its rows by least squares, or points between them; part of it
 { echo 'x; log10 x' && awk 'BEGIN {for (i = 0; i <= 20; i++) printf "%.2f; %.6f\n", 1 + i / 20, log(1 + i / 20) / log(10)}'; } >log.csv
 table='function = file log.csv'
@@ -103,16 +110,24 @@ task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) m 0 deg, (1.2
 proves 0 6
 check 'where A is' grep -q 'pivot A is at (0.5, 3.5) m' found.deck
 check 'the crank' grep -q '^length = 0.97986206560052[0-9]* m' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = 45 deg 100 mm, 90 deg 82.5 mm, 135 deg 30 mm'
+proves 0
+check 'lengths in the unit of the points' grep -q '^length = 49.497474683058[0-9]* mm' found.deck
 task 'mechanism = slider-crank' '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
     'left = fixed (10, -30) mm' 'right = slider 10 deg'
 proves 0 6
 check 'the line of the slider' grep -q 'the direction of stroke is at -170 deg' found.deck
 check 'the offset' grep -q '^offset = 39.3007466283' found.deck
+task "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 0 deg, (3, 2) mm 0 deg, (4, 4) mm 0 deg' \
+    'left = fixed (5, 6) mm' 'right = fixed (7, 6) mm'
+proves 0 6
+check 'a change point on the way' grep -q 'and through a change point from theta2 = -119.745 to 7.12502 deg' found.deck
 task "$four_bar" '[synthesis]' 'task = path' 'positions = (0, 0) mm, (12, 5) mm, (21, 16) mm' 'timing = 40 deg, 85 deg' \
     'right = fixed (50, -10) mm'
 proves 0 6
 run 0 --synthesis --solution=2 t.deck
 prints 'solution 2 of'
+prints ' more: fourlink --synthesis --format=table'
 run 0 --synthesis --format=csv t.deck
 holds 'a line for each solution' 'BEGIN {FS = ","} NR == 1 {ok = $1 == "solution" && /mu_range/} END {exit !ok || NR < 3}'
 run 0 --synthesis --format=json t.deck
@@ -126,6 +141,16 @@ task "$four_bar" '[crank]' 'length = 60 mm' '[ground]' 'length = 120 mm' '[synth
 proves 0 2
 quiet
 check 'the coupler' grep -q '^length = 103.197034989212[0-9]* mm' found.deck
+check 'no linear equations, no condition' none 'condition' found.deck
+stroke='stroke = 100 mm'
+task 'mechanism = slider-crank' '[rod]' 'length = 150 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1' "$stroke"
+proves 0 1
+task 'mechanism = slider-crank' '[ground]' 'offset = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.2' "$stroke"
+proves 0 2
+check 'the offset that is given' grep -qx 'offset = 30 mm' found.deck
+task 'mechanism = slider-crank' '[synthesis]' 'task = quick-return' 'time_ratio = 1.2' 'slow = against' "$stroke"
+proves 0 2
+check 'angles of a turn' grep -q 'smallest 47.2011 deg at theta2 = 90 deg' found.deck
 task 'mechanism = inverted-slider-crank' '[crank]' 'length = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.7' \
     'stroke = 120 mm'
 proves 0 1
@@ -154,6 +179,15 @@ task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = 10 deg 60 d
 proves 1
 says 't.deck:4: defect: '
 check 'the defect in the deck' grep -q '^#   defect: ' found.deck
+task "$four_bar" '[synthesis]' 'task = motion' 'positions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg' \
+    'left = rotations -40 deg -70 deg' 'right = fixed (50, 0) mm'
+proves 1
+says 'open at positions 2, 3, crossed at position 1'
+check 'no position has a smaller one' grep -q 'smallest 4.64795 deg at theta2 = 344.423 deg; at the positions 4.64795' found.deck
+task "$four_bar" "$ground" '[crank]' 'length = 10 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 2' 'swing = 60 deg'
+run 1 --synthesis t.deck
+nothing
+says 'a given value follows from others'
 task "$four_bar" "$ground" '[synthesis]' 'task = function' 'points = 10 deg 60 deg, 10 deg 60 deg, 150 deg 160 deg'
 run 1 --synthesis t.deck
 nothing
@@ -201,6 +235,10 @@ refuses "did you mean 'power'?" "$four_bar" "$ground" '[synthesis]' 'task = func
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'needs a unit, such as 0 deg to 90 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sin' 'x = 0 to 90' \
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
+refuses 'the same value at both ends' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sin' \
+    'x = 0 to 180 deg' 'crank = 0 deg to 90 deg' 'rocker = 0 deg to 90 deg'
+refuses 'error: a swing is between 0 and 180 deg' "$four_bar" "$ground" '[synthesis]' 'task = quick-return' 'time_ratio = 1.1' \
+    'swing = 200 deg'
 refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = -1 to 2' \
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
@@ -213,6 +251,12 @@ refuses 'bad.csv:3: error: x must rise' "$four_bar" "$ground" '[synthesis]' 'tas
 printf '1 2\n2 4\n' >two.csv
 refuses 'three or more rows' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = file two.csv' "$ranges"
 refuses 'a weight for each of the points' "$four_bar" "$ground" '[synthesis]' 'task = function' "$points" 'weights = 1, 2'
+refuses "crank's rotations" "$four_bar" '[synthesis]' 'task = path' 'positions = 1, 2, 3' 'timing = 4 deg' 'right = fixd (5, 4) mm'
+says 'expected a point'
+says "did you mean 'fixed'?"
+refuses "did you mean 'ln'?" "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = sn' 'crank = 3 deg' 'rocker = 1 mm to 3 mm'
+says "not '3 deg'"
+says 'is a length'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' 'positions = (1, 2) mm 3 deg' 'left = fixed (0, 0) mm' \
     'right = fixed (1, 0) mm'
 refuses 'expected three positions' "$four_bar" '[synthesis]' 'task = motion' \

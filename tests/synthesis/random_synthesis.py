@@ -95,7 +95,7 @@ def offset_slider():
                            '[rod]\nlength = %g mm\n' % (u(1, 4) * stroke),
                            '[ground]\noffset = %g mm\n' % (u(0.05, 0.6) * stroke)])
     return 'slider-crank', given, 'task = quick-return\ntime_ratio = %g\nstroke = %g mm\nslow = %s' % (
-        u(1.02, 1.8), stroke, random.choice(['with', 'against']))
+        max(1, u(0.95, 1.8)), stroke, random.choice(['with', 'against']))
 
 
 def lever():

@@ -447,6 +447,14 @@ async function tryWanted() {
         })()`);
         check(file + ": " + count + " wanted positions, pixels from the path: " + far, far.length === count && Math.max(...far) < 3);
     }
+    /* Defects are told as by the command; so is why there is no linkage. */
+    const motion = (left) => "mechanism = four-bar\n[synthesis]\ntask = motion\npositions = (0, 0) mm 0 deg, (24, 10) mm -30 deg, (40, 5) mm -50 deg\n" +
+        "left = " + left + "\nright = fixed (50, 0) mm\n";
+    for (const [words, count] of [[motion("rotations -40 deg -70 deg"), 4], [motion("fixed (50, 0) mm"), 1]]) {
+        const wanted = command("x.deck", words, "--synthesis").messages;
+        await put("x.deck", words);
+        check("found: " + await messages(), wanted.length === count && wanted.join("\n") === (await messages()).join("\n"));
+    }
     await load("alvi-5.1.deck");
     check("none without a task", await b.evaluate(`document.querySelectorAll(".wanted").length === 0`));
 }

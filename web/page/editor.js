@@ -48,8 +48,8 @@ function mark(messages) {
             seen.set(message.line, (seen.get(message.line) || []).concat(message));
     marks = [...seen].map(([line, list]) => {
         const wide = texts[line - 1].replace(/\t/g, "    ").length;
-        const words = list.map((m) => m.text.replace(/^.*?:\d+: (error|note): /, "")).join("; ");
-        const made = html("div", {class: "mark " + list[0].kind}, html("span", {}, words));
+        const words = list.map((m) => m.text.replace(/^.*?:\d+: (error|note|defect): /, "")).join("; ");
+        const made = html("div", {class: "mark " + (list.find((m) => m.kind !== "note") || list[0]).kind}, html("span", {}, words));
         made.style.top = (line - 1) * LINE + "px";
         made.firstChild.style.marginLeft = "calc(" + (wide + 2) + "ch)";
         return made;
