@@ -292,7 +292,7 @@ int flk_task_function(parser *p)
     double length[5];
     int i, needs_length = t->kind->output == QUANTITY_ANGLE;
 
-    flk_task_check_lengths(p, needs_length);
+    flk_task_check_lengths(p, needs_length, needs_length ? "the length of one link" : "no lengths");
     if (flk_task_lengths(p, length) < needs_length)
         flk_mistake(p->mistakes, t->place,
                     "task = function needs the length of one link, such as that of the [ground]");

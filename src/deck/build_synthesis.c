@@ -90,7 +90,7 @@ static int read_positions(parser *p, key_code other, const char *example,
     text rest = s->value, item, after;
     int n = 0, n_angles = 0;
 
-    flk_task_check_lengths(p, 0);
+    flk_task_check_lengths(p, 0, "no lengths");
     if (!(flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) &
           flk_task_require(p, other, example) & flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD)))
         return -1;
@@ -153,13 +153,14 @@ static int build_quick_return(parser *p)
                   *stroke = flk_task_find(p, KEY_SYNTHESIS_STROKE),
                   *type = flk_task_find(p, KEY_SYNTHESIS_TYPE),
                   *choose = flk_task_find(p, KEY_SYNTHESIS_CHOOSE),
+                  *ratio = flk_task_find(p, KEY_SYNTHESIS_TIME_RATIO),
                   *offset = flk_setting_find(p, KEY_GROUND_OFFSET);
     int n = flk_task_lengths(p, t->length);
 
     t->type = type->word ? (fourlink_type)type->word : kind->type;
     if (!IS_SET(offset))
         offset = flk_setting_find(p, KEY_LEVER_OFFSET);
-    flk_task_check_lengths(p, FOURLINK_FOLLOWER);
+    flk_task_check_lengths(p, kind->n_best + 1, kind->quick_return);
     if (t->type == FOURLINK_ENGINE && IS_SET(offset) && offset->si[0] == 0)
         return flk_mistake(p->mistakes, offset->place,
                            "an offset of 0 has a time ratio of 1: remove it, it is found");
@@ -167,12 +168,25 @@ static int build_quick_return(parser *p)
         return flk_mistake(p->mistakes, swing->place, "a swing is between 0 and 180 deg");
     if (IS_SET(choose) && n + IS_SET(offset) > kind->n_best)
         return flk_mistake(p->mistakes, choose->place, "the task takes %s", kind->quick_return);
-    if (!(t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing)) &&
-        !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO, "1.2"))
+    if (t->type == FOURLINK_WHITWORTH && (IS_SET(swing) || IS_SET(stroke)))
+        return flk_mistake(p->mistakes, (IS_SET(swing) ? swing : stroke)->place,
+                           "the lever of a Whitworth mechanism turns fully: give the time_ratio");
+    if (t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing) && IS_SET(ratio))
+        return flk_mistake(p->mistakes, swing->place,
+                           "the swing of a slotted lever follows from the time_ratio: give one of "
+                           "them");
+    if (IS_SET(ratio) && ratio->si[0] < 1)
+        return flk_mistake(p->mistakes, ratio->place,
+                           "a time ratio is at least 1: slow stroke / quick stroke, in time; which "
+                           "is slow is said by 'slow'");
+    if ((t->type == FOURLINK_CRANK_ROCKER && !flk_task_require(p, KEY_SYNTHESIS_SWING, "50 deg")) ||
+        (t->type == FOURLINK_ENGINE && !flk_task_require(p, KEY_SYNTHESIS_STROKE, "100 mm")) ||
+        (!(t->type == FOURLINK_SLOTTED_LEVER && IS_SET(swing)) &&
+         !flk_task_require(p, KEY_SYNTHESIS_TIME_RATIO, "1.2")))
         return 0;
     flk_task_unit(p, flk_quantity_unit_text(stroke->value));
     flk_task_unit(p, flk_quantity_unit_text(offset->value));
-    t->time_ratio = flk_task_find(p, KEY_SYNTHESIS_TIME_RATIO)->si[0];
+    t->time_ratio = ratio->si[0];
     t->swing = swing->si[0];
     t->stroke = stroke->si[0];
     t->offset = offset->si[0];

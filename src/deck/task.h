@@ -31,8 +31,8 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
 /* The lengths that are given, by link number; returns their number. */
 int flk_task_lengths(parser *p, double length[5]);
 
-/* Report lengths that a task finds, if more links have theirs than it takes. */
-void flk_task_check_lengths(parser *p, int most);
+/* Report lengths that a task finds, if more than `most` links have theirs; what it takes, in words. */
+void flk_task_check_lengths(parser *p, int most, const char *takes);
 
 /* The first point of the coupler; null if there is none. */
 const section_use *flk_task_coupler_point(const parser *p);

@@ -148,7 +148,7 @@ int flk_task_lengths(parser *p, double length[5])
     return n;
 }
 
-void flk_task_check_lengths(parser *p, int most)
+void flk_task_check_lengths(parser *p, int most, const char *takes)
 {
     static const key_code others[] = {KEY_CRANK_STROKE, KEY_LEVER_ANGLE, KEY_GROUND_OFFSET,
                                       KEY_LEVER_OFFSET};
@@ -161,8 +161,9 @@ void flk_task_check_lengths(parser *p, int most)
             is_link ? length_of(p, i) : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
 
         if (IS_SET(s) && (!is_link || most-- <= 0))
-            flk_mistake(p->mistakes, s->place, "task = %s finds this: remove it, or comment it out",
-                        t->name);
+            flk_mistake(p->mistakes, s->place,
+                        "task = %s finds this: remove it, or comment it out; the task takes %s",
+                        t->name, takes);
     }
 }
 

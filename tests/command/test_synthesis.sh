@@ -239,6 +239,12 @@ refuses 'the same value at both ends' "$four_bar" "$ground" '[synthesis]' 'task 
     'x = 0 to 180 deg' 'crank = 0 deg to 90 deg' 'rocker = 0 deg to 90 deg'
 refuses 'error: a swing is between 0 and 180 deg' "$four_bar" "$ground" '[synthesis]' 'task = quick-return' 'time_ratio = 1.1' \
     'swing = 200 deg'
+refuses 't.deck:5: error: task = quick-return finds this' 'mechanism = slider-crank' '[crank]' 'length = 30 mm' '[rod]' \
+    'length = 90 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 0.9' 'stroke = 100 mm'
+says 't.deck:8: error: a time ratio is at least 1'
+refuses "needs 'stroke'" 'mechanism = slider-crank' '[crank]' 'length = 30 mm' '[synthesis]' 'task = quick-return' 'time_ratio = 1.2'
+refuses 't.deck:7: error: the lever of a Whitworth mechanism turns fully' 'mechanism = inverted-slider-crank' "$ground" \
+    '[synthesis]' 'task = quick-return' 'type = whitworth' 'swing = 50 deg'
 refuses 'the function is not defined' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = -1 to 2' \
     'crank = 1 deg to 2 deg' 'rocker = 1 deg to 2 deg'
 refuses 'expected a range, such as 30 deg to 120 deg' "$four_bar" "$ground" '[synthesis]' 'task = function' 'function = ln' 'x = 1 to 2' \
