@@ -13,12 +13,17 @@ fi
 [ $signal = INT ] && expected=130 || expected=143
 whole_lines() { [ "$(tail -c 1 "$1" | tr '\n' x)" = x ]; }
 
-# interrupted ARGUMENT...: the sweep, ended after half a second, leaves the old output as it was
+# interrupted ARGUMENT...: the sweep, ended while it computes, leaves the old output as it was
 interrupted() {
     echo old >files/result
     env --default-signal=$signal "$fourlink" "$@" -o files/result t.deck 2>err &
     pid=$!
-    sleep 0.5
+    tries=0
+    while [ "$(ls -A files | wc -l)" -lt 2 ] && [ $tries -lt 100 ]; do
+        sleep 0.05
+        tries=$((tries + 1))
+    done
+    sleep 0.1
     check "$*: a temporary file while it runs" test "$(ls -A files | wc -l)" -eq 2
     kill -$signal $pid
     (sleep 5; kill -9 $pid) >/dev/null 2>&1 &

@@ -168,37 +168,59 @@ TEST(test_work_of_dampers)
 ** Turns
 ** ------------------------------------------------------------------------------------------- */
 
-/* The angle of a torsional spring against steps that are added up, through every position that is reached. */
-static void follow(sample *s, int link, int to)
-{
-    double before = 0, previous = 0, free_angle = -0.7;
-    int i, has_previous = 0, steps = 0;
-    fourlink_spring_state at;
+/* A torsional spring from position to position. */
+typedef struct follower {
+    int link, to;
     fourlink_spring spring;
+    double before, previous; /* its angle, and that of the links */
+} follower;
+
+static double turned(const sample *s, int link)
+{
+    return link == 1 ? 0 : s->state.link[link].theta;
+}
+
+/* The angle of a torsional spring against steps that are added up, through every position that is reached. */
+static void follow(const sample *s, follower *f, double free_angle, int has_previous, int is_first)
+{
+    double angle = turned(s, f->link) - turned(s, f->to);
+    fourlink_spring_state at;
+
+    assert_int_equal(fourlink_spring_at(&s->mechanism, &s->state, &f->spring, &at), FOURLINK_OK);
+    assert_near(remainder(at.length - angle, 2 * PI), 0, 1e-6);
+    if (has_previous)
+        assert_near(at.length - f->before, remainder(angle - f->previous, 2 * PI), 1e-6);
+    else if (is_first)
+        assert_true(fabs(at.length - free_angle) <= PI + 0.2);
+    f->previous = angle;
+    f->before = at.length;
+}
+
+/* Springs between all links, on a branch: each position is computed once. */
+static void follow_springs(sample *s)
+{
+    double free_angle = -0.7;
+    follower all[12];
+    int i, k, link, to, n = 0, has_previous = 0, steps = 0;
 
     assert_int_equal(fourlink_prepare(&s->design, &s->mechanism), FOURLINK_OK);
-    spring = torsional(&s->mechanism, link, to, 1, free_angle, 0, 0);
+    for (link = 1; link <= 4; link++)
+        for (to = 1; to <= 4; to++)
+            if (link != to) {
+                all[n].link = link;
+                all[n].to = to;
+                all[n++].spring = torsional(&s->mechanism, link, to, 1, free_angle, 0, 0);
+            }
     for (i = 1; i < 4 * 7200; i += 2) {
-        double angle;
-
         s->crank.theta2 = i * PI / 7200;
         if (fourlink_analyse(&s->mechanism, s->branch, &s->crank, NULL, 0, &s->state, NULL) !=
             FOURLINK_OK) {
             has_previous = 0;
             continue;
         }
-        assert_int_equal(fourlink_spring_at(&s->mechanism, &s->state, &spring, &at), FOURLINK_OK);
-        angle =
-            (link == 1 ? 0 : s->state.link[link].theta) - (to == 1 ? 0 : s->state.link[to].theta);
-        assert_near(remainder(at.length - angle, 2 * PI), 0, 1e-6);
-        if (has_previous) {
-            assert_near(at.length - before, remainder(angle - previous, 2 * PI), 1e-6);
-            steps++;
-        } else if (steps == 0) {
-            assert_true(fabs(at.length - free_angle) <= PI + 0.2);
-        }
-        previous = angle;
-        before = at.length;
+        for (k = 0; k < n; k++)
+            follow(s, &all[k], free_angle, has_previous, steps == 0);
+        steps += has_previous;
         has_previous = 1;
     }
     assert_true(steps > 0);
@@ -206,24 +228,20 @@ static void follow(sample *s, int link, int to)
 
 static void follow_all(int kind, double a, double b, double c, double d, double offset)
 {
-    int link, to, branch;
+    int branch;
     sample s;
 
-    for (branch = -1; branch <= 1; branch += 2)
-        for (link = 1; link <= 4; link++)
-            for (to = 1; to <= 4; to++) {
-                if (link == to)
-                    continue;
-                memset(&s, 0, sizeof s);
-                s.design.kind = (fourlink_kind)kind;
-                s.design.link[1].length = d;
-                s.design.link[2].length = a;
-                s.design.link[3].length = b;
-                s.design.link[4].length = c;
-                s.design.offset = offset;
-                s.branch = (fourlink_branch)branch;
-                follow(&s, link, to);
-            }
+    for (branch = -1; branch <= 1; branch += 2) {
+        memset(&s, 0, sizeof s);
+        s.design.kind = (fourlink_kind)kind;
+        s.design.link[1].length = d;
+        s.design.link[2].length = a;
+        s.design.link[3].length = b;
+        s.design.link[4].length = c;
+        s.design.offset = offset;
+        s.branch = (fourlink_branch)branch;
+        follow_springs(&s);
+    }
 }
 
 TEST(test_turns)

@@ -14,7 +14,7 @@ typedef struct trials {
     unsigned long set, mistaken, words;
 } trials;
 
-static size_t step = 8; /* one in so many numbers of a deck is tried */
+static size_t step = 16; /* one in so many numbers of a deck is tried */
 
 /* A number of a deck: SECTION.KEY, its unit and a value near its own. */
 typedef struct number {

@@ -475,12 +475,14 @@ TEST(fortran77)
     assert_near(length[0], 7, 0);
 }
 
+static int n_bad = 2500; /* problems, or the argument */
+
 TEST(bad_problems)
 {
     uint64_t seed = 14;
     double theta2[8], output[8], weight[8];
 
-    for (int k = 0; k < 10000; k++) {
+    for (int k = 0; k < n_bad; k++) {
         fourlink_function_task task = three(theta2, output);
         fourlink_solution s;
         unsigned long n;
@@ -540,7 +542,8 @@ TEST(fits_that_reach)
     assert_true(n_reached[1] >= 390);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    n_bad = argc > 1 ? atoi(argv[1]) : n_bad;
     return run_all_tests(watch_gsl);
 }

@@ -8,11 +8,28 @@
 needs jq jq
 cp "$decks/reach.deck" "$decks/pump.deck" .
 
-# gives WHAT FILTER: the filter is true of each object of the last run; there is at least one.
-gives() { check "$1: $2" true_of_all "$2"; }
-true_of_all() { jq -en "[inputs | ($1) == true] | length > 0 and all" out >/dev/null; }
-# every WHAT FILTER: the same of a list of all objects.
-every() { check "$1: $2" sh -c 'jq -es "$1" out >/dev/null' - "$2"; }
+# gives WHAT FILTER...: each filter is true of each object of the last run; there is at least one.
+gives() { ask '[.[] | try ((' ') == true) catch false] | length > 0 and all' "$@"; }
+# every WHAT FILTER...: the same of a list of all objects.
+every() { ask 'try (' ') catch false' "$@"; }
+# ask BEFORE AFTER WHAT FILTER...: one jq, whose start takes longer than its work, answers true or false to each.
+ask() {
+    before=$1
+    after=$2
+    shift 2
+    filters=
+    is_filter=
+    for word in "$@"; do
+        [ -z "$is_filter" ] || filters="$filters${filters:+, }([$before$word$after] | last)"
+        [ -z "$is_filter" ] && is_filter=yes || is_filter=
+    done
+    jq -cs "$filters" out >truths 2>&1
+    while [ $# -gt 0 ]; do
+        read -r truth <&3 || truth='no answer'
+        check "$1: $2: $truth" test "$truth" = true
+        shift 2
+    done 3<truths
+}
 objects() { every "$1 objects" "length == $1"; }
 
 # ------------------------------------------------------------------------------------------- a deck
@@ -21,19 +38,19 @@ run 0 -f json "$matrix"
 quiet
 objects 1
 gives 'the keys, in order' \
-    'keys_unsorted == ["deck", "title", "mechanism", "inputs", "columns", "facts", "branches"]'
-gives 'title and mechanism' '.deck == null and (.title | startswith("Matrix method")) and .mechanism == "four-bar linkage"'
-gives 'inputs' '.inputs | all(keys_unsorted == ["name", "unit", "meaning", "value"])'
-gives 'an input' '.inputs | any(.name == "crank.mass" and .unit == "kg" and .value == 0.1 and .meaning == "mass")'
-gives 'columns' '.columns | all(keys_unsorted == ["name", "unit", "meaning"])'
-gives 'a column' '.columns | any(.name == "Ts" and .unit == "N.m")'
-gives 'facts' '.facts | all(keys_unsorted == ["name", "unit", "meaning", "value", "theta2", "branch"])'
-gives 'a fact in words' '.facts | any(.name == "type" and .value == "crank-rocker" and .branch == null)'
-gives 'a fact with a crank angle' \
-    '.facts | any(.name == "theta4_max" and .branch == "open" and (.theta2 - 223.031532 | fabs) < 1e-5)'
-gives 'branches' '.branches | map(.branch) == ["open", "crossed"]'
-gives 'rows' '(.columns | length) as $n | .branches | all(.rows | length == 10 and all(.status == "ok" and (.values | length) == $n))'
-gives 'a value' '(.columns | map(.name) | index("Ts")) as $i | (.branches[0].rows[1].values[$i] - 0.031382309545517 | fabs) < 1e-12'
+    'keys_unsorted == ["deck", "title", "mechanism", "inputs", "columns", "facts", "branches"]' \
+    'title and mechanism' '.deck == null and (.title | startswith("Matrix method")) and .mechanism == "four-bar linkage"' \
+    'inputs' '.inputs | all(keys_unsorted == ["name", "unit", "meaning", "value"])' \
+    'an input' '.inputs | any(.name == "crank.mass" and .unit == "kg" and .value == 0.1 and .meaning == "mass")' \
+    'columns' '.columns | all(keys_unsorted == ["name", "unit", "meaning"])' \
+    'a column' '.columns | any(.name == "Ts" and .unit == "N.m")' \
+    'facts' '.facts | all(keys_unsorted == ["name", "unit", "meaning", "value", "theta2", "branch"])' \
+    'a fact in words' '.facts | any(.name == "type" and .value == "crank-rocker" and .branch == null)' \
+    'a fact with a crank angle' \
+    '.facts | any(.name == "theta4_max" and .branch == "open" and (.theta2 - 223.031532 | fabs) < 1e-5)' \
+    'branches' '.branches | map(.branch) == ["open", "crossed"]' \
+    'rows' '(.columns | length) as $n | .branches | all(.rows | length == 10 and all(.status == "ok" and (.values | length) == $n))' \
+    'a value' '(.columns | map(.name) | index("Ts")) as $i | (.branches[0].rows[1].values[$i] - 0.031382309545517 | fabs) < 1e-12'
 run 0 --format=json --branch=crossed --columns=Ts,theta2 -i 90 "$matrix"
 gives 'what is asked for' '(.branches | map(.branch)) == ["crossed"] and (.columns | map(.name)) == ["Ts", "theta2"] and (.branches[0].rows | map(.values[1])) == [0, 90, 180, 270, 360]'
 "$fourlink" -f json "$matrix" >named
@@ -41,25 +58,31 @@ gives 'what is asked for' '(.branches | map(.branch)) == ["crossed"] and (.colum
 same file named
 
 # Each number is the one of csv: the parser reads both.
-csv_rows='def csv_rows: # of a single deck: arrays of branch, values, status
-    ($csv | split("\n"))[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
+csv_rows='def csv_rows: # of the text of a table: arrays of branch, values, status
+    split("\n")[1:-1] | map([scan("(?:^|,)(\"(?:[^\"]|\"\")*\"|[^,]*)")[0] |
         if startswith("\"") then .[1:-1] | gsub("\"\""; "\"") elif . == "" then null
         elif test("^-?[0-9.]+(e[-+]?[0-9]+)?$") then tonumber else . end]);'
-same_rows() {
-    jq -en --rawfile csv csv "$csv_rows"'[inputs | (.columns | length) as $n | .branches[] | .branch as $b | .rows[] |
-        [$b] + (.values // [range($n) | null]) + [.status]] | length > 0 and . == csv_rows' out >/dev/null
+# compare ARGUMENT...: one jq for all of them, as its start takes longer than its work.
+compare() {
+    "$fourlink" -f csv "$@" >>csv 2>/dev/null
+    printf '\f' >>csv
+    "$fourlink" -f json "$@" >>out 2>/dev/null
+    printf '%s\n' "$*" >>compared
 }
-numbers_of_csv() {
-    "$fourlink" -f csv "$@" >csv 2>/dev/null
-    "$fourlink" -f json "$@" >out 2>/dev/null
-    check "the numbers of csv: $*" same_rows
-}
+rm -f csv out
 for deck in "$data"/*.deck "$decks/coupler-point.deck" "$decks/gas-engine.deck" reach.deck pump.deck; do
-    numbers_of_csv "$deck"
+    compare "$deck"
 done
 for deck in "$matrix" "$data/oscillating-cylinder.deck" "$decks/gas-engine.deck" reach.deck; do
-    numbers_of_csv --columns=all "$deck"
+    compare --columns=all "$deck"
 done
+jq -cn --rawfile csv csv "$csv_rows"'($csv | split("\f")) as $tables | [inputs] | to_entries[] | .key as $i | .value |
+    [(.columns | length) as $n | .branches[] | .branch as $b | .rows[] | [$b] + (.values // [range($n) | null]) + [.status]] |
+    length > 0 and . == ($tables[$i] | csv_rows)' out >truths 2>&1
+while read -r arguments; do
+    read -r truth <&3 || truth='no answer'
+    check "the numbers of csv: $arguments: $truth" test "$truth" = true
+done <compared 3<truths
 "$fourlink" -f json "$alvi" >out
 check '17 digits, as csv' sh -c "'$fourlink' -f csv '$alvi' | tr ',' '\\n' | grep -x -e '-*[0-9.]*' | sort -u >a
     tr ',[]' '\\n' <out | sort -u >b; [ -s a ] && [ -z \"\$(comm -23 a b)\" ]"
@@ -68,12 +91,12 @@ check '17 digits, as csv' sh -c "'$fourlink' -f csv '$alvi' | tr ',' '\\n' | gre
 
 run 0 -f json -S "$matrix"
 objects 1
-gives 'the keys of a summary' 'keys_unsorted == ["deck", "title", "mechanism", "inputs", "facts"]'
-gives 'an extreme' '.facts | any(.name == "max(Ts)" and .branch == "open" and .unit == "N.m" and .theta2 != null)'
+gives 'the keys of a summary' 'keys_unsorted == ["deck", "title", "mechanism", "inputs", "facts"]' \
+    'an extreme' '.facts | any(.name == "max(Ts)" and .branch == "open" and .unit == "N.m" and .theta2 != null)'
 "$fourlink" -f csv -S "$matrix" >csv
 same_facts() {
     jq -en --rawfile csv csv "$csv_rows"'[inputs | .inputs[], .facts[] | [.name, .value, .theta2, .branch]] |
-        length > 20 and . == (csv_rows | map([.[0, 1, 3, 4]]))' out >/dev/null
+        length > 20 and . == ($csv | csv_rows | map([.[0, 1, 3, 4]]))' out >/dev/null
 }
 check 'the inputs and facts of csv' same_facts
 run 0 -f json -S "$decks/gas-engine.deck"
@@ -82,18 +105,18 @@ gives 'the turning moment' '.facts | any(.name == "mean_torque" and .unit == "N.
 run 0 -f json -C "$matrix"
 objects 1
 gives 'the keys of a check' '.checks | length > 10 and all(keys_unsorted ==
-    ["result", "file", "line", "name", "theta2", "branch", "unit", "printed", "computed", "tolerance"])'
-gives 'all agree' '.checks | all(.result == "ok" and (.computed - (.printed | split(" ")[0] | tonumber) | fabs) <= .tolerance)'
+    ["result", "file", "line", "name", "theta2", "branch", "unit", "printed", "computed", "tolerance"])' \
+    'all agree' '.checks | all(.result == "ok" and (.computed - (.printed | split(" ")[0] | tonumber) | fabs) <= .tolerance)'
 printf '[expect]\nat = 40\ntheta4 = 104 deg\nmu = 9 deg\nno_such = 1\n[misprint]\nmu_min = 1 deg\nmu_max = 90 deg\n' >answers
 run 2 -f json --check=answers "$matrix"
-gives 'outcomes' '.checks | map(.result) == ["ok", "differs", "no value", "misprint confirmed", "not a misprint"]'
-gives 'no value has a message' '.checks | map(select(.result == "no value")) | all(.computed == null and .tolerance == null and (.message | length) > 5)'
+gives 'outcomes' '.checks | map(.result) == ["ok", "differs", "no value", "misprint confirmed", "not a misprint"]' \
+    'no value has a message' '.checks | map(select(.result == "no value")) | all(.computed == null and .tolerance == null and (.message | length) > 5)'
 
 run 0 -f json -l "$matrix"
 objects 1
-gives 'the keys of a list' 'keys_unsorted == ["deck", "title", "mechanism", "columns", "facts"]'
-gives 'columns of a list' '.columns | length > 60 and all(keys_unsorted == ["name", "unit", "meaning", "source"])'
-gives 'facts of a list, each once' '.facts | map(.name) | length == (unique | length) and index("max(COLUMN)") > 0'
+gives 'the keys of a list' 'keys_unsorted == ["deck", "title", "mechanism", "columns", "facts"]' \
+    'columns of a list' '.columns | length > 60 and all(keys_unsorted == ["name", "unit", "meaning", "source"])' \
+    'facts of a list, each once' '.facts | map(.name) | length == (unique | length) and index("max(COLUMN)") > 0'
 usage '--matrix can be printed as table only' -f json -m "$matrix"
 
 # ----------------------------------------------------------------------------------- several decks
@@ -101,8 +124,8 @@ usage '--matrix can be printed as table only' -f json -m "$matrix"
 run 3 -f json "$alvi" missing.deck pump.deck "$decks/bad.deck"
 lines out 2
 objects 2
-every 'their names' 'map(.deck | split("/") | last) == ["alvi-5.1.deck", "pump.deck"]'
-every 'each with its own columns' '(.[0].columns | any(.name == "theta4")) and (.[1].columns | any(.name == "x"))'
+every 'their names' 'map(.deck | split("/") | last) == ["alvi-5.1.deck", "pump.deck"]' \
+    'each with its own columns' '(.[0].columns | any(.name == "theta4")) and (.[1].columns | any(.name == "x"))'
 run 0 -f json -S "$alvi" pump.deck
 lines out 2
 objects 2
@@ -119,15 +142,15 @@ run 1 -f json sweep.deck
 lines out 9
 objects 9
 every 'a line that describes the others' \
-    '.[0] | .title != "" and (.columns | map(.name)) == ["crank.length", "mu_min", "swing", "type", "max(omega4)"]'
-every 'units' '.[0].columns | map(.unit)[0:3] == ["m", "deg", "deg"]'
-every 'the keys of a design' '.[1:] | all(keys_unsorted ==
-    ["design", "crank.length", "branch", "mu_min", "swing", "type", "max(omega4)", "status"])'
-every 'two lines for each' '.[1:] | map([.design, .branch]) ==
-    [[1, "open"], [1, "crossed"], [2, "open"], [2, "crossed"], [3, "open"], [3, "crossed"], [4, "open"], [4, "crossed"]]'
-every 'numbers and words' '.[1] | .type == "crank-rocker" and (.mu_min | type) == "number" and .status == "ok"'
-every 'a design that cannot be built' '.[3:5] | all(.mu_min == null and .type == null and (.status | startswith("the length must be positive")))'
-same_designs() { jq -es --rawfile csv csv "$csv_rows"'.[1:] | map([.[]]) == csv_rows' out >/dev/null; }
+    '.[0] | .title != "" and (.columns | map(.name)) == ["crank.length", "mu_min", "swing", "type", "max(omega4)"]' \
+    'units' '.[0].columns | map(.unit)[0:3] == ["m", "deg", "deg"]' \
+    'the keys of a design' '.[1:] | all(keys_unsorted ==
+    ["design", "crank.length", "branch", "mu_min", "swing", "type", "max(omega4)", "status"])' \
+    'two lines for each' '.[1:] | map([.design, .branch]) ==
+    [[1, "open"], [1, "crossed"], [2, "open"], [2, "crossed"], [3, "open"], [3, "crossed"], [4, "open"], [4, "crossed"]]' \
+    'numbers and words' '.[1] | .type == "crank-rocker" and (.mu_min | type) == "number" and .status == "ok"' \
+    'a design that cannot be built' '.[3:5] | all(.mu_min == null and .type == null and (.status | startswith("the length must be positive")))'
+same_designs() { jq -es --rawfile csv csv "$csv_rows"'.[1:] | map([.[]]) == ($csv | csv_rows)' out >/dev/null; }
 check 'the values of csv' same_designs
 for part in 1 2 3; do
     "$fourlink" -f json --part=$part/3 sweep.deck >part.$part
@@ -139,9 +162,9 @@ sed '/^output/d' sweep.deck >rows.deck
 run 1 -f json -c theta2,theta4 rows.deck
 lines out 4
 objects 4
-every 'an object for each design' 'map(.design) == [1, 2, 3, 4] and (map(."crank.length") == [0.018, -0.001, 0.3, 0.022])'
-every 'with its rows' '.[0] | (.branches | map(.rows | length)) == [10, 10] and .title != null and (.inputs | any(.name == "crank.length" and .value == 0.018))'
-every 'or the reason' '.[1] | keys == ["crank.length", "design", "status"] and (.status | startswith("the length must be positive"))'
+every 'an object for each design' 'map(.design) == [1, 2, 3, 4] and (map(."crank.length") == [0.018, -0.001, 0.3, 0.022])' \
+    'with its rows' '.[0] | (.branches | map(.rows | length)) == [10, 10] and .title != null and (.inputs | any(.name == "crank.length" and .value == 0.018))' \
+    'or the reason' '.[1] | keys == ["crank.length", "design", "status"] and (.status | startswith("the length must be positive"))'
 
 # -------------------------------------------------------------------------------- statistics and yield
 
@@ -149,13 +172,13 @@ tolerances="--statistics -s sweep.yield=mu_min>=57deg $data/../doc/tolerance.dec
 "$fourlink" -f csv $tolerances >csv
 run 0 -f json $tolerances
 gives 'the keys of statistics' '.statistics | length == 3 and all(keys_unsorted == ["name", "unit", "branch", "count", "mean",
-    "std_dev", "min", "5 %", "25 %", "50 %", "75 %", "95 %", "max"])'
-gives 'the keys of a yield' '.yield | length == 1 and all(keys_unsorted ==
-    ["condition", "branch", "designs", "passed", "yield", "low", "high"])'
-gives 'how many passed' '.yield[0] | .designs == 6 and .passed == 4 and .yield == 100 * .passed / .designs'
+    "std_dev", "min", "5 %", "25 %", "50 %", "75 %", "95 %", "max"])' \
+    'the keys of a yield' '.yield | length == 1 and all(keys_unsorted ==
+    ["condition", "branch", "designs", "passed", "yield", "low", "high"])' \
+    'how many passed' '.yield[0] | .designs == 6 and .passed == 4 and .yield == 100 * .passed / .designs'
 same_statistics() {
     jq -en --rawfile csv csv "$csv_rows"'inputs | [(.statistics[] | [.[]] + [null, null, null]),
-        (.yield[] | [.condition, "%", .branch, .designs] + [range(9) | null] + [.yield, .low, .high])] == csv_rows' out >/dev/null
+        (.yield[] | [.condition, "%", .branch, .designs] + [range(9) | null] + [.yield, .low, .high])] == ($csv | csv_rows)' out >/dev/null
 }
 check 'the numbers of csv' same_statistics
 
