@@ -163,13 +163,20 @@ static const struct {
 
 enum { RESULTS = sizeof results / sizeof results[0] };
 
-/* Find a result on a branch; of one instant, its value there.  0 if there is none. */
+static int is_of_motion(const char *name)
+{
+    return strcmp(name, "omega4") == 0 || strcmp(name, "v") == 0 || strcmp(name, "a") == 0;
+}
+
+/* Find a result on a branch; of one instant, its value there.  0 if there is none; the speeds of a crank
+** that stands still say nothing. */
 static int find_result(report *r, int i, fourlink_branch branch, fourlink_value *found)
 {
     const fourlink_problem *p = &r->v.problem;
     int statistic = p->n_rows > 1 ? results[i].statistic : 0;
 
-    if (p->n_rows < 2 && results[i].statistic == FOURLINK_MIN)
+    if ((p->n_rows < 2 && results[i].statistic == FOURLINK_MIN) ||
+        (view_is_still(&r->v) && is_of_motion(results[i].name)))
         return 0;
     return fourlink_results_find(r->v.results, results[i].name, found) == FOURLINK_OK &&
            !(found->flags & FOURLINK_CRANK_ANGLE) &&

@@ -332,6 +332,14 @@ double view_si(const view *v, quantity q, double value)
     return value * v->units[q].up / v->units[q].down;
 }
 
+int view_is_still(const view *v)
+{
+    const fourlink_motion *motion = &v->problem.motion;
+
+    return v->problem.mode == FOURLINK_MODE_GIVEN && motion->speed == 0 &&
+           motion->acceleration == 0;
+}
+
 double view_torque_rounding(const view *v, const fourlink_forces *forces)
 {
     if (v->problem.mode == FOURLINK_MODE_GIVEN)

@@ -80,6 +80,9 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
 
+/* 1 if the deck gives the crank no speed and no acceleration: all velocities are 0. */
+int view_is_still(const view *v);
+
 /* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is
 ** 0. */
 double view_torque_rounding(const view *v, const fourlink_forces *forces);
