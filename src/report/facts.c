@@ -83,12 +83,15 @@ static void put_facts(report *r, const char *heading, int group)
 /* Write the smallest value of a column, or the largest, and its angle; null: it has none. */
 static void put_extreme(report *r, const fourlink_value *v)
 {
+    fourlink_value x;
+
     if (!v) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    page_print(&r->page, "<td>%v</td>", v->value, r->v.problem.digits);
-    put_angle(r, v);
+    x = view_settled(&r->v, v);
+    page_print(&r->page, "<td>%v</td>", x.value, r->v.problem.digits);
+    put_angle(r, &x);
 }
 
 static void put_extremes(report *r, fourlink_branch branch)
