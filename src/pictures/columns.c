@@ -195,13 +195,21 @@ static int put_column(picture *p, int column)
     return panel_draw(p, &plan);
 }
 
+/* 1 for a velocity or an acceleration of a crank that stands still. */
+static int is_zero(const picture *p, int column)
+{
+    const char *of = p->v.columns[column].quantity;
+
+    return view_is_still(&p->v) && strcmp(of, "angle") != 0 && strcmp(of, "length") != 0;
+}
+
 const char *picture_motion(picture *p, fourlink_branch branch)
 {
     int i, drawn = 0;
 
     (void)branch;
     for (i = 1; i < (int)p->v.n_columns; i++)
-        if (picture_draws(p, p->v.columns[i].name))
+        if (picture_draws(p, p->v.columns[i].name) && !is_zero(p, i))
             drawn += put_column(p, i);
     return drawn ? NULL : picture_no_rows(p, p->v.branches[0]);
 }

@@ -501,7 +501,7 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
     if (p->v.range.n_rows < 2)
         return;
-    if (!p->v.kind.has_slot)
+    if (!p->v.kind.has_slot && p->request->file != PLOT_TXT) /* in letters it hides the links */
         put_path(s, p, branch, p->v.problem.n_points, until);
     for (i = 0; i < p->v.problem.n_points; i++)
         put_path(s, p, branch, i, until);

@@ -137,26 +137,11 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
 ** it. */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
-    static const struct {
-        quantity q;
-        int is_length, power; /* omega^power, times the length of the crank */
-    } measures[] = {{QUANTITY_ANGULAR_SPEED, 0, 1},
-                    {QUANTITY_ANGULAR_ACCELERATION, 0, 2},
-                    {QUANTITY_SPEED, 1, 1},
-                    {QUANTITY_ACCELERATION, 1, 2}};
-    double length = p->v.design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch),
-           size;
     const char *of = p->v.columns[y].quantity;
-    size_t i;
 
     if (strcmp(of, "torque") == 0)
         return view_value(&p->v, QUANTITY_TORQUE, rounding_of_torques(p, branch));
-    for (i = 0; i < sizeof measures / sizeof measures[0]; i++)
-        if (strcmp(of, flk_quantities[measures[i].q].name) == 0) {
-            size = pow(omega, measures[i].power) * (measures[i].is_length ? length : 1);
-            return FORMAT_ROUNDING * fabs(view_value(&p->v, measures[i].q, size));
-        }
-    return 0;
+    return view_rounding(&p->v, of, picture_speed_of(p, branch));
 }
 
 /* A full turn of an angle that is followed, in its unit; 0 for another column. */

@@ -100,6 +100,8 @@ static void lay_out(picture *p, FILE *out)
         width *= CROWDED;
         height *= CROWDED;
     }
+    if (p->request->kind == PLOT_MOTION && view_is_still(&p->v))
+        rows = 1;
     if (p->request->kind == PLOT_COLUMNS)
         n = (unsigned long)picture_column_panels(p);
     if (picture_has_outputs(p))

@@ -283,7 +283,7 @@ function start() {
     reachScrolling();
     if (!rows || !place)
         return;
-    const data = JSON.parse(rows.textContent);
+    const data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});
     if (!data.branches.length)
         return;
     const spare = 16 - document.querySelectorAll("#results tr").length;

@@ -684,8 +684,8 @@ function freeBody(data, panel, link) {
 /* ------------------------------------------------------------------------------------------ the row of the table */
 
 function tableRow(data, place) {
-    const list = html("dl", {class: "cells"});
-    const cells = data.columns.map((column) => {
+    const list = html("dl", {class: "cells"}), columns = (of) => of.columns.filter((c) => !c.rounding);
+    const cells = columns(data).map((column) => {
         const cell = html("dd", {"data-column": column.name});
         list.append(html("div", {title: column.meaning}, html("dt", {}, htmlLabel(column.label)), cell));
         return cell;
@@ -694,8 +694,9 @@ function tableRow(data, place) {
                       html("p", {class: "caption"}, "Row of the table"), list));
     return {
         show(branch, i) {
-            data.columns.forEach((column, j) => {
-                cells[j].textContent = withUnit(cellText(column, branch.table[i][j]), column.unit);
+            columns(data).forEach((column, j) => {
+                const value = branch.table[i][data.columns.indexOf(column)];
+                cells[j].textContent = withUnit(cellText(column, value), column.unit);
             });
         }
     };
@@ -721,9 +722,17 @@ function keyOf(data) {
     return key;
 }
 
+/* The polygons that have a side in some row: none if the crank has no speed. */
+function drawnPolygons(data) {
+    return data.polygons.filter((x) => data.branches.some((branch) => {
+        const tracks = tracksOf(data, branch);
+        return present(x.sides, tracks, reached(tracks)).length > 0;
+    }));
+}
+
 /* What the drawing consists of, whatever its numbers. */
 function structure(data) {
-    return JSON.stringify([data.over, data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
+    return JSON.stringify([data.over, data.units, data.gravity, data.forced, data.supports, data.links, data.points, drawnPolygons(data),
                            data.forces, data.torques, (data.wanted || []).length, data.columns.map((c) => [c.name, c.unit]),
                            data.branches.map((b) => b.name)]);
 }
@@ -732,7 +741,7 @@ function structure(data) {
 ** functions. */
 function draw(data, place, more) {
     const main = mechanism(data, makePanel("Mechanism", "whole"));
-    const views = [main].concat(data.polygons.map((x) => polygon(data, makePanel(x.title, "half"), x)));
+    const views = [main].concat(drawnPolygons(data).map((x) => polygon(data, makePanel(x.title, "half"), x)));
     if (data.forced)
         for (const link of data.links)
             views.push(freeBody(data, makePanel("Free body of the " + link.name, "third"), link));
@@ -751,7 +760,8 @@ function draw(data, place, more) {
         now = Math.max(0, Math.min(data.steps.length - 1, i));
         for (const view of views)
             view.show(now, name());
-        main.panel.caption.textContent = main.panel.title + " at " + name();
+        main.panel.caption.textContent = main.panel.title + " at " + name() +
+            (data.why && now === data.start && branch === data.branches[0] ? ", " + data.why : "");
         row.show(branch, now);
     }
     function layOut(isOnPaper) {

@@ -83,12 +83,15 @@ static void put_facts(report *r, const char *heading, int group)
 /* Write the smallest value of a column, or the largest, and its angle; null: it has none. */
 static void put_extreme(report *r, const fourlink_value *v)
 {
+    fourlink_value x;
+
     if (!v) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    page_print(&r->page, "<td>%v</td>", v->value, r->v.problem.digits);
-    put_angle(r, v);
+    x = view_settled(&r->v, v);
+    page_print(&r->page, "<td>%v</td>", x.value, r->v.problem.digits);
+    put_angle(r, &x);
 }
 
 static void put_extremes(report *r, fourlink_branch branch)
@@ -163,13 +166,20 @@ static const struct {
 
 enum { RESULTS = sizeof results / sizeof results[0] };
 
-/* Find a result on a branch; of one instant, its value there.  0 if there is none. */
+static int is_of_motion(const char *name)
+{
+    return strcmp(name, "omega4") == 0 || strcmp(name, "v") == 0 || strcmp(name, "a") == 0;
+}
+
+/* Find a result on a branch; of one instant, its value there.  0 if there is none; the speeds of a crank
+** that stands still say nothing. */
 static int find_result(report *r, int i, fourlink_branch branch, fourlink_value *found)
 {
     const fourlink_problem *p = &r->v.problem;
     int statistic = p->n_rows > 1 ? results[i].statistic : 0;
 
-    if (p->n_rows < 2 && results[i].statistic == FOURLINK_MIN)
+    if ((p->n_rows < 2 && results[i].statistic == FOURLINK_MIN) ||
+        (view_is_still(&r->v) && is_of_motion(results[i].name)))
         return 0;
     return fourlink_results_find(r->v.results, results[i].name, found) == FOURLINK_OK &&
            !(found->flags & FOURLINK_CRANK_ANGLE) &&

@@ -87,16 +87,17 @@ static void put_figure(report *r, plot_kind kind, const char *at, const char *al
         fclose(shorter);
 }
 
-/* "NAME at theta2 = ANGLE" */
-static const char *at_angle(const report *r, const char *name, char out[200])
+/* "NAME at theta2 = ANGLE, WHY" */
+static const char *at_angle(const report *r, const char *name, char out[320])
 {
-    return flk_text_join(out, 200, name, " at \316\270\342\202\202 = ", r->at, ".", (char *)NULL);
+    return flk_text_join(out, 320, name, " at \316\270\342\202\202 = ", r->at, *r->why ? ", " : "",
+                         r->why, ".", (char *)NULL);
 }
 
 void report_put_mechanism(report *r, int is_drawn)
 {
     const char *at = r->drawn_at;
-    char caption[200], alt[200];
+    char caption[320], alt[200];
 
     if (!is_drawn) {
         report_put_results(r);
@@ -119,7 +120,7 @@ void report_put_curves(report *r)
 {
     const char *at = r->drawn_at;
     const char *over = r->v.problem.by_time ? "over time." : "over the crank angle.";
-    char caption[200];
+    char caption[320];
 
     page_section(&r->page, "curves", "Curves and diagrams");
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",

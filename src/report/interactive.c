@@ -58,7 +58,8 @@ static void put_column(line *l, const fourlink_value *c, const style *x)
     interactive_put(l, "{\"name\":%q,\"unit\":%q,\"meaning\":%q,\"label\":", c->name, c->unit,
                     c->meaning);
     interactive_put_label(l, c->name);
-    line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
+    line_put(l, ",\"decimals\":%lu%s,\"form\":\"%s\"}", (unsigned long)x->decimals,
+             c->flags & FOURLINK_OF_ROUNDING ? ",\"rounding\":true" : "",
              c->flags & FOURLINK_CRANK_ANGLE ? "angle"
              : x->exponent                   ? "exponent"
                                              : "fixed");
@@ -247,7 +248,7 @@ static void put_drawing(report *r, rows *t, double start)
 
     page_print(p, "<div class=\"drawing\">\n");
     put_lines(p, controls);
-    page_print(p, "<div id=\"fourlink-panels\" hidden=\"hidden\"></div>\n");
+    page_print(p, "<div id=\"fourlink-panels\" data-why=\"%s\" hidden=\"hidden\"></div>\n", r->why);
     report_put_results(r);
     page_print(p, "<div id=\"fourlink-more\" hidden=\"hidden\"></div>\n"
                   "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"

@@ -66,7 +66,7 @@ function quantityText(value, unit, precision) {
 
 /* Step i of the motion, in the deck's unit: its crank angle, or its time if the deck has rows by time. */
 function stepText(data, i) {
-    const text = String(data.steps[i]).replace("-", "−"), unit = data.units[data.over === "time" ? "time" : "angle"];
+    const text = String(Number(data.steps[i].toPrecision(6))).replace("-", "−"), unit = data.units[data.over === "time" ? "time" : "angle"];
     return withUnit(text, unit).replace("\u00a0", " ");
 }
 

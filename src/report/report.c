@@ -104,7 +104,7 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
     const char *at = r->request->at;
-    char number[FORMAT_SIZE], typeset[NOTATION_SIZE];
+    char number[FORMAT_SIZE], typeset[NOTATION_SIZE], why[VIEW_WHY];
     double angle;
 
     if (at && !read_angle(r, &angle, mistake))
@@ -116,6 +116,9 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number),
                   isalpha((unsigned char)*typeset) ? "\302\240" : "", typeset, (char *)NULL);
+    if (!at && r->now.status == FOURLINK_OK)
+        flk_text_join(r->why, sizeof r->why, view_tell_position(&r->v, &r->now, r->loads, why),
+                      (char *)NULL);
     r->drawn_at = r->request->at;
     if (r->v.problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =

@@ -41,6 +41,7 @@ typedef struct report {
     fourlink_instant now; /* its status says why there is none */
     fourlink_load *loads; /* at its crank angle */
     char at[60];          /* its crank angle, with its unit */
+    char why[VIEW_WHY];   /* it was chosen; "": it was asked for, or there is none */
     const char *drawn_at; /* --plot-at of the pictures; null: they choose the same angle */
     char exact[FORMAT_SIZE + 40];
 } report;

@@ -32,7 +32,6 @@ static void set_sizes(const report *r, math *m)
 void report_put_sample(report *r)
 {
     page *p = &r->page;
-    char why[VIEW_WHY];
     math m;
 
     page_section(p, "sample", "Sample calculation");
@@ -41,9 +40,8 @@ void report_put_sample(report *r)
                    fourlink_status_text(r->now.status));
         return;
     }
-    if (!r->request->at)
-        page_print(p, "<p>Chosen position: %s.</p>\n",
-                   view_tell_position(&r->v, &r->now, r->loads, why));
+    if (*r->why)
+        page_print(p, "<p>Chosen position: %s.</p>\n", r->why);
     memset(&m, 0, sizeof m);
     m.p = p;
     set_sizes(r, &m);

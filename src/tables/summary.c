@@ -136,9 +136,11 @@ void summary_put_fact(sheet *s, const fourlink_value *f)
 /* A measure of rounding has no angle, and two digits. */
 static void put_extreme(sheet *s, const fourlink_value *f, int digits, size_t taken)
 {
-    put_number(s, f->value, digits, taken);
-    if (f->has_angle)
-        line_value(&s->l, f->angle, GSL_MIN(digits, EXTREME_DIGITS), EXTREME_ANGLE);
+    fourlink_value x = view_settled(&s->v, f);
+
+    put_number(s, x.value, digits, taken);
+    if (x.has_angle)
+        line_value(&s->l, x.angle, GSL_MIN(digits, EXTREME_DIGITS), EXTREME_ANGLE);
     else
         line_field(&s->l, "", EXTREME_ANGLE);
 }

@@ -73,6 +73,8 @@ void table_put_column(sheet *s, const fourlink_value *c)
     put_entry(s, c->name, c->unit, c->meaning, c->source);
 }
 
+#define NARROW 80 /* no room beside the longest verdict for a long path */
+
 void table_put_check(sheet *s, const fourlink_check *c)
 {
     size_t start = line_here(&s->l);
@@ -87,7 +89,7 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, c->hint[0] ? ", %s; hint: %s" : ", %s", fourlink_branch_text((int)c->branch),
              c->hint);
-    line_finish(&s->l, start, s->width, 19);
+    line_finish(&s->l, start, s->width, s->width < NARROW ? 4 : 19);
 }
 
 /* Write the counts of this deck's comparisons, and its score. */

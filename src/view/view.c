@@ -332,6 +332,46 @@ double view_si(const view *v, quantity q, double value)
     return value * v->units[q].up / v->units[q].down;
 }
 
+int view_is_still(const view *v)
+{
+    const fourlink_motion *motion = &v->problem.motion;
+
+    return v->problem.mode == FOURLINK_MODE_GIVEN && motion->speed == 0 &&
+           motion->acceleration == 0;
+}
+
+double view_rounding(const view *v, const char *of, double omega)
+{
+    static const struct {
+        quantity q;
+        int is_length, power; /* omega^power, times the length of the crank */
+    } measures[] = {{QUANTITY_ANGULAR_SPEED, 0, 1},
+                    {QUANTITY_ANGULAR_ACCELERATION, 0, 2},
+                    {QUANTITY_SPEED, 1, 1},
+                    {QUANTITY_ACCELERATION, 1, 2}};
+    double length = v->design->link[FOURLINK_CRANK].length, size;
+    size_t i;
+
+    for (i = 0; i < sizeof measures / sizeof measures[0]; i++)
+        if (strcmp(of, flk_quantities[measures[i].q].name) == 0) {
+            size = pow(omega, measures[i].power) * (measures[i].is_length ? length : 1);
+            return FORMAT_ROUNDING * fabs(view_value(v, measures[i].q, size));
+        }
+    return 0;
+}
+
+fourlink_value view_settled(const view *v, const fourlink_value *extreme)
+{
+    fourlink_value x = *extreme;
+
+    if (v->problem.mode == FOURLINK_MODE_GIVEN && x.value != 0 &&
+        fabs(x.value) < view_rounding(v, x.quantity, v->problem.motion.speed)) {
+        x.value = 0;
+        x.has_angle = 0;
+    }
+    return x;
+}
+
 double view_torque_rounding(const view *v, const fourlink_forces *forces)
 {
     if (v->problem.mode == FOURLINK_MODE_GIVEN)

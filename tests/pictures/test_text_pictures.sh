@@ -23,6 +23,10 @@ done
 for name in 'velocity polygon, y (m/s)' 'acceleration polygon, y (m/s2)' 'free body of the rod, y (mm)' 'forces on the piston, y (N)'; do
     check "a terminal's vectors: $name" grep -qF -e "$name" vectors-engine.txt
 done
+run 0 -b open --plot=x.txt "$data/alvi-5.1.deck"
+check 'the coupler is told from the rocker and the crank' awk '
+    {crank += gsub(/\*/, ""); coupler += gsub(/#/, ""); rocker += gsub(/\$/, "")}
+    END {exit !(crank > 5 && crank < 15 && coupler > 20 && rocker > 12)}' x.txt
 check 'moment and mean are told apart' grep -q -e '-Ts \*\**mean ##*' turning-moment-engine.txt
 for kind in motion forces turning-moment polar; do
     run 0 --plot-script=x.gp --plot=x.txt --plot-kind=$kind "$fourbar"

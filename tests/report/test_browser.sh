@@ -241,6 +241,26 @@ places limited 'B C' 0
 check "limited: the crank alone" grep -q '^place open 180 B' limited.out
 check "limited: no coupler" none '^place open 180 C' limited.out
 
+# --------------------------------------------------------------------------------------------- what says nothing
+
+# shown NAME WORDS: the page of NAME.html has these words when its script has run.
+shown() {
+    browse --dump-dom "file://$work/$1.html" >"$1.dom"
+    check "$1: '$2' is not there" grep -qF -- "$2" "$1.dom"
+}
+
+run 0 --report=where.html "$tests/look/inverted.deck"
+shown where 'Mechanism at open, θ₂ = 100°, where cut acts'
+check 'where: a velocity polygon' grep -q 'Velocity polygon' where.dom
+check 'where: no rounding in the row of the table' none 'data-column="residual"' where.dom
+check 'where: the caption of the picture' grep -q 'at θ₂ = 100°, where cut acts.</figcaption>' where.html
+run 0 --report=odd.html --plot-at='65.12033235 deg' "$tests/look/inverted.deck"
+shown odd 'Mechanism at open, θ₂ = 65.1203°<'
+run 0 --synthesis --report=still.html "$data/synthesis/khurmi-5.2.deck"
+shown still 'Mechanism at θ₂ = 60°'
+check 'still: polygons without a speed' none '<span>\(Velocity\|Acceleration\) polygon' still.dom
+check 'still: a largest speed without a speed' none 'largest speed' still.html
+
 # ------------------------------------------------------------------------------------------------------- on paper
 
 for size in A4 Letter; do

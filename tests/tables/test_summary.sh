@@ -221,4 +221,23 @@ check 'of both branches' none '^end .*open' out
 run 0 -S -f csv stalls.deck
 check 'csv has both' test "$(grep -c '^end,' out)" -eq 2
 
+# a parallelogram: its coupler does not turn, and what is computed of that is rounding
+cat >parallel.deck <<'DECK'
+mechanism = four-bar
+[ground]
+length = 100 mm
+[crank]
+length = 40 mm
+[coupler]
+length = 100 mm
+[rocker]
+length = 40 mm
+[motion]
+speed = 120 rpm
+interval = 15 deg
+DECK
+run 0 -b open -S parallel.deck
+holds 'rounding is 0, without a crank angle' '
+    $1 ~ /^(omega3|alpha3|alpha4)$/ {n += $2 == "0" && $3 == "0" && $4 ~ /^rad/} END {exit n != 3}'
+
 finish

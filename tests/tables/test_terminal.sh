@@ -97,6 +97,10 @@ for width in 60 80 100 120; do
         check "no blanks at the end of a line of $option" none ' $' out
     done
 done
+mkdir -p a-folder-of-a-class-with-a-long-name
+cp "$matrix" a-folder-of-a-class-with-a-long-name/m.deck
+shows 60 --check a-folder-of-a-class-with-a-long-name/m.deck
+fits 60
 shows 80 --list "$matrix"
 holds 'meanings go on below themselves' '/^ /{n++; if (substr($0, 1, 28) ~ /[^ ]/ || substr($0, 29, 1) == " ") bad = 1} END {exit bad || n < 5}'
 for option in --list --summary --check; do

@@ -38,18 +38,38 @@ function table(place, columns, forms, rows) {
     place.replaceChildren(html("table", {class: "rows"}, html("thead", {}, html("tr", {}, ...names)), body));
 }
 
-/* A fact's name: a symbol, words, or the largest value of one. */
+/* A fact's name: a symbol, words, or the mean of one. */
 function nameOf(fact) {
     return fact.of ? [fact.of + "(", htmlLabel(fact.label), ")"] : [htmlLabel(fact.label)];
 }
 
+/* The extremes of a column on a branch together: [[largest, smallest] ...]; one of them may be missing.  Those of a
+** residual are rounding. */
+function pairsOf(extremes) {
+    const pairs = new Map();
+    for (const f of extremes.filter((x) => !/residual/.test(x.label[0]))) {
+        const key = f.label + " " + f.branch;
+        pairs.set(key, Object.assign(pairs.get(key) || [], {[f.of === "max" ? 0 : 1]: f}));
+    }
+    return [...pairs.values()];
+}
+
 function facts(place, list, angleUnit) {
-    const lines = list.map((f) => html("tr", {}, html("th", {scope: "row", title: f.name}, ...nameOf(f)),
-        html("td", {class: "figure"}, shown(f.value, 6)), html("td", {}, unitText(f.unit || "")),
-        html("td", {class: "figure"}, f.theta2 === null ? "" : withUnit(shown(f.theta2, 6), angleUnit)),
+    const figure = (f) => html("td", {class: "figure"}, f ? shown(f.value, 6) : "");
+    const at = (f) => html("td", {class: "figure"}, !f || f.theta2 === null ? "" : withUnit(shown(f.theta2, 6), angleUnit));
+    const isExtreme = (f) => f.of === "max" || f.of === "min";
+    const put = (kind, names, lines) => html("table", {class: kind}, head(...names), html("tbody", {}, ...lines));
+    const single = list.filter((f) => !isExtreme(f)).map((f) => html("tr", {},
+        html("th", {scope: "row", title: f.name}, ...nameOf(f)), figure(f), html("td", {}, unitText(f.unit || "")), at(f),
         html("td", {}, f.branch || ""), html("td", {}, f.meaning)));
-    place.replaceChildren(html("table", {class: "facts"}, head("Fact", "Value", "Unit", "at θ₂", "Branch", "Meaning"),
-                               html("tbody", {}, ...lines)));
+    const pairs = pairsOf(list.filter(isExtreme)).map(([most, least]) => {
+        const one = most || least;
+        return html("tr", {}, html("th", {scope: "row", title: one.meaning}, htmlLabel(one.label)), figure(most),
+                    html("td", {}, unitText(one.unit || "")), at(most), figure(least), at(least), html("td", {}, one.branch || ""));
+    });
+    place.replaceChildren(put("facts", ["Fact", "Value", "Unit", "at θ₂", "Branch", "Meaning"], single));
+    if (pairs.length)
+        place.append(put("facts", ["Column", "Largest", "Unit", "at θ₂", "Smallest", "at θ₂", "Branch"], pairs));
 }
 
 /* What --check prints, a line each; `select` selects a line of the deck. */
