@@ -375,6 +375,7 @@ CALLED(web_report) int web_report(void)
     if (!begin_answer())
         return 0;
     request.opened = drawn;
+    request.found = NULL;
     request.at = *input ? input : NULL;
     done = report_write(out, &drawn_source, &request, &outcome, &mistake);
     return end_answer() && done > 0;
