@@ -224,7 +224,7 @@ static void put_values(sketch *s, const picture *p, const fourlink_state *state,
     put_length(s, p, "IY", lengths->IY);
     if (has_mass) {
         figure_note(s, p, "FT", lengths->FT, QUANTITY_FORCE);
-        sketch_note(s, "FT IB = F" NOTATION_SUB "C IY - W" NOTATION_SUB "C IX");
+        sketch_note(s, "FT IB = m " OMEGA SUB_2 SQUARE " gO IY - m g IX");
     }
     figure_slope(s, p);
 }

@@ -27,6 +27,6 @@ check 'no arms about a centre at infinity' none 'I[XY] = ' k.gp
 run 0 --plot-script=k.gp --plot-kind=klein --branch=open --plot-at='60 deg' "$engine"
 check 'arms about the centre' test "$(grep -c 'I[XY] = ' k.gp)" -eq 2
 check 'names typeset' none '[FW]_C ' k.gp
-check 'with subscripts' grep -q 'FT IB = F.*C.* IY - W.*C.* IX' k.gp
+check 'the crank effort by moments' grep -q 'FT IB = m ω₂² gO IY - m g IX' k.gp
 
 finish
