@@ -201,8 +201,9 @@ void flk_build_friction(parser *p)
     if (!use)
         return;
     for (i = 0; i < 4; i++) {
-        has_pins |= IS_SET(flk_setting_of(use, KEY_FRICTION_A + i));
-        friction->circle[i] = build_circle(p, use, KEY_FRICTION_A + i, KEY_FRICTION_RADIUS_A + i);
+        has_pins |= IS_SET(flk_setting_of(use, (key_code)(KEY_FRICTION_A + i)));
+        friction->circle[i] = build_circle(p, use, (key_code)(KEY_FRICTION_A + i),
+                                           (key_code)(KEY_FRICTION_RADIUS_A + i));
         lacks_radius |= friction->circle[i] < 0;
     }
     if (lacks_radius && !use->is_mistaken)

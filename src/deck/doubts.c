@@ -140,11 +140,11 @@ static void check_friction(parser *p)
     int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
 
     for (i = 0; i < 4; i++) {
-        const setting *radius = flk_setting_find(p, KEY_FRICTION_RADIUS_A + i);
+        const setting *radius = flk_setting_find(p, (key_code)(KEY_FRICTION_RADIUS_A + i));
 
         circle = p->d->machine.friction.circle[i];
-        if (check_above_one(p, flk_setting_find(p, KEY_FRICTION_A + i), words) || is_large ||
-            !(circle > crank))
+        if (check_above_one(p, flk_setting_find(p, (key_code)(KEY_FRICTION_A + i)), words) ||
+            is_large || !(circle > crank))
             continue;
         flk_mistake(
             NOTES(p), (IS_SET(radius) ? radius : all)->place,
