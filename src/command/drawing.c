@@ -160,7 +160,7 @@ int drawing_end(drawing *d, int keep)
 
 /* ---------------------------------------------------------------------------------------- the report */
 
-int reporting_write(const input *in)
+int drawing_report(const input *in)
 {
     const char *path = in->o->report;
     report_outcome outcome;

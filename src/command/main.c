@@ -217,7 +217,7 @@ static int run_inputs(const options *o, const grade_answers *answers, const inpu
     }
     status = command_worse(status, write_all(o, inputs, n, usable));
     if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !system_caught())
-        status = command_worse(status, reporting_write(&inputs[0]));
+        status = command_worse(status, drawing_report(&inputs[0]));
     for (i = 0; i < n; i++)
         input_close(&inputs[i]);
     free(inputs);

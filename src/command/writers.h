@@ -21,6 +21,6 @@ int best_write(FILE *out, const input *in);
 int solutions_write(FILE *out, const input *in);
 
 /* In drawing.c: the report that the options ask for. */
-int reporting_write(const input *in);
+int drawing_report(const input *in);
 
 #endif

@@ -466,12 +466,11 @@ static void end_piece(search *x)
 }
 
 /* In each skipped period an angle makes as many turns as in the first. */
-static void skip_turns(search *x)
+static void skip_turns(search *x, double periods)
 {
-    double periods = floor(x->samples.f.skipped / x->samples.f.motion.period + 0.5);
     size_t c;
 
-    for (c = 0; c < x->samples.n_columns; c++) {
+    for (c = 0; c < x->samples.n_columns && periods > 0; c++) {
         flk_followed *t = &x->samples.columns[c].of;
 
         t->last += flk_followed_per_period(t) * periods;
@@ -550,8 +549,7 @@ static void search_motion(search *x, flk_extreme_pair *pairs)
         if (!s->is_whole)
             continue;
         end_piece(x);
-        if (s->f.skipped > 0 && fabs(s->f.piece.to - s->f.motion.period) < 1e-6)
-            skip_turns(x);
+        skip_turns(x, flk_follow_skips(&s->f));
     }
     finish(x, has_gap, pairs);
 }

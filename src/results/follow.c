@@ -10,6 +10,7 @@
 #include "follow.h"
 
 #define INSIDE 5e-11  /* rad, from an end into the piece */
+#define CLOSE 1e-6    /* rad, of the end of a piece and that of a period */
 #define MOST_ROWS 4e6 /* of a walk without loads: a second or two */
 
 void flk_follow_all(flk_follower *f)
@@ -53,6 +54,13 @@ void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch)
 int flk_follow_next(flk_follower *f)
 {
     return flk_pieces_next(&f->motion, &f->piece);
+}
+
+double flk_follow_skips(const flk_follower *f)
+{
+    return f->skipped > 0 && fabs(f->piece.to - f->motion.period) < CLOSE
+               ? floor(f->skipped / f->motion.period + 0.5)
+               : 0;
 }
 
 int flk_follow_is_root(flk_piece_end end)

@@ -32,6 +32,9 @@ void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch);
 void flk_follow_all(flk_follower *f);
 int flk_follow_next(flk_follower *f);
 
+/* How many periods are skipped behind the present piece, the last one of the first period; 0 behind others. */
+double flk_follow_skips(const flk_follower *f);
+
 /* 1 if the linkage can be assembled in the piece. */
 int flk_follow_is_reached(const flk_follower *f);
 

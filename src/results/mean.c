@@ -186,6 +186,7 @@ static void integrate_piece(means *m)
 static void integrate_motion(means *m)
 {
     flk_follower *x = &m->x;
+    double periods;
     int has_gap = 0, is_first = 1;
 
     for (; !is_done(m) && flk_follow_next(x); is_first = 0) {
@@ -199,9 +200,10 @@ static void integrate_motion(means *m)
             start_anew(m, GSL_NAN);
             has_gap = 1;
         }
-        if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6) {
-            add(&m->total, &m->total, floor(x->skipped / x->motion.period + 0.5));
-            add(&m->here, &m->here, floor(x->skipped / x->motion.period + 0.5));
+        periods = flk_follow_skips(x);
+        if (periods > 0) {
+            add(&m->total, &m->total, periods);
+            add(&m->here, &m->here, periods);
         }
     }
     if (has_gap)
