@@ -5,8 +5,8 @@
 **
 ** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
 ** twice per degree, and base/solve finds where they cross a level between two samples.  At which angle a
-** speed crosses a level depends on the speed of the crank; such levels are corners only if that is one, given
-** speed.  Elsewhere they are left out: curves are smooth there but for their second derivative.
+** speed crosses a level depends on the speed of the crank: such levels are corners only if the crank has one
+** given speed.  Otherwise they are left out: only the second derivative of a curve jumps there.
 */
 #include <math.h>
 #include <stdlib.h>
