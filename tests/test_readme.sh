@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_readme.sh BUILD_DIR [pictures] - what README.md, doc/*.md and data/*.md show is what the program prints: every
-# block under a comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers
-# to a few units of their last digit, which may differ between machines.  A block under <!-- > NAME --> is
-# a file for these commands; the lines of one under <!-- run --> are run.  The first whole program in C of a
+# block that begins with "$ COMMAND" is compared with the output of that command, word by word, numbers to a few
+# units of their last digit, which may differ between machines; so is a block under a comment <!-- $ COMMAND -->,
+# for a file that is shown.  A block under <!-- > NAME --> is a file for these commands; the lines of one under
+# <!-- run --> are run.  The first whole program in C of a
 # document is compiled, and is the command "example" of that document.  The tests that doc/accuracy.md names are there.
 # Lines that draw pictures need gnuplot: they are run with the argument "pictures" only, and the other lines of their
 # block before them.
@@ -63,6 +64,8 @@ blocks() {
     name && /^```/ {if (opened) {close(name); name = ""} opened = !opened; next}
     name && opened {print >> name; next}
     /^<!-- \$ .* -->$/ {n++; sub(/^<!-- \$ /, ""); sub(/ -->$/, ""); print > (folder "/command." n); wait = 1; next}
+    /^```console$/ {first = 1; next}
+    first {first = 0; n++; print substr($0, 3) > (folder "/command." n); inside = 1; printf "" > (folder "/expected." n); next}
     wait && /^```/ {wait = 0; inside = 1; printf "" > (folder "/expected." n); next}
     inside && /^```/ {inside = 0; next}
     inside {print > (folder "/expected." n)}' "$1"

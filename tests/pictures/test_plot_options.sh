@@ -194,7 +194,7 @@ lines err 1
 long_title >long.deck
 for case in mechanism:97 motion:108; do
     run 0 --plot-script=x.gp --plot-kind=${case%:*} long.deck
-    sed -n 's/^title = "\(\(äé\)*ä*\)…"$/\1/p' x.gp >title
+    sed -n 's/^title = "\(\(äé\)*\(ä\)*\)…"$/\1/p' x.gp >title
     check "letters of a long title: $(wc -c <title) bytes" test "$(wc -c <title)" -eq $((2 * ${case#*:} + 1))
 done
 
