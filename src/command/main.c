@@ -166,7 +166,9 @@ static int write_sheet(const options *o, const input *inputs, size_t n)
 
     if (status)
         return status;
-    if (o->print_deck || (prints_found(o, &inputs[0]) && !o->has_format))
+    if (o->lists_all)
+        written = catalogue_write(out.file, o);
+    else if (o->print_deck || (prints_found(o, &inputs[0]) && !o->has_format))
         written = write_deck(out.file, &inputs[0]);
     else if (o->best)
         written = best_write(out.file, &inputs[0]);
@@ -300,7 +302,8 @@ static int run(const options *o)
 
     status = grade_open(&answers, o);
     if (!status)
-        status = o->all_designs    ? run_variants(o)
+        status = o->lists_all      ? write_sheet(o, NULL, 0)
+                 : o->all_designs  ? run_variants(o)
                  : answers.n_files ? run_class(o, &answers)
                                    : run_inputs(o, &answers, NULL);
     grade_close(&answers);

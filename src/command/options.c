@@ -10,6 +10,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "base/system.h"
 #include "options.h"
 #include "tables/content.h"
 #include "terminal.h"
@@ -261,7 +262,8 @@ static const option_info table[] = {
      "solutions"},
     {0, "--solution", "K", OWN(set_solution), "take solution K, from 1"},
     {0, "--names", "FILE", MEMBER(names), "names for the files of --design=all, one a line"},
-    {'l', "--list", NULL, CONTENT(SHEET_LIST), "list columns and facts of the deck, with meanings"},
+    {'l', "--list", NULL, CONTENT(SHEET_LIST),
+     "list columns and facts, with meanings: of the deck or, without a deck, all"},
     {'h', "--help", NULL, MEMBER(help), "print this text"},
     {'V', "--version", NULL, MEMBER(version), "print the version"}};
 
@@ -527,6 +529,14 @@ static int complete_plot(options *o, char message[400])
     return 1;
 }
 
+/* 1 if no deck comes from standard input: it is a terminal, or empty. */
+static int has_no_input(void)
+{
+    int first = system_is_terminal(stdin) ? EOF : getc(stdin);
+
+    return first == EOF || ungetc(first, stdin) == EOF;
+}
+
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -571,6 +581,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     formats_of(o->content, ", ", " or ", names));
         return 0;
     }
+    o->lists_all = !o->n_decks && o->content == SHEET_LIST && !o->n_changes && has_no_input();
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
     why = find_further_conflict(o);

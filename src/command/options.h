@@ -32,6 +32,7 @@ typedef struct options {
     const char *names;         /* the list of names for its files; null: numbers */
     int is_again;              /* 1: the notes on this deck have been told */
     const char *variant;       /* the file of the one design of all that is computed; null: none */
+    int lists_all;             /* 1: --list without a deck */
     int print_deck;            /* 1: print the deck instead of rows */
     int synthesis;             /* 1: find the linkage of the deck's [synthesis] */
     unsigned long solution;    /* --solution=K, from 1; 0: not given */

@@ -20,6 +20,9 @@ int best_write(FILE *out, const input *in);
 /* In solutions.c: a line for each solution of a [synthesis]. */
 int solutions_write(FILE *out, const input *in);
 
+/* In catalogue.c: the columns and facts of any deck. */
+int catalogue_write(FILE *out, const options *o);
+
 /* In drawing.c: the report that the options ask for. */
 int drawing_report(const input *in);
 

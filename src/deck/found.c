@@ -31,15 +31,28 @@ static int run_task(deck_synthesis *t, unsigned long max)
     }
 }
 
-/* The lengths of a function generator are found for a ground of 1 m if another link is given. */
+/* The lengths of a function generator are found for a ground of 1 m if another link is given, then scaled. */
 static int run_scaled(deck_synthesis *t, unsigned long max)
 {
-    int status = run_task(t, max);
+    int status = run_task(t, max), i;
+    fourlink_solution *s = t->solutions;
+    double scale;
 
     if (status != FOURLINK_OK || !t->scaled_link)
         return status;
-    t->function.ground = t->scaled_length / t->solutions[0].design.link[t->scaled_link].length;
-    return run_task(t, max);
+    scale = t->scaled_length / s->design.link[t->scaled_link].length;
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        s->design.link[i].length *= scale;
+        if (!(s->design.link[i].length <= FOURLINK_LENGTH_MAX))
+            return FOURLINK_INFINITE_LINK;
+        if (!(s->design.link[i].length >= FOURLINK_LENGTH_MIN))
+            return FOURLINK_NO_LENGTH;
+    }
+    s->design.link[t->scaled_link].length = t->scaled_length;
+    s->a *= scale;
+    s->c *= scale;
+    t->function.ground = s->design.link[FOURLINK_GROUND].length;
+    return status;
 }
 
 static void note(parser *p)
@@ -51,6 +64,10 @@ static void note(parser *p)
         flk_mistake(NOTES(p), t->place,
                     "the transmission angle falls to %.4g deg at theta2 = %.4g deg, below %.4g deg",
                     FLK_DEGREES(s->mu_min), FLK_DEGREES(s->mu_min_at), FLK_DEGREES(t->mu_min));
+    if (s->is_better_longer)
+        flk_mistake(NOTES(p), t->place,
+                    "the fit is the better the longer the links are; this is the best one within a "
+                    "ratio of 100");
     if (s->ratio > RATIO_USUAL)
         flk_mistake(NOTES(p), t->place,
                     "the longest link is %.4g times as long as the shortest one", s->ratio);
@@ -137,8 +154,7 @@ static void set_lengths(parser *p)
         set(p, "lever", "angle", flk_found_value(p, design->angle, QUANTITY_ANGLE));
 }
 
-/* The working range with all positions, which an order defect may have outside it, unless it is a full turn,
-** or the deck says what moves. */
+/* The working range, unless it is a full turn or the deck says what moves. */
 static void set_range(parser *p)
 {
     static const key_code others[] = {KEY_MOTION_AT,   KEY_MOTION_TURNS,  KEY_MOTION_MODE,
@@ -153,10 +169,6 @@ static void set_range(parser *p)
     for (i = 0; i < n; i++)
         if (IS_SET(flk_setting_find(p, others[i])))
             return;
-    for (i = 0; i < s->n_positions; i++) {
-        low = GSL_MIN(low, s->position[i].theta2);
-        high = GSL_MAX(high, s->position[i].theta2);
-    }
     if (high - low > 2 * M_PI - 1e-9 || high == low)
         return;
     set(p, "motion", "from", flk_found_value(p, rises ? low : high, QUANTITY_ANGLE));

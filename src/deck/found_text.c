@@ -3,6 +3,7 @@
 ** found_text.c - the linkage found for [synthesis] in the text of its deck: comments on what was found and
 ** checked, and [expect] sections with the wanted values.
 */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +14,8 @@
 #include "reader.h"
 #include "synthesis.h"
 
-#define DEAD 1e-6      /* rad, for links of one length: below it rounding decides what is dead */
+#define DEAD \
+    1e-6 /* rad, for links of one length; else times the root of their ratio: below it rounding decides what is dead */
 #define ROUNDING 1e-12 /* relative, of the values that prove a linkage */
 
 /* Add an item to a list: " 1, 3". */
@@ -174,7 +176,8 @@ static void put_position(page *g, const fourlink_precision *at, const char *poin
 {
     const deck_synthesis *t = g->p->d->synthesis;
     const fourlink_solution *s = t->chosen;
-    double small = ROUNDING * growth(s, at->mu), size = 0, error = 0;
+    double rounding = ROUNDING + 4 * DBL_EPSILON * fabs(at->theta2);
+    double small = rounding * growth(s, at->mu), size = 0, error = 0;
     char name[2 * DECK_NAME_SIZE];
     int k;
 
@@ -213,10 +216,10 @@ static void put_positions(page *g, const char *point_name)
 
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *at = &s->position[i];
-        int status = !is_reached(g->p, at->theta2) ? FOURLINK_NO_SUCH_ANGLE
-                     : at->status != FOURLINK_OK   ? at->status
-                     : at->mu > DEAD * s->ratio    ? FOURLINK_OK
-                                                   : FOURLINK_DEAD_POSITION;
+        int status = !is_reached(g->p, at->theta2)    ? FOURLINK_NO_SUCH_ANGLE
+                     : at->status != FOURLINK_OK      ? at->status
+                     : at->mu > DEAD * sqrt(s->ratio) ? FOURLINK_OK
+                                                      : FOURLINK_DEAD_POSITION;
 
         if (status == FOURLINK_OK)
             put_position(g, at, point_name);

@@ -2,10 +2,11 @@
 **
 ** crossing.c - the crank angles at which a column has a value.
 **
-** The column is sampled piece by piece (samples.c).  Between two samples on different sides of the value,
-** base/solve finds the zero of the difference.  Where three samples approach the value and turn back, their
-** extreme may touch it.  A column does not have a value over which it jumps: at the end of a piece, through
-** infinity, or as an angle half a turn away.
+** The column is sampled piece by piece (samples.c), closer beside the ends of a piece, poles and samples
+** without a value.  Between two samples on different sides of the value, base/solve finds the zero of the
+** difference.  Where three samples approach the value and turn back, their extreme may touch it.  At whatever
+** place that leads to, the row itself must have the value: a jump across it is no crossing, neither of a load,
+** nor through infinity, nor of an angle by half a turn.
 */
 #include <math.h>
 #include <string.h>
@@ -15,15 +16,15 @@
 #include "base/solve.h"
 #include "crossing.h"
 
-#define EXACT 1e-9      /* of the column's size: closer, it has the value */
+#define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
 #define SAME 1e-7       /* rad: closer crank angles are the same */
 
 /* Samples here are of the column minus the value sought; NaN: it is undefined. */
 typedef struct crossings {
     flk_samples x;
-    const flk_sampled *c;
-    double value, size;
+    flk_sampled *c;
+    double value;
     double side;        /* 1 or -1: the side of the present samples */
     double first, last; /* rad passed at the first and the last crossing found */
     unsigned long max, n;
@@ -47,18 +48,80 @@ static double off_at(double s, void *data)
     return off_of(k, flk_samples_value(&k->x, k->c, s, GSL_NAN));
 }
 
-static double size_of(const crossings *k)
+static int is_at_limit(const crossings *k, double s)
 {
-    return GSL_MAX_DBL(k->c->of.turn > 0 ? k->c->of.turn : k->size, fabs(k->value));
+    return (s <= 0 && flk_follow_has_limit(k->x.f.piece.begin)) ||
+           (s >= 1 && flk_follow_has_limit(k->x.f.piece.end));
 }
 
-/* Keep the crossing at a parameter, if the column has the value there and it is not the last crossing
-** found. */
-static void keep(crossings *k, double s)
+/* The same of the row as it is printed, and the row; by the limit of the column where there is none. */
+static double off_of_row(double s, crossings *k, flk_row *row)
 {
-    double passed = flk_follow_corner(&k->x.f, s), off = off_at(s, k);
+    double off;
 
-    if (!(fabs(off) <= EXACT * size_of(k)) || fabs(passed - k->last) < SAME)
+    k->x.f.a->is_fast = 0;
+    flk_follow_row(&k->x.f, flk_column_need(k->c->of.c), flk_follow_corner(&k->x.f, s), row);
+    k->x.f.a->is_fast = 1;
+    off = off_of(k, flk_column_value(k->c->of.c, row));
+    return gsl_isnan(off) && is_at_limit(k, s) ? off_at(s, k) : off;
+}
+
+static double row_at(double s, void *data)
+{
+    flk_row row;
+
+    return off_of_row(s, data, &row);
+}
+
+/* The scale of a row: the largest magnitude of the column's quantity in it, of what is computed for the column.
+** A column can be alone of its quantity, or the others 0: how far it is from the value around the row counts too. */
+static double scale_of(const crossings *k, const flk_row *row, double around)
+{
+    const flk_column *c = k->c->of.c;
+    flk_column other;
+    double scale = GSL_MAX_DBL(fabs(k->value), around);
+    size_t i;
+
+    if (k->c->of.turn > 0)
+        return k->c->of.turn;
+    for (i = 0; i < flk_column_limit(k->x.f.a->d); i++)
+        if (flk_column_number(k->x.f.a, i, &other) &&
+            flk_column_quantity(&other) == flk_column_quantity(c) &&
+            !(flk_column_need(&other) & ~flk_column_need(c))) {
+            double size = fabs(flk_column_value(&other, row));
+
+            scale = size > scale && gsl_finite(size) ? size : scale;
+        }
+    return scale;
+}
+
+/* 1 where rows can be rounding error. */
+#define CLOSE 1e-5 /* rad, to a dead position or a change point */
+
+static int is_close_to_limit(const crossings *k, double passed)
+{
+    const flk_limit *l = k->c->limit;
+    int end;
+
+    for (end = 0; end < 2; end++)
+        if (l[end].reach >= 0 && fabs(passed - l[end].edge) < CLOSE)
+            return 1;
+    return flk_sampled_is_rounded(k->c, passed);
+}
+
+/* Keep the crossing at a parameter, if the row as it is printed has the value and it is not the last crossing
+** found. */
+static void keep(crossings *k, double s, double around)
+{
+    double passed = flk_follow_corner(&k->x.f, s), off;
+    flk_row row;
+
+    if (fabs(passed - k->last) < SAME)
+        return;
+    off = off_of_row(s, k, &row);
+    if (is_close_to_limit(k, passed))
+        around = 0; /* the values around the row are no smoother than it is */
+    if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;
     if (k->n < k->max)
         k->angles[k->n] = flk_follow_angle(&k->x.f, passed);
@@ -73,7 +136,7 @@ static int turns_over(const crossings *k, const flk_sample *a, const flk_sample 
     return k->c->of.turn > 0 && fabs(a->value - b->value) > 0.5 * k->c->of.turn;
 }
 
-static void search_step(crossings *k, const flk_sample *a, const flk_sample *b)
+static void search_step(crossings *k, const flk_sample *a, const flk_sample *b, double around)
 {
     flk_bracket bracket;
 
@@ -81,7 +144,7 @@ static void search_step(crossings *k, const flk_sample *a, const flk_sample *b)
         (a->value < 0) == (b->value < 0))
         return;
     bracket = flk_bracket_of(a->x, b->x, a->value, b->value);
-    keep(k, flk_find_zero(off_at, k, &bracket, 0));
+    keep(k, flk_find_zero(row_at, k, &bracket, 0), around);
 }
 
 /* How far the column is beyond the value, seen from the side of the samples. */
@@ -98,6 +161,7 @@ static void search_turn(crossings *k, const flk_sample *a, const flk_sample *b, 
 {
     double sign = b->value < 0 ? -1 : 1;
     flk_sample p[3], near;
+    double around;
     int i;
 
     if (sign * a->value < 0 || sign * c->value < 0 || !(fabs(b->value) < fabs(a->value)) ||
@@ -111,12 +175,190 @@ static void search_turn(crossings *k, const flk_sample *a, const flk_sample *b, 
         p[i].value *= -sign;
     near = flk_find_peak(beyond, k, p, 0);
     near.value *= -sign;
-    if (fabs(near.value) <= EXACT * size_of(k))
-        keep(k, near.x);
+    around = GSL_MIN_DBL(fabs(a->value), fabs(c->value));
+    if (fabs(near.value) <= EXACT * GSL_MAX_DBL(around, fabs(k->value)))
+        keep(k, near.x, around);
     else {
-        search_step(k, a, &near);
-        search_step(k, &near, c);
+        search_step(k, a, &near, around);
+        search_step(k, &near, c, around);
     }
+}
+
+/* How far the column is from the value at sample i, or at the one beyond it; 0 if there is none. */
+static double off_beyond(const crossings *k, size_t i, int direction)
+{
+    double off = 0;
+    int n;
+
+    for (n = 0; n < 2 && i < k->x.n; n++, i += (size_t)direction) {
+        double here = fabs(off_of(k, k->c->v[i]));
+
+        off = here > off ? here : off;
+    }
+    return off;
+}
+
+/* How far the column is from the value around samples i and i + 1: the smaller distance of both sides, since one can
+** lead to a pole; around an end of the piece. */
+static double around_step(const crossings *k, size_t i)
+{
+    return GSL_MIN_DBL(off_beyond(k, i, -1), off_beyond(k, i + 1, 1));
+}
+
+#define DISTANCE 0.005 /* rad */
+
+static double around_end(const crossings *k, int at_end)
+{
+    const flk_piece *p = &k->x.f.piece;
+    double distance = GSL_MIN_DBL(DISTANCE, (p->to - p->from) / 4);
+    double end = at_end ? p->to : p->from;
+    int direction = at_end ? -1 : 1;
+    size_t i = at_end ? k->x.n - 1 : 0;
+
+    while (i < k->x.n && fabs(flk_follow_corner(&k->x.f, k->x.s[i]) - end) < distance)
+        i += (size_t)direction;
+    return off_beyond(k, i, direction);
+}
+
+/* Where samples have no value, since rows are close to rounding error, take that of the row. */
+static void take_row(crossings *k, size_t i)
+{
+    double s = k->x.s[i], off;
+
+    if (!gsl_isnan(k->c->v[i]) || s <= 0 || s >= 1)
+        return;
+    off = row_at(s, k);
+    k->c->v[i] = off + k->value;
+}
+
+/* Insert a sample, or its row, before sample i; 0 if there is no room. */
+static int insert(crossings *k, size_t i, double s)
+{
+    if (!flk_samples_insert(&k->x, i, s))
+        return 0;
+    take_row(k, i);
+    return 1;
+}
+
+/* Insert samples from sample i towards its neighbour on one side, up to the last place with a value: the
+** neighbour has none.  Returns how many were inserted. */
+#define HALVINGS 25
+
+static size_t close_gap(crossings *k, size_t i, int before)
+{
+    double with = k->x.s[i], without = k->x.s[before ? i - 1 : i + 1];
+    size_t n = 0, at = before ? i : i + 1;
+    int h;
+
+    for (h = 0; h < HALVINGS; h++) {
+        double s = 0.5 * (with + without);
+
+        if (gsl_isnan(row_at(s, k))) {
+            without = s;
+            continue;
+        }
+        if (!insert(k, at, s))
+            break;
+        with = s;
+        n++;
+        at += !before;
+    }
+    return n;
+}
+
+/* Insert samples on both sides of a pole between samples i and i + 1, over which the column changes its sign. */
+typedef struct pole {
+    crossings *k;
+    double sign;
+} pole;
+
+static double side_of_pole(double s, void *data)
+{
+    const pole *p = data;
+    double value = flk_samples_value(&p->k->x, p->k->c, s, GSL_NAN);
+
+    return p->sign * value < 0 ? GSL_NEGINF : GSL_POSINF;
+}
+
+static void bound_pole(crossings *k, size_t i)
+{
+    const double *s = k->x.s, *v = k->c->v;
+    flk_bracket b;
+    double size = fabs(v[i]) + fabs(v[i + 1]);
+    pole p;
+
+    if (!gsl_finite(k->c->of.bound) || !(v[i] * v[i + 1] < 0))
+        return;
+    p.k = k;
+    p.sign = v[i] < 0 ? 1 : -1;
+    b = flk_bracket_of(s[i], s[i + 1], GSL_NEGINF, GSL_POSINF);
+    flk_find_zero(side_of_pole, &p, &b, 0);
+    if (fabs(flk_samples_value(&k->x, k->c, b.low, GSL_NAN)) > size && insert(k, i + 1, b.low))
+        insert(k, i + 2, b.high);
+}
+
+/* 1 if between samples i and i + 1 the column may turn unseen: its slope changes much. */
+#define MUCH 4
+
+static int is_bent(const crossings *k, size_t i)
+{
+    const double *v = k->c->v;
+    double least = GSL_POSINF, most = 0;
+    size_t j;
+
+    for (j = i > 0 ? i - 1 : 0; j < i + 2 && j + 1 < k->x.n; j++) {
+        double d = fabs(v[j + 1] - v[j]);
+
+        least = GSL_MIN_DBL(least, d);
+        most = GSL_MAX_DBL(most, d);
+    }
+    return most > MUCH * least;
+}
+
+/* Insert samples where the column may approach the value unseen: close to the ends of the piece, where
+** no sample shows that it turns, where its slope changes much, up to samples without a value, and beside
+** poles. */
+#define PARTS 4
+#define BESIDE_END (1.0 / 16) /* of the step */
+
+static void insert_samples(crossings *k)
+{
+    flk_samples *x = &k->x;
+    const double *s = x->s, *v = k->c->v;
+    size_t i;
+
+    for (i = 0; i < x->n; i++)
+        take_row(k, i);
+    if (x->n < 2)
+        return;
+    for (i = x->n - 1; i-- > 0;) {
+        double from = s[i], to = s[i + 1];
+        int part = is_bent(k, i) ? PARTS : 1;
+
+        while (--part > 0)
+            insert(k, i + 1, from + (to - from) * part / PARTS);
+    }
+    insert(k, 1, s[0] + BESIDE_END * (s[1] - s[0]));
+    insert(k, x->n - 1, s[x->n - 1] - BESIDE_END * (s[x->n - 1] - s[x->n - 2]));
+    for (i = 0; i + 1 < x->n; i++) {
+        if (fabs(v[i]) < k->c->of.bound && fabs(v[i + 1]) < k->c->of.bound)
+            bound_pole(k, i);
+        if ((fabs(v[i]) < k->c->of.bound) != (fabs(v[i + 1]) < k->c->of.bound))
+            i += close_gap(k, fabs(v[i]) < k->c->of.bound ? i : i + 1,
+                           !(fabs(v[i]) < k->c->of.bound));
+    }
+}
+
+/* Keep the row at an end of the piece, if it has the value; or if the column passes it from the piece before. */
+static void search_end(crossings *k, const flk_sample *end, const flk_sample *before)
+{
+    double around = around_end(k, before == NULL);
+    double scale = GSL_MAX_DBL(around, fabs(k->value));
+    int passes = before && (end->value < 0) != (before->value < 0) &&
+                 fabs(end->value - before->value) <= CONTINUOUS * scale;
+
+    if (passes || fabs(end->value) <= CONTINUOUS * scale)
+        keep(k, end->x, around);
 }
 
 static void search_piece(crossings *k, flk_sample *before)
@@ -126,20 +368,20 @@ static void search_piece(crossings *k, flk_sample *before)
 
     a.x = b.x = c.x = 0;
     a.value = b.value = c.value = GSL_NAN;
+    insert_samples(k);
     for (i = 0; i < k->x.n && !flk_follow_is_over(&k->x.f); i++) {
         a = b;
         b = c;
         c.x = k->x.s[i];
         c.value = off_of(k, k->c->v[i]);
-        if (i == 0 && (fabs(c.value) <= EXACT * size_of(k) ||
-                       (fabs(c.value - before->value) <= CONTINUOUS * size_of(k) &&
-                        (c.value < 0) != (before->value < 0))))
-            keep(k, c.x);
+        if (i == 0) {
+            search_end(k, &c, before);
+            continue;
+        }
         search_turn(k, &a, &b, &c);
-        search_step(k, &b, &c);
+        search_step(k, &b, &c, around_step(k, i - 1));
     }
-    if (fabs(c.value) <= EXACT * size_of(k))
-        keep(k, c.x);
+    search_end(k, &c, NULL);
     *before = c;
 }
 
@@ -152,8 +394,8 @@ static void begin(crossings *k, const flk_samples_room *room, flk_analysis *a, c
     k->c = &k->x.columns[0];
 }
 
-/* Find the size of the column; returns 0 if it is constant. */
-static int measure(crossings *k)
+/* 1 if the column is not constant. */
+static int varies(crossings *k)
 {
     double least = GSL_POSINF, most = GSL_NEGINF;
     size_t i;
@@ -167,8 +409,7 @@ static int measure(crossings *k)
             least = GSL_MIN_DBL(least, value);
             most = GSL_MAX_DBL(most, value);
         }
-    k->size = GSL_MAX_DBL(fabs(least), fabs(most));
-    return !(most - least <= EXACT * k->size);
+    return !(most - least <= EXACT * GSL_MAX_DBL(fabs(least), fabs(most)));
 }
 
 static void search_motion(crossings *k)
@@ -189,7 +430,7 @@ int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_
                        unsigned long *n)
 {
     crossings k;
-    int varies;
+    int is_constant;
 
     if (flk_crank_motion_stops(&a->crank_motion, branch))
         return FOURLINK_TOO_LONG;
@@ -199,14 +440,14 @@ int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_
     k.angles = angles;
     a->is_fast = 1;
     begin(&k, room, a, c, branch);
-    varies = measure(&k);
+    is_constant = !varies(&k);
     begin(&k, room, a, c, branch);
-    if (varies)
+    if (!is_constant)
         search_motion(&k);
     a->is_fast = 0;
     if (flk_follow_is_over(&k.x.f))
         return FOURLINK_LONG_SEARCH;
-    if (!varies)
+    if (is_constant)
         return FOURLINK_CONSTANT;
     *n = k.n;
     return FOURLINK_OK;

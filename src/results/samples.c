@@ -19,13 +19,12 @@
 #define HALVINGS 9       /* of the step towards some ends */
 #define NEAR_LINE \
     0.05 /* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad */
-#define MOST_SAMPLES 1000
 
 int flk_samples_open(flk_samples_room *room, size_t most)
 {
     room->columns = malloc(most * sizeof *room->columns);
     room->near = malloc(sizeof *room->near);
-    room->values = malloc(MOST_SAMPLES * (most + 1) * sizeof *room->values);
+    room->values = malloc(FLK_SAMPLES_MOST * (most + 1) * sizeof *room->values);
     return room->columns && room->near && room->values;
 }
 
@@ -54,7 +53,7 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
     memset(c, 0, sizeof *c);
     flk_follow_column(&x->f, &c->of, column);
     c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) != 0;
-    c->v = x->s + MOST_SAMPLES * x->n_columns;
+    c->v = x->s + FLK_SAMPLES_MOST * x->n_columns;
     x->needs |= flk_column_need(column);
     x->has_noise |= c->of.is_noise;
 }
@@ -81,8 +80,7 @@ double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, d
                                                         : flk_followed_nearest(&c->of, value, near);
 }
 
-/* 1 where rows of a column are rounding error. */
-static int is_rounded(const flk_sampled *c, double passed)
+int flk_sampled_is_rounded(const flk_sampled *c, double passed)
 {
     return fabs(passed - c->limit[0].edge) < c->limit[0].rounded ||
            fabs(passed - c->limit[1].edge) < c->limit[1].rounded;
@@ -103,12 +101,12 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
     if (!x->has_limit && !c->of.is_noise) /* nearly all samples */
         return fabs(value) <= DBL_MAX ? value : GSL_NAN;
     if (c->is_of_crank)
-        return is_at_limit(x, s) || !is_rounded(c, passed) ? value : GSL_NAN;
+        return is_at_limit(x, s) || !flk_sampled_is_rounded(c, passed) ? value : GSL_NAN;
     by_limit = c->limit[0].reach < 0 && c->limit[1].reach < 0 ? GSL_NAN
                                                               : value_by_limit(c, passed, GSL_NAN);
     if (!gsl_isnan(by_limit) || is_at_limit(x, s))
         value = by_limit;
-    else if (is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
+    else if (flk_sampled_is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
         value = GSL_NAN;
     return fabs(value) <= DBL_MAX ? value : GSL_NAN;
 }
@@ -186,7 +184,7 @@ int flk_samples_insert(flk_samples *x, size_t i, double s)
 {
     size_t k;
 
-    if (x->n == MOST_SAMPLES)
+    if (x->n == FLK_SAMPLES_MOST)
         return 0;
     insert(x, i, s);
     for (k = 0; k < x->n_columns; k++) {
@@ -216,9 +214,10 @@ static size_t steps_of(const flk_samples *x)
     double length = x->f.piece.to - x->f.piece.from;
     double steps = ceil(length / GSL_MAX_DBL(STEP, x->f.motion.length / MOST_STEPS) - 1e-9);
 
-    return length < SHORT  ? 0
-           : x->is_reached ? (size_t)GSL_MAX_DBL(LEAST_STEPS, GSL_MIN_DBL(steps, MOST_SAMPLES / 4))
-                           : LEAST_STEPS;
+    return length < SHORT ? 0
+           : x->is_reached
+               ? (size_t)GSL_MAX_DBL(LEAST_STEPS, GSL_MIN_DBL(steps, FLK_SAMPLES_MOST / 4))
+               : LEAST_STEPS;
 }
 
 /* 1 if a sample of each column lies on the polynomial through three neighbours on each side, `step` apart. */
@@ -243,7 +242,7 @@ static int is_smooth(const flk_samples *x, size_t i, double step)
 /* Halve the steps beside samples at which some column is not smooth. */
 static void halve_steps(flk_samples *x, double step)
 {
-    char smooth[MOST_SAMPLES];
+    char smooth[FLK_SAMPLES_MOST];
     size_t i, k;
 
     for (k = 0; k < x->n_columns; k++)
@@ -306,7 +305,7 @@ static void resolve_jumps(flk_samples *x)
     size_t i;
 
     for (i = 0; i + 1 < x->n; i++)
-        while (x->n < MOST_SAMPLES && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && jumps(x, i))
+        while (x->n < FLK_SAMPLES_MOST && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && jumps(x, i))
             insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 

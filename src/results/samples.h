@@ -13,6 +13,8 @@
 #include "follow.h"
 #include "limit.h"
 
+#define FLK_SAMPLES_MOST 1000 /* of a piece */
+
 /* A column with its samples in the present piece. */
 typedef struct flk_sampled {
     flk_followed of;
@@ -65,6 +67,9 @@ int flk_samples_insert(flk_samples *x, size_t i, double s);
 /* A column at a parameter.  An angle is moved by whole turns next to `near`; it is NaN half a turn from
 ** it. */
 double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, double near);
+
+/* 1 where rows of a column are rounding error. */
+int flk_sampled_is_rounded(const flk_sampled *c, double passed);
 
 /* The crank angle of a sample, or of another parameter, in the deck's unit; of rows by time the time. */
 double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s);

@@ -199,8 +199,7 @@ static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
 }
 
 /* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds; in a range it is
-** smallest there or at an end.  Positions in another order may lie outside the range.  Angles of a full turn
-** are counted from 0. */
+** smallest there or at an end.  Angles of a full turn are counted from 0. */
 static void find_transmission(fourlink_solution *s, const fourlink_mechanism *mechanism)
 {
     double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to);
@@ -229,12 +228,29 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
         s->mu_min_at -= 2 * M_PI * floor(s->mu_min_at / (2 * M_PI));
 }
 
+/* The working range: the smallest that has all positions and the range that is given, in its sense. */
+static void set_range(fourlink_solution *s)
+{
+    const fourlink_precision *p = s->position;
+    int has_range = s->from != s->to, i;
+    double first = has_range ? s->from : p[0].theta2;
+    double last = has_range ? s->to : p[s->n_positions - 1].theta2;
+    double low = GSL_MIN_DBL(first, last), high = GSL_MAX_DBL(first, last);
+
+    for (i = 0; i < s->n_positions; i++) {
+        low = GSL_MIN_DBL(low, p[i].theta2);
+        high = GSL_MAX_DBL(high, p[i].theta2);
+    }
+    s->from = first <= last ? low : high;
+    s->to = first <= last ? high : low;
+}
+
 int flk_check_solution(fourlink_solution *s, int is_free)
 {
     fourlink_mechanism mechanism;
     fourlink_reach reach;
     double size = measure(s);
-    int i, has_range = s->from != s->to, status = fourlink_prepare(&s->design, &mechanism);
+    int i, status = fourlink_prepare(&s->design, &mechanism);
 
     if (!(size <= FOURLINK_LENGTH_MAX))
         return FOURLINK_INFINITE_LINK;
@@ -253,10 +269,7 @@ int flk_check_solution(fourlink_solution *s, int is_free)
             s->branch = (fourlink_branch)s->position[i].branch;
     }
     s->defects |= find_order(s, &reach, is_free);
-    if (!has_range) {
-        s->from = s->position[0].theta2;
-        s->to = s->position[s->n_positions - 1].theta2;
-    }
+    set_range(s);
     s->defects |= find_way(s, &reach);
     find_transmission(s, &mechanism);
     return FOURLINK_OK;

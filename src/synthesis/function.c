@@ -15,9 +15,11 @@
 /* Intervals of the search for the largest structural error. */
 #define INTERVALS 180
 
-/* Steps of the fit of the output, and the shortest part of a step. */
+/* Steps of the fit of the output, the shortest part of a step, and the largest growth_of its links: beyond it
+** they grow without bound. */
 #define STEPS 100
 #define SHORTEST 1e-12
+#define GROWTH_MOST 100
 
 /* The equation of a point, linear in K, or in S1, S2, S3:
 **
@@ -143,10 +145,25 @@ static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechan
     return status;
 }
 
+/* How long the links are, or the offset: the longest relative to the shortest or, for a slider-crank, to the largest
+** |X| if that is shorter. */
+static double growth_of(const fourlink_function_task *task, const fourlink_design *design)
+{
+    double longest = fabs(design->offset), shortest = unit_of(task);
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (design->link[i].length > 0) {
+            longest = GSL_MAX_DBL(longest, design->link[i].length);
+            shortest = GSL_MIN_DBL(shortest, design->link[i].length);
+        }
+    return longest / shortest;
+}
+
 /* The errors of all points on a branch, and the sum of w error^2: infinite if there is no linkage or it does
-** not reach a point. */
+** not reach a point.  *growth is that of its links. */
 static double errors_of(const fourlink_function_task *task, const double K[3],
-                        fourlink_branch branch, double *error)
+                        fourlink_branch branch, double *error, double *growth)
 {
     fourlink_mechanism mechanism;
     fourlink_solution s;
@@ -157,6 +174,7 @@ static double errors_of(const fourlink_function_task *task, const double K[3],
     if (set_lengths(task, K, &s) != FOURLINK_OK ||
         fourlink_prepare(&s.design, &mechanism) != FOURLINK_OK)
         return GSL_POSINF;
+    *growth = growth_of(task, &s.design);
     for (i = 0; i < task->n; i++) {
         if (error_at(&s, &mechanism, branch, task->theta2[i], task->output[i], &error[i]) !=
             FOURLINK_OK)
@@ -166,62 +184,122 @@ static double errors_of(const fourlink_function_task *task, const double K[3],
     return sum;
 }
 
-/* Make the errors of the output on a branch small, by Gauss's method with shortened steps from a start; keep
-** K if their sum is less than the least so far. */
+/* The best fit so far. */
+typedef struct best_fit {
+    double K[3], sum;
+    int is_at_bound; /* 1: longer links would fit better */
+} best_fit;
+
+/* Make the errors of the output on a branch small, by Gauss's method with shortened steps from a start, and keep
+** the fit if it is the best.  Steps that make the links grow beyond the bound are shortened. */
 static void fit_from(const fourlink_function_task *task, const double start[3],
-                     fourlink_branch branch, double K[3], double *least)
+                     fourlink_branch branch, best_fit *best)
 {
     double error[FOURLINK_PRECISION_MAX], at[3], step[3], trial[3], condition, part, next;
-    double sum = errors_of(task, start, branch, error);
-    int j, n;
+    double growth = 0, sum = errors_of(task, start, branch, error, &growth);
+    int is_at_bound = growth > GROWTH_MOST, j, n;
 
+    if (!(sum < GSL_POSINF) || is_at_bound)
+        return;
     memcpy(at, start, sizeof at);
-    for (n = 0; n < STEPS && sum < GSL_POSINF && sum > 0; n++) {
+    for (n = 0; n < STEPS && sum > 0; n++) {
         if (find_step(task, at, error, step, &condition) != FOURLINK_OK)
             break;
         next = GSL_POSINF;
+        is_at_bound = 0;
         for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
             for (j = 0; j < 3; j++)
                 trial[j] = at[j] + part * step[j];
-            next = errors_of(task, trial, branch, error);
+            next = errors_of(task, trial, branch, error, &growth);
+            if (next < sum && growth > GROWTH_MOST) {
+                is_at_bound = 1;
+                next = GSL_POSINF;
+            }
         }
         if (!(next < sum))
             break;
         memcpy(at, trial, sizeof at);
         sum = next;
     }
-    if (sum < *least) {
-        memcpy(K, at, sizeof at);
-        *least = sum;
+    if (sum < best->sum) {
+        memcpy(best->K, at, sizeof at);
+        best->sum = sum;
+        best->is_at_bound = is_at_bound;
     }
 }
 
-/* The same on both branches, from K of the equation and from the linkages through three of four points, the
-** ends and those between: often that of the equation does not reach all points, and Gauss's method stops at
-** a minimum that is not the least.  If no branch reaches all points, K is left as it is. */
-static void fit_output(const fourlink_function_task *task, double K[3])
+static void fit_branches(const fourlink_function_task *task, const double start[3], best_fit *best)
 {
-    double start[3], theta2[3], output[3], condition, least = GSL_POSINF;
-    fourlink_function_task three = *task;
-    int left_out, i, n;
+    fit_from(task, start, FOURLINK_OPEN, best);
+    fit_from(task, start, FOURLINK_CROSSED, best);
+}
 
-    memcpy(start, K, sizeof start);
+/* Fit from the linkages through three of at most seven points, the ends and those between. */
+#define SPREAD 7
+
+static void fit_through_points(const fourlink_function_task *task, best_fit *best)
+{
+    const double none[3] = {0, 0, 0};
+    double start[3], theta2[3], output[3], condition;
+    fourlink_function_task three = *task;
+    unsigned long m = GSL_MIN(task->n, SPREAD), i[3], k;
+
     three.n = 3;
     three.theta2 = theta2;
     three.output = output;
-    for (left_out = 4; left_out >= 0; left_out--) {
-        const double none[3] = {0, 0, 0};
-
-        for (i = 0, n = 0; i < 4 && left_out < 4; i++)
-            if (i != left_out) {
-                theta2[n] = task->theta2[(unsigned long)i * (task->n - 1) / 3];
-                output[n++] = task->output[(unsigned long)i * (task->n - 1) / 3];
+    for (i[0] = 0; i[0] < m; i[0]++)
+        for (i[1] = i[0] + 1; i[1] < m; i[1]++)
+            for (i[2] = i[1] + 1; i[2] < m; i[2]++) {
+                for (k = 0; k < 3; k++) {
+                    theta2[k] = task->theta2[i[k] * (task->n - 1) / (m - 1)];
+                    output[k] = task->output[i[k] * (task->n - 1) / (m - 1)];
+                }
+                if (find_step(&three, none, NULL, start, &condition) == FOURLINK_OK)
+                    fit_branches(task, start, best);
             }
-        if (left_out < 4 && find_step(&three, none, NULL, start, &condition) != FOURLINK_OK)
-            continue;
-        fit_from(task, start, FOURLINK_OPEN, K, &least);
-        fit_from(task, start, FOURLINK_CROSSED, K, &least);
-    }
+}
+
+/* Fit from linkages of common proportions, turned by 180 deg or not: lengths in parts of unit_of. */
+static void fit_proportions(const fourlink_function_task *task, best_fit *best)
+{
+    static const double parts[] = {-2, -1, -0.5, -0.2, 0.2, 0.5, 1, 2},
+                        others[] = {0.4, 0.8, 1.3, 2.2};
+    double start[3], d = unit_of(task);
+    int i, j, k;
+
+    for (i = 0; i < 8; i++)
+        for (j = 0; j < 8; j++)
+            for (k = 0; k < 4; k++) {
+                double a = parts[i] * d, c = parts[j] * d, b = others[k] * d;
+
+                if (task->kind == FOURLINK_FOUR_BAR) {
+                    start[0] = d / a;
+                    start[1] = d / c;
+                    start[2] = (a * a + c * c + d * d - b * b) / (2 * a * c);
+                } else { /* c is the offset */
+                    start[0] = 2 * a;
+                    start[1] = 2 * a * c;
+                    start[2] = a * a + c * c - b * b;
+                }
+                fit_branches(task, start, best);
+            }
+}
+
+/* Gauss's method stops at a minimum that need not be the least, and often the linkage of the equation does not reach
+** all points: so it starts from many linkages, on both branches.  If none has a fit, K is left as it is.  Returns 1 if
+** longer links would fit better. */
+static int fit_output(const fourlink_function_task *task, double K[3])
+{
+    best_fit best;
+
+    best.sum = GSL_POSINF;
+    best.is_at_bound = 0;
+    fit_branches(task, K, &best);
+    fit_through_points(task, &best);
+    fit_proportions(task, &best);
+    if (best.sum < GSL_POSINF)
+        memcpy(K, best.K, sizeof best.K);
+    return best.is_at_bound;
 }
 
 /* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not
@@ -324,7 +402,7 @@ static int find_function(const void *data, fourlink_solution *s)
         return FOURLINK_DEPENDENT;
     status = find_step(task, start, NULL, K, &s->condition);
     if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
-        fit_output(task, K);
+        s->is_better_longer = fit_output(task, K);
     if (status == FOURLINK_OK)
         status = set_lengths(task, K, s);
     if (status != FOURLINK_OK)

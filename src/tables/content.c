@@ -268,30 +268,58 @@ static void write_checks(sheet *s)
     }
 }
 
-/* List all names, each once. */
-static void write_list(sheet *s)
+/* Columns or facts of some results. */
+typedef struct name_list {
+    const fourlink_value *list;
+    unsigned long n;
+} name_list;
+
+/* 1 if name i of the last of these results stands nowhere before. */
+static int is_new(const name_list *all, size_t last, unsigned long i)
+{
+    unsigned long k;
+    size_t r;
+
+    for (r = 0; r <= last; r++)
+        for (k = 0; k < (r < last ? all[r].n : i); k++)
+            if (strcmp(all[r].list[k].name, all[last].list[i].name) == 0)
+                return 0;
+    return 1;
+}
+
+static void put_names(sheet *s, const name_list *all, size_t n_results,
+                      void (*put)(sheet *s, const fourlink_value *v))
+{
+    unsigned long i;
+    size_t r;
+
+    for (r = 0; r < n_results; r++)
+        for (i = 0; i < all[r].n; i++)
+            if (is_new(all, r, i))
+                put(s, &all[r].list[i]);
+}
+
+/* List all names of some results, each once. */
+static void write_list(sheet *s, fourlink_results *const *results, size_t n_results)
 {
     static const char *const of_columns[][2] = {
         {"max(COLUMN)", "largest value of any column"},
         {"min(COLUMN)", "smallest value of any column"},
         {"mean(COLUMN)", "mean over the crank angle"},
         {"rms(COLUMN)", "root mean square over the crank angle"}};
-    const fourlink_value *list;
+    name_list all[CONTENT_LISTED];
     fourlink_value statistic;
-    unsigned long n, i, k;
+    size_t i;
 
-    fourlink_results_list(s->v.results, FOURLINK_ALL_COLUMNS, &list, &n);
-    for (i = 0; i < n; i++)
-        s->format->column(s, &list[i]);
-    fourlink_results_facts(s->v.results, FOURLINK_OPEN,
-                           FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-                           &list, &n);
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < i && strcmp(list[k].name, list[i].name) != 0; k++)
-            ;
-        if (k == i)
-            s->format->fact(s, &list[i]);
-    }
+    for (i = 0; i < n_results; i++)
+        fourlink_results_list(results[i], FOURLINK_ALL_COLUMNS, &all[i].list, &all[i].n);
+    put_names(s, all, n_results, s->format->column);
+    for (i = 0; i < n_results; i++)
+        fourlink_results_facts(results[i], FOURLINK_OPEN,
+                               FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING |
+                                   FOURLINK_FACTS_MOTION,
+                               &all[i].list, &all[i].n);
+    put_names(s, all, n_results, s->format->fact);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
     for (i = 0; i < 4; i++) {
@@ -358,7 +386,7 @@ static void write_content(sheet *s)
         write_checks(s);
         break;
     case SHEET_LIST:
-        write_list(s);
+        write_list(s, s->listed ? s->listed : &s->v.results, s->listed ? s->n_listed : 1);
         break;
     case SHEET_MATRIX:
         matrix_write(s);
@@ -388,6 +416,13 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     else
         s->out_of_memory = 1;
     close_results(s);
+}
+
+void content_write_list(sheet *s, fourlink_results *const *results, size_t n)
+{
+    s->listed = results;
+    s->n_listed = n;
+    content_write(s, results[0], NULL, NULL);
 }
 
 void content_write_mark(sheet *s, const sheet_mark *mark)

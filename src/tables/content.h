@@ -14,6 +14,10 @@ void content_begin(sheet *s, FILE *out, int has_head);
 /* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
+/* Write the names of several results, at most CONTENT_LISTED, as one list. */
+#define CONTENT_LISTED 5
+void content_write_list(sheet *s, fourlink_results *const *results, size_t n);
+
 /* Write the line of a deck, or of a file of answers, in a sheet of scores. */
 void content_write_mark(sheet *s, const sheet_mark *mark);
 

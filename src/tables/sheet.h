@@ -66,6 +66,9 @@ typedef struct sheet {
     int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
     unsigned long n_written; /* decks or designs */
     const char *list;        /* for the format: the list that is open, or null */
+    fourlink_results *const
+        *listed; /* of SHEET_LIST: whose names stand in it; null: the deck's own */
+    size_t n_listed;
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */

@@ -36,6 +36,25 @@ while read -r name; do
     run 0 -c "$name" "$alvi"
 done <names
 
+# without a deck: every column and fact that a deck of data/ or of the tests has, but those of its own points and elements
+run 0 --list
+quiet
+grep -v '^$' out | cut -d' ' -f1 >all
+check 'each name once' test "$(sort all | uniq -d | tr -d '\n')" = ''
+for deck in "$data"/*.deck "$decks"/*.deck; do
+    "$fourlink" --list "$deck" 2>/dev/null
+done | grep -v '^$' | cut -d' ' -f1 | sort -u | grep -vE '^[a-z]{2,}[.]|^[D-FH-Z][.]' >some
+check 'names of many decks' test "$(wc -l <some)" -gt 200
+check "not listed without a deck: $(grep -vxFf all some | tr '\n' ' ')" none -vxFf all some
+run 0 --list -f json
+check 'as json' grep -q '"steady_rate"' out
+"$fourlink" --list <"$alvi" >out
+same out list
+run 0 --list --units=mm
+check 'in other units' grep -q '^B.x *mm ' out
+run 2 --list --units=furlong
+says "'furlong' is not a unit of results"
+
 # The facts stand in --list, behind the columns.
 run 0 --list "$alvi"
 for fact in type K theta2_from mu_min theta4_max swing time_ratio; do
