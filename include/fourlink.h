@@ -632,8 +632,9 @@ typedef struct fourlink_source {
     unsigned long
         synthesis;   /* K: for a deck with [synthesis], the linkage of solution K of its task,
                                 from 1; 0: such a deck has a mistake */
-    int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over a
-                             cycle from 0, with the same speed and acceleration at every row */
+    int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over the
+                             cycle that has it, from a whole number of cycles, with the same speed and
+                             acceleration at every row */
 } fourlink_source;
 
 /* A unit of a deck: value * up / down is the value in SI units and radians. */

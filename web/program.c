@@ -364,7 +364,8 @@ CALLED(web_sheet) int web_sheet(int format, int content)
     return end_answer() && done;
 }
 
-/* Answer with the report; the room has the crank angle of its sample calculation, or nothing. */
+/* Answer with the report; the room has the crank angle of its sample calculation, or nothing: a deck with one crank
+** angle has no other.  Returns 0 without memory, 2 if the answer is a mistake. */
 CALLED(web_report) int web_report(void)
 {
     report_outcome outcome;
@@ -376,9 +377,16 @@ CALLED(web_report) int web_report(void)
         return 0;
     request.opened = drawn;
     request.found = NULL;
-    request.at = *input ? input : NULL;
+    request.at = *input && !v.problem.one_instant ? input : NULL;
     done = report_write(out, &drawn_source, &request, &outcome, &mistake);
-    return end_answer() && done > 0;
+    if (!end_answer() || done < 0)
+        return 0;
+    if (done > 0)
+        return 1;
+    if (!begin_answer())
+        return 0;
+    line_put(&l, "%s", mistake.message);
+    return end_answer() ? 2 : 0;
 }
 
 /* Answer with the name in the room, typeset; returns 0 without memory. */

@@ -100,7 +100,10 @@ const tasks = {
     },
     report({angle}) {
         give(angle || "");
-        return {text: answer(program.web_report())};
+        const done = program.web_report(), text = answer(done);
+        if (done === 2)
+            throw new Error(text);
+        return {text};
     },
     /* Quantities in SI units; null where a text is none. */
     quantities({lengths, angles}) {

@@ -19,6 +19,8 @@
 #define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
 #define SAME 1e-7       /* rad: closer crank angles are the same */
+#define NEAR_LINE \
+    0.05 /* |sin(mu)|: where it is smaller, rows beside one another differ by rounding */
 
 /* Samples here are of the column minus the value sought; NaN: it is undefined. */
 typedef struct crossings {
@@ -74,12 +76,13 @@ static double row_at(double s, void *data)
 }
 
 /* The scale of a row: the largest magnitude of the column's quantity in it, of what is computed for the column.
-** A column can be alone of its quantity, or the others 0: how far it is from the value around the row counts too. */
+** A column can be alone of its quantity, or the others 0: for the value 0 it counts too how far the column is from it
+** around the row. */
 static double scale_of(const crossings *k, const flk_row *row, double around)
 {
     const flk_column *c = k->c->of.c;
     flk_column other;
-    double scale = GSL_MAX_DBL(fabs(k->value), around);
+    double scale = k->value != 0 ? fabs(k->value) : around;
     size_t i;
 
     if (k->c->of.turn > 0)
@@ -95,20 +98,6 @@ static double scale_of(const crossings *k, const flk_row *row, double around)
     return scale;
 }
 
-/* 1 where rows can be rounding error. */
-#define CLOSE 1e-5 /* rad, to a dead position or a change point */
-
-static int is_close_to_limit(const crossings *k, double passed)
-{
-    const flk_limit *l = k->c->limit;
-    int end;
-
-    for (end = 0; end < 2; end++)
-        if (l[end].reach >= 0 && fabs(passed - l[end].edge) < CLOSE)
-            return 1;
-    return flk_sampled_is_rounded(k->c, passed);
-}
-
 /* Keep the crossing at a parameter, if the row as it is printed has the value and it is not the last crossing
 ** found. */
 static void keep(crossings *k, double s, double around)
@@ -119,7 +108,7 @@ static void keep(crossings *k, double s, double around)
     if (fabs(passed - k->last) < SAME)
         return;
     off = off_of_row(s, k, &row);
-    if (is_close_to_limit(k, passed))
+    if (fabs(row.at.state.sine) < NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
         around = 0; /* the values around the row are no smoother than it is */
     if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;
@@ -315,6 +304,51 @@ static int is_bent(const crossings *k, size_t i)
     return most > MUCH * least;
 }
 
+/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.  Insert a sample
+** there between samples i and i + 1, where samples show only that the vector turns. */
+typedef struct turning {
+    crossings *k;
+    double x, y; /* F(s2) - F(s1) */
+} turning;
+
+static double along_change(double s, void *data)
+{
+    const turning *t = data;
+    flk_follower *f = &t->k->x.f;
+    double x, y;
+    flk_row row;
+
+    flk_follow_row(f, flk_column_need(t->k->c->of.c), flk_follow_inside(f, s), &row);
+    flk_column_vector(t->k->c->of.c, &row, &x, &y);
+    return x * t->x + y * t->y;
+}
+
+static void insert_least_size(crossings *k, size_t i)
+{
+    double from = k->x.s[i], to = k->x.s[i + 1], before, behind, x[2], y[2];
+    flk_bracket b;
+    turning t;
+    int axis;
+
+    t.k = k;
+    for (axis = 0; axis < 2; axis++) {
+        t.x = axis == 0;
+        t.y = axis == 1;
+        *(axis ? &y[0] : &x[0]) = along_change(from, &t);
+        *(axis ? &y[1] : &x[1]) = along_change(to, &t);
+    }
+    t.x = x[1] - x[0];
+    t.y = y[1] - y[0];
+    before = x[0] * t.x + y[0] * t.y;
+    behind = x[1] * t.x + y[1] * t.y;
+    if (!(before < 0 && behind > 0))
+        return;
+    b = flk_bracket_of(from, to, before, behind);
+    from = flk_find_zero(along_change, &t, &b, 1e-6 * GSL_MIN_DBL(-before, behind));
+    if (from > k->x.s[i] && from < to)
+        insert(k, i + 1, from);
+}
+
 /* Insert samples where the column may approach the value unseen: close to the ends of the piece, where
 ** no sample shows that it turns, where its slope changes much, up to samples without a value, and beside
 ** poles. */
@@ -340,6 +374,8 @@ static void insert_samples(crossings *k)
     }
     insert(k, 1, s[0] + BESIDE_END * (s[1] - s[0]));
     insert(k, x->n - 1, s[x->n - 1] - BESIDE_END * (s[x->n - 1] - s[x->n - 2]));
+    for (i = x->n - 1; i-- > 0 && flk_column_has_vector(k->c->of.c) && !(k->c->of.turn > 0);)
+        insert_least_size(k, i);
     for (i = 0; i + 1 < x->n; i++) {
         if (fabs(v[i]) < k->c->of.bound && fabs(v[i + 1]) < k->c->of.bound)
             bound_pole(k, i);

@@ -3,6 +3,7 @@
 ** opening.c - opens decks and their designs for results: lists columns, and the outputs and conditions of a
 ** sweep.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -280,15 +281,20 @@ static int read_deck(const fourlink_source *source, deck *d)
     return status;
 }
 
-/* Replace one instant by a cycle with its speed and acceleration. */
+/* Replace one instant by the cycle that it is in, with its speed and acceleration. */
 static void hold_instant(deck *d)
 {
     fourlink_motion *motion = &d->motion;
     double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
     double cycle = flk_unit_from_si(d->machine.cycle, d->units[QUANTITY_ANGLE].unit);
 
-    motion->from = 0;
-    motion->to = turn < 0 ? -cycle : cycle;
+    if (turn < 0) {
+        motion->from = cycle * ceil(motion->from / cycle);
+        motion->to = motion->from - cycle;
+    } else {
+        motion->from = cycle * floor(motion->from / cycle);
+        motion->to = motion->from + cycle;
+    }
     motion->interval = cycle / 72;
     motion->hold = 1;
     d->one_instant = 0;

@@ -31,7 +31,7 @@
 
 static fourlink_results *results;
 static const fourlink_value *columns;
-static unsigned long n_columns;
+static unsigned long n_columns, mu; /* the column of this name */
 static fourlink_branch branch;
 static double from, end, sense, total, unit; /* of the motion: deck's unit, +-1, rad in all, rad */
 
@@ -219,10 +219,11 @@ static int is_touch(unsigned long c, double value, double p)
     return 0;
 }
 
-/* 1 if rounding decides: rows that are as good as one differ by more than a crossing may, or there is none. */
+/* 1 if rounding decides: rows that are as good as one, or at the next angle that there is, differ by more than a
+** crossing may, or there is none. */
 static int is_rounding_error(unsigned long c, double value, double p)
 {
-    double v[3][COLUMNS], h;
+    double v[3][COLUMNS], h, bend, slope;
 
     for (h = 1e-12; h < 2e-11; h *= 3) {
         int i;
@@ -230,11 +231,18 @@ static int is_rounding_error(unsigned long c, double value, double p)
         for (i = 0; i < 3; i++)
             if (compute(p + (i - 1) * h, v[i]) != 0 || isnan(v[i][c]))
                 return 1;
-        if (fabs(off(c, v[0], value) - 2 * off(c, v[1], value) + off(c, v[2], value)) >
-            FALSE_BY * scale_of(c, v[1], value))
+        bend = fabs(off(c, v[0], value) - 2 * off(c, v[1], value) + off(c, v[2], value));
+        slope = fabs(off(c, v[2], value) - off(c, v[0], value)) / (2 * h);
+        if (fmax(4 * bend, slope * DBL_EPSILON * fabs(angle_of(p)) * unit) >
+            FALSE_BY * (value != 0 && !is_angle(c) ? fabs(value) : scale_of(c, v[1], value)))
             return 1;
     }
-    return compute(p - NO_ROW, v[0]) != 0 || compute(p + NO_ROW, v[0]) != 0;
+    if (compute(p - NO_ROW, v[0]) != 0 || compute(p + NO_ROW, v[2]) != 0)
+        return 1;
+    /* beside a pole; or links near to one line, and a column that is 0 there */
+    return fmin(scale_of(c, v[0], value), scale_of(c, v[2], value)) <
+               0.1 * scale_of(c, v[1], value) ||
+           (value == 0 && fabs(sin(v[1][mu] * columns[mu].to_si)) < 0.05);
 }
 
 static int is_found(double p, const double *angles, unsigned long k)
@@ -363,6 +371,8 @@ static int open_deck(const char *name)
         return 0;
     fourlink_deck_problem(fourlink_results_deck(results), &problem);
     fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n_columns);
+    for (mu = 0; mu + 1 < n_columns && strcmp(columns[mu].name, "mu") != 0; mu++)
+        ;
     unit = problem.motion.angle_unit;
     from = problem.motion.from;
     return n_columns <= COLUMNS;

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** scenes.c - what the page draws of a deck, by its own program compiled for this machine.
+**
+**    scenes DECK
+**
+** Prints the scene as JSON, with the crank angle where the page begins, "from".  Exit status 1: there is none.
+*/
+#include "program.c"
+
+static char *read_file(const char *path, size_t *length)
+{
+    FILE *in = fopen(path, "rb");
+    char *text = calloc(1, 1 << 20);
+
+    if (!in || !text)
+        exit(2);
+    *length = fread(text, 1, (1 << 20) - 1, in);
+    fclose(in);
+    return text;
+}
+
+int main(int argc, char **argv)
+{
+    size_t length = 0, name = argc > 1 ? strlen(argv[1]) + 1 : 0;
+    char *text, *room;
+
+    if (argc != 2)
+        return 2;
+    text = read_file(argv[1], &length);
+    room = web_room(name + length);
+    if (!room)
+        return 2;
+    memcpy(room, argv[1], name);
+    memcpy(room + name, text, length + 1);
+    free(text);
+    if (web_open(name, length) != FOURLINK_OK || !web_scene(0, v.problem.motion.from)) {
+        fprintf(stderr, "%s", web_answer() ? web_answer() : "nothing");
+        return 1;
+    }
+    printf("{\"from\":%.17g,%s", v.problem.motion.from, web_answer() + 1);
+    return 0;
+}
