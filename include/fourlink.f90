@@ -417,6 +417,8 @@ module fourlink
     character(kind=c_char) :: words(100)    ! the same
     integer(c_int) :: has_angle
     real(c_double) :: angle
+    integer(c_int) :: has_time
+    real(c_double) :: time
     integer(c_int) :: branch
     integer(c_long) :: message_line
     character(kind=c_char) :: message(400)  ! for fourlink_text
@@ -446,6 +448,7 @@ module fourlink
     type(fourlink_precision) :: position(fourlink_precision_max)
     integer(c_int) :: defects, type
     real(c_double) :: ratio, mu_min, mu_min_at, mu_positions, max_error, max_error_at
+    integer(c_int) :: is_better_longer
   end type fourlink_solution
 
   type, bind(c) :: fourlink_function_task

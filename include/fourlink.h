@@ -822,6 +822,8 @@ typedef struct fourlink_check {
     char words[100];                     /* a fact in words, as computed; "": a number */
     int has_angle;                       /* 1: a column, at the crank angle `angle` */
     double angle;                        /* in the deck's unit of angle */
+    int has_time; /* 1: of rows by time, at the time `time`, when the crank is at `angle` */
+    double time;  /* s */
     fourlink_branch branch;
     long message_line;  /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400];  /* FOURLINK_NO_VALUE: why */

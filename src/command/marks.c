@@ -30,7 +30,8 @@ typedef struct question {
 static int is_asked(const fourlink_check *q, const fourlink_check *c)
 {
     return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
-           q->has_angle == c->has_angle &&
+           q->has_angle == c->has_angle && q->has_time == c->has_time &&
+           fabs(q->time - c->time) <= 1e-9 * (1 + fabs(q->time)) &&
            (!q->has_angle || fabs(q->angle - c->angle) <= 1e-9 * (1 + fabs(q->angle)));
 }
 
@@ -111,7 +112,9 @@ static void put_name(char *note, size_t size, const char *title, int *n, const f
 {
     char words[200], angle[80] = "";
 
-    if (q->has_angle)
+    if (q->has_time)
+        flk_message(angle, sizeof angle, " at %g s", q->time);
+    else if (q->has_angle)
         flk_message(angle, sizeof angle, " at %g", q->angle);
     put(note, size, (*n)++ ? ", " : *note ? "; " : "");
     put(note, size, *n == 1 ? title : "");

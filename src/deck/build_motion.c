@@ -355,7 +355,13 @@ void flk_build_expectations(parser *p)
         e->tolerance_place = tolerance->place;
         e->misprint = use->section == SECTION_MISPRINT;
         e->has_at = IS_SET(at) || d->one_instant;
-        e->at = IS_SET(at) ? flk_setting_in_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
+        e->at_is_time = IS_SET(at) && flk_expects_at_time(use);
+        e->at = e->at_is_time ? at->si[0]
+                : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
+                              : d->motion.from;
+        if (e->at_is_time && !d->drive.by_time)
+            flk_mistake(p->mistakes, at->place,
+                        "a time is for rows by time: expected a crank angle, such as 40 deg");
         e->has_branch = IS_SET(branch);
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN

@@ -52,7 +52,8 @@ typedef struct deck_expectation {
     text_place tolerance_place;
     int misprint; /* 1: known to be wrong */
     int has_at;
-    double at; /* crank angle in the deck's unit */
+    double at;      /* crank angle in the deck's unit, or s */
+    int at_is_time; /* of rows by time */
     int has_branch;
     fourlink_branch branch;
 } deck_expectation;

@@ -241,6 +241,9 @@ void flk_sweep_assign(parser *p, unsigned long design);
 /* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin. */
 quantity flk_quantity_of_key(const section_use *use, key_code key);
 
+/* 1 if the values of an [expect] or [misprint] are at a time, not at a crank angle. */
+int flk_expects_at_time(const section_use *use);
+
 /* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
 int flk_spring_is_torsional(const section_use *use);
 

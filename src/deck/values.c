@@ -213,6 +213,14 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
+int flk_expects_at_time(const section_use *use)
+{
+    unit u;
+
+    return unit_of(flk_setting_of(use, KEY_EXPECT_AT)->value, &u) &&
+           flk_dimension_equal(u.dim, flk_quantities[QUANTITY_TIME].dim);
+}
+
 /* Read the argument of a load; 0 if 'over' is not one of the words. */
 static int read_over(const section_use *use, int *over)
 {
@@ -249,6 +257,8 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
         return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
     if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
         return QUANTITY_FORCE;
+    if (key == KEY_EXPECT_AT || key == KEY_MISPRINT_AT)
+        return flk_expects_at_time(use) ? QUANTITY_TIME : QUANTITY_ANGLE;
     if (flk_key_table[key].form != FORM_EITHER || !flk_spring_is_torsional(use))
         return flk_key_table[key].q;
     return key == KEY_SPRING_STIFFNESS ? QUANTITY_TORSIONAL_STIFFNESS

@@ -73,11 +73,17 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    status = flk_name_value(o, n, e->branch, e->at, v);
+    status = is_column && e->at_is_time ? flk_name_value_at_time(o, n, e->branch, e->at, v)
+                                        : flk_name_value(o, n, e->branch, e->at, v);
     if (status == FOURLINK_OK)
         return 1;
     if (!is_column)
         flk_message(c->message, sizeof c->message, "%s", fourlink_status_text(status));
+    else if (e->at_is_time)
+        flk_message(c->message, sizeof c->message, "no value at %g s, %s: %s", e->at,
+                    fourlink_branch_text((int)e->branch),
+                    status == FOURLINK_NO_SUCH_ANGLE ? "the motion ends before"
+                                                     : fourlink_status_text(status));
     else if (status == FOURLINK_NO_SUCH_ANGLE)
         flk_message(c->message, sizeof c->message, "the motion does not reach theta2 = %g %s",
                     e->at, name);
@@ -255,6 +261,8 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     if (!find_name(o, e, c, n, &n_facts))
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN;
+    c->has_time = c->has_angle && e->at_is_time;
+    c->time = c->has_time ? e->at : 0;
     if (n_facts && facts[0].words) {
         flk_text_copy(flk_text_of(facts[0].words), c->words, sizeof c->words);
         return are_words(e->value, facts[0].words);
@@ -288,6 +296,8 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
             fabs(difference(found.value, c->printed, turn)))
             found = facts[i];
     c->computed = found.value;
+    if (c->has_time)
+        c->angle = found.angle;
     if (g.tolerance >= 0)
         tolerance = g.tolerance;
     else if (g.percent >= 0)

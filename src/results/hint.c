@@ -100,7 +100,8 @@ void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     double turn;
     int is_opposite, is_other;
 
-    if (c->hint[0] || flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
+    if (c->hint[0] || c->has_time ||
+        flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
     is_opposite = flk_expected_agrees(c, -c->computed, turn);

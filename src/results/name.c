@@ -83,25 +83,44 @@ void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v
     }
 }
 
+/* The value of a column in a row, which has been computed. */
+static int value_in_row(const flk_opened *o, const flk_column *c, fourlink_branch branch,
+                        const flk_row *row, fourlink_value *value)
+{
+    fourlink_value v;
+
+    flk_list_column(&o->d, c, &v);
+    v.value = flk_column_value(c, row);
+    v.has_angle = 1;
+    v.angle = row->at.row.angle;
+    v.branch = (int)branch;
+    if (row->at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
+        return row->at.status;
+    *value = v;
+    return FOURLINK_OK;
+}
+
 static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch branch, double angle,
                            fourlink_value *value)
 {
-    fourlink_value v;
     double at;
     flk_row row;
 
     if (!flk_crank_motion_find_angle(&o->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&o->a, flk_column_need(c), branch, at, &row);
-    flk_list_column(&o->d, c, &v);
-    v.value = flk_column_value(c, &row);
-    v.has_angle = 1;
-    v.angle = row.at.row.angle;
-    v.branch = (int)branch;
-    if (row.at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
-        return row.at.status;
-    *value = v;
-    return FOURLINK_OK;
+    return value_in_row(o, c, branch, &row, value);
+}
+
+int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch branch, double time,
+                           fourlink_value *value)
+{
+    flk_row row;
+
+    if (!(time >= 0 && time <= o->d.drive.duration * (1 + 1e-12)))
+        return FOURLINK_NO_SUCH_ANGLE;
+    flk_analysis_at_time(&o->a, flk_column_need(&n->c), branch, time, &row);
+    return value_in_row(o, &n->c, branch, &row, value);
 }
 
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)

@@ -55,7 +55,10 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
     line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);
 }
 
-static void put_section(sheet *s, fourlink_branch branch, double angle, int status)
+/* The values at a crank angle or, unless `time` is null, at a time, s: a machine that swings back passes a crank angle
+** more than once. */
+static void put_section(sheet *s, fourlink_branch branch, double angle, const double *time,
+                        int status)
 {
     const style *styles = s->layout;
     unsigned long j;
@@ -66,8 +69,8 @@ static void put_section(sheet *s, fourlink_branch branch, double angle, int stat
         s->failed++;
         return;
     }
-    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", angle,
-             s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)branch));
+    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", time ? *time : angle,
+             time ? "s" : s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)branch));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
@@ -77,7 +80,7 @@ static void put_at(sheet *s, fourlink_branch branch, double angle)
 {
     int status = fourlink_results_at(s->v.results, branch, angle, s->values, NULL, NULL);
 
-    put_section(s, branch, angle, status);
+    put_section(s, branch, angle, NULL, status);
 }
 
 /* A revolution at constant speed ends with its first row again. */
@@ -93,7 +96,7 @@ static void write_rows(sheet *s, fourlink_branch branch)
 
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
-        put_section(s, branch, now.row.angle, status);
+        put_section(s, branch, now.row.angle, s->v.problem.by_time ? &now.row.time : NULL, status);
         if (sheet_is_over(s, &now))
             break;
     }

@@ -12,6 +12,15 @@
 
 #define SAMPLES 200
 
+/* The largest torque, in the deck's unit, of the columns or of their forces on the crank. */
+static double largest_torque(const view *v, const double of_quantity[QUANTITY_COUNT])
+{
+    double moment = view_si(v, QUANTITY_FORCE, of_quantity[QUANTITY_FORCE]) *
+                    v->design->link[FOURLINK_CRANK].length;
+
+    return GSL_MAX_DBL(of_quantity[QUANTITY_TORQUE], view_value(v, QUANTITY_TORQUE, moment));
+}
+
 void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles)
 {
     unsigned long n_rows = v->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
@@ -39,6 +48,8 @@ void style_find_sizes(const view *v, double sound, int has_all, double *values, 
 
         *largest = GSL_MAX_DBL(*largest, styles[j].size);
     }
+    if (has_all)
+        of_quantity[QUANTITY_TORQUE] = largest_torque(v, of_quantity);
     for (j = 0; j < v->n_columns; j++) {
         double largest = of_quantity[flk_quantity_find(v->columns[j].quantity)];
 

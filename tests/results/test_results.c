@@ -148,11 +148,13 @@ TEST(test_whole_cycle)
 {
     static const struct {
         const char *motion;
-        double cycle, speed, acceleration;
-    } cases[] = {{"at = 30 deg\nspeed = 10 rad/s\n", 360, 10, 0},
-                 {"at = 30 deg\nspeed = -10 rad/s\nacceleration = 5 rad/s2\n", -360, -10, 5},
-                 {"at = 30 deg\nacceleration = -5 rad/s2\n", -360, 0, -5},
-                 {"at = 30 deg\nspeed = 10 rad/s\ncycle = 720 deg\n", 720, 10, 0}};
+        double from, to, speed, acceleration; /* the cycle has the instant */
+    } cases[] = {{"at = 30 deg\nspeed = 10 rad/s\n", 0, 360, 10, 0},
+                 {"at = 30 deg\nspeed = -10 rad/s\nacceleration = 5 rad/s2\n", 360, 0, -10, 5},
+                 {"at = 30 deg\nacceleration = -5 rad/s2\n", 360, 0, 0, -5},
+                 {"at = -330 deg\nspeed = 10 rad/s\n", -360, 0, 10, 0},
+                 {"at = 750 deg\nspeed = -10 rad/s\n", 1080, 720, -10, 0},
+                 {"at = 30 deg\nspeed = 10 rad/s\ncycle = 720 deg\n", 0, 720, 10, 0}};
     size_t i;
 
     for (i = 0; i < COUNT(cases); i++) {
@@ -176,10 +178,10 @@ TEST(test_whole_cycle)
         assert_int_equal(p.n_rows, 73);
         assert_int_equal(fourlink_results_row(whole, FOURLINK_OPEN, 0, NULL, &at, NULL),
                          FOURLINK_OK);
-        assert_true(at.row.angle == 0);
+        assert_close(at.row.angle, cases[i].from, 1e-14);
         assert_int_equal(fourlink_results_row(whole, FOURLINK_OPEN, 72, NULL, &at, NULL),
                          FOURLINK_OK);
-        assert_close(at.row.angle, cases[i].cycle, 1e-14);
+        assert_close(at.row.angle, cases[i].to, 1e-14);
         assert_true(at.row.crank.omega2 == cases[i].speed);
         assert_true(at.row.crank.alpha2 == cases[i].acceleration);
         assert_int_equal(fourlink_results_list(one, FOURLINK_COLUMNS, &list, &n), FOURLINK_OK);

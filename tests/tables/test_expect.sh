@@ -76,4 +76,47 @@ run 2 --expect -c theta5 "$matrix"
 nothing
 says "theta5"
 
+# Rows by time: a machine that swings back passes a crank angle more than once, so the values are at times; and torques
+# that are rounding error are 0.
+cat >swing.deck <<'END'
+mechanism = four-bar
+[ground]
+length = 80 mm
+[crank]
+length = 20 mm
+mass = 1 kg
+uniform = yes
+[coupler]
+length = 66 mm
+[rocker]
+length = 56 mm
+[motion]
+mode = free
+speed = 10 rad/s
+rows = time
+time_step = 50 ms
+duration = 1 s
+END
+for speed in 1 4 10 -7 25; do
+    for step in 50 31.25; do
+        run 0 --expect --set="motion.speed = $speed rad/s" --set="motion.time_step = $step ms" swing.deck
+        mv out swing.expect
+        check 'no exponents of rounding error' none 'e-1[0-9]' swing.expect
+        run 0 --check=swing.expect --set="motion.speed = $speed rad/s" --set="motion.time_step = $step ms" swing.deck
+        check 'nothing differs' none '^differs' out
+    done
+done
+# at a time it is the row of that time, whatever was passed before
+run 0 -f csv -b open -c time,theta4 swing.deck
+row=$(sed -n 12p out)
+printf '[expect]\nat = %s s\nbranch = open\ntheta4 = %s deg\n' "$(echo "$row" | cut -d, -f2)" "$(echo "$row" | cut -d, -f3)" >one.expect
+run 0 --check=one.expect swing.deck
+prints 'ok: 1,'
+printf '[expect]\nat = 2 s\ntheta4 = 1 deg\n' >late.expect
+run 2 --check=late.expect swing.deck
+says 'no value at 2 s, open: the motion ends before'
+printf '[expect]\nat = 0.1 s\ntheta4 = 1 deg\n' >time.expect
+run 2 --check=time.expect "$alvi"
+says 'a time is for rows by time: expected a crank angle, such as 40 deg'
+
 finish
