@@ -107,6 +107,31 @@ int grade_open(grade_answers *a, const options *o)
     return status;
 }
 
+/* Why a file of answers is not read, beside the reasons of the system. */
+enum { NOT_REGULAR = 0, ELSEWHERE = -1 };
+
+static const char *reason_text(int reason)
+{
+    return reason == NOT_REGULAR ? "it is not a regular file"
+           : reason == ELSEWHERE ? "it is a link to a file outside the folder"
+                                 : strerror(reason);
+}
+
+/* Read a file of the folder; null and the reason if it cannot be read, is a device, a FIFO or a folder, or is
+** elsewhere, where messages must not quote it. */
+static char *read_answers(const char *folder, const char *path, size_t *length, int *reason)
+{
+    char *contents;
+
+    if (system_kind_of(path) == SYSTEM_FILE && !system_is_within(folder, path)) {
+        *reason = errno ? errno : ELSEWHERE;
+        return NULL;
+    }
+    contents = files_read_regular(path, length);
+    *reason = errno;
+    return contents;
+}
+
 int grade_read(grade_answers *a, const options *o, const char *deck, const char *file,
                char why[400])
 {
@@ -121,13 +146,13 @@ int grade_read(grade_answers *a, const options *o, const char *deck, const char 
     a->path = file ? files_beside("", file) : path_of(o->check_file, deck);
     if (a->path && files_is_output(o, a->path))
         return command_complain("cannot write", a->path, "it is also read");
-    a->text = a->path ? files_read_path(a->path, &a->length) : NULL;
+    a->text = a->path ? read_answers(o->check_file, a->path, &a->length, &reason) : NULL;
     if (a->text)
         return 0;
-    reason = a->path ? errno : ENOMEM;
-    if (files_is_missing(reason))
-        flk_message(why, 400, "cannot read %s: %s", a->path, strerror(reason));
-    return command_complain("cannot read", a->path ? a->path : deck, strerror(reason));
+    if (!a->path || reason == ENOMEM)
+        return command_complain("cannot read", a->path ? a->path : deck, strerror(ENOMEM));
+    flk_message(why, 400, "cannot read %s: %s", a->path, reason_text(reason));
+    return command_complain("cannot read", a->path, reason_text(reason));
 }
 
 void grade_close(grade_answers *a)

@@ -21,7 +21,7 @@ typedef struct grade_answers {
 int grade_open(grade_answers *a, const options *o);
 
 /* Read a file of answers, or for null FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and
-** why there are no answers in `why`, which stays as it is if reading or memory failed. */
+** why there are no answers in `why`, which stays as it is if memory failed. */
 int grade_read(grade_answers *a, const options *o, const char *deck, const char *file,
                char why[400]);
 

@@ -304,9 +304,9 @@ static int take_design(input *in)
     unsigned long length = 0;
     char *contents = input_deck_text(in->results, &length);
 
+    refuse(in);
     if (!contents)
         return command_complain("cannot read", in->name, "not enough memory");
-    refuse(in);
     free(in->text);
     in->source.text = in->text = contents;
     in->source.length = length;
@@ -330,21 +330,22 @@ static void tell_defects(input *in)
     in->has_defects = n > 0;
 }
 
-/* Keep the linkage that was found, for a report. */
-static void keep_found(input *in)
+/* Keep the linkage that was found, for a report; 0 if out of memory. */
+static int keep_found(input *in)
 {
     const fourlink_deck *deck = fourlink_results_deck(in->results);
     fourlink_solution *all;
     unsigned long chosen, n;
 
     if (!in->o->report || fourlink_deck_solutions(deck, 0, NULL, &chosen, &n) != FOURLINK_OK)
-        return;
+        return 1;
     all = malloc((chosen + 1) * sizeof *all);
     if (all) {
         fourlink_deck_solutions(deck, chosen + 1, all, &chosen, &n);
         all[0] = all[chosen];
     }
     in->found = all;
+    return all != NULL;
 }
 
 /* Open what has been read; returns the exit status. */
@@ -368,7 +369,10 @@ static int open_input(input *in)
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
-        keep_found(in);
+        if (!keep_found(in)) {
+            refuse(in);
+            return command_complain("cannot read", in->name, "not enough memory");
+        }
     }
     if ((o->design && in->problem.n_designs >= o->design) || takes_found(in)) {
         status = take_design(in);

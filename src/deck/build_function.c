@@ -80,22 +80,24 @@ static int read_table(parser *p, const setting *s, text name, deck_wanted *w)
     if (!flk_card_read(p, &read, QUANTITY_NUMBER, name) || !read.curve)
         return 0;
     x = flk_reader_keep(p, 2 * (read.n_points + 1) * sizeof *x);
-    for (i = 0; x && i < read.n_points; i++) {
+    if (!x)
+        return 0;
+    for (i = 0; i < read.n_points; i++) {
         x[i] = read.curve[i].x;
         x[read.n_points + i] = read.curve[i].y[0];
         if (i > 0 && !(x[i] > x[i - 1]))
             return flk_mistake(p->mistakes, read.curve[i].place,
                                "x must rise from row to row: %g stands below %g", x[i], x[i - 1]);
     }
-    if (x && read.n_points < 3)
+    if (read.n_points < 3)
         return flk_mistake(p->mistakes, s->place, "a table needs three or more rows of x and y");
     w->f = TABLE;
     w->table_x = x;
     w->table_y = x + read.n_points;
     w->n_rows = read.n_points;
-    w->x[0] = x ? x[0] : 0;
-    w->x[1] = x ? x[read.n_points - 1] : 0;
-    return x != NULL;
+    w->x[0] = x[0];
+    w->x[1] = x[read.n_points - 1];
+    return 1;
 }
 
 /* The crank angle of x. */

@@ -212,6 +212,8 @@ void flk_synthesis_assign(parser *p)
     set_range(p);
     if (flk_setting_find(p, KEY_TABLE_BRANCH)->word != BRANCH_BOTH)
         set(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
+    if (p->out_of_memory)
+        return;
     flk_values_read(p, 0);
     flk_found_write(p, point_name);
 }

@@ -133,16 +133,12 @@ static parser *find_linkage(parser *p)
     found->is_design = p->is_design;
     flk_synthesis_assign(found);
     p->out_of_memory |= found->out_of_memory;
-    return found;
+    return p->out_of_memory ? NULL : found;
 }
 
-static void build(parser *p)
+/* Build the deck that the settings are of. */
+static void build_all(parser *p)
 {
-    flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
-    if (!flk_build_kind(p))
-        return;
-    if (flk_section_find(p, SECTION_SYNTHESIS, NULL) && (p = find_linkage(p)) == NULL)
-        return;
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     p->d->drive.mode = flk_setting_find(p, KEY_MOTION_MODE)->word;
     flk_build_mechanism(p);
@@ -163,6 +159,25 @@ static void build(parser *p)
         flk_build_doubts(p);
     flk_build_expectations(p);
     flk_build_grading(p);
+}
+
+/* Build what a text describes, or the linkage that its [synthesis] finds. */
+static void build(parser *p)
+{
+    parser *found;
+
+    flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
+    if (!flk_build_kind(p))
+        return;
+    if (!flk_section_find(p, SECTION_SYNTHESIS, NULL)) {
+        build_all(p);
+        return;
+    }
+    found = find_linkage(p);
+    if (found) {
+        build_all(found);
+        p->out_of_memory |= found->out_of_memory;
+    }
 }
 
 /* Read a text of the source; null if out of memory. */

@@ -278,12 +278,13 @@ flk_corners *flk_corners_open(const deck *d)
         c->most = PASSES * turns * sort(c, n);
     }
     c->work = malloc((2 * c->most + n + 1) * sizeof *c->work);
+    if (!c->switches || !c->work) {
+        flk_corners_close(c);
+        return NULL;
+    }
     c->theta2[0] = c->work + n;
     c->theta2[1] = c->theta2[0] + c->most;
-    if (c->switches && c->work)
-        return c;
-    flk_corners_close(c);
-    return NULL;
+    return c;
 }
 
 void flk_corners_close(flk_corners *c)

@@ -3,7 +3,8 @@
 #
 # failed_allocations.sh FOURLINK DATA SHIM [EVERY] - memory runs out: each allocation of many runs fails in turn
 # (or every EVERY-th), alone and with all after it.  The run then ends as if nothing had happened, or with exit
-# status 3, a message, and files that are old or complete.  Prints how much it tried.
+# status 3, a message, and files that are old or complete.  There is a run with each option of the program's table.
+# Prints what became of each run, and how much it tried.
 #
 # SHIM is failing_malloc.c as a shared library, or 'sanitizer': the program is then built here by $CC with
 # AddressSanitizer, UBSan and failing_malloc.c in it.
@@ -72,10 +73,33 @@ is_as_usual() {
         cmp -s files/result usual/result && cmp -s "files/$picture" "usual/$picture"
 }
 
+# The options of the program's table: -x --name in a line each.
+"$fourlink" --help | sed -n 's/^ *\(-[a-zA-Z]\)*,* *--\([a-z-]*\).*/\1 --\2/p' | sort -u >options
+check "options: $(wc -l <options)" test "$(wc -l <options)" -gt 30
+: >tried
+
+# note_options ARGUMENT...: options that are tried, each by its long name
+note_options() {
+    for argument; do
+        case $argument in
+        --*) echo "${argument%%=*}" ;;
+        -?*) sed -n "s/^$(echo "$argument" | cut -c1-2) //p" options ;;
+        esac
+    done >>tried
+}
+
+# report ARGUMENT...: a line of the table
+report() {
+    printf '%5d failed: %5d refused, %5d as usual, %d wrong: %s\n' $((tries - tries_before)) $((refused - refused_before)) \
+        $((tries - tries_before - refused + refused_before - failed + failed_before)) $((failed - failed_before)) "$*"
+}
+
 # all STATUS ARGUMENT...: every allocation of this run, which usually ends so
 all() {
     usual=$1
     shift
+    note_options "$@"
+    tries_before=$tries refused_before=$refused failed_before=$failed
     unset FAIL_AT FAIL_ON
     COUNT_FILE=$work/count
     export COUNT_FILE
@@ -106,6 +130,49 @@ all() {
     done
     unset FAIL_AT FAIL_ON
     rm -f usual/alone
+    report "$*"
+}
+
+# all_designs ENDING ARGUMENT...: the same of a run that writes a file for each design into folder/
+all_designs() {
+    ending=$1
+    shift
+    note_options "$@"
+    tries_before=$tries refused_before=$refused failed_before=$failed
+    rm -rf folder complete
+    mkdir folder
+    COUNT_FILE=$work/count
+    export COUNT_FILE
+    "$fourlink" "$@" >out 2>err </dev/null
+    status=$?
+    unset COUNT_FILE
+    check "exit status $status: fourlink $*: $(head -n 1 err)" test $status -eq 0
+    cp -r folder complete
+    first_line count
+    n=$line
+    for FAIL_ON in 0 1; do
+        FAIL_AT=1
+        export FAIL_ON FAIL_AT
+        while [ "$FAIL_AT" -le "$n" ]; do
+            for file in complete/*; do echo old >"folder/${file#*/}"; done
+            LD_PRELOAD=$shim "$fourlink" "$@" >out 2>err </dev/null
+            status=$?
+            tries=$((tries + 1))
+            refused=$((refused + (status == 3)))
+            for file in folder/* folder/.[!.]*; do
+                [ "$file" = 'folder/.[!.]*' ] && continue
+                first_line "$file"
+                { [ "$line" = old ] && [ $status -eq 3 ]; } || cmp -s "$file" "complete/${file#*/}" ||
+                    check "allocation $FAIL_AT of $n (FAIL_ON=$FAIL_ON): exit status $status, $file: $line; $(head -n 1 err)" \
+                        false fourlink "$@"
+            done
+            check "allocation $FAIL_AT: $(ls folder | tr '\n' ' ')" test "$(ls -A folder)" = "$(ls -A complete)"
+            [ $status -eq 0 ] || [ $status -eq 3 ] || check "exit status $status at allocation $FAIL_AT" false "$@"
+            FAIL_AT=$((FAIL_AT + every))
+        done
+    done
+    unset FAIL_AT FAIL_ON
+    report "$*"
 }
 
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" .
@@ -181,11 +248,53 @@ all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-
 all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
 all 0 --plot-script=files/plot.svg --plot-kind=motion -o files/result -b open time.deck
 
+for kind in mechanism limits; do
+    all 0 --plot=files/plot.svg --plot-kind=$kind --plot-at='40 deg' -o files/result $few single.deck
+done
+all 0 --plot=files/plot.svg --plot-kind=columns --plot-x=theta4 -o files/result -b open $few single.deck
+
+# options that the runs above do not have
+all 0 --units='mm, kg, rpm' --wide --columns=theta2,B.x --branch=open --interval='90 deg' --output=files/result \
+    --set='crank.length = 21 mm' --format=table single.deck
+mkdir sub
+cp card.csv sub
+sed 's,card.csv,sub/../card.csv,' card.deck >elsewhere.deck
+all 0 --allow-files -o files/result $few elsewhere.deck
+all 1 --check=alvi-5.1.expect --scores --tolerance='1 %' -o files/result alvi-5.1.deck
+all 0 --at='30 deg, theta4 = 120 deg' -o files/result -b open single.deck
+all 0 --list -f json --output=files/result
+all 0 --help
+all 0 --version
+
+# synthesis: each task; one solution, all, a report, a check
+cp "$data"/synthesis/*.deck "$data"/synthesis/*.expect .
+for task in osu-lecture-12 three-positions khurmi-5.3 power-nine quadratic-slider best-return norton-3-2; do
+    "$fourlink" --synthesis $task.deck >/dev/null 2>&1
+    all $? --synthesis -o files/result $task.deck
+done
+all 0 --synthesis --solution=1 -f csv -o files/result three-positions.deck
+all 0 --synthesis --check=osu-lecture-12.expect -o files/result osu-lecture-12.deck
+
+# designs of a sweep as decks, as answers
+sweep 'crank.length = 18 mm, 20 mm, 22 mm' 'output = mu_min, max(Ts)'
+all 0 --design=2 -f csv -o files/result $few t.deck
+all 0 --design=2 --print-deck -o files/result t.deck
+printf 'Anna\nBen\n' >class.txt
+all_designs .deck --design=all --print-deck --output=folder/ --names=class.txt t.deck
+all_designs .expect --design=all --expect --output=folder/ -b open $few t.deck
+all_designs .html --design=all --report=folder/ -b open $few t.deck
+
 rm files/plot.svg
 picture=report.html
+all 0 --synthesis --report=files/report.html -o files/result khurmi-5.3.deck
 all 0 --report=files/report.html -o files/result $few single.deck
 all 0 --report=files/report.html -o files/result -b open time.deck
 all 2 --report=files/report.html -o files/result mistakes.deck
+
+sort -u tried >by_name
+while read -r letter name; do
+    check "no run with ${name:-$letter}" grep -qxF -e "${name:-$letter}" by_name
+done <options
 
 echo "$tries allocations failed: $refused runs ended with exit status 3, $((tries - refused - failed)) as usual"
 finish

@@ -225,4 +225,29 @@ run 2 --answers=answers --scores broken.deck
 nothing
 check 'a mistake of the deck is told once' test "$(grep -c 'unknown section' err)" -eq 1
 
+# What is no file that can be read is a row with its reason; the others are graded, and the exit status says 3.  What a
+# link leads to outside the folder is not quoted.
+cp -r answers odd
+mkdir odd/folder.txt
+mkfifo odd/fifo.txt
+ln -s loop.txt odd/loop.txt
+ln -s nothing odd/nothing.txt
+ln -s /dev/null odd/device.txt
+printf '[expect]\nsecret = 1\n' >secret
+ln -s ../secret odd/outside.txt
+run 3 --answers=odd --scores -f csv -o marks.csv exercise.deck
+for name in folder:'it is not a regular file' fifo:'it is not a regular file' loop:'Too many levels' nothing:'No such file' \
+    device:'it is not a regular file' outside:'it is a link to a file outside the folder'; do
+    check "the row of ${name%%:*}" grep -q "^${name%%:*},0,.*cannot read .*${name#*:}" marks.csv
+done
+check 'no file is quoted' none secret marks.csv err
+"$fourlink" --answers=answers --scores -f csv exercise.deck >without 2>err
+lines marks.csv $(($(wc -l <without) + 6))
+run 3 --answers=odd exercise.deck
+check 'without --scores too' grep -q 'it is not a regular file' out
+mkdir fifos
+mkfifo fifos/exercise.expect
+run 3 --check=fifos --scores exercise.deck
+prints 'it is not a regular file'
+
 finish
