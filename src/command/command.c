@@ -9,6 +9,13 @@
 #include "base/message.h"
 #include "command.h"
 
+static int silent;
+
+void command_be_silent(int is_silent)
+{
+    silent = is_silent;
+}
+
 int command_worse(int status, int other)
 {
     return other > status ? other : status;
@@ -39,6 +46,8 @@ void command_say(const char *first, ...)
     const char *words;
     va_list more;
 
+    if (silent)
+        return;
     va_start(more, first);
     for (words = first; words; words = va_arg(more, const char *))
         print(words);

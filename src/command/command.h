@@ -13,6 +13,9 @@ int command_worse(int status, int other);
 /* Print strings, up to a null pointer, as a line of messages. */
 void command_say(const char *first, ...);
 
+/* Print no messages (1), or print them again (0): those of what is read twice. */
+void command_be_silent(int is_silent);
+
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 

@@ -30,7 +30,8 @@ static char *read_stream(FILE *file, size_t *length)
         if (ferror(file))
             break;
         *length = n;
-        return contents;
+        more = realloc(contents, n + 1);
+        return more ? more : contents;
     }
     reason = capacity > LARGEST_FILE ? EFBIG : errno;
     free(contents);

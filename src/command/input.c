@@ -232,17 +232,47 @@ static int open_results(input *in)
     return status;
 }
 
+/* A copy of a text; null with errno set if out of memory. */
+static char *copy_text(const input_text *of, size_t *length)
+{
+    char *copy = malloc(of->length + 1);
+
+    *length = of->length;
+    return copy ? memcpy(copy, of->start, of->length) : NULL;
+}
+
+/* Read a text, which may be read again; null with errno set if that fails. */
+static char *read_again(const char *path, input_text *once, size_t *length)
+{
+    input_text copy;
+    char *contents;
+
+    if (once && once->start)
+        return copy_text(once, length);
+    contents = files_read(path, length);
+    if (!contents || !once || system_kind_of(path) == SYSTEM_FILE)
+        return contents;
+    copy.start = contents;
+    copy.length = *length;
+    once->start = copy_text(&copy, &once->length);
+    if (once->start)
+        return contents;
+    free(contents);
+    errno = ENOMEM;
+    return NULL;
+}
+
 /* Read the text of a deck; returns the exit status. */
-static int read_text(input *in, const char *path)
+static int read_text(input *in, const char *path, input_text *once)
 {
     size_t length = 0;
     int reason;
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
-    if (in->name != path && system_is_terminal(stdin))
+    if (in->name != path && !(once && once->start) && system_is_terminal(stdin))
         command_say("fourlink: reading a deck from the keyboard; see fourlink --help",
                     (char *)NULL);
-    in->text = files_read(path, &length);
+    in->text = read_again(path, once, &length);
     in->source.name = in->name;
     in->source.text = in->text;
     in->source.length = (unsigned long)length;
@@ -387,12 +417,13 @@ static int open_input(input *in)
     return EXIT_USAGE;
 }
 
-int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers,
+               input_text *once)
 {
     int status;
 
     in->o = o;
-    status = read_text(in, path);
+    status = read_text(in, path, once);
     if (!status)
         status = take_answers(in, path, answers, NULL);
     return status ? status : open_input(in);

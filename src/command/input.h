@@ -33,9 +33,17 @@ typedef struct input {
     char refusal[MESSAGE_SIZE];
 } input;
 
+/* The text of a deck that can be read only once, such as standard input; null: it has not been read. */
+typedef struct input_text {
+    char *start;
+    size_t length;
+} input_text;
+
 /* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads
-** the first design without mistakes. */
-int input_read(input *in, const char *path, const options *o, const grade_answers *answers);
+** the first design without mistakes.  `once` keeps the text of a deck that is read again and can be read only once;
+** null: it is not read again. */
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers,
+               input_text *once);
 
 /* The same with the i-th file of answers to a deck that has been read. */
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,

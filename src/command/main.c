@@ -9,129 +9,15 @@
 #include <string.h>
 
 #include "base/system.h"
+#include "batch.h"
 #include "command.h"
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
-#include "marks.h"
 #include "output.h"
-#include "terminal.h"
 #include "variants.h"
 #include "writers.h"
 #include "tables/content.h"
-
-static void tell_no_value(const fourlink_check *check, const char *deck_name)
-{
-    command_tell("error", check->file, check->message_line, check->message, deck_name);
-}
-
-/* The columns of all decks, each name with each unit once; null if out of memory. */
-static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, unsigned long *n)
-{
-    const fourlink_value *list;
-    fourlink_value *all = NULL, *more;
-    unsigned long count, k, j;
-    size_t i;
-
-    *n = 0;
-    for (i = 0; i < n_inputs; i++) {
-        count = 0;
-        if (inputs[i].results)
-            fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list, &count);
-        more = realloc(all, (*n + count + 1) * sizeof *all);
-        if (!more) {
-            free(all);
-            return NULL;
-        }
-        all = more;
-        for (k = 0; k < count; k++) {
-            for (j = 0; j < *n; j++)
-                if (strcmp(all[j].name, list[k].name) == 0 &&
-                    strcmp(all[j].unit, list[k].unit) == 0)
-                    break;
-            if (j == *n)
-                all[(*n)++] = list[k];
-        }
-    }
-    return all;
-}
-
-/* 1 if reading or memory failed, so that a deck has no score. */
-static int has_no_score(const options *o, const input *in)
-{
-    return o->content == SHEET_CHECK && !in->results && !in->refusal[0];
-}
-
-/* The exit status for a deck that was written. */
-static int status_of(const sheet *s, const input *in)
-{
-    if (!in->results)
-        return 0; /* already reported */
-    if (s->out_of_memory)
-        return command_complain("cannot analyse", in->name, "not enough memory");
-    command_tell_more(s->checks[FOURLINK_NO_VALUE], "mistake");
-    if (s->checks[FOURLINK_NO_VALUE])
-        return EXIT_USAGE;
-    return s->failed || s->checks[FOURLINK_DIFFERS] || s->checks[FOURLINK_NO_MISPRINT] ? EXIT_ROWS
-                                                                                       : 0;
-}
-
-/* Write an input, or its score alone; returns the exit status. */
-static int write_input(sheet *s, const options *o, const input *in, marks *m)
-{
-    int status;
-    sheet_mark mark;
-
-    s->out_of_memory = 0;
-    if (in->deck || o->scores)
-        marks_give(m, in, &mark);
-    s->mark = in->deck ? &mark : NULL;
-    if (s->content == SHEET_SCORES)
-        content_write_mark(s, &mark);
-    else
-        content_write(s, in->results, in->name, in->refusal);
-    status = status_of(s, in);
-    s->mark = NULL;
-    return in->results && (in->deck || o->scores) && mark.right < mark.of
-               ? command_worse(status, EXIT_ROWS)
-               : status;
-}
-
-/* Write all inputs: decks, or one deck with the answers of many; returns the exit status. */
-static int write_decks(FILE *out, const options *o, const input *inputs, size_t n)
-{
-    fourlink_value *header;
-    int status = 0;
-    size_t i;
-    marks m;
-    sheet s;
-
-    status = marks_find(&m, inputs, n);
-    if (status)
-        return status;
-    memset(&s, 0, sizeof s);
-    s.format = o->format;
-    s.content = o->scores ? SHEET_SCORES : o->content;
-    s.wrong_first = s.format == &table_format;
-    s.at = o->at;
-    s.n_decks = (int)o->n_decks;
-    s.no_value = tell_no_value;
-    s.width = o->wide ? 0 : terminal_width(out);
-    s.header = header = union_of_columns(inputs, n, &s.n_header);
-    if (!header) {
-        marks_free(&m);
-        return command_complain("cannot start", "", "not enough memory");
-    }
-    content_begin(&s, out, 1);
-    for (i = 0; i < n; i++)
-        if (has_no_score(o, &inputs[i])) /* already reported */
-            status = EXIT_FILES;
-        else
-            status = command_worse(status, write_input(&s, o, &inputs[i], &m));
-    free(header);
-    marks_free(&m);
-    return status;
-}
 
 /* Write the text of a deck with the values that are computed; returns the exit status. */
 static int write_deck(FILE *out, const input *in)
@@ -159,71 +45,71 @@ static int prints_found(const options *o, const input *in)
 }
 
 /* Write what the options ask for; returns the exit status. */
-static int write_sheet(const options *o, const input *inputs, size_t n)
+static int write_sheet(const options *o, const input *in, const grade_answers *answers)
 {
     output out;
     int status = output_begin(&out, o->output), written;
 
     if (status)
         return status;
-    if (o->lists_all)
-        written = catalogue_write(out.file, o);
-    else if (o->print_deck || (prints_found(o, &inputs[0]) && !o->has_format))
-        written = write_deck(out.file, &inputs[0]);
+    if (o->print_deck || (prints_found(o, in) && !o->has_format))
+        written = write_deck(out.file, in);
     else if (o->best)
-        written = best_write(out.file, &inputs[0]);
-    else if (prints_found(o, &inputs[0]) && !inputs[0].is_design)
-        written = solutions_write(out.file, &inputs[0]);
-    else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
-        written = designs_write(out.file, &inputs[0]);
+        written = best_write(out.file, in);
+    else if (prints_found(o, in) && !in->is_design)
+        written = solutions_write(out.file, in);
+    else if (in->results && in->problem.n_designs && o->content != SHEET_LIST)
+        written = designs_write(out.file, in);
     else
-        written = write_decks(out.file, o, inputs, n);
+        written = batch_write_one(out.file, in, answers);
     /* incomplete results are not kept */
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
 }
 
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
-static int write_all(const options *o, const input *inputs, size_t n, int usable)
+static int write_all(const options *o, const input *in, const grade_answers *answers)
 {
     drawing d;
     int status = 0;
 
     d.script = NULL;
-    if ((o->plot || o->plot_script) && inputs[0].results)
-        status = drawing_begin(&d, &inputs[0]);
+    if ((o->plot || o->plot_script) && in->results)
+        status = drawing_begin(&d, in);
     if (status == EXIT_USAGE)
         return status;
-    if (options_want_table(o) &&
-        (usable || (o->content == SHEET_CHECK && (n > 1 || inputs[0].deck || o->scores))))
-        status = command_worse(status, write_sheet(o, inputs, n));
+    if (options_want_table(o) && (in->results || (o->content == SHEET_CHECK && o->scores)))
+        status = command_worse(status, write_sheet(o, in, answers));
     if (d.script)
         status = command_worse(status, drawing_end(&d, !system_caught()));
     return status;
 }
 
-/* Read n inputs, write what is asked for, and close them; returns the exit status.  `deck` is not null
-** for a deck with the answers of many. */
-static int run_inputs(const options *o, const grade_answers *answers, const input *deck)
+/* Read a deck, write what is asked for, and close it; returns the exit status. */
+static int run_one(const options *o, const grade_answers *answers)
 {
-    size_t n = deck ? answers->n_files : o->n_decks, i;
-    input *inputs = calloc(n + 1, sizeof *inputs);
-    int status = 0, usable = 0;
+    input in;
+    int status;
 
-    if (!inputs)
-        return command_complain("cannot start", "", "not enough memory");
-    for (i = 0; i < n; i++) {
-        status = command_worse(status, deck ? input_read_answers(&inputs[i], deck, o, answers, i)
-                                            : input_read(&inputs[i], o->decks[i], o, answers));
-        usable += inputs[i].results != NULL;
-        status = command_worse(status, inputs[i].has_defects ? EXIT_ROWS : 0);
-    }
-    status = command_worse(status, write_all(o, inputs, n, usable));
-    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !system_caught())
-        status = command_worse(status, drawing_report(&inputs[0]));
-    for (i = 0; i < n; i++)
-        input_close(&inputs[i]);
-    free(inputs);
+    memset(&in, 0, sizeof in);
+    status = input_read(&in, o->decks[0], o, answers, NULL);
+    status = command_worse(status, in.has_defects ? EXIT_ROWS : 0);
+    status = command_worse(status, write_all(o, &in, answers));
+    if (o->report && (in.results || in.has_mistakes) && !system_caught())
+        status = command_worse(status, drawing_report(&in));
+    input_close(&in);
     return status;
+}
+
+/* Write the list of all columns and facts; returns the exit status. */
+static int run_catalogue(const options *o)
+{
+    output out;
+    int status = output_begin(&out, o->output), written;
+
+    if (status)
+        return status;
+    written = catalogue_write(out.file, o);
+    return command_worse(written, output_end(&out, o->output, written == 0));
 }
 
 static const grade_answers no_answers = {NULL, NULL, 0, NULL, NULL, 0};
@@ -238,9 +124,9 @@ static int run_class(const options *o, const grade_answers *answers)
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_SUMMARY;
     of_deck.check_file = NULL;
-    status = input_read(&deck, o->decks[0], &of_deck, &no_answers);
+    status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results)
-        status = command_worse(status, run_inputs(o, answers, &deck));
+        status = command_worse(status, batch_run(o, answers, &deck));
     input_close(&deck);
     return status;
 }
@@ -257,7 +143,7 @@ static int run_variant(const options *o, const char *path, unsigned long i)
     one.variant = path;
     *(o->report ? &one.report : &one.output) = path;
     status = files_tell_clash(&one);
-    return status ? status : run_inputs(&one, &no_answers, NULL);
+    return status ? status : run_one(&one, &no_answers);
 }
 
 /* Write a file for each design of a [sweep]; returns the exit status. */
@@ -274,7 +160,7 @@ static int run_variants(const options *o)
     of_deck.content = SHEET_ROWS;
     of_deck.report = NULL;
     of_deck.is_again = 1;
-    status = input_read(&deck, o->decks[0], &of_deck, &no_answers);
+    status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results) {
         status = variants_open(&v, &deck);
         may_write = status == 0;
@@ -302,10 +188,11 @@ static int run(const options *o)
 
     status = grade_open(&answers, o);
     if (!status)
-        status = o->lists_all      ? write_sheet(o, NULL, 0)
+        status = o->lists_all      ? run_catalogue(o)
                  : o->all_designs  ? run_variants(o)
                  : answers.n_files ? run_class(o, &answers)
-                                   : run_inputs(o, &answers, NULL);
+                 : o->n_decks > 1  ? batch_run(o, &answers, NULL)
+                                   : run_one(o, &answers);
     grade_close(&answers);
     if (system_caught()) {
         fflush(stdout);

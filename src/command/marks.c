@@ -23,7 +23,7 @@
 typedef struct question {
     fourlink_check value;  /* the first that was found */
     unsigned long answers; /* how many have it */
-    size_t last;           /* number of the last one that has it, from 1 */
+    unsigned long last;    /* number of the last one that has it, from 1 */
     int is_right;          /* of the one that is marked: 1, 0 or NO_ANSWER */
 } question;
 
@@ -46,7 +46,7 @@ static question *find(const marks *m, const fourlink_check *c)
 }
 
 /* Add the values of an input. */
-static void add(marks *m, const input *in, size_t number)
+static void add(marks *m, const input *in, unsigned long number)
 {
     fourlink_check c;
     unsigned long i;
@@ -60,6 +60,7 @@ static void add(marks *m, const input *in, size_t number)
         if (!q && m->n < MOST_QUESTIONS) {
             q = &m->list[m->n++];
             q->value = c;
+            q->value.file = q->value.unit = ""; /* its results are closed */
             q->answers = 0;
             q->last = 0;
         }
@@ -68,28 +69,6 @@ static void add(marks *m, const input *in, size_t number)
             q->last = number;
         }
     }
-}
-
-/* Find the questions: those of the deck, else those that a quarter of the answers have. */
-static void find_questions(marks *m, const input *deck, const input *inputs, size_t n)
-{
-    unsigned long i, kept = 0, readable = 0, from_deck;
-
-    if (deck)
-        add(m, deck, 0);
-    from_deck = m->n;
-    m->set_tolerances = 0;
-    for (i = 0; i < n; i++)
-        if (inputs[i].results) {
-            add(m, &inputs[i], i + 1);
-            readable++;
-        }
-    for (i = 0; i < m->n && !from_deck; i++) {
-        if (SHARE * m->list[i].answers >= readable)
-            m->list[kept++] = m->list[i];
-        m->are_guessed |= m->list[i].answers < readable;
-    }
-    m->n = from_deck ? from_deck : kept;
 }
 
 /* Add words to a note; what does not fit is left out. */
@@ -146,20 +125,46 @@ static void tell(const marks *m, const char *name, int is_class)
     command_tell("note", name, 0, words, NULL);
 }
 
-int marks_find(marks *m, const input *inputs, size_t n)
+int marks_begin(marks *m, const options *o, const input *deck)
 {
-    const input *deck = inputs[0].deck;
-    const options *o = inputs[0].o;
-
     memset(m, 0, sizeof *m);
+    m->o = o;
+    m->deck = deck;
     if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
         return 0;
     m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
     if (!m->list)
         return command_complain("cannot start", "", "not enough memory");
-    find_questions(m, deck, inputs, n);
-    tell(m, o->check_file, deck != NULL);
+    if (deck)
+        add(m, deck, 0);
+    m->n_of_deck = m->n;
+    m->set_tolerances = 0;
     return 0;
+}
+
+void marks_add(marks *m, const input *in)
+{
+    m->number++;
+    if (!m->list || !in->results)
+        return;
+    add(m, in, m->number);
+    m->readable++;
+}
+
+/* Without questions of the deck, those that a quarter of the answers have. */
+void marks_end(marks *m)
+{
+    unsigned long i, kept = 0;
+
+    if (!m->list)
+        return;
+    for (i = 0; i < m->n && !m->n_of_deck; i++) {
+        if (SHARE * m->list[i].answers >= m->readable)
+            m->list[kept++] = m->list[i];
+        m->are_guessed |= m->list[i].answers < m->readable;
+    }
+    m->n = m->n_of_deck ? m->n_of_deck : kept;
+    tell(m, m->o->check_file, m->deck != NULL);
 }
 
 /* Find which questions an input answers, and whether all its answers to one are right. */

@@ -11,14 +11,20 @@
 typedef struct marks {
     struct question *list; /* null: each file is asked for the values that it has */
     unsigned long n;
-    int set_tolerances; /* 1: some answers set their own */
-    int are_guessed;    /* 1: found in the answers, because the deck does not list them */
+    unsigned long n_of_deck; /* those of the deck's own [expect] */
+    int set_tolerances;      /* 1: some answers set their own */
+    int are_guessed;         /* 1: found in the answers, because the deck does not list them */
+    unsigned long readable, number; /* answers that could be read, of so many */
+    const options *o;
+    const input *deck;
 } marks;
 
 /* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own
-** [expect]; if it has none, the values that enough answers have, which a note tells.  Returns the exit
-** status. */
-int marks_find(marks *m, const input *inputs, size_t n);
+** [expect]; if it has none, the values that enough answers have, which a note tells.  Begin, which returns the
+** exit status; add each input; then end. */
+int marks_begin(marks *m, const options *o, const input *deck);
+void marks_add(marks *m, const input *in);
+void marks_end(marks *m);
 
 /* What an input is worth. */
 void marks_give(marks *m, const input *in, sheet_mark *mark);

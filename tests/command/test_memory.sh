@@ -15,4 +15,24 @@ if (ulimit -v 65536 && "$fourlink" --version >out) 2>err; then
     check 'their statistics in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -f csv --statistics t.deck | grep -q "^swing,deg,open,100000,"' "$fourlink"
 fi
 
+# So is that of many decks, and of the answers of many: what each takes is given back.
+mkdir decks class
+i=0
+while [ $i -lt 1500 ]; do
+    i=$((i + 1))
+    cp "$alvi" decks/d$i.deck
+    printf '[expect]\nswing = 41 deg\nmu_min = 58 deg\n' >class/s$i.txt
+done
+if (ulimit -v 65536 && "$fourlink" --version >out) 2>err; then
+    for format in table csv json; do
+        check "1500 decks in 64 MB: $format" sh -c 'ulimit -v 65536 && exec "$0" -f '$format' -b open -i 90deg decks/*.deck >out' "$fourlink"
+    done
+    check '1500 answers in 64 MB' sh -c 'ulimit -v 65536; "$0" --answers=class --scores -f csv "$1" >out; test $? -eq 1' "$fourlink" "$alvi"
+    lines out 1501
+fi
+# what can be read only once is kept
+cat "$alvi" | "$fourlink" -f csv - decks/d1.deck >out 2>err
+"$fourlink" -f csv "$alvi" decks/d1.deck | sed "s,^$alvi,<stdin>," >expected
+same out expected
+
 finish

@@ -337,9 +337,14 @@ static double peak_of(unsigned long c)
 /* 1 if the column is rounding error about zero: its slope changes its sign in every third step. */
 static int is_rounding(unsigned long c)
 {
+    double most = 0;
+    unsigned long k;
     int turns = 0, i;
 
-    if (most_of(c) < 1e-12)
+    for (k = 0; k < n_columns; k++)
+        if (strcmp(columns[k].quantity, columns[c].quantity) == 0)
+            most = fmax(most, most_of(k));
+    if (most_of(c) < 1e-12 * fmax(most, 1))
         return 1;
     for (i = 1; i + 1 < n; i++)
         turns += (rows[i][c] - rows[i - 1][c]) * (rows[i + 1][c] - rows[i][c]) < 0;

@@ -67,16 +67,20 @@ run 2 -f json --check=answers class/carla.deck class/anna.deck
 check 'json, a bad deck' grep -q '^{"deck":"class/carla.deck","status":"bad deck","score":0,"message":"class/carla.deck:15: unknown key' out
 check 'json, a score' grep -q '^{"deck":"class/anna.deck",.*\],"score":12,"of":12}$' out
 
-# a deck or answers that cannot be read, but are there: no score, and the old scores stay
+# a deck that cannot be read, but is there: no score, and the old scores stay; answers that cannot be read are a row with
+# the reason
 echo old >scores.csv
 mkdir class/fred.deck answers/gina.expect
 cp plain.deck class/gina.deck
 run 3 --check=answers class/anna.deck class/fred.deck class/gina.deck
 says 'fourlink: cannot read class/fred.deck: '
 says 'fourlink: cannot read answers/gina.expect: '
-check 'no score for them' test "$(grep -c '^# score: ' out)" -eq 1
-run 3 -f csv --check=answers -o scores.csv class/anna.deck class/gina.deck
+check 'no score for the deck' test "$(sed -n 's/^# score: //p' out | tr '\n' ',')" = '12 of 12,0,'
+check 'the reason' grep -qF '# bad deck: cannot read answers/gina.expect: it is not a regular file' out
+run 3 -f csv --check=answers -o scores.csv class/anna.deck class/fred.deck
 check 'the old scores' test "$(cat scores.csv)" = old
+run 3 -f csv --check=answers -o gina.csv class/anna.deck class/gina.deck
+check 'a row for gina' grep -q '^class/gina.deck,,,bad deck,.*cannot read answers/gina.expect: it is not a regular file' gina.csv
 run 3 -f csv --check=answers -o answers/anna.expect class/anna.deck class/ben.deck
 same answers.txt answers/anna.expect
 rm -r class/fred.deck answers/gina.expect

@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
+**
+** The header of a csv has the columns of all decks, and marks are for what all answers are asked: for these, all are
+** read once before they are written.  What can be read only once, such as standard input, is kept as text.
+*/
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/system.h"
+#include "batch.h"
+#include "command.h"
+#include "files.h"
+#include "marks.h"
+#include "output.h"
+#include "tables/content.h"
+#include "terminal.h"
+
+/* Many inputs, and what is known of all. */
+typedef struct batch {
+    const options *o;
+    const grade_answers *answers;
+    const input *deck; /* null: the inputs are decks */
+    size_t n;
+    input_text *texts; /* of decks that can be read only once; else null texts */
+    fourlink_value *header;
+    unsigned long n_header;
+    marks m;
+    sheet s;
+} batch;
+
+static int complain_of_memory(void)
+{
+    return command_complain("cannot start", "", "not enough memory");
+}
+
+/* --------------------------------------------------------------------------------------------- the header */
+
+/* Add a column, whose results will be closed; 0 if out of memory. */
+static int add_column(batch *b, const fourlink_value *column)
+{
+    fourlink_value *more = realloc(b->header, (b->n_header + 1) * sizeof *more);
+    char *words;
+
+    if (!more)
+        return 0;
+    b->header = more;
+    words = malloc(strlen(column->name) + strlen(column->unit) + 2);
+    if (!words)
+        return 0;
+    more[b->n_header] = *column;
+    more[b->n_header].name = strcpy(words, column->name);
+    more[b->n_header++].unit = strcpy(words + strlen(words) + 1, column->unit);
+    return 1;
+}
+
+/* Add the columns of a deck, each name with each unit once; 0 if out of memory. */
+static int add_columns(batch *b, const input *in)
+{
+    const fourlink_value *list;
+    unsigned long count = 0, k, j;
+
+    if (in->results)
+        fourlink_results_list(in->results, FOURLINK_COLUMNS, &list, &count);
+    for (k = 0; k < count; k++) {
+        for (j = 0; j < b->n_header; j++)
+            if (strcmp(b->header[j].name, list[k].name) == 0 &&
+                strcmp(b->header[j].unit, list[k].unit) == 0)
+                break;
+        if (j == b->n_header && !add_column(b, &list[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* ----------------------------------------------------------------------------------------------- the sheet */
+
+static void tell_no_value(const fourlink_check *check, const char *deck_name)
+{
+    command_tell("error", check->file, check->message_line, check->message, deck_name);
+}
+
+/* 1 if memory failed, so that a deck has no score. */
+static int has_no_score(const options *o, const input *in)
+{
+    return o->content == SHEET_CHECK && !in->results && !in->refusal[0];
+}
+
+/* The exit status for a deck that was written. */
+static int status_of(const sheet *s, const input *in)
+{
+    if (!in->results)
+        return 0; /* already reported */
+    if (s->out_of_memory)
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    command_tell_more(s->checks[FOURLINK_NO_VALUE], "mistake");
+    if (s->checks[FOURLINK_NO_VALUE])
+        return EXIT_USAGE;
+    return s->failed || s->checks[FOURLINK_DIFFERS] || s->checks[FOURLINK_NO_MISPRINT] ? EXIT_ROWS
+                                                                                       : 0;
+}
+
+/* Write an input, or its score alone; returns the exit status. */
+static int write_input(batch *b, const input *in)
+{
+    const options *o = b->o;
+    sheet *s = &b->s;
+    int status;
+    sheet_mark mark;
+
+    if (has_no_score(o, in)) /* already reported */
+        return EXIT_FILES;
+    s->out_of_memory = 0;
+    s->failed = 0;
+    if (in->deck || o->scores)
+        marks_give(&b->m, in, &mark);
+    s->mark = in->deck ? &mark : NULL;
+    if (s->content == SHEET_SCORES)
+        content_write_mark(s, &mark);
+    else
+        content_write(s, in->results, in->name, in->refusal);
+    status = status_of(s, in);
+    s->mark = NULL;
+    return in->results && (in->deck || o->scores) && mark.right < mark.of
+               ? command_worse(status, EXIT_ROWS)
+               : status;
+}
+
+static void begin_sheet(batch *b, FILE *out)
+{
+    const options *o = b->o;
+    sheet *s = &b->s;
+
+    memset(s, 0, sizeof *s);
+    s->format = o->format;
+    s->content = o->scores ? SHEET_SCORES : o->content;
+    s->wrong_first = s->format == &table_format;
+    s->at = o->at;
+    s->n_decks = (int)o->n_decks;
+    s->no_value = tell_no_value;
+    s->width = o->wide ? 0 : terminal_width(out);
+    s->header = b->header;
+    s->n_header = b->n_header;
+    content_begin(s, out, 1);
+}
+
+static void batch_close(batch *b)
+{
+    unsigned long k;
+    size_t i;
+
+    for (k = 0; k < b->n_header; k++)
+        free((void *)b->header[k].name);
+    for (i = 0; i < b->n && b->texts; i++)
+        free(b->texts[i].start);
+    free(b->header);
+    free(b->texts);
+    marks_free(&b->m);
+}
+
+int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
+{
+    int status;
+    batch b;
+
+    memset(&b, 0, sizeof b);
+    b.o = in->o;
+    b.answers = answers;
+    b.deck = in->deck;
+    status = marks_begin(&b.m, b.o, b.deck);
+    if (!status && !add_columns(&b, in))
+        status = complain_of_memory();
+    if (!status) {
+        marks_add(&b.m, in);
+        marks_end(&b.m);
+        begin_sheet(&b, out);
+        status = write_input(&b, in);
+    }
+    batch_close(&b);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- many inputs */
+
+/* Read input i; returns the exit status. */
+static int read_input(batch *b, size_t i, input *in)
+{
+    int status;
+
+    memset(in, 0, sizeof *in);
+    status = b->deck ? input_read_answers(in, b->deck, b->o, b->answers, i)
+                     : input_read(in, b->o->decks[i], b->o, b->answers, &b->texts[i]);
+    return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
+}
+
+/* Read all inputs, in silence, for what must be known of all; returns the exit status. */
+static int scan(batch *b)
+{
+    int enough = 1;
+    input in;
+    size_t i;
+
+    for (i = 0; i < b->n && enough && !system_caught(); i++) {
+        command_be_silent(1);
+        read_input(b, i, &in);
+        command_be_silent(0);
+        enough = add_columns(b, &in);
+        marks_add(&b->m, &in);
+        input_close(&in);
+    }
+    marks_end(&b->m);
+    return enough ? 0 : complain_of_memory();
+}
+
+/* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
+static int is_shown(const batch *b, const input *in)
+{
+    return in->results || b->o->content == SHEET_CHECK;
+}
+
+/* Read and write each; returns the exit status.  Nothing is written if there is nothing to show. */
+static int write_all(batch *b)
+{
+    int status = 0, written = 0, begun = 0, opened;
+    output out;
+    input in;
+    size_t i;
+
+    for (i = 0; i < b->n && !system_caught(); i++) {
+        status = command_worse(status, read_input(b, i, &in));
+        if (is_shown(b, &in) && !begun) {
+            opened = output_begin(&out, b->o->output);
+            if (opened) {
+                input_close(&in);
+                return command_worse(status, opened);
+            }
+            begin_sheet(b, out.file);
+            begun = 1;
+        }
+        if (begun)
+            written = command_worse(written, write_input(b, &in));
+        input_close(&in);
+    }
+    /* incomplete results are not kept */
+    if (begun)
+        written = command_worse(written, output_end(&out, b->o->output, written != EXIT_FILES));
+    return command_worse(status, written);
+}
+
+int batch_run(const options *o, const grade_answers *answers, const input *deck)
+{
+    int status;
+    batch b;
+
+    memset(&b, 0, sizeof b);
+    b.o = o;
+    b.answers = answers;
+    b.deck = deck;
+    b.n = deck ? answers->n_files : o->n_decks;
+    b.texts = calloc(b.n + 1, sizeof *b.texts);
+    status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
+    if (!status && (b.m.list || (o->format == &csv_format && o->content == SHEET_ROWS)))
+        status = scan(&b);
+    if (!status)
+        status = write_all(&b);
+    batch_close(&b);
+    return status;
+}
