@@ -123,6 +123,41 @@ static int has_task(const input *in)
            FOURLINK_OK;
 }
 
+/* Why the options need a [sweep], or null. */
+static const char *needs_sweep(const options *o)
+{
+    return o->parts                      ? "--part needs a [sweep]; the deck has none"
+           : o->design || o->all_designs ? "--design needs a [sweep]; the deck has none"
+                                         : NULL;
+}
+
+/* 1 if a text has the word, in letters of any case. */
+static int has_word(const char *start, size_t length, const char *word)
+{
+    size_t i, k;
+
+    for (i = 0; i < length; i++) {
+        for (k = 0; word[k] && i + k < length && (start[i + k] | 0x20) == word[k]; k++)
+            ;
+        if (!word[k])
+            return 1;
+    }
+    return 0;
+}
+
+/* 1 if neither the deck nor the options can have a [sweep]: seen before the deck is opened, which can take seconds. */
+static int has_no_sweep(const input *in)
+{
+    size_t i;
+
+    for (i = 0; i < in->o->n_changes; i++)
+        if (has_word(in->o->changes[i].assignment, strlen(in->o->changes[i].assignment), "sweep"))
+            return 0;
+    if (memchr(in->source.text, '\0', in->source.length)) /* in UTF-16 */
+        return 0;
+    return !in->o->synthesis && !has_word(in->source.text, in->source.length, "sweep");
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
@@ -140,10 +175,8 @@ static int serves_options(input *in)
         why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
         why = "--format=paper works for a four-bar only";
-    } else if (!is_sweep && o->parts) {
-        why = "--part needs a [sweep]; the deck has none";
-    } else if (!is_sweep && !in->is_design && (o->design || o->all_designs)) {
-        why = "--design needs a [sweep]; the deck has none";
+    } else if (!is_sweep && (o->parts || !in->is_design) && needs_sweep(o)) {
+        why = needs_sweep(o);
     } else if (o->design && is_sweep) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
@@ -384,6 +417,10 @@ static int open_input(input *in)
     const options *o = in->o;
     int status;
 
+    if (needs_sweep(o) && has_no_sweep(in)) {
+        tell_mistake(in, in->name, needs_sweep(o));
+        return EXIT_USAGE;
+    }
     in->source.load = load_file;
     in->source.host = in;
     in->source.units = o->units;

@@ -14,7 +14,10 @@
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1.5e-13 /* of a step: 1e-11 over many */
-#define MOST_STEPS 300000 /* of a motion and the search for it; each takes 240 bytes */
+/* Trial steps of a motion; of a steady motion, or a run-up that leads to one, with the search for it.  Each that is kept
+** takes 240 bytes. */
+#define MOST_STEPS 80000
+#define MOST_STEPS_OF_SEARCH 160000
 
 /* The motion of one branch. */
 typedef struct on_branch {
@@ -119,12 +122,13 @@ static double angle_of(const flk_path *p, double s)
 }
 
 /* The number of trial steps: fewer where steps take longer, with friction or many loads. */
-static unsigned long budget_of(const flk_machine *machine)
+static unsigned long budget_of(const flk_machine *machine, int mode)
 {
     unsigned long n = machine->n_loads,
-                  cost = 1 + n / 16 + (machine->has_friction ? 4 + n / 10 : 0);
+                  most = mode == DRIVE_FREE ? MOST_STEPS : MOST_STEPS_OF_SEARCH,
+                  cost = 1 + n / 16 + (machine->has_friction ? 9 + n / 5 : 0);
 
-    return MOST_STEPS / cost;
+    return most / cost;
 }
 
 static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
@@ -135,7 +139,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
 
     p->equation.branch = branch;
     p->tolerance = TOLERANCE;
-    p->budget = budget_of(&p->equation.machine);
+    p->budget = budget_of(&p->equation.machine, m->d->drive.mode);
     flk_facts_forget(f);
     found = find(m, p, f);
     f->flywheel = p->equation.machine.flywheel;

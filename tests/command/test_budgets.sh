@@ -83,4 +83,30 @@ ends 20 1 --report=none.html none.deck
 check 'a report without rows has no drawing' none -e 'id="mechanism"' none.html
 check 'but the reason' grep -q 'no steady motion' none.html
 
+# What took longest or most memory of random decks: at most 5 s of processor time and 200 MB, a report twice that.  (A
+# sanitizer needs more address space.)
+bounded() {
+    seconds=$1
+    kilobytes=$2
+    shift 2
+    (ulimit -t "$seconds"; ulimit -v "$kilobytes"; exec "$fourlink" "$@") >out 2>err </dev/null
+    status=$?
+    check "exit status $status: fourlink $*: $(tail -n 1 err)" test $status -le 1
+}
+if (ulimit -v 204800 && "$fourlink" --version >out) 2>err; then
+    for deck in "$decks"/../command/slow/*.deck; do
+        design=
+        grep -q '^\[sweep\]' "$deck" && design=--design=1
+        for content in '-f table' '-f csv' --summary; do
+            # shellcheck disable=SC2086
+            bounded 5 204800 $design $content "$deck"
+        done
+        # shellcheck disable=SC2086
+        bounded 10 409600 $design --report=slow.html "$deck"
+    done
+fi
+# without a [sweep] --design says so before anything is integrated
+ends 1 2 --design=1 "$decks/../command/slow/friction-in-a-lever.deck"
+says '--design needs a [sweep]'
+
 finish
