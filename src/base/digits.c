@@ -54,7 +54,7 @@ typedef struct product {
     word high, low;
 } product;
 
-static product multiply(word x, word y)
+static product multiply_words(word x, word y)
 {
     word x1 = x >> 32, x0 = x & 0xffffffff, y1 = y >> 32, y0 = y & 0xffffffff;
     word low = x0 * y0, a = x1 * y0 + (low >> 32), b = x0 * y1 + (a & 0xffffffff);
@@ -109,11 +109,11 @@ static word nearest(binary b, int k)
     product p, q;
 
     if (k >= 0 && k <= LARGEST_POWER)
-        return shifted(multiply(b.m, power_of_five[k]), -e, 0);
+        return shifted(multiply_words(b.m, power_of_five[k]), -e, 0);
     if (k > 0) {
-        p = multiply(b.m, power_of_five[LARGEST_POWER]);
-        q = multiply(p.low, power_of_five[k - LARGEST_POWER]);
-        p = multiply(p.high, power_of_five[k - LARGEST_POWER]);
+        p = multiply_words(b.m, power_of_five[LARGEST_POWER]);
+        q = multiply_words(p.low, power_of_five[k - LARGEST_POWER]);
+        p = multiply_words(p.high, power_of_five[k - LARGEST_POWER]);
         p.low += q.high;
         p.high += p.low < q.high;
         return shifted(p, -e - BITS, q.low != 0);

@@ -16,7 +16,7 @@ typedef struct writer {
     size_t room;
 } writer;
 
-static void put(writer *w, text piece)
+static void put_piece(writer *w, text piece)
 {
     size_t length = strlen(flk_text_copy(piece, w->end, w->room));
 
@@ -26,7 +26,7 @@ static void put(writer *w, text piece)
 
 static void put_string(writer *w, const char *string)
 {
-    put(w, flk_text_of(string));
+    put_piece(w, flk_text_of(string));
 }
 
 static void put_hint(writer *w, const char *nearest)
@@ -53,7 +53,7 @@ char *flk_message_list(char *out, size_t size, const char *format, va_list value
 
         piece.start = format;
         piece.length = plain;
-        put(&w, piece);
+        put_piece(&w, piece);
         format += plain;
         if (!*format++)
             return out;

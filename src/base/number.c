@@ -61,7 +61,7 @@ static int starts_with(text t, const char *word)
 #define EXPONENT_MAX 100000
 
 /* The exponent at the front of a text, within +-EXPONENT_MAX. */
-static long read_exponent(const char *s, const char *end)
+static long read_number_exponent(const char *s, const char *end)
 {
     int negative = *s == '-';
     long exponent = 0;
@@ -102,7 +102,7 @@ number_status flk_number_read(text *rest, double *value)
             exponent -= i > point;
         }
     if (i < n)
-        exponent += read_exponent(s + i + 1, s + n);
+        exponent += read_number_exponent(s + i + 1, s + n);
     *end++ = 'e';
     flk_digits_short((double)exponent, 9, end);
     result = strtod(copy, NULL);

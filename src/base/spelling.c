@@ -23,7 +23,7 @@ static const struct {
                     {"\342\201\266", '6'}, {"\342\201\267", '7'}, {"\342\201\270", '8'},
                     {"\342\201\271", '9'}, {"\342\201\273", '-'}};
 
-static int is_digit(char c)
+static int is_decimal_digit(char c)
 {
     return '0' <= c && c <= '9';
 }
@@ -55,7 +55,7 @@ static char *write_sign(text *t, const char *start, char *end)
 
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
         if (begins_with(*t, signs[i].typed)) {
-            if (end > start && is_digit(end[-1]) && signs[i].plain[0] == 'd')
+            if (end > start && is_decimal_digit(end[-1]) && signs[i].plain[0] == 'd')
                 *end++ = ' '; /* 20 deg */
             strcpy(end, signs[i].plain);
             *t = flk_text_from(*t, strlen(signs[i].typed));
@@ -99,7 +99,7 @@ static const char *exponent_after(const char *s)
     if (strncmp(s, "10^", 3) != 0)
         return NULL;
     s += 3;
-    return is_digit(*s) || ((*s == '-' || *s == '+') && is_digit(s[1])) ? s : NULL;
+    return is_decimal_digit(*s) || ((*s == '-' || *s == '+') && is_decimal_digit(s[1])) ? s : NULL;
 }
 
 /* Rewrite powers of ten after digits as e3.  Returns the new length. */
@@ -109,7 +109,8 @@ static size_t write_powers(char *out)
     char *to = out;
 
     while (*from) {
-        exponent = to > out && (is_digit(to[-1]) || to[-1] == '.') ? exponent_after(from) : NULL;
+        exponent =
+            to > out && (is_decimal_digit(to[-1]) || to[-1] == '.') ? exponent_after(from) : NULL;
         if (exponent) {
             *to++ = 'e';
             from = exponent;

@@ -312,7 +312,7 @@ static void become(const char *const *arguments, FILE *complaints)
 }
 
 /* Start the program.  Returns the pipe from its standard output, or -1. */
-static int start(const char *const *arguments, FILE *input, FILE *complaints)
+static int start_program(const char *const *arguments, FILE *input, FILE *complaints)
 {
     int ends[2];
     sigset_t all, old;
@@ -359,7 +359,7 @@ static long copy(int from, FILE *to)
 int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *complaints,
                system_outcome *outcome)
 {
-    int status = 0, pipe_end = start(arguments, input, complaints), reason;
+    int status = 0, pipe_end = start_program(arguments, input, complaints), reason;
     pid_t ended;
 
     memset(outcome, 0, sizeof *outcome);

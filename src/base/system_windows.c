@@ -477,7 +477,8 @@ static HANDLE common_end(void)
 }
 
 /* Start a program from PATH.  The working folder is not searched: it may hold someone else's files. */
-static int start(const char *const *arguments, HANDLE standard[3], HANDLE job, HANDLE *process)
+static int start_program(const char *const *arguments, HANDLE standard[3], HANDLE job,
+                         HANDLE *process)
 {
     wchar_t *line = command_line(arguments), *name = wide(arguments[0]), program[MAX_PATH];
     const wchar_t *path = _wgetenv(L"PATH");
@@ -547,7 +548,8 @@ int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *co
     standard[2] = inherited(handle_of(complaints));
     CloseHandle(to);
     job = common_end();
-    done = standard[0] && standard[1] && standard[2] && start(arguments, standard, job, &process);
+    done = standard[0] && standard[1] && standard[2] &&
+           start_program(arguments, standard, job, &process);
     for (i = 0; i < 3; i++)
         if (standard[i])
             CloseHandle(standard[i]);

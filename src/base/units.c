@@ -86,7 +86,7 @@ static const named_unit units[] = {
 #define UNIT_COUNT (sizeof units / sizeof units[0])
 
 /* Units are case-sensitive: mN and MN are not the same. */
-static const named_unit *find(text name)
+static const named_unit *find_named_unit(text name)
 {
     size_t i;
 
@@ -132,13 +132,13 @@ static const named_unit *find_word(text word, const named_unit **first)
 
     for (i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
         if (flk_text_same(word, pairs[i].written)) {
-            *first = find(flk_text_of(pairs[i].first));
-            return find(flk_text_of(pairs[i].second));
+            *first = find_named_unit(flk_text_of(pairs[i].first));
+            return find_named_unit(flk_text_of(pairs[i].second));
         }
     *first = NULL;
     for (i = 0; i < sizeof words / sizeof words[0]; i++)
         if (flk_text_equal(word, words[i].written))
-            return find(flk_text_of(words[i].meant));
+            return find_named_unit(flk_text_of(words[i].meant));
     return NULL;
 }
 
@@ -159,7 +159,7 @@ static text as_rpm(text t)
 
 /* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if no
 ** unit has such an exponent. */
-static int read_exponent(text *t)
+static int read_unit_exponent(text *t)
 {
     int marked = t->length && t->start[0] == '^', exponent, sign = 1;
 
@@ -177,7 +177,7 @@ static int read_exponent(text *t)
 }
 
 /* Multiply by a unit to a power, positive or negative. */
-static void multiply(unit *u, const named_unit *by, int exponent)
+static void multiply_unit(unit *u, const named_unit *by, int exponent)
 {
     int i, n = exponent < 0 ? -exponent : exponent;
 
@@ -231,7 +231,7 @@ int flk_unit_read(text t, unit *result, text *bad)
 
         *bad = name.length ? name : t;
         if (!name.length ||
-            ((known = find(name)) == NULL && (known = find_word(name, &first)) == NULL))
+            ((known = find_named_unit(name)) == NULL && (known = find_word(name, &first)) == NULL))
             return 0;
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
@@ -240,14 +240,14 @@ int flk_unit_read(text t, unit *result, text *bad)
             bad->length += t.length;
             return 0; /* a unit of its own */
         }
-        exponent = read_exponent(&t);
+        exponent = read_unit_exponent(&t);
         if (!exponent) {
             *bad = up_to_blank(from);
             return 0;
         }
         if (first)
-            multiply(&u, first, sign);
-        multiply(&u, known, sign * exponent);
+            multiply_unit(&u, first, sign);
+        multiply_unit(&u, known, sign * exponent);
         if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
             return 0;
         sign = 1;

@@ -18,7 +18,7 @@ int flk_utf16_is(text t)
 }
 
 /* The two bytes at the front as a number; the replacement character if there is only one. */
-static unsigned long unit_of(text t, int is_little)
+static unsigned long code_unit(text t, int is_little)
 {
     const unsigned char *c = (const unsigned char *)t.start;
 
@@ -30,12 +30,12 @@ static unsigned long unit_of(text t, int is_little)
 /* Take the next character off the front: two bytes, or four of a surrogate pair. */
 static unsigned long take(text *t, int is_little)
 {
-    unsigned long first = unit_of(*t, is_little), second;
+    unsigned long first = code_unit(*t, is_little), second;
 
     *t = flk_text_from(*t, t->length < 2 ? t->length : 2);
     if (first < 0xd800 || first > 0xdfff)
         return first;
-    second = unit_of(*t, is_little);
+    second = code_unit(*t, is_little);
     if (first > 0xdbff || second < 0xdc00 || second > 0xdfff)
         return REPLACEMENT;
     *t = flk_text_from(*t, 2);
@@ -43,7 +43,7 @@ static unsigned long take(text *t, int is_little)
 }
 
 /* Write a character in UTF-8.  Returns the end of what was written. */
-static char *put(unsigned long c, char *out)
+static char *put_utf8(unsigned long c, char *out)
 {
     int more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3; /* bytes after the first */
     static const unsigned char first[] = {0, 0xc0, 0xe0, 0xf0};
@@ -60,7 +60,7 @@ text flk_utf16_convert(text t, char *out)
     char *end = out;
 
     while (t.length)
-        end = put(take(&t, is_little), end);
+        end = put_utf8(take(&t, is_little), end);
     t.start = out;
     t.length = (size_t)(end - out);
     return t;

@@ -107,7 +107,7 @@ static double angle_of(const deck_wanted *w, double x)
 }
 
 /* The x of a crank angle; NaN outside the range. */
-static double argument_of(const deck_wanted *w, double theta2)
+static double x_of_angle(const deck_wanted *w, double theta2)
 {
     double share = (theta2 - w->crank[0]) / (w->crank[1] - w->crank[0]);
 
@@ -118,7 +118,7 @@ static double argument_of(const deck_wanted *w, double theta2)
 static double wanted(void *host, double theta2)
 {
     const deck_wanted *w = host;
-    double x = argument_of(w, theta2);
+    double x = x_of_angle(w, theta2);
 
     if (gsl_isnan(x))
         return GSL_NAN;
@@ -172,7 +172,7 @@ static int set_points(parser *p, const setting *s)
     for (i = 0; i < task->n; i++) {
         t->output[i] = wanted(w, t->theta2[i]);
         is_defined &= gsl_finite(t->output[i]);
-        largest = GSL_MAX(largest, fabs(value_of(w, argument_of(w, t->theta2[i]))));
+        largest = GSL_MAX(largest, fabs(value_of(w, x_of_angle(w, t->theta2[i]))));
     }
     is_defined &= fabs(w->y[1] - w->y[0]) > 1e-12 * largest; /* sin 180 deg is not 0 */
     if (!is_defined)

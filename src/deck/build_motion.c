@@ -74,7 +74,7 @@ static void check_cycle(parser *p, double cycle)
 }
 
 /* Refuse keys of the given motion in another mode, and the reverse. */
-static void check_mode(parser *p, int mode)
+static void check_mode_of_motion(parser *p, int mode)
 {
     static const key_code of_given[] = {KEY_MOTION_ACCELERATION, KEY_MOTION_RUN_UP, KEY_MOTION_HOLD,
                                         KEY_MOTION_AT};
@@ -253,7 +253,7 @@ void flk_build_motion(parser *p)
     double cycle;
 
     p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    check_mode(p, p->d->drive.mode);
+    check_mode_of_motion(p, p->d->drive.mode);
     build_rows_by_time(p, p->d->drive.mode);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);

@@ -77,7 +77,7 @@ static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 }
 
 /* A motor needs a motion that is not given; a motor that balances needs a cycle and its mean speed. */
-static void check_mode(parser *p, const section_use *use, const fourlink_motor *motor)
+static void check_mode_of_motor(parser *p, const section_use *use, const fourlink_motor *motor)
 {
     int mode = p->d->drive.mode;
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
@@ -136,7 +136,7 @@ void flk_build_motor(parser *p)
     if (IS_SET(points))
         build_curve(p, points, motor);
     if (n == 1)
-        check_mode(p, use, motor);
+        check_mode_of_motor(p, use, motor);
     use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 

@@ -29,7 +29,7 @@ static void check_sort(parser *p, const section_use *use, key_code key, int is_t
 }
 
 /* The link at an end of a spring; 0 and a mistake if there is none. */
-static int build_link(parser *p, const section_use *use, key_code key)
+static int read_spring_link(parser *p, const section_use *use, key_code key)
 {
     const setting *link = flk_setting_of(use, key);
 
@@ -43,8 +43,8 @@ static int build_link(parser *p, const section_use *use, key_code key)
 }
 
 /* The point at an end of a spring. */
-static void build_point(parser *p, const section_use *use, key_code key, int link,
-                        fourlink_vector *at)
+static void read_spring_point(parser *p, const section_use *use, key_code key, int link,
+                              fourlink_vector *at)
 {
     const setting *place = flk_setting_of(use, key);
     int kind = (int)p->d->design.kind;
@@ -64,8 +64,8 @@ static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
 {
     const setting *to = flk_setting_of(use, KEY_SPRING_TO);
 
-    s->link = build_link(p, use, KEY_SPRING_LINK);
-    s->to = build_link(p, use, KEY_SPRING_TO);
+    s->link = read_spring_link(p, use, KEY_SPRING_LINK);
+    s->to = read_spring_link(p, use, KEY_SPRING_TO);
     if (s->is_torsional) {
         check_sort(p, use, KEY_SPRING_AT, 1);
         check_sort(p, use, KEY_SPRING_TO_AT, 1);
@@ -74,8 +74,8 @@ static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
         flk_mistake(p->mistakes, to->place, "a spring from the %t to itself does nothing",
                     to->value);
     } else if (!s->is_torsional) {
-        build_point(p, use, KEY_SPRING_AT, s->link, &s->at);
-        build_point(p, use, KEY_SPRING_TO_AT, s->to, &s->to_at);
+        read_spring_point(p, use, KEY_SPRING_AT, s->link, &s->at);
+        read_spring_point(p, use, KEY_SPRING_TO_AT, s->to, &s->to_at);
     }
 }
 

@@ -24,7 +24,7 @@ size_t flk_curve_point_value(text t)
 }
 
 /* The value of a point. */
-static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
+static int read_point_value(parser *p, const setting *s, text t, quantity q, point *result)
 {
     quantity_value value;
 
@@ -90,7 +90,7 @@ int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, 
     if (!flk_values_size(p, s, p->argument, result->x))
         return 0;
     return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
-                               : read_value(p, s, t, q, result);
+                               : read_point_value(p, s, t, q, result);
 }
 
 /* ------------------------------------------------------------------------------------------- a curve */

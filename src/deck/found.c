@@ -119,7 +119,7 @@ double flk_synthesis_error(const deck_synthesis *t, double theta2)
 
 /* --------------------------------------------------------------------------------------- the deck */
 
-static void set(parser *p, const char *section, const char *key, const char *value)
+static void assign(parser *p, const char *section, const char *key, const char *value)
 {
     char name[3 * DECK_NAME_SIZE];
     const char *kept;
@@ -144,14 +144,14 @@ static void set_lengths(parser *p)
 
         if (design->link[i].length > 0 && kind->has_length[i] != FLK_NO_LENGTH &&
             (!IS_SET(given) || t->task == TASK_COGNATE))
-            set(p, kind->link[i], "length",
-                flk_found_value(p, design->link[i].length, QUANTITY_LENGTH));
+            assign(p, kind->link[i], "length",
+                   flk_found_value(p, design->link[i].length, QUANTITY_LENGTH));
     }
     if (t->kind->besides == KEY_GROUND_OFFSET && design->offset != 0)
-        set(p, "ground", "offset", flk_found_value(p, design->offset, QUANTITY_LENGTH));
+        assign(p, "ground", "offset", flk_found_value(p, design->offset, QUANTITY_LENGTH));
     if (t->kind->besides == KEY_LEVER_ANGLE && design->link[FOURLINK_FOLLOWER].length > 0 &&
         !IS_SET(flk_setting_find(p, KEY_LEVER_ANGLE)))
-        set(p, "lever", "angle", flk_found_value(p, design->angle, QUANTITY_ANGLE));
+        assign(p, "lever", "angle", flk_found_value(p, design->angle, QUANTITY_ANGLE));
 }
 
 /* The working range, unless it is a full turn or the deck says what moves. */
@@ -171,8 +171,8 @@ static void set_range(parser *p)
             return;
     if (high - low > 2 * M_PI - 1e-9 || high == low)
         return;
-    set(p, "motion", "from", flk_found_value(p, rises ? low : high, QUANTITY_ANGLE));
-    set(p, "motion", "to", flk_found_value(p, rises ? high : low, QUANTITY_ANGLE));
+    assign(p, "motion", "from", flk_found_value(p, rises ? low : high, QUANTITY_ANGLE));
+    assign(p, "motion", "to", flk_found_value(p, rises ? high : low, QUANTITY_ANGLE));
 }
 
 /* The coupler point: of a cognate that of the deck, else [point P].  Returns its name. */
@@ -185,8 +185,8 @@ static const char *set_point(parser *p)
     if (!flk_section_find(p, SECTION_POINT, &name))
         flk_section_open(p, SECTION_POINT, name, t->place, NULL);
     flk_text_copy(name, section + strlen(section), DECK_NAME_SIZE);
-    set(p, section, "link", flk_kind_of(t->chosen->design.kind)->link[FOURLINK_COUPLER]);
-    set(p, section, "at", flk_found_point(p, t->chosen->point));
+    assign(p, section, "link", flk_kind_of(t->chosen->design.kind)->link[FOURLINK_COUPLER]);
+    assign(p, section, "at", flk_found_point(p, t->chosen->point));
     return flk_reader_copy(p, name, "");
 }
 
@@ -211,7 +211,7 @@ void flk_synthesis_assign(parser *p)
         point_name = set_point(p);
     set_range(p);
     if (flk_setting_find(p, KEY_TABLE_BRANCH)->word != BRANCH_BOTH)
-        set(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
+        assign(p, "table", "branch", fourlink_branch_text((int)t->chosen->branch));
     if (p->out_of_memory)
         return;
     flk_values_read(p, 0);

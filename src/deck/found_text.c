@@ -72,7 +72,7 @@ void flk_synthesis_tell_defects(parser *p)
 
 /* ---------------------------------------------------------------------------------------- values */
 
-static const deck_unit *unit_of(const parser *p, quantity q)
+static const deck_unit *printed_unit(const parser *p, quantity q)
 {
     return q == QUANTITY_LENGTH ? &p->d->synthesis->length : &p->d->bare[q];
 }
@@ -89,7 +89,7 @@ static char *write_number(double si, const deck_unit *u, char out[DIGITS_SIZE])
 }
 
 /* Keep a text; empty if out of memory. */
-static const char *keep(parser *p, const char *string)
+static const char *keep_text(parser *p, const char *string)
 {
     const char *kept = flk_reader_copy(p, flk_text_of(string), "");
 
@@ -101,18 +101,19 @@ const char *flk_found_value(parser *p, double si, quantity q)
     char number[DIGITS_SIZE], value[MESSAGE_SIZE];
     int is_number = q == QUANTITY_NUMBER;
 
-    return keep(p, flk_text_join(value, sizeof value, write_number(si, unit_of(p, q), number),
-                                 is_number ? "" : " ", is_number ? "" : unit_of(p, q)->name,
-                                 (char *)NULL));
+    return keep_text(p, flk_text_join(value, sizeof value,
+                                      write_number(si, printed_unit(p, q), number),
+                                      is_number ? "" : " ",
+                                      is_number ? "" : printed_unit(p, q)->name, (char *)NULL));
 }
 
 const char *flk_found_point(parser *p, fourlink_vector at)
 {
-    const deck_unit *u = unit_of(p, QUANTITY_LENGTH);
+    const deck_unit *u = printed_unit(p, QUANTITY_LENGTH);
     char x[DIGITS_SIZE], y[DIGITS_SIZE], value[MESSAGE_SIZE];
 
-    return keep(p, flk_text_join(value, sizeof value, "(", write_number(at.x, u, x), ", ",
-                                 write_number(at.y, u, y), ") ", u->name, (char *)NULL));
+    return keep_text(p, flk_text_join(value, sizeof value, "(", write_number(at.x, u, x), ", ",
+                                      write_number(at.y, u, y), ") ", u->name, (char *)NULL));
 }
 
 /* ------------------------------------------------------------------------------------------ text */
@@ -124,7 +125,7 @@ typedef struct page {
     size_t length, room;
 } page;
 
-static void put(page *g, const char *format, ...)
+static void put_line(page *g, const char *format, ...)
 {
     char line[MESSAGE_SIZE], *more;
     va_list values;
@@ -157,19 +158,19 @@ static double growth(const fourlink_solution *s, double mu)
 static void put_expect(page *g, const double *theta2, int branch, const char *name, double value,
                        double tolerance, quantity q)
 {
-    const deck_unit *u = unit_of(g->p, q);
+    const deck_unit *u = printed_unit(g->p, q);
 
-    put(g, "");
-    put(g, "[expect]");
+    put_line(g, "");
+    put_line(g, "[expect]");
     if (theta2)
-        put(g, "at = %s", flk_found_value(g->p, *theta2, QUANTITY_ANGLE));
-    put(g, "branch = %s", fourlink_branch_text(branch));
+        put_line(g, "at = %s", flk_found_value(g->p, *theta2, QUANTITY_ANGLE));
+    put_line(g, "branch = %s", fourlink_branch_text(branch));
     if (tolerance <= 1e-6) /* two digits may be 5 % less */
         tolerance *= 1.06;
-    put(g, tolerance > 1e-6 ? "tolerance = %g%s%s" : "tolerance = %.2g%s%s",
-        flk_unit_from_si(tolerance, u->unit), q == QUANTITY_NUMBER ? "" : " ",
-        q == QUANTITY_NUMBER ? "" : u->name);
-    put(g, "%s = %s", name, flk_found_value(g->p, value, q));
+    put_line(g, tolerance > 1e-6 ? "tolerance = %g%s%s" : "tolerance = %.2g%s%s",
+             flk_unit_from_si(tolerance, u->unit), q == QUANTITY_NUMBER ? "" : " ",
+             q == QUANTITY_NUMBER ? "" : u->name);
+    put_line(g, "%s = %s", name, flk_found_value(g->p, value, q));
 }
 
 static void put_position(page *g, const fourlink_precision *at, const char *point_name)
@@ -194,7 +195,7 @@ static void put_position(page *g, const fourlink_precision *at, const char *poin
     }
     flk_text_join(name, sizeof name, point_name, ".x", (char *)NULL);
     put_expect(g, &at->theta2, at->branch, name, at->point.x, small * size, QUANTITY_LENGTH);
-    put(g, "%s.y = %s", point_name, flk_found_value(g->p, at->point.y, QUANTITY_LENGTH));
+    put_line(g, "%s.y = %s", point_name, flk_found_value(g->p, at->point.y, QUANTITY_LENGTH));
     put_expect(g, &at->theta2, at->branch, "theta3", at->theta3, small, QUANTITY_ANGLE);
 }
 
@@ -224,7 +225,7 @@ static void put_positions(page *g, const char *point_name)
         if (status == FOURLINK_OK)
             put_position(g, at, point_name);
         else
-            put(g, "# position %ld: %s", (long)i + 1, fourlink_status_text(status));
+            put_line(g, "# position %ld: %s", (long)i + 1, fourlink_status_text(status));
     }
 }
 
@@ -264,9 +265,9 @@ static void put_solution(page *g, unsigned long number)
             append(lengths, " %s %.6g", is_link ? kind->link[i] : "offset",
                    flk_unit_from_si(length, t->length.unit));
     }
-    put(g, "#   %ld:%s (%s); %s, %s; mu_min %.4g deg; %s", (long)number + 1, lengths,
-        t->length.name, fourlink_branch_text((int)s->branch), fourlink_type_text((int)s->type),
-        FLK_DEGREES(s->mu_min), s->defects ? "with a defect" : "no defect");
+    put_line(g, "#   %ld:%s (%s); %s, %s; mu_min %.4g deg; %s", (long)number + 1, lengths,
+             t->length.name, fourlink_branch_text((int)s->branch), fourlink_type_text((int)s->type),
+             FLK_DEGREES(s->mu_min), s->defects ? "with a defect" : "no defect");
 }
 
 static void put_task(page *g)
@@ -277,25 +278,29 @@ static void put_task(page *g)
     double one = t->kind->output == QUANTITY_ANGLE ? 1 : flk_unit_to_si(1, u->unit);
     unsigned long i;
 
-    put(g, "# Found by fourlink --synthesis: solution %ld of %ld of %s:%ld",
-        (long)(s - t->solutions) + 1, (long)t->n, t->place.source, t->place.line);
+    put_line(g, "# Found by fourlink --synthesis: solution %ld of %ld of %s:%ld",
+             (long)(s - t->solutions) + 1, (long)t->n, t->place.source, t->place.line);
     for (i = 0; i < t->n_kept && i < MOST_LISTED; i++)
         put_solution(g, i);
     if (t->n > i)
-        put(g, "#   %ld more: fourlink --synthesis --format=table", (long)(t->n - i));
+        put_line(g, "#   %ld more: fourlink --synthesis --format=table", (long)(t->n - i));
     if (t->task == TASK_FUNCTION)
-        put(g, t->kind->constants, s->K[0] / one, s->K[1] / (one * one), s->K[2] / (one * one));
+        put_line(g, t->kind->constants, s->K[0] / one, s->K[1] / (one * one),
+                 s->K[2] / (one * one));
     if (s->crank_turn != 0)
-        put(g, "# a = %g %s: the crank is turned by 180 deg: wanted crank angle = theta2 - %g deg",
+        put_line(
+            g, "# a = %g %s: the crank is turned by 180 deg: wanted crank angle = theta2 - %g deg",
             flk_unit_from_si(s->a, u->unit), u->name, FLK_DEGREES(s->crank_turn));
     if (s->rocker_turn != 0)
-        put(g, "# c = %g %s: the rocker is turned by 180 deg: wanted angle = theta4 - %g deg",
-            flk_unit_from_si(s->c, u->unit), u->name, FLK_DEGREES(s->rocker_turn));
+        put_line(g, "# c = %g %s: the rocker is turned by 180 deg: wanted angle = theta4 - %g deg",
+                 flk_unit_from_si(s->c, u->unit), u->name, FLK_DEGREES(s->rocker_turn));
     if (s->has_point) {
-        put(g, "# The pivot A is at %s in the axes of the task,", flk_found_point(g->p, s->origin));
-        put(g, "# where the %s is at %s.",
-            s->design.link[FOURLINK_GROUND].length > 0 ? "line from A to D" : "direction of stroke",
-            flk_found_value(g->p, s->direction, QUANTITY_ANGLE));
+        put_line(g, "# The pivot A is at %s in the axes of the task,",
+                 flk_found_point(g->p, s->origin));
+        put_line(g, "# where the %s is at %s.",
+                 s->design.link[FOURLINK_GROUND].length > 0 ? "line from A to D"
+                                                            : "direction of stroke",
+                 flk_found_value(g->p, s->direction, QUANTITY_ANGLE));
     }
 }
 
@@ -306,13 +311,13 @@ static void put_error(page *g)
     double error = t->chosen->max_error;
     int is_angle = t->kind->output == QUANTITY_ANGLE;
 
-    put(g, "#   %s: largest %.6g %s at theta2 = %.6g deg",
-        t->function.wanted ? "structural error" : "error at the points",
-        is_angle ? FLK_DEGREES(error) : flk_unit_from_si(error, t->length.unit),
-        is_angle ? "deg" : t->length.name, FLK_DEGREES(t->chosen->max_error_at));
+    put_line(g, "#   %s: largest %.6g %s at theta2 = %.6g deg",
+             t->function.wanted ? "structural error" : "error at the points",
+             is_angle ? FLK_DEGREES(error) : flk_unit_from_si(error, t->length.unit),
+             is_angle ? "deg" : t->length.name, FLK_DEGREES(t->chosen->max_error_at));
     if (t->function.wanted)
-        put(g, "#   in units of y: %.6g",
-            error * (w->y[1] - w->y[0]) / (w->output[1] - w->output[0]));
+        put_line(g, "#   in units of y: %.6g",
+                 error * (w->y[1] - w->y[0]) / (w->output[1] - w->output[0]));
 }
 
 static void put_checks(page *g)
@@ -322,28 +327,30 @@ static void put_checks(page *g)
     const mistakes *defects = &g->p->d->defects;
     size_t i;
 
-    put(g, "# Checks");
-    put(g, "#   type: %s; longest / shortest link %.4g", fourlink_type_text((int)s->type),
-        s->ratio);
+    put_line(g, "# Checks");
+    put_line(g, "#   type: %s; longest / shortest link %.4g", fourlink_type_text((int)s->type),
+             s->ratio);
     for (i = 0; i < defects->count; i++)
-        put(g, "#   defect: %s", defects->list[i].message);
+        put_line(g, "#   defect: %s", defects->list[i].message);
     if (!s->defects && t->task != TASK_QUICK_RETURN) {
-        put(g,
+        put_line(
+            g,
             "#   all positions are on the %s branch and on one circuit, the crank passes them in "
             "their order,",
             fourlink_branch_text((int)s->branch));
-        put(g, "#   and %s from theta2 = %.6g to %.6g deg",
-            s->mu_min > DEAD ? "without a dead position" : "through a change point",
-            FLK_DEGREES(s->from), FLK_DEGREES(s->to));
+        put_line(g, "#   and %s from theta2 = %.6g to %.6g deg",
+                 s->mu_min > DEAD ? "without a dead position" : "through a change point",
+                 FLK_DEGREES(s->from), FLK_DEGREES(s->to));
     }
-    put(g,
+    put_line(
+        g,
         "#   transmission angle: smallest %.6g deg at theta2 = %.6g deg; at the positions %.6g deg",
         FLK_DEGREES(s->mu_min), FLK_DEGREES(s->mu_min_at), FLK_DEGREES(s->mu_positions));
     if (s->condition > 1)
-        put(g, "#   condition of the linear equations: %.4g", s->condition);
+        put_line(g, "#   condition of the linear equations: %.4g", s->condition);
     if (t->task == TASK_FUNCTION && (t->function.wanted || t->function.n > 3))
         put_error(g);
-    put(g, "");
+    put_line(g, "");
 }
 
 void flk_found_write(parser *p, const char *point_name)
@@ -356,10 +363,10 @@ void flk_found_write(parser *p, const char *point_name)
     tail = head;
     put_task(&head);
     put_checks(&head);
-    put(&tail, "");
-    put(&tail, "# The wanted values, met within %s: fourlink --check",
-        t->task == TASK_FUNCTION && t->function.n > 3 ? "the largest error of the fit"
-                                                      : "rounding");
+    put_line(&tail, "");
+    put_line(&tail, "# The wanted values, met within %s: fourlink --check",
+             t->task == TASK_FUNCTION && t->function.n > 3 ? "the largest error of the fit"
+                                                           : "rounding");
     if (t->task == TASK_QUICK_RETURN)
         put_facts(&tail);
     else

@@ -116,7 +116,7 @@ int flk_line_take(parser *p, text *rest, int line_end, text_place place, text cu
 }
 
 /* The next line without its comment; 0 at the end of the deck, or if the line is not text. */
-static int next_line(parser *p, text *rest, text *line)
+static int next_deck_line(parser *p, text *rest, text *line)
 {
     if ((p->last_line > 0 && !rest->length) || !rest->start)
         return 0; /* nothing after the last line end */
@@ -137,7 +137,7 @@ static void join_lines(parser *p, text *rest, text *line)
         next = flk_line_without_comment(next);
         if (next.length && (next.start[0] == '[' || memchr(next.start, '=', next.length)))
             return;
-        if (!next_line(p, rest, &next))
+        if (!next_deck_line(p, rest, &next))
             return;
         if (!next.length)
             continue;
@@ -187,7 +187,7 @@ void flk_lines_read(parser *p)
     rest = flk_text_without_mark(rest);
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place, rest.start);
     p->line_end = flk_text_line_end(rest);
-    while (!p->out_of_memory && next_line(p, &rest, &line)) {
+    while (!p->out_of_memory && next_deck_line(p, &rest, &line)) {
         text key, value;
 
         place.line = p->last_line;

@@ -272,7 +272,7 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static void set(text_place place, setting *s, text value, value_giver giver)
+static void set_value(text_place place, setting *s, text value, value_giver giver)
 {
     text own = giver == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
 
@@ -308,17 +308,17 @@ static setting *set_part(parser *p, text_place place, const target *t, setting *
     if (!parts)
         return NULL;
     if (!IS_SET(s))
-        set(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
+        set_value(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
     if (s->parts) /* may belong to the deck that this is a design of */
         memcpy(parts, s->parts, PART_NONE * sizeof *parts);
-    set(s->place, s, s->value, s->giver); /* discards what was read from the old value */
+    set_value(s->place, s, s->value, s->giver); /* discards what was read from the old value */
     s->parts = parts;
     if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1])) {
         flk_mistake(p->mistakes, place,
                     "'%t' and another part of it: set x and y, or size and angle", t->name);
         return NULL;
     }
-    set(place, &parts[t->part], value, giver);
+    set_value(place, &parts[t->part], value, giver);
     return &parts[t->part];
 }
 
@@ -344,7 +344,7 @@ static setting *set_target(parser *p, text_place place, const target *t, text va
     else if (t->part != PART_NONE)
         return set_part(p, place, t, s, value, giver);
     else {
-        set(place, s, value, giver);
+        set_value(place, s, value, giver);
         return s;
     }
     return NULL;

@@ -197,7 +197,7 @@ static int read_count(parser *p, setting *s, quantity q)
 }
 
 /* The unit of a quantity's text; 0 if it has none. */
-static int unit_of(text t, unit *u)
+static int unit_of_text(text t, unit *u)
 {
     text bad;
 
@@ -209,15 +209,15 @@ int flk_spring_is_torsional(const section_use *use)
 {
     unit u;
 
-    return (unit_of(flk_setting_of(use, KEY_SPRING_STIFFNESS)->value, &u) && u.dim.rad != 0) ||
-           (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
+    return (unit_of_text(flk_setting_of(use, KEY_SPRING_STIFFNESS)->value, &u) && u.dim.rad != 0) ||
+           (unit_of_text(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
 int flk_expects_at_time(const section_use *use)
 {
     unit u;
 
-    return unit_of(flk_setting_of(use, KEY_EXPECT_AT)->value, &u) &&
+    return unit_of_text(flk_setting_of(use, KEY_EXPECT_AT)->value, &u) &&
            flk_dimension_equal(u.dim, flk_quantities[QUANTITY_TIME].dim);
 }
 
@@ -240,7 +240,7 @@ quantity flk_values_quantity_over(int over)
 }
 
 /* The quantity of the argument of a load or of a motor's torque. */
-static quantity argument_of(const section_use *use)
+static quantity quantity_of_argument(const section_use *use)
 {
     int over = FLK_THETA2;
 
@@ -254,7 +254,8 @@ static quantity argument_of(const section_use *use)
 quantity flk_quantity_of_key(const section_use *use, key_code key)
 {
     if (key == KEY_LOAD_AT_SPEED)
-        return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
+        return quantity_of_argument(use) == QUANTITY_SPEED ? QUANTITY_SPEED
+                                                           : QUANTITY_ANGULAR_SPEED;
     if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
         return QUANTITY_FORCE;
     if (key == KEY_EXPECT_AT || key == KEY_MISPRINT_AT)
@@ -303,13 +304,13 @@ static int is_verbatim(key_code code, text value)
            flk_curve_text_file(value, NULL);
 }
 
-static void read_value(parser *p, const section_use *use, key_code code, setting *s)
+static void read_setting(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
 
     if (!is_verbatim(code, s->value))
         s->value = flk_reader_plain(p, s->value);
-    p->argument = argument_of(use);
+    p->argument = quantity_of_argument(use);
     switch (key->form) {
     case FORM_TEXT:
         s->value = flk_text_unquoted(s->value);
@@ -364,7 +365,7 @@ void flk_values_read_section(parser *p, section_use *use)
 
             s->is_read = 1;
             if (has_meaning(use, k))
-                read_value(p, use, k, s);
+                read_setting(p, use, k, s);
             use->is_mistaken |= flk_mistakes_count(p->mistakes) > before;
         }
     }

@@ -27,7 +27,7 @@ typedef struct changed {
     const setting *s;
 } changed;
 
-static void put(writer *w, text t)
+static void put_text(writer *w, text t)
 {
     size_t room = w->size > w->length ? w->size - w->length : 0;
 
@@ -40,7 +40,7 @@ static void put(writer *w, text t)
 
 static void put_string(writer *w, const char *string)
 {
-    put(w, flk_text_of(string));
+    put_text(w, flk_text_of(string));
 }
 
 /* ------------------------------------------------------------------------------------------ values */
@@ -72,11 +72,11 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
         !find_unit(w->p->d, c->own, q, &own, &u) || !own.length ||
         !flk_dimension_equal(u.dim, other.dim) || (u.up == other.up && u.down == other.down) ||
         !flk_number_in_unit(c->s->si[0], &u, number)) {
-        put(w, c->value);
+        put_text(w, c->value);
         return;
     }
     put_string(w, strcat(number, " "));
-    put(w, own);
+    put_text(w, own);
 }
 
 /* Write a vector with parts set separately: both components, in the unit of the vector, or of a part that a
@@ -105,7 +105,7 @@ static void put_vector(writer *w, const setting *s, quantity q)
         flk_number_in_unit(s->si[1], &u, y);
     }
     put_string(w, flk_text_join(both, sizeof both, "(", x, ", ", y, ") ", (char *)NULL));
-    put(w, name);
+    put_text(w, name);
 }
 
 static void put_value(writer *w, const section_use *use, const changed *c)
@@ -119,7 +119,7 @@ static void put_value(writer *w, const section_use *use, const changed *c)
         put_varied(w, use, c);
     } else {
         put_string(w, is_quoted ? "\"" : "");
-        put(w, c->value);
+        put_text(w, c->value);
         put_string(w, is_quoted ? "\"" : "");
     }
 }
@@ -164,7 +164,7 @@ static const char *in_text(const parser *p, const char *in_copy)
     return p->text.start + (in_copy ? (size_t)(in_copy - p->copy) : p->text.length);
 }
 
-static const char *next_line(const parser *p, const char *from)
+static const char *line_after(const parser *p, const char *from)
 {
     const char *end = in_text(p, NULL), *last = memchr(from, p->line_end, (size_t)(end - from));
 
@@ -178,7 +178,7 @@ static void copy_to(writer *w, const char *to)
 
     t.start = w->at;
     t.length = (size_t)(to - w->at);
-    put(w, t);
+    put_text(w, t);
     w->at = to;
 }
 
@@ -187,7 +187,7 @@ static void copy_to(writer *w, const char *to)
 static void replace(writer *w, const section_use *use, const changed *c)
 {
     const char *start = in_text(w->p, c->own.start), *end = start + c->own.length;
-    const char *next = next_line(w->p, start);
+    const char *next = line_after(w->p, start);
     text first;
 
     copy_to(w, start);
@@ -199,11 +199,11 @@ static void replace(writer *w, const section_use *use, const changed *c)
     first.length = (size_t)(next - start);
     w->at = start + flk_line_without_comment(first).length;
     copy_to(w, next);
-    w->at = next_line(w->p, end);
+    w->at = line_after(w->p, end);
 }
 
 /* Write the values that are not in the text, each on its own line. */
-static void add(writer *w, const section_use *use)
+static void add_new_values(writer *w, const section_use *use)
 {
     size_t n = count_entries(w->p, use), i;
     int has_header = use->start != NULL;
@@ -218,12 +218,12 @@ static void add(writer *w, const section_use *use)
             put_string(w, "[");
             put_string(w, flk_section_table[use->section].name);
             put_string(w, use->name.length ? " " : "");
-            put(w, use->name);
+            put_text(w, use->name);
             put_string(w, "]");
             put_string(w, w->line_end);
             has_header = 1;
         }
-        put(w, c.name);
+        put_text(w, c.name);
         put_string(w, " = ");
         put_value(w, use, &c);
         put_string(w, w->line_end);
@@ -251,7 +251,7 @@ static const char *first_content(const parser *p, const char *from)
     text line;
 
     for (; from < in_text(p, NULL); from = next) {
-        next = next_line(p, from);
+        next = line_after(p, from);
         line.start = from;
         line.length = (size_t)(next - from);
         while (line.length && strchr("\r\n", line.start[line.length - 1]))
@@ -269,9 +269,9 @@ static void write_section(writer *w, const section_use *use)
 
     copy_to(w, !use->start                   ? start
                : use->section == SECTION_TOP ? first_content(w->p, start)
-                                             : next_line(w->p, start));
+                                             : line_after(w->p, start));
     w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
-    add(w, use);
+    add_new_values(w, use);
     while (find_next(w, use, &c))
         replace(w, use, &c);
 }
@@ -282,7 +282,7 @@ static void put_lines(writer *w, const char *lines)
     text rest = flk_text_of(lines), one;
 
     while (rest.length && flk_text_split(&rest, '\n', &one)) {
-        put(w, one);
+        put_text(w, one);
         put_string(w, w->line_end);
     }
 }
@@ -301,7 +301,7 @@ int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
     w.out = out;
     w.size = size;
     w.at = w.p->text.start;
-    first = next_line(w.p, w.at);
+    first = line_after(w.p, w.at);
     w.line_end = w.p->line_end == '\r'                   ? "\r"
                  : first - w.at > 1 && first[-2] == '\r' ? "\r\n"
                                                          : "\n";

@@ -60,20 +60,20 @@ typedef struct equations {
     double matrix[COUPLED][COUPLED]; /* Phi S */
 } equations;
 
-static void clear(fourlink_load *load, int link)
+static void clear_unit_load(fourlink_load *load, int link)
 {
     memset(load, 0, sizeof *load);
     load->link = link;
 }
 
 /* Add a unit load, unless it is on the ground. */
-static fourlink_load *add_load(joint *j, int link)
+static fourlink_load *add_unit_load(joint *j, int link)
 {
     fourlink_load *load = &j->load[j->n_loads];
 
     if (link == FOURLINK_GROUND)
         return NULL;
-    clear(load, link);
+    clear_unit_load(load, link);
     j->n_loads++;
     return load;
 }
@@ -81,10 +81,10 @@ static fourlink_load *add_load(joint *j, int link)
 static void load_pin(const fourlink_joint *pin, joint *j)
 {
     double sign = j->speed > 0 ? 1 : -1;
-    fourlink_load *on = add_load(j, pin->on), *from;
+    fourlink_load *on = add_unit_load(j, pin->on), *from;
 
     on->torque = -sign;
-    from = add_load(j, pin->from);
+    from = add_unit_load(j, pin->from);
     if (from)
         from->torque = sign;
 }
@@ -96,13 +96,13 @@ static void load_guide(const fourlink_state *state, const fourlink_joint *guide,
 {
     const fourlink_link_state *slider = &state->link[guide->slider], *other;
     int number = guide->from == guide->slider ? guide->on : guide->from;
-    fourlink_load *load = add_load(j, guide->slider);
+    fourlink_load *load = add_unit_load(j, guide->slider);
     double sign = (j->speed > 0 ? 1 : -1) / length;
     fourlink_vector r;
 
     load->force.x = -sign * slider->axis.x;
     load->force.y = -sign * slider->axis.y;
-    load = add_load(j, number);
+    load = add_unit_load(j, number);
     if (!load)
         return;
     other = &state->link[number];
@@ -141,9 +141,9 @@ int flk_friction_sense(double omega2, const fourlink_friction *friction)
 }
 
 /* List the joints that have friction and move, with the senses of `held` if that is given. */
-static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                        const fourlink_state *state, const fourlink_state *held,
-                        const fourlink_friction *friction, equations *e)
+static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                                const fourlink_state *state, const fourlink_state *held,
+                                const fourlink_friction *friction, equations *e)
 {
     int sense = flk_friction_sense((held ? held : state)->link[FOURLINK_CRANK].omega, friction);
     double length = mechanism->design.link[FOURLINK_CRANK].length;
@@ -465,7 +465,7 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
     for (i = 0; i < JOINTS; i++)
         losses->pin[i] = 0;
     for (i = 0; i < FOURLINK_FRICTION_LOADS; i++)
-        clear(&losses->load[i], flk_friction_link(kind, (unsigned long)i));
+        clear_unit_load(&losses->load[i], flk_friction_link(kind, (unsigned long)i));
     for (k = 0; k < e->n; k++) {
         const joint *j = &e->joint[k];
 
@@ -533,7 +533,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     if (status != FOURLINK_OK)
         return status;
     Ts0 = found.Ts;
-    list_joints(kind, mechanism, state, held, friction, &e);
+    list_rubbing_joints(kind, mechanism, state, held, friction, &e);
     status = find_columns(kind, mechanism, state, solve, &found, &e);
     if (status == FOURLINK_OK)
         status = find_sizes(&e);

@@ -41,8 +41,8 @@ static void act_in_cylinder(const fourlink_design *design, double force, fourlin
     load[1].at.y = design->offset;
 }
 
-static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
-               fourlink_load *load, flk_acting *acting)
+static int apply_gas(const flk_element *element, const flk_machine *machine,
+                     const fourlink_state *state, fourlink_load *load, flk_acting *acting)
 {
     const fourlink_design *design = &machine->mechanism.design;
     int i;
@@ -60,8 +60,8 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-static size_t list_switches(const flk_element *element, const flk_machine *machine,
-                            flk_switch *list)
+static size_t list_gas_switches(const flk_element *element, const flk_machine *machine,
+                                flk_switch *list)
 {
     const flk_gas *gas = element->data;
 
@@ -69,7 +69,7 @@ static size_t list_switches(const flk_element *element, const flk_machine *machi
     return flk_switch_of_curve(&gas->indicator, FLK_THETA2, list);
 }
 
-const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act, list_switches, NULL};
+const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, apply_gas, list_gas_switches, NULL};
 
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element)
 {

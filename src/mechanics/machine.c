@@ -70,7 +70,7 @@ const flk_element *flk_machine_find(const flk_machine *m, const flk_sort *sort, 
 }
 
 /* Clear a load that is not known yet. */
-static void clear(fourlink_load *load, int link)
+static void clear_load(fourlink_load *load, int link)
 {
     memset(load, 0, sizeof *load);
     load->link = link;
@@ -85,7 +85,7 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
     acting->sense = flk_friction_sense(omega2, &m->friction);
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
     for (i = m->first_friction; i < m->first_gas; i++)
-        clear(&acting->load[i], flk_friction_link(kind, i - m->first_friction));
+        clear_load(&acting->load[i], flk_friction_link(kind, i - m->first_friction));
 }
 
 void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double theta2,
@@ -102,7 +102,7 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
         const flk_element *e = &m->element[k];
 
         for (i = 0; i < e->n_loads && e->needs_motion; i++)
-            clear(&acting->load[e->first + (unsigned long)i], e->link[i]);
+            clear_load(&acting->load[e->first + (unsigned long)i], e->link[i]);
         if (!e->needs_motion)
             e->sort->act(e, m, &state, &acting->load[e->first], acting);
     }

@@ -173,8 +173,8 @@ static void move(const flk_kind *kind, const fourlink_mechanism *mechanism, doub
 }
 
 /* alpha x r - omega^2 r for the pin B of the crank */
-static void accelerate(const flk_kind *kind, const fourlink_mechanism *mechanism, double alpha2,
-                       fourlink_state *state)
+static void accelerate_pin_B(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                             double alpha2, fourlink_state *state)
 {
     fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
     fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
@@ -226,7 +226,7 @@ int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fo
         return status;
     if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    accelerate(kind, mechanism, alpha2, state);
+    accelerate_pin_B(kind, mechanism, alpha2, state);
     return FOURLINK_OK;
 }
 
@@ -288,7 +288,7 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
         return status;
     place(kind, mechanism, branch, crank->theta2, &at, state);
     move(kind, mechanism, crank->omega2, state);
-    accelerate(kind, mechanism, crank->alpha2, state);
+    accelerate_pin_B(kind, mechanism, crank->alpha2, state);
     return FOURLINK_OK;
 }
 

@@ -104,7 +104,7 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 **
 **    omega2^2 = speed^2 + 2 acceleration s,   t = 2 s / (speed + omega2)
 */
-static void accelerate(double speed, double acceleration, double s, fourlink_row *row)
+static void accelerate_crank(double speed, double acceleration, double s, fourlink_row *row)
 {
     double square = speed * speed + 2 * acceleration * s;
     /* the square of a tiny speed is 0 */
@@ -132,9 +132,9 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
     if (motion->run_up > 0) {
         end = direction(motion) * motion->run_up * motion->angle_unit;
         if (fabs(s) < fabs(end) * (1 - 1e-12)) {
-            accelerate(0, motion->acceleration, s, &at);
+            accelerate_crank(0, motion->acceleration, s, &at);
         } else {
-            accelerate(0, motion->acceleration, end, &at);
+            accelerate_crank(0, motion->acceleration, end, &at);
             at.crank.alpha2 = 0;
             at.time += (s - end) / at.crank.omega2;
         }
@@ -143,7 +143,7 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
         at.crank.alpha2 = motion->acceleration;
         at.time = motion->acceleration == 0 && motion->speed != 0 ? s / motion->speed : 0;
     } else {
-        accelerate(motion->speed, motion->acceleration, s, &at);
+        accelerate_crank(motion->speed, motion->acceleration, s, &at);
     }
     if (!FLK_WITHIN(at.crank.theta2 + at.crank.omega2 + at.crank.alpha2 + at.time, DBL_MAX))
         return FOURLINK_BAD_NUMBER;

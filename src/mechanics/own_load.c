@@ -32,7 +32,7 @@ static double follow_speed(const flk_own_load *own, double w, double within)
 }
 
 /* Set a load to its values, with curves evaluated at x on the piece that contains x_held. */
-static void set(const flk_load_values *values, double x, double x_held, fourlink_load *load)
+static void set_load(const flk_load_values *values, double x, double x_held, fourlink_load *load)
 {
     load->torque =
         values->torque_curve.n ? flk_curve_piece(&values->torque_curve, x, x_held) : values->torque;
@@ -43,8 +43,8 @@ static void set(const flk_load_values *values, double x, double x_held, fourlink
     }
 }
 
-static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
-               fourlink_load *load, flk_acting *acting)
+static int apply_given_load(const flk_element *element, const flk_machine *machine,
+                            const fourlink_state *state, fourlink_load *load, flk_acting *acting)
 {
     const flk_own_load *own = element->data;
     const fourlink_state *cell = acting->held ? acting->held : state;
@@ -61,14 +61,14 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
         int falls = own->has_back &&
                     flk_variable_falls(&machine->mechanism, cell, own->over, acting->sense);
 
-        set(falls ? &own->back : &own->values, x, FLK_IS_SPEED(own->over) ? x : x_held, load);
+        set_load(falls ? &own->back : &own->values, x, FLK_IS_SPEED(own->over) ? x : x_held, load);
     }
     return FOURLINK_OK;
 }
 
 /* The points of its curves, the edges of its range, and where its speed or that of its variable is 0. */
-static size_t list_switches(const flk_element *element, const flk_machine *machine,
-                            flk_switch *list)
+static size_t list_load_switches(const flk_element *element, const flk_machine *machine,
+                                 flk_switch *list)
 {
     const flk_own_load *own = element->data;
     size_t n = flk_switch_of_curve(&own->values.torque_curve, own->over, list);
@@ -89,7 +89,7 @@ static size_t list_switches(const flk_element *element, const flk_machine *machi
     return n;
 }
 
-const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act, list_switches, NULL};
+const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, apply_given_load, list_load_switches, NULL};
 
 void flk_element_of_own(flk_own_load *own, flk_element *element)
 {

@@ -34,8 +34,8 @@ static void find_end(const fourlink_state *state, int link, const fourlink_vecto
 }
 
 /* Add a force and a moment on a link. */
-static void add_load(int link, const fourlink_vector *at, double Fx, double Fy, double torque,
-                     fourlink_spring_state *s)
+static void add_end_load(int link, const fourlink_vector *at, double Fx, double Fy, double torque,
+                         fourlink_spring_state *s)
 {
     fourlink_load *load = &s->load[s->n_loads];
 
@@ -114,8 +114,8 @@ static int linear_at(const fourlink_state *state, const fourlink_spring *spring,
     s->rate = FLK_DOT(e, v_Q);
     s->force = slack ? 0 : spring->preload + k * past + spring->damping * s->rate;
     s->energy = slack ? 0 : 0.5 * k * past * past + spring->preload * past;
-    add_load(spring->link, &spring->at, s->force * e.x, s->force * e.y, 0, s);
-    add_load(spring->to, &spring->to_at, -s->force * e.x, -s->force * e.y, 0, s);
+    add_end_load(spring->link, &spring->at, s->force * e.x, s->force * e.y, 0, s);
+    add_end_load(spring->to, &spring->to_at, -s->force * e.x, -s->force * e.y, 0, s);
     return FOURLINK_OK;
 }
 
@@ -131,8 +131,8 @@ static void torsional_at(const fourlink_mechanism *mechanism, const fourlink_sta
     s->rate = omega_of(state, spring->link) - omega_of(state, spring->to);
     s->force = slack ? 0 : spring->preload + spring->stiffness * past + spring->damping * s->rate;
     s->energy = slack ? 0 : 0.5 * spring->stiffness * past * past + spring->preload * past;
-    add_load(spring->link, &zero, 0, 0, -s->force, s);
-    add_load(spring->to, &zero, 0, 0, s->force, s);
+    add_end_load(spring->link, &zero, 0, 0, -s->force, s);
+    add_end_load(spring->to, &zero, 0, 0, s->force, s);
 }
 
 /* The loads of a spring in a state, within the cell of another state. */
@@ -243,8 +243,8 @@ int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring 
     return winds;
 }
 
-static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
-               fourlink_load *load, flk_acting *acting)
+static int apply_spring(const flk_element *element, const flk_machine *machine,
+                        const fourlink_state *state, fourlink_load *load, flk_acting *acting)
 {
     fourlink_spring_state at;
     const fourlink_state *held = acting->held ? acting->held : state;
@@ -266,8 +266,8 @@ static double switching(const flk_element *element, const flk_machine *machine,
     return beyond(&machine->mechanism, state, element->data);
 }
 
-static size_t list_switches(const flk_element *element, const flk_machine *machine,
-                            flk_switch *list)
+static size_t list_spring_switches(const flk_element *element, const flk_machine *machine,
+                                   flk_switch *list)
 {
     const fourlink_spring *spring = element->data;
 
@@ -275,7 +275,8 @@ static size_t list_switches(const flk_element *element, const flk_machine *machi
     return spring->only ? flk_switch_of_element(element, list) : 0;
 }
 
-const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act, list_switches, switching};
+const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, apply_spring, list_spring_switches,
+                                  switching};
 
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element)
 {

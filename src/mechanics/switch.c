@@ -37,7 +37,7 @@ size_t flk_switch_of_element(const flk_element *element, flk_switch *s)
 }
 
 /* Friction reverses where a joint is at rest. */
-static size_t list_joints(const flk_machine *m, flk_switch *list)
+static size_t list_joint_switches(const flk_machine *m, flk_switch *list)
 {
     const flk_kind *kind = flk_kind_of(m->mechanism.design.kind);
     size_t n = 0;
@@ -60,7 +60,7 @@ static size_t list_joints(const flk_machine *m, flk_switch *list)
 size_t flk_switch_list(const flk_machine *m, flk_switch *list)
 {
     flk_switch own[FLK_ELEMENT_SWITCHES];
-    size_t n = list_joints(m, list), k, i;
+    size_t n = list_joint_switches(m, list), k, i;
 
     for (k = 0; k < m->n_elements; k++) {
         const flk_element *e = &m->element[k];

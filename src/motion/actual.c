@@ -36,7 +36,7 @@ struct flk_actual {
 };
 
 /* A run-up, or a free motion. */
-static int run(flk_path *p, const deck *d, double length)
+static int run_free(flk_path *p, const deck *d, double length)
 {
     double speed = d->drive.mode == DRIVE_FREE ? p->equation.sense * d->motion.speed : 0;
 
@@ -69,9 +69,9 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
         flk_facts_of_cycle(p, m->cycle, f);
     else
         f->no_cycle = p->status;
-    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run(p, p->d, m->cycle))
+    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run_free(p, p->d, m->cycle))
         lose_cycle(p, f);
-    found = run(p, p->d, m->length);
+    found = run_free(p, p->d, m->length);
     if (!found)
         lose_cycle(p, f);
     return found;
@@ -95,7 +95,7 @@ static int run_for(flk_path *p, const deck *d)
     return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->drive.duration);
 }
 
-static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
+static int find_actual(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->d;
 
@@ -110,7 +110,7 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
     if (d->drive.mode == DRIVE_STEADY)
         return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
                                d->drive.fluctuation);
-    return run(p, d, m->length);
+    return run_free(p, d, m->length);
 }
 
 /* Angles in the deck's unit. */
@@ -141,7 +141,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
     p->tolerance = TOLERANCE;
     p->budget = budget_of(&p->equation.machine, m->d->drive.mode);
     flk_facts_forget(f);
-    found = find(m, p, f);
+    found = find_actual(m, p, f);
     f->flywheel = p->equation.machine.flywheel;
     f->inertia = flk_machine_shaft(&p->equation.machine);
     if (found)

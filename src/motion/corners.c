@@ -78,8 +78,8 @@ static double nearest(const flk_switch *s, double value, double near)
 }
 
 /* Store where the levels of switch j are crossed between two crank angles. */
-static void keep(flk_corners *c, fourlink_branch branch, size_t j, double from, double to,
-                 double last, double now)
+static void keep_level(flk_corners *c, fourlink_branch branch, size_t j, double from, double to,
+                       double last, double now)
 {
     double *kept = c->theta2[index_of(branch)], number;
     size_t *n = &c->n[index_of(branch)], passes;
@@ -100,7 +100,7 @@ static void keep(flk_corners *c, fourlink_branch branch, size_t j, double from, 
 }
 
 /* Find where a branch crosses levels. */
-static void find(flk_corners *c, fourlink_branch branch)
+static void find_crossings(flk_corners *c, fourlink_branch branch)
 {
     size_t n = (size_t)floor(SAMPLES * c->period / (2 * M_PI) + 0.5), i, j;
     double step = c->period / (double)n, now;
@@ -114,7 +114,7 @@ static void find(flk_corners *c, fourlink_branch branch)
         for (j = c->n_over_theta2; j < c->n_switches && is_there; j++) {
             now = flk_switch_value(&c->d->machine, &c->switches[j], &state);
             if (was_there)
-                keep(c, branch, j, theta2 - step, theta2, c->work[j], now);
+                keep_level(c, branch, j, theta2 - step, theta2, c->work[j], now);
             c->work[j] = now;
         }
         was_there = is_there;
@@ -182,7 +182,7 @@ static void offer_loads(search *s)
     size_t j;
 
     if (!c->is_known[i])
-        find(c, s->p->branch);
+        find_crossings(c, s->p->branch);
     for (j = 0; j < c->n_over_theta2; j++)
         offer_levels(s, c->switches[j].level, c->switches[j].n, c->switches[j].period);
     offer_levels(s, c->theta2[i], c->n[i], c->period);

@@ -319,7 +319,7 @@ static ending end_step(const flk_path *p, const flk_node *node, const cell *c, f
 
 /* ------------------------------------------------------------------------------------------- cell by cell */
 
-static int keep(flk_path *p, const flk_node *node)
+static int keep_node(flk_path *p, const flk_node *node)
 {
     if (p->n == p->room) {
         size_t room = p->room ? 2 * p->room : 128;
@@ -435,7 +435,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
             after.t = duration;
         if (why == AT_STOP && !p->swings)
             after.y[FLK_ENERGY] = 0;
-        if (!keep(p, &after))
+        if (!keep_node(p, &after))
             return FOURLINK_NO_MEMORY;
         if (!p->swings && (why == AT_STOP || creeps(c, &p->node[p->n - 2], &after)))
             return FOURLINK_STALLS;
@@ -444,7 +444,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
 }
 
 /* Start at a speed, in the sense of the motion. */
-static int start(flk_path *p, double speed)
+static int begin_path(flk_path *p, double speed)
 {
     flk_node node;
     double total;
@@ -456,7 +456,7 @@ static int start(flk_path *p, double speed)
     memset(&node, 0, sizeof node);
     node.y[FLK_SPEED] = speed;
     node.y[FLK_ENERGY] = p->status == FOURLINK_OK ? 0.5 * total * speed * speed : 0;
-    return keep(p, &node) && p->status == FOURLINK_OK;
+    return keep_node(p, &node) && p->status == FOURLINK_OK;
 }
 
 /* Enter the cell into which the crank turns from a node; 0 if it stays at rest there.  A load with other
@@ -479,17 +479,17 @@ static void rest(flk_path *p, double duration)
 
     node.h = 0;
     node.is_at_rest = 1;
-    keep(p, &node);
+    keep_node(p, &node);
     node.t = duration;
-    keep(p, &node);
+    keep_node(p, &node);
 }
 
-static int run(flk_path *p, double speed, double length, double duration)
+static int run_path(flk_path *p, double speed, double length, double duration)
 {
     double h = 0;
     cell c;
 
-    if (!start(p, speed))
+    if (!begin_path(p, speed))
         return 0;
     while (p->status == FOURLINK_OK && flk_path_end(p)->y[FLK_PASSED] < length &&
            flk_path_end(p)->t < duration) {
@@ -509,11 +509,11 @@ static int run(flk_path *p, double speed, double length, double duration)
 int flk_path_run(flk_path *p, double speed, double length)
 {
     p->swings = 0;
-    return run(p, speed, length, GSL_POSINF);
+    return run_path(p, speed, length, GSL_POSINF);
 }
 
 int flk_path_run_for(flk_path *p, double speed, double duration)
 {
     p->swings = 1;
-    return run(p, p->equation.sense * speed, GSL_POSINF, duration);
+    return run_path(p, p->equation.sense * speed, GSL_POSINF, duration);
 }

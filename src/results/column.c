@@ -197,7 +197,7 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 }
 
 /* Add a column to a list of n, unless it is among the first of them. */
-static size_t add(flk_column *list, size_t n, size_t first, const flk_column *c)
+static size_t add_column(flk_column *list, size_t n, size_t first, const flk_column *c)
 {
     size_t i;
 
@@ -223,7 +223,8 @@ static const char *name_of(const flk_analysis *a, size_t i)
                                    .column_names[of_points % DECK_POINT_COLUMNS];
 }
 
-static int find(const flk_analysis *a, text name, int equal(text, const char *), flk_column *c)
+static int find_column(const flk_analysis *a, text name, int equal(text, const char *),
+                       flk_column *c)
 {
     size_t i, n = flk_column_limit(a->d);
 
@@ -235,7 +236,7 @@ static int find(const flk_analysis *a, text name, int equal(text, const char *),
 
 int flk_column_find(const flk_analysis *a, text name, flk_column *c)
 {
-    return find(a, name, flk_text_same, c);
+    return find_column(a, name, flk_text_same, c);
 }
 
 /* What people call columns, and the names; the digits that follow are the same in both. */
@@ -305,7 +306,7 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
 
     for (i = 0; i < limit; i++)
         if ((!usual_only || is_usual(a, i)) && flk_column_number(a, i, &c))
-            n = add(list, n, first, &c);
+            n = add_column(list, n, first, &c);
     return n;
 }
 
@@ -457,8 +458,9 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
     while (flk_column_next_name(&rest, &name)) {
         if (flk_text_equal(name, "all"))
             n = add_all(a, 0, list, n);
-        else if (find(a, name, flk_text_same, &c) || find(a, name, flk_text_equal, &c))
-            n = add(list, n, n, &c);
+        else if (find_column(a, name, flk_text_same, &c) ||
+                 find_column(a, name, flk_text_equal, &c))
+            n = add_column(list, n, n, &c);
         else
             note_missing(a, a->d, name, m);
     }

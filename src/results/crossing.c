@@ -68,7 +68,7 @@ static double off_of_row(double s, crossings *k, flk_row *row)
     return gsl_isnan(off) && is_at_limit(k, s) ? off_at(s, k) : off;
 }
 
-static double row_at(double s, void *data)
+static double off_at_row(double s, void *data)
 {
     flk_row row;
 
@@ -100,7 +100,7 @@ static double scale_of(const crossings *k, const flk_row *row, double around)
 
 /* Keep the crossing at a parameter, if the row as it is printed has the value and it is not the last crossing
 ** found. */
-static void keep(crossings *k, double s, double around)
+static void keep_crossing(crossings *k, double s, double around)
 {
     double passed = flk_follow_corner(&k->x.f, s), off;
     flk_row row;
@@ -133,7 +133,7 @@ static void search_step(crossings *k, const flk_sample *a, const flk_sample *b, 
         (a->value < 0) == (b->value < 0))
         return;
     bracket = flk_bracket_of(a->x, b->x, a->value, b->value);
-    keep(k, flk_find_zero(row_at, k, &bracket, 0), around);
+    keep_crossing(k, flk_find_zero(off_at_row, k, &bracket, 0), around);
 }
 
 /* How far the column is beyond the value, seen from the side of the samples. */
@@ -166,7 +166,7 @@ static void search_turn(crossings *k, const flk_sample *a, const flk_sample *b, 
     near.value *= -sign;
     around = GSL_MIN_DBL(fabs(a->value), fabs(c->value));
     if (fabs(near.value) <= EXACT * GSL_MAX_DBL(around, fabs(k->value)))
-        keep(k, near.x, around);
+        keep_crossing(k, near.x, around);
     else {
         search_step(k, a, &near, around);
         search_step(k, &near, c, around);
@@ -216,12 +216,12 @@ static void take_row(crossings *k, size_t i)
 
     if (!gsl_isnan(k->c->v[i]) || s <= 0 || s >= 1)
         return;
-    off = row_at(s, k);
+    off = off_at_row(s, k);
     k->c->v[i] = off + k->value;
 }
 
 /* Insert a sample, or its row, before sample i; 0 if there is no room. */
-static int insert(crossings *k, size_t i, double s)
+static int insert_row(crossings *k, size_t i, double s)
 {
     if (!flk_samples_insert(&k->x, i, s))
         return 0;
@@ -242,11 +242,11 @@ static size_t close_gap(crossings *k, size_t i, int before)
     for (h = 0; h < HALVINGS; h++) {
         double s = 0.5 * (with + without);
 
-        if (gsl_isnan(row_at(s, k))) {
+        if (gsl_isnan(off_at_row(s, k))) {
             without = s;
             continue;
         }
-        if (!insert(k, at, s))
+        if (!insert_row(k, at, s))
             break;
         with = s;
         n++;
@@ -282,8 +282,8 @@ static void bound_pole(crossings *k, size_t i)
     p.sign = v[i] < 0 ? 1 : -1;
     b = flk_bracket_of(s[i], s[i + 1], GSL_NEGINF, GSL_POSINF);
     flk_find_zero(side_of_pole, &p, &b, 0);
-    if (fabs(flk_samples_value(&k->x, k->c, b.low, GSL_NAN)) > size && insert(k, i + 1, b.low))
-        insert(k, i + 2, b.high);
+    if (fabs(flk_samples_value(&k->x, k->c, b.low, GSL_NAN)) > size && insert_row(k, i + 1, b.low))
+        insert_row(k, i + 2, b.high);
 }
 
 /* 1 if between samples i and i + 1 the column may turn unseen: its slope changes much. */
@@ -346,7 +346,7 @@ static void insert_least_size(crossings *k, size_t i)
     b = flk_bracket_of(from, to, before, behind);
     from = flk_find_zero(along_change, &t, &b, 1e-6 * GSL_MIN_DBL(-before, behind));
     if (from > k->x.s[i] && from < to)
-        insert(k, i + 1, from);
+        insert_row(k, i + 1, from);
 }
 
 /* Insert samples where the column may approach the value unseen: close to the ends of the piece, where
@@ -370,10 +370,10 @@ static void insert_samples(crossings *k)
         int part = is_bent(k, i) ? PARTS : 1;
 
         while (--part > 0)
-            insert(k, i + 1, from + (to - from) * part / PARTS);
+            insert_row(k, i + 1, from + (to - from) * part / PARTS);
     }
-    insert(k, 1, s[0] + BESIDE_END * (s[1] - s[0]));
-    insert(k, x->n - 1, s[x->n - 1] - BESIDE_END * (s[x->n - 1] - s[x->n - 2]));
+    insert_row(k, 1, s[0] + BESIDE_END * (s[1] - s[0]));
+    insert_row(k, x->n - 1, s[x->n - 1] - BESIDE_END * (s[x->n - 1] - s[x->n - 2]));
     for (i = x->n - 1; i-- > 0 && flk_column_has_vector(k->c->of.c) && !(k->c->of.turn > 0);)
         insert_least_size(k, i);
     for (i = 0; i + 1 < x->n; i++) {
@@ -394,7 +394,7 @@ static void search_end(crossings *k, const flk_sample *end, const flk_sample *be
                  fabs(end->value - before->value) <= CONTINUOUS * scale;
 
     if (passes || fabs(end->value) <= CONTINUOUS * scale)
-        keep(k, end->x, around);
+        keep_crossing(k, end->x, around);
 }
 
 static void search_piece(crossings *k, flk_sample *before)
@@ -448,7 +448,7 @@ static int varies(crossings *k)
     return !(most - least <= EXACT * GSL_MAX_DBL(fabs(least), fabs(most)));
 }
 
-static void search_motion(crossings *k)
+static void search_crossings(crossings *k)
 {
     flk_sample before = {0, 0};
 
@@ -479,7 +479,7 @@ int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_
     is_constant = !varies(&k);
     begin(&k, room, a, c, branch);
     if (!is_constant)
-        search_motion(&k);
+        search_crossings(&k);
     a->is_fast = 0;
     if (flk_follow_is_over(&k.x.f))
         return FOURLINK_LONG_SEARCH;

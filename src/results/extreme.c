@@ -326,7 +326,7 @@ static double roughness(const double *s, const double *v)
 }
 
 /* 1 if the column near so rough a value may be better than the best. */
-static int is_wanted(const sought *k, double value, double rough)
+static int may_be_better(const sought *k, double value, double rough)
 {
     return value + HIDDEN * rough > best_so_far(k, 0) ||
            value - HIDDEN * rough < -best_so_far(k, 1);
@@ -338,10 +338,10 @@ static int may_hide(const sought *k, size_t i)
     const double *v = k->c->v + i;
     double size = GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])), rough = roughness_of_even(v);
 
-    if (!(rough > ROUGH * size && is_wanted(k, v[0], rough)))
+    if (!(rough > ROUGH * size && may_be_better(k, v[0], rough)))
         return 0;
     rough = roughness(k->x->s + i, v);
-    return rough > ROUGH * size && is_wanted(k, v[0], rough);
+    return rough > ROUGH * size && may_be_better(k, v[0], rough);
 }
 
 static void offer_sample(const sought *k, size_t i)
@@ -522,8 +522,8 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
     }
 }
 
-static void start(search *x, const flk_samples_room *room, flk_bests *bests, flk_analysis *a,
-                  fourlink_branch branch, const flk_extreme_pair *pairs, size_t n)
+static void begin_search(search *x, const flk_samples_room *room, flk_bests *bests, flk_analysis *a,
+                         fourlink_branch branch, const flk_extreme_pair *pairs, size_t n)
 {
     size_t i;
 
@@ -536,7 +536,7 @@ static void start(search *x, const flk_samples_room *room, flk_bests *bests, flk
     }
 }
 
-static void search_motion(search *x, flk_extreme_pair *pairs)
+static void search_extremes(search *x, flk_extreme_pair *pairs)
 {
     flk_samples *s = &x->samples;
     int has_gap = 0;
@@ -562,9 +562,9 @@ void flk_extreme_search(flk_analysis *a, const flk_samples_room *room, flk_bests
     size_t i;
 
     if (status == FOURLINK_OK) {
-        start(&x, room, bests, a, branch, pairs, n);
+        begin_search(&x, room, bests, a, branch, pairs, n);
         a->is_fast = 1;
-        search_motion(&x, pairs);
+        search_extremes(&x, pairs);
         a->is_fast = 0;
         status = flk_follow_is_over(&x.samples.f) ? FOURLINK_LONG_SEARCH : FOURLINK_OK;
     }

@@ -163,17 +163,17 @@ static double in_unit(const listing *t, double si, quantity q)
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
-static int is_wanted(const listing *t, fact_code first, fact_code last)
+static int is_any_wanted(const listing *t, fact_code first, fact_code last)
 {
     return !t->only || (t->only <= OTHER(first) && t->only >= OTHER(last));
 }
 
 /* Where a fact is listed, or if it is not wanted, the next one will be. */
-static fourlink_value *add(listing *t, fact_code code, double si)
+static fourlink_value *add_fact(listing *t, fact_code code, double si)
 {
     fourlink_value *f = &t->list[t->n];
 
-    if (!is_wanted(t, code, code))
+    if (!is_any_wanted(t, code, code))
         return f;
     t->n++;
     flk_fact_describe(t->d, OTHER(code), f);
@@ -185,7 +185,7 @@ static fourlink_value *add(listing *t, fact_code code, double si)
 /* A fact with the crank angle at which it occurs. */
 static void add_at(listing *t, fact_code code, double si, double theta2)
 {
-    fourlink_value *f = add(t, code, si);
+    fourlink_value *f = add_fact(t, code, si);
 
     f->has_angle = 1;
     f->angle = in_unit(t, theta2, QUANTITY_ANGLE);
@@ -197,7 +197,7 @@ static void add_type(listing *t)
     fourlink_value *f;
 
     fourlink_type_of(&t->d->machine.mechanism, &type);
-    f = add(t, FACT_TYPE, (double)type);
+    f = add_fact(t, FACT_TYPE, (double)type);
     f->words = fourlink_type_text((int)type);
     f->unit = "";
 }
@@ -209,8 +209,8 @@ static void add_reach(listing *t)
 
     fourlink_reach_of(&t->d->machine.mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
-        add(t, FACT_THETA2_FROM, reach.from[i]);
-        add(t, FACT_THETA2_TO, reach.to[i]);
+        add_fact(t, FACT_THETA2_FROM, reach.from[i]);
+        add_fact(t, FACT_THETA2_TO, reach.to[i]);
     }
 }
 
@@ -254,9 +254,9 @@ static void add_reach_of_rocker(listing *t, int branch)
                                         M_PI - 0.5 * (reach.from[i] + reach.to[i]));
         if (!is_asked(t->d, t->branch, branch))
             continue;
-        add(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
-        add(t, FACT_THETA4_TO, M_PI - reach.from[i]);
-        add(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
+        add_fact(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
+        add_fact(t, FACT_THETA4_TO, M_PI - reach.from[i]);
+        add_fact(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
     }
     t->branch = 0;
 }
@@ -267,20 +267,20 @@ static void add_rod(listing *t)
 
     if (fourlink_rod_masses(&t->d->machine.mechanism, &rod) != FOURLINK_OK)
         return;
-    add(t, FACT_ROD_RATIO, rod.n);
+    add_fact(t, FACT_ROD_RATIO, rod.n);
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
         return;
-    add(t, FACT_ROD_GYRATION, rod.k);
+    add_fact(t, FACT_ROD_GYRATION, rod.k);
     if (rod.k1 > 0)
-        add(t, FACT_PAIR_GYRATION, rod.k1);
-    add(t, FACT_M_A, rod.m_a);
-    add(t, FACT_M_B, rod.m_b);
+        add_fact(t, FACT_PAIR_GYRATION, rod.k1);
+    add_fact(t, FACT_M_A, rod.m_a);
+    add_fact(t, FACT_M_B, rod.m_b);
     if (rod.L == 0)
         return;
-    add(t, FACT_ROD_PENDULUM, rod.L);
-    add(t, FACT_ROD_DISTANCE, rod.d);
-    add(t, FACT_M_D, rod.m_d);
-    add(t, FACT_M_G, rod.m_g);
+    add_fact(t, FACT_ROD_PENDULUM, rod.L);
+    add_fact(t, FACT_ROD_DISTANCE, rod.d);
+    add_fact(t, FACT_M_D, rod.m_d);
+    add_fact(t, FACT_M_G, rod.m_g);
 }
 
 /* A linkage found by synthesis. */
@@ -292,25 +292,26 @@ static void add_found(listing *t)
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         if (s->design.link[i].length > 0)
-            add(t, (fact_code)(FACT_GROUND_LENGTH + i - FOURLINK_GROUND), s->design.link[i].length);
+            add_fact(t, (fact_code)(FACT_GROUND_LENGTH + i - FOURLINK_GROUND),
+                     s->design.link[i].length);
     if (s->design.offset != 0)
-        add(t, FACT_LINE_OFFSET, s->design.offset);
+        add_fact(t, FACT_LINE_OFFSET, s->design.offset);
     add_at(t, FACT_MU_RANGE, s->mu_min, s->mu_min_at);
     if (found->task == TASK_FUNCTION)
         add_at(t, found->kind->output == QUANTITY_ANGLE ? FACT_ERROR_ANGLE : FACT_ERROR_LENGTH,
                s->max_error, s->max_error_at);
-    add(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
+    add_fact(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
 }
 
 /* A counterweight: mass moment, direction, mass. */
 static void add_counterweight(listing *t, fact_code first, const fourlink_vector *moment,
                               double mass)
 {
-    add(t, first, gsl_hypot(moment->x, moment->y));
+    add_fact(t, first, gsl_hypot(moment->x, moment->y));
     if (moment->x != 0 || moment->y != 0)
-        add(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
+        add_fact(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
     if (t->d->balance.radius > 0)
-        add(t, (fact_code)(first + 2), mass);
+        add_fact(t, (fact_code)(first + 2), mass);
 }
 
 static void add_balance(listing *t)
@@ -328,23 +329,23 @@ static void add_limits(listing *t)
     fourlink_limits limits;
 
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
-    add(t, FACT_MU_MIN, limits.mu_min);
-    add(t, FACT_MU_MAX, limits.mu_max);
+    add_fact(t, FACT_MU_MIN, limits.mu_min);
+    add_fact(t, FACT_MU_MAX, limits.mu_max);
     if (t->d->design.kind == FOURLINK_FOUR_BAR) {
-        add(t, FACT_GAMMA_MIN, limits.gamma_min);
-        add(t, FACT_GAMMA_MAX, limits.gamma_max);
+        add_fact(t, FACT_GAMMA_MIN, limits.gamma_min);
+        add_fact(t, FACT_GAMMA_MAX, limits.gamma_max);
     }
     if (limits.has_swing) {
         add_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
         add_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
-        add(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
+        add_fact(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
     }
     if (limits.time_ratio > 0)
-        add(t, FACT_TIME_RATIO, limits.time_ratio);
+        add_fact(t, FACT_TIME_RATIO, limits.time_ratio);
     if (limits.has_stroke) {
-        add(t, FACT_STROKE, limits.stroke);
-        add(t, FACT_INNER_DEAD_CENTRE, limits.inner);
-        add(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
+        add_fact(t, FACT_STROKE, limits.stroke);
+        add_fact(t, FACT_INNER_DEAD_CENTRE, limits.inner);
+        add_fact(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
     }
 }
 
@@ -445,23 +446,23 @@ static void add_turning(listing *t, flk_analysis *a)
         return;
     efficiency = a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency;
     if (t->d->machine.has_friction && !gsl_isnan(efficiency))
-        add(t, FACT_EFFICIENCY_CYCLE, efficiency);
-    add(t, FACT_MEAN_TORQUE, m->mean_torque);
-    add(t, FACT_MEAN_POWER, m->mean_power);
-    add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
+        add_fact(t, FACT_EFFICIENCY_CYCLE, efficiency);
+    add_fact(t, FACT_MEAN_TORQUE, m->mean_torque);
+    add_fact(t, FACT_MEAN_POWER, m->mean_power);
+    add_fact(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
     if (m->has_coefficient)
-        add(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
+        add_fact(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
     if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: no flywheel is needed */
-        add(t, FACT_FLYWHEEL_INERTIA, m->inertia);
+        add_fact(t, FACT_FLYWHEEL_INERTIA, m->inertia);
     if ((actual ? actual->inertia : m->inertia) > 0)
-        add(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
+        add_fact(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
 }
 
 /* Add a fact if it is defined for this motion. */
-static void add_if(listing *t, fact_code code, double si)
+static void add_fact_if_defined(listing *t, fact_code code, double si)
 {
     if (gsl_finite(si))
-        add(t, code, si);
+        add_fact(t, code, si);
 }
 
 static void add_actual(listing *t, flk_analysis *a)
@@ -471,15 +472,15 @@ static void add_actual(listing *t, flk_analysis *a)
 
     if (!f)
         return;
-    add_if(t, FACT_MEAN_SPEED, f->mean_speed);
-    add_if(t, FACT_MEAN_SPEED_TEXTBOOK, f->mean_speed_textbook);
-    add_if(t, FACT_PERIOD, f->period);
-    add_if(t, FACT_FLUCTUATION_EXACT, f->fluctuation_exact);
-    add_if(t, FACT_STEADY_RATE, f->steady_rate);
-    add_if(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
-    add_if(t, FACT_RUN_UP_TIME, f->run_up_time);
+    add_fact_if_defined(t, FACT_MEAN_SPEED, f->mean_speed);
+    add_fact_if_defined(t, FACT_MEAN_SPEED_TEXTBOOK, f->mean_speed_textbook);
+    add_fact_if_defined(t, FACT_PERIOD, f->period);
+    add_fact_if_defined(t, FACT_FLUCTUATION_EXACT, f->fluctuation_exact);
+    add_fact_if_defined(t, FACT_STEADY_RATE, f->steady_rate);
+    add_fact_if_defined(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
+    add_fact_if_defined(t, FACT_RUN_UP_TIME, f->run_up_time);
     if (t->d->machine.motor.kind == FOURLINK_MOTOR_BALANCE)
-        add_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
+        add_fact_if_defined(t, FACT_MOTOR_TORQUE, f->motor_torque);
 }
 
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
@@ -499,9 +500,9 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
 
         add_type(&t);
         if (!has_slide)
-            add(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
+            add_fact(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
         add_reach(&t);
-        if (!has_slide && is_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING))
+        if (!has_slide && is_any_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING))
             add_reach_of_rocker(&t, branch);
         add_rod(&t);
         add_balance(&t);

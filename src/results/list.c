@@ -83,7 +83,8 @@ typedef struct listing {
 } listing;
 
 /* Add SECTION.KEY; `si` is its value in SI units. */
-static fourlink_value *add(listing *t, const char *key, quantity q, double si, const char *meaning)
+static fourlink_value *add_input(listing *t, const char *key, quantity q, double si,
+                                 const char *meaning)
 {
     char *name = t->to->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
@@ -98,16 +99,17 @@ static fourlink_value *add(listing *t, const char *key, quantity q, double si, c
 }
 
 /* The same, unless it is 0. */
-static void add_if(listing *t, const char *key, quantity q, double si, const char *meaning)
+static void add_input_unless_0(listing *t, const char *key, quantity q, double si,
+                               const char *meaning)
 {
     if (si != 0)
-        add(t, key, q, si, meaning);
+        add_input(t, key, q, si, meaning);
 }
 
 /* Add an input whose value is words. */
 static void add_words(listing *t, const char *key, const char *words, const char *meaning)
 {
-    fourlink_value *v = add(t, key, QUANTITY_NUMBER, 0, meaning);
+    fourlink_value *v = add_input(t, key, QUANTITY_NUMBER, 0, meaning);
 
     v->words = words;
     v->unit = "";
@@ -118,18 +120,19 @@ static void add_link(listing *t, int i)
     const fourlink_link *link = &t->d->design.link[i];
 
     t->section = fourlink_link_text((int)t->d->design.kind, i);
-    add_if(t, "length", QUANTITY_LENGTH, link->length, "length");
-    add_if(t, "mass", QUANTITY_MASS, link->mass, "mass");
-    add_if(t, "inertia", QUANTITY_INERTIA, link->inertia,
-           "moment of inertia about the centre of mass");
-    add_if(t, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
-    add_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
+    add_input_unless_0(t, "length", QUANTITY_LENGTH, link->length, "length");
+    add_input_unless_0(t, "mass", QUANTITY_MASS, link->mass, "mass");
+    add_input_unless_0(t, "inertia", QUANTITY_INERTIA, link->inertia,
+                       "moment of inertia about the centre of mass");
+    add_input_unless_0(t, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
+    add_input_unless_0(t, "cg.y", QUANTITY_LENGTH, link->cg.y,
+                       "centre of mass, to the left of the link");
 }
 
 /* Add an angle of the motion, already in the deck's unit. */
 static void add_angle(listing *t, const char *key, double angle, const char *meaning)
 {
-    add(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
+    add_input(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
 }
 
 /* A motion that is not given. */
@@ -142,10 +145,11 @@ static void add_drive(listing *t)
         return;
     add_words(t, "mode", modes[drive->mode], "the motion follows from torques and inertia");
     if (drive->mode == DRIVE_FREE)
-        add(t, "speed", QUANTITY_ANGULAR_SPEED, t->d->motion.speed, "speed at the first row");
-    add_if(t, "mean_speed", QUANTITY_ANGULAR_SPEED, drive->mean_speed, "mean over time");
-    add_if(t, "time_step", QUANTITY_TIME, drive->time_step, "interval of rows by time");
-    add_if(t, "duration", QUANTITY_TIME, drive->duration, "time of the last row");
+        add_input(t, "speed", QUANTITY_ANGULAR_SPEED, t->d->motion.speed, "speed at the first row");
+    add_input_unless_0(t, "mean_speed", QUANTITY_ANGULAR_SPEED, drive->mean_speed,
+                       "mean over time");
+    add_input_unless_0(t, "time_step", QUANTITY_TIME, drive->time_step, "interval of rows by time");
+    add_input_unless_0(t, "duration", QUANTITY_TIME, drive->duration, "time of the last row");
 }
 
 static void add_motor(listing *t)
@@ -158,17 +162,19 @@ static void add_motor(listing *t)
     if (motor->kind == FOURLINK_MOTOR_BALANCE)
         add_words(t, "torque", "constant", "balances the loads over a cycle");
     else if (motor->kind == FOURLINK_MOTOR_TORQUE)
-        add(t, "torque", QUANTITY_TORQUE, motor->torque, "torque of the motor");
+        add_input(t, "torque", QUANTITY_TORQUE, motor->torque, "torque of the motor");
     if (motor->kind == FOURLINK_MOTOR_CURVE)
         add_words(t, "curve", "a curve", "torque over the motor's speed");
-    add_if(t, "stall_torque", QUANTITY_TORQUE, motor->stall_torque, "torque at rest");
-    add_if(t, "no_load_speed", QUANTITY_ANGULAR_SPEED, motor->no_load_speed,
-           "speed without torque");
-    add_if(t, "power", QUANTITY_POWER, motor->power, "power of the motor");
-    add_if(t, "max_torque", QUANTITY_TORQUE, motor->max_torque, "largest torque");
-    add_if(t, "inertia", QUANTITY_INERTIA, motor->inertia, "moment of inertia of the rotor");
+    add_input_unless_0(t, "stall_torque", QUANTITY_TORQUE, motor->stall_torque, "torque at rest");
+    add_input_unless_0(t, "no_load_speed", QUANTITY_ANGULAR_SPEED, motor->no_load_speed,
+                       "speed without torque");
+    add_input_unless_0(t, "power", QUANTITY_POWER, motor->power, "power of the motor");
+    add_input_unless_0(t, "max_torque", QUANTITY_TORQUE, motor->max_torque, "largest torque");
+    add_input_unless_0(t, "inertia", QUANTITY_INERTIA, motor->inertia,
+                       "moment of inertia of the rotor");
     if (motor->ratio != 1)
-        add(t, "ratio", QUANTITY_NUMBER, motor->ratio, "speed of the motor / speed of the crank");
+        add_input(t, "ratio", QUANTITY_NUMBER, motor->ratio,
+                  "speed of the motor / speed of the crank");
 }
 
 static void add_motion(listing *t)
@@ -178,9 +184,9 @@ static void add_motion(listing *t)
     t->section = "motion";
     add_drive(t);
     if (t->d->drive.mode == DRIVE_GIVEN)
-        add(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
-    add_if(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
-           "acceleration of the crank");
+        add_input(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
+    add_input_unless_0(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
+                       "acceleration of the crank");
     if (t->d->one_instant) {
         add_angle(t, "at", motion->from, "crank angle");
         return;
@@ -192,7 +198,7 @@ static void add_motion(listing *t)
         add_angle(t, "to", motion->to, "last crank angle");
     if (!t->d->drive.by_time)
         add_angle(t, "interval", motion->interval, "interval of the crank angle");
-    add(t, "cycle", QUANTITY_ANGLE, t->d->machine.cycle, "period of curves and loads");
+    add_input(t, "cycle", QUANTITY_ANGLE, t->d->machine.cycle, "period of curves and loads");
     if (motion->hold)
         add_words(t, "hold", "yes", "every row has this speed and acceleration");
 }
@@ -210,12 +216,12 @@ static void add_law(listing *t, const flk_own_load *law)
         add_words(t, "back", "other values", "where that falls");
     if (law->at_speed <= 0)
         return;
-    add(t, "at_speed", is_angular ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED, law->at_speed,
-        "the speed at which it has its value");
-    add(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
+    add_input(t, "at_speed", is_angular ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED, law->at_speed,
+              "the speed at which it has its value");
+    add_input(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
 }
 
-static void add_load(listing *t, const flk_element *element)
+static void list_load(listing *t, const flk_element *element)
 {
     const flk_own_load *own = element->data;
     const flk_load_values *values = &own->values;
@@ -227,20 +233,21 @@ static void add_load(listing *t, const flk_element *element)
               "the link it acts on");
     if (values->force_curve[0].n)
         add_words(t, "force", "a curve", "force");
-    add_if(t, "force.x", QUANTITY_FORCE, values->force.x, "force, x");
-    add_if(t, "force.y", QUANTITY_FORCE, values->force.y, "force, y");
-    add_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
-    add_if(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
+    add_input_unless_0(t, "force.x", QUANTITY_FORCE, values->force.x, "force, x");
+    add_input_unless_0(t, "force.y", QUANTITY_FORCE, values->force.y, "force, y");
+    add_input_unless_0(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
+    add_input_unless_0(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
     if (load->frame == FOURLINK_FRAME_LINK)
         add_words(t, "frame", "link", "the force turns with the link");
     if (values->torque_curve.n)
         add_words(t, "torque", "a curve", "torque, counter-clockwise positive");
     else
-        add_if(t, "torque", QUANTITY_TORQUE, values->torque, "torque, counter-clockwise positive");
+        add_input_unless_0(t, "torque", QUANTITY_TORQUE, values->torque,
+                           "torque, counter-clockwise positive");
     add_law(t, own);
     if (own->is_windowed) {
-        add(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
-        add(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
+        add_input(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
+        add_input(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
     }
 }
 
@@ -254,8 +261,10 @@ static void add_end(listing *t, const fourlink_spring *s, int is_second)
               is_second ? "the other link, or the ground" : "the link it acts on");
     if (s->is_torsional)
         return;
-    add_if(t, is_second ? "to_at.x" : "at.x", QUANTITY_LENGTH, at->x, "its end there, x");
-    add_if(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y, "its end there, y");
+    add_input_unless_0(t, is_second ? "to_at.x" : "at.x", QUANTITY_LENGTH, at->x,
+                       "its end there, x");
+    add_input_unless_0(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y,
+                       "its end there, y");
 }
 
 static void add_spring(listing *t, const flk_element *element)
@@ -268,16 +277,18 @@ static void add_spring(listing *t, const flk_element *element)
         flk_text_join(section, sizeof section - 14, "spring ", element->name, (char *)NULL);
     add_end(t, s, 0);
     add_end(t, s, 1);
-    add_if(t, "stiffness", is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
-           s->stiffness, "stiffness");
+    add_input_unless_0(t, "stiffness",
+                       is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
+                       s->stiffness, "stiffness");
     if (is_torsional)
-        add_if(t, "free_angle", QUANTITY_ANGLE, s->free_length, "angle without load");
+        add_input_unless_0(t, "free_angle", QUANTITY_ANGLE, s->free_length, "angle without load");
     else
-        add_if(t, "free_length", QUANTITY_LENGTH, s->free_length, "length without load");
-    add_if(t, "preload", is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE, s->preload,
-           "at the free length or angle");
-    add_if(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING, s->damping,
-           "damping");
+        add_input_unless_0(t, "free_length", QUANTITY_LENGTH, s->free_length,
+                           "length without load");
+    add_input_unless_0(t, "preload", is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE, s->preload,
+                       "at the free length or angle");
+    add_input_unless_0(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING,
+                       s->damping, "damping");
     if (s->only)
         add_words(t, "only", s->only == FOURLINK_PUSHES ? "pushes" : "pulls",
                   "when it acts: below its free length or angle, or above it");
@@ -291,9 +302,12 @@ static void add_friction(listing *t)
 
     t->section = "friction";
     for (i = 0; i < 4; i++)
-        add_if(t, circles[i], QUANTITY_LENGTH, f->circle[i], "radius of the friction circle");
-    add_if(t, "guide", QUANTITY_NUMBER, f->guide, "coefficient of friction of the guide");
-    add_if(t, "guide_length", QUANTITY_LENGTH, f->guide_length, "length of the guided block");
+        add_input_unless_0(t, circles[i], QUANTITY_LENGTH, f->circle[i],
+                           "radius of the friction circle");
+    add_input_unless_0(t, "guide", QUANTITY_NUMBER, f->guide,
+                       "coefficient of friction of the guide");
+    add_input_unless_0(t, "guide_length", QUANTITY_LENGTH, f->guide_length,
+                       "length of the guided block");
 }
 
 static void add_gas(listing *t)
@@ -305,14 +319,16 @@ static void add_gas(listing *t)
         return;
     gas = element->data;
     t->section = "gas";
-    add(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
+    add_input(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
     if (gas->back_area != gas->area)
-        add(t, "back_area", QUANTITY_AREA, gas->back_area, "area of the piston on the crank side");
+        add_input(t, "back_area", QUANTITY_AREA, gas->back_area,
+                  "area of the piston on the crank side");
     if (gas->indicator.n)
         add_words(t, "indicator", "a curve", "pressure on the cover side");
     else
-        add(t, "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
-    add_if(t, "back_pressure", QUANTITY_PRESSURE, gas->back_pressure, "pressure on the crank side");
+        add_input(t, "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
+    add_input_unless_0(t, "back_pressure", QUANTITY_PRESSURE, gas->back_pressure,
+                       "pressure on the crank side");
 }
 
 #define MOST_OF_DECK 60 /* links 20, slide 2, gravity 2, motion 13, motor 8, gas 5, flywheel 3 */
@@ -339,26 +355,27 @@ void flk_list_inputs(const deck *d, flk_list *inputs)
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         add_link(&t, link);
     t.section = fourlink_link_text(kind, slides_on_lever ? FOURLINK_FOLLOWER : FOURLINK_GROUND);
-    add_if(&t, "offset", QUANTITY_LENGTH, d->design.offset,
-           slides_on_lever ? "distance at which the slide passes D"
-                           : "offset of the line of stroke");
-    add_if(&t, "angle", QUANTITY_ANGLE, d->design.angle, "angle of the slide from the line D-C");
+    add_input_unless_0(&t, "offset", QUANTITY_LENGTH, d->design.offset,
+                       slides_on_lever ? "distance at which the slide passes D"
+                                       : "offset of the line of stroke");
+    add_input_unless_0(&t, "angle", QUANTITY_ANGLE, d->design.angle,
+                       "angle of the slide from the line D-C");
     t.section = "gravity";
-    add(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
-    add(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
+    add_input(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
+    add_input(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
     add_motion(&t);
     add_motor(&t);
     for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++)
-        add_load(&t, e);
+        list_load(&t, e);
     for (i = 0; (e = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
         add_spring(&t, e);
     add_friction(&t);
     add_gas(&t);
     t.section = "flywheel";
-    add_if(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
-           "moment of inertia of the flywheel");
-    add_if(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
-           "coefficient of fluctuation of speed");
+    add_input_unless_0(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
+                       "moment of inertia of the flywheel");
+    add_input_unless_0(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
+                       "coefficient of fluctuation of speed");
     if (d->drive.fluctuation > 0)
         add_words(&t, "exact", "yes", "the flywheel has this fluctuation in the actual motion");
 }

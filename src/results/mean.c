@@ -73,7 +73,7 @@ static void powers(double s, void *data, double *power)
     power[2] = value * power[1];
 }
 
-static void add(moments *sum, const moments *more, double times)
+static void add_moments(moments *sum, const moments *more, double times)
 {
     int k;
 
@@ -90,13 +90,13 @@ static void shift(moments *m, double by)
 
 static void start_anew(means *m, double value)
 {
-    add(&m->total, &m->here, 1);
+    add_moments(&m->total, &m->here, 1);
     memset(&m->here, 0, sizeof m->here);
     m->t.last = value;
 }
 
 /* Follow an angle to a parameter, or at an end without a row to one beside it. */
-static void follow(means *m, double s)
+static void follow_angle(means *m, double s)
 {
     double value;
 
@@ -164,7 +164,7 @@ static void integrate(means *m, double from, double to, const flk_integral *both
     }
     for (k = 0; k < 3; k++)
         m->here.of[k] += i[k].value;
-    follow(m, to);
+    follow_angle(m, to);
 }
 
 static int is_done(const means *m)
@@ -177,7 +177,7 @@ static void integrate_piece(means *m)
     double length = m->x.piece.to - m->x.piece.from;
     double n = 2 + floor(length / GSL_MAX_DBL(STEP, m->x.motion.length / MOST_PARTS)), i;
 
-    follow(m, 0);
+    follow_angle(m, 0);
     for (i = 0; i < n && !is_done(m); i++)
         integrate(m, i / n, (i + 1) / n, NULL);
 }
@@ -192,7 +192,7 @@ static void integrate_motion(means *m)
     for (; !is_done(m) && flk_follow_next(x); is_first = 0) {
         if (flk_follow_is_reached(x)) {
             if (is_first) {
-                follow(m, 0);
+                follow_angle(m, 0);
                 m->t.first = m->t.last;
             }
             integrate_piece(m);
@@ -202,17 +202,17 @@ static void integrate_motion(means *m)
         }
         periods = flk_follow_skips(x);
         if (periods > 0) {
-            add(&m->total, &m->total, periods);
-            add(&m->here, &m->here, periods);
+            add_moments(&m->total, &m->total, periods);
+            add_moments(&m->here, &m->here, periods);
         }
     }
     if (has_gap)
         shift(&m->here, flk_followed_behind_gap(&m->t, x));
-    add(&m->total, &m->here, 1);
+    add_moments(&m->total, &m->here, 1);
 }
 
-static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branch branch,
-                  flk_statistic statistic)
+static void begin_mean(means *m, flk_analysis *a, const flk_column *c, fourlink_branch branch,
+                       flk_statistic statistic)
 {
     int flags = flk_column_flags(c);
 
@@ -248,7 +248,7 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
 
     if (flk_crank_motion_stops(&a->crank_motion, branch))
         return FOURLINK_TOO_LONG;
-    start(&m, a, c, branch, statistic);
+    begin_mean(&m, a, c, branch, statistic);
     if (m.x.motion.length <= 0)
         return of_instant(&m, statistic, mean);
     a->is_fast = !m.t.is_noise;

@@ -159,7 +159,7 @@ static double *make_room(double *list, size_t n, size_t i)
 }
 
 /* Insert a sample before number i. */
-static void insert(flk_samples *x, size_t i, double s)
+static void insert_sample(flk_samples *x, size_t i, double s)
 {
     double passed = flk_follow_corner(&x->f, s);
     flk_row row;
@@ -186,7 +186,7 @@ int flk_samples_insert(flk_samples *x, size_t i, double s)
 
     if (x->n == FLK_SAMPLES_MOST)
         return 0;
-    insert(x, i, s);
+    insert_sample(x, i, s);
     for (k = 0; k < x->n_columns; k++) {
         const flk_followed *of = &x->columns[k].of;
         double *v = x->columns[k].v + i;
@@ -209,7 +209,7 @@ static int is_fast_beside(const flk_samples *x, double s, flk_piece_end end)
     return row.at.status == FOURLINK_OK && fabs(row.at.state.sine) < NEAR_LINE;
 }
 
-static size_t steps_of(const flk_samples *x)
+static size_t sample_steps(const flk_samples *x)
 {
     double length = x->f.piece.to - x->f.piece.from;
     double steps = ceil(length / GSL_MAX_DBL(STEP, x->f.motion.length / MOST_STEPS) - 1e-9);
@@ -252,14 +252,14 @@ static void halve_steps(flk_samples *x, double step)
         smooth[i] = (char)is_smooth(x, i, step);
     for (i = x->n - 1; i-- > 0;)
         if (x->s[i + 1] - x->s[i] > 0.9 * step && !(smooth[i] && smooth[i + 1]))
-            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+            insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
 /* Samples of the piece in even steps, which are doubled where all columns are smooth, and closer beside
 ** some ends. */
 static void sample(flk_samples *x)
 {
-    size_t n = steps_of(x), i;
+    size_t n = sample_steps(x), i;
     int at_begin = n && x->is_reached && is_fast_beside(x, 0, x->f.piece.begin),
         at_end = n && x->is_reached && is_fast_beside(x, 1, x->f.piece.end), k;
     double step = 1 / (double)GSL_MAX(n, 1);
@@ -268,16 +268,16 @@ static void sample(flk_samples *x)
     x->has_lock = 0;
     x->f.a->is_fast = !x->has_noise;
     if (n || x->f.piece.from <= 0)
-        insert(x, x->n, 0);
+        insert_sample(x, x->n, 0);
     for (k = HALVINGS; at_begin && k > 0; k--)
-        insert(x, x->n, step * gsl_pow_int(0.5, k));
+        insert_sample(x, x->n, step * gsl_pow_int(0.5, k));
     for (i = 1; i < n; i++)
         if (i % 2 == 0 || i == 1 || i + 1 == n)
-            insert(x, x->n, step * (double)i);
+            insert_sample(x, x->n, step * (double)i);
     for (k = 1; at_end && k <= HALVINGS; k++)
-        insert(x, x->n, 1 - step * gsl_pow_int(0.5, k));
+        insert_sample(x, x->n, 1 - step * gsl_pow_int(0.5, k));
     if (n || x->f.piece.from > 0)
-        insert(x, x->n, 1);
+        insert_sample(x, x->n, 1);
     if (n)
         halve_steps(x, 2 * step);
     x->f.a->is_fast = 1;
@@ -306,11 +306,11 @@ static void resolve_jumps(flk_samples *x)
 
     for (i = 0; i + 1 < x->n; i++)
         while (x->n < FLK_SAMPLES_MOST && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && jumps(x, i))
-            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+            insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
 /* Make an angle continuous through the samples of the piece. */
-static void follow(const flk_samples *x, flk_sampled *c)
+static void continue_angle(const flk_samples *x, flk_sampled *c)
 {
     double *last = &c->of.last;
     size_t i;
@@ -452,6 +452,6 @@ int flk_samples_next(flk_samples *x)
     resolve_jumps(x);
     for (i = 0; i < x->n_columns; i++)
         if (x->columns[i].of.turn > 0)
-            follow(x, &x->columns[i]);
+            continue_angle(x, &x->columns[i]);
     return 1;
 }

@@ -74,7 +74,7 @@ static int has_speed(const deck *d)
 }
 
 /* Steps of a degree in the cycle; 0 if there is no turning moment. */
-static size_t steps_of(const deck *d)
+static size_t turning_steps(const deck *d)
 {
     double degrees = floor(d->machine.cycle / STEP + 0.5);
 
@@ -85,13 +85,13 @@ static size_t steps_of(const deck *d)
 /* The most pieces that there can be. */
 static size_t most_cuts(const flk_analysis *a)
 {
-    return steps_of(a->d) + 1 + HALVINGS +
+    return turning_steps(a->d) + 1 + HALVINGS +
            flk_corners_most(a->crank_motion.corners, a->d->machine.cycle);
 }
 
 int flk_turning_open(flk_analysis *a)
 {
-    if (!steps_of(a->d))
+    if (!turning_steps(a->d))
         return 1;
     a->turning_memory = malloc(2 * most_cuts(a) * sizeof *a->turning_memory);
     return a->turning_memory != NULL;
@@ -101,7 +101,7 @@ int flk_turning_open(flk_analysis *a)
 static void cut(moment *m)
 {
     double cycle = m->a->d->machine.cycle, corner, degree, at = 0;
-    size_t steps = steps_of(m->a->d), i;
+    size_t steps = turning_steps(m->a->d), i;
     flk_passage way;
     flk_piece_end what;
 
@@ -218,7 +218,7 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
     return e.greatest - e.least;
 }
 
-static void find(moment *m, double scale, fourlink_turning *t)
+static void find_turning(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
     const flk_actual_facts *actual = flk_actual_facts_of(m->a->crank_motion.actual, m->branch);
@@ -285,7 +285,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     m.mean = mean_of(&m, &scale);
     t->is_there = !gsl_isnan(m.mean);
     if (t->is_there)
-        find(&m, scale, &t->t);
+        find_turning(&m, scale, &t->t);
     if (t->is_there && a->d->machine.has_friction)
         t->efficiency = efficiency_of(&m);
     return t->is_there ? &t->t : NULL;

@@ -49,8 +49,8 @@ static int set_machine(const fourlink_mechanism *mechanism, const fourlink_load 
     return 1;
 }
 
-static int find(flk_analysis *a, flk_extremes *x, const char *name, fourlink_branch branch,
-                double *value, double *angle)
+static int find_value(flk_analysis *a, flk_extremes *x, const char *name, fourlink_branch branch,
+                      double *value, double *angle)
 {
     flk_extreme found;
     flk_column c;
@@ -96,7 +96,7 @@ int fourlink_extreme(const fourlink_mechanism *mechanism, const fourlink_motion 
     set_motion(motion, &d);
     status = set_machine(mechanism, loads, n_loads, &d) && flk_analysis_open(&a, &d) &&
                      flk_extremes_open(&x, flk_column_limit(&d))
-                 ? find(&a, &x, name, branch, value, angle)
+                 ? find_value(&a, &x, name, branch, value, angle)
                  : FOURLINK_NO_MEMORY;
     flk_extremes_close(&x);
     flk_analysis_close(&a);

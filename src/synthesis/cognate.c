@@ -24,8 +24,8 @@ static const int source_of[2][5] = {{0, 1, 3, 2, 4}, {0, 1, 2, 4, 3}};
 
 /* The positions of the cognate, from those of the given linkage.  The working range is that of the task, or a
 ** turn, or the middle of the first range that the given crank reaches. */
-static int set_positions(const fourlink_cognate_task *task, const fourlink_mechanism *mechanism,
-                         fourlink_solution *s)
+static int set_cognate_positions(const fourlink_cognate_task *task,
+                                 const fourlink_mechanism *mechanism, fourlink_solution *s)
 {
     double from = task->from, to = task->to, margin;
     fourlink_reach reach;
@@ -70,7 +70,7 @@ static int set_positions(const fourlink_cognate_task *task, const fourlink_mecha
     return FOURLINK_OK;
 }
 
-static int check_task(const fourlink_cognate_task *task)
+static int check_cognate(const fourlink_cognate_task *task)
 {
     if (task->design.kind != FOURLINK_FOUR_BAR)
         return FOURLINK_BAD_KIND;
@@ -116,14 +116,14 @@ static int find_cognate(const void *data, fourlink_solution *s)
 {
     const fourlink_cognate_task *task = data;
     fourlink_mechanism mechanism;
-    int status = check_task(task);
+    int status = check_cognate(task);
 
     if (status == FOURLINK_OK)
         status = fourlink_prepare(&task->design, &mechanism);
     if (status == FOURLINK_OK)
         status = set_linkage(task, s);
     if (status == FOURLINK_OK)
-        status = set_positions(task, &mechanism, s);
+        status = set_cognate_positions(task, &mechanism, s);
     if (status != FOURLINK_OK)
         return status;
     return flk_check_solution(s, task->side == FOURLINK_LEFT);

@@ -160,7 +160,8 @@ static int find_pivots(const fourlink_dyad *given, const positions *at,
 }
 
 /* Positions relative to the first.  FOURLINK_DEPENDENT if two are equal. */
-static int set_positions(const fourlink_vector point[3], const double alpha[3], positions *at)
+static int set_relative_positions(const fourlink_vector point[3], const double alpha[3],
+                                  positions *at)
 {
     int i, j;
 
@@ -246,7 +247,7 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
 {
     pivots first, second;
     positions at;
-    int status = set_positions(point, alpha, &at);
+    int status = set_relative_positions(point, alpha, &at);
 
     memset(s, 0, sizeof *s);
     if (status == FOURLINK_OK)

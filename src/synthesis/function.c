@@ -83,7 +83,7 @@ static int find_step(const fourlink_function_task *task, const double K[3], cons
 }
 
 /* The length that the others are compared with, m: the ground, or the largest |X|. */
-static double unit_of(const fourlink_function_task *task)
+static double length_unit(const fourlink_function_task *task)
 {
     double unit = 0;
     unsigned long i;
@@ -103,7 +103,7 @@ static double unit_of(const fourlink_function_task *task)
 */
 static int set_lengths(const fourlink_function_task *task, const double K[3], fourlink_solution *s)
 {
-    double a, c = 0, d = unit_of(task), square, size;
+    double a, c = 0, d = length_unit(task), square, size;
 
     if (task->kind == FOURLINK_FOUR_BAR) {
         if (!(fabs(K[0]) > FLK_NOTHING && fabs(K[1]) > FLK_NOTHING))
@@ -149,7 +149,7 @@ static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechan
 ** |X| if that is shorter. */
 static double growth_of(const fourlink_function_task *task, const fourlink_design *design)
 {
-    double longest = fabs(design->offset), shortest = unit_of(task);
+    double longest = fabs(design->offset), shortest = length_unit(task);
     int i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
@@ -264,7 +264,7 @@ static void fit_proportions(const fourlink_function_task *task, best_fit *best)
 {
     static const double parts[] = {-2, -1, -0.5, -0.2, 0.2, 0.5, 1, 2},
                         others[] = {0.4, 0.8, 1.3, 2.2};
-    double start[3], d = unit_of(task);
+    double start[3], d = length_unit(task);
     int i, j, k;
 
     for (i = 0; i < 8; i++)
@@ -345,7 +345,7 @@ static void find_largest_error(const fourlink_function_task *task, fourlink_solu
     }
 }
 
-static int check_task(const fourlink_function_task *task)
+static int check_function(const fourlink_function_task *task)
 {
     int is_four_bar = task->kind == FOURLINK_FOUR_BAR;
     unsigned long i;
@@ -372,10 +372,10 @@ static int check_task(const fourlink_function_task *task)
 }
 
 /* The positions are the points; a residual of a slider-crank is relative to the largest X^2. */
-static void set_positions(const fourlink_function_task *task, fourlink_solution *s)
+static void set_points(const fourlink_function_task *task, fourlink_solution *s)
 {
     int i, is_slider = task->kind == FOURLINK_SLIDER_CRANK;
-    double unit = is_slider ? unit_of(task) : 1;
+    double unit = is_slider ? length_unit(task) : 1;
 
     s->n_positions = (int)task->n;
     for (i = 0; i < s->n_positions; i++) {
@@ -394,11 +394,11 @@ static int find_function(const void *data, fourlink_solution *s)
 {
     const fourlink_function_task *task = data;
     double K[3], start[3] = {0, 0, 0};
-    int status = check_task(task);
+    int status = check_function(task);
 
     if (status != FOURLINK_OK)
         return status;
-    if (!(unit_of(task) >= FOURLINK_LENGTH_MIN))
+    if (!(length_unit(task) >= FOURLINK_LENGTH_MIN))
         return FOURLINK_DEPENDENT;
     status = find_step(task, start, NULL, K, &s->condition);
     if (status == FOURLINK_OK && task->n > 3 && task->fit == FOURLINK_FIT_ANGLE)
@@ -407,7 +407,7 @@ static int find_function(const void *data, fourlink_solution *s)
         status = set_lengths(task, K, s);
     if (status != FOURLINK_OK)
         return status;
-    set_positions(task, s);
+    set_points(task, s);
     status = flk_check_solution(s, 0);
     if (status == FOURLINK_OK)
         find_largest_error(task, s);

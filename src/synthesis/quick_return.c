@@ -243,7 +243,7 @@ static int find_lengths(quick_return *q)
     return find_lever(q);
 }
 
-static int check_task(const fourlink_quick_return_task *task)
+static int check_quick_return(const fourlink_quick_return_task *task)
 {
     int i;
 
@@ -270,7 +270,7 @@ static int find_quick_return(const void *data, fourlink_solution *s)
 {
     const fourlink_quick_return_task *task = data;
     quick_return q;
-    int status = check_task(task);
+    int status = check_quick_return(task);
 
     if (status != FOURLINK_OK)
         return status;
