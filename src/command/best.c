@@ -19,7 +19,7 @@
 #include "base/system.h"
 #include "command.h"
 #include "terminal.h"
-#include "tables/statistics.h"
+#include "tables/sheet.h"
 #include "writers.h"
 
 #define DIGITS 10      /* of a refined value */
@@ -53,8 +53,8 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     for (i = 0; i < s->n_conditions; i++) {
         const fourlink_value *c = &s->conditions[i];
 
-        if (fourlink_results_get(r, c->handle, branch, from, &v) != FOURLINK_OK || v.words ||
-            !statistics_meets(c, v.value))
+        if (fourlink_results_get(r, c->handle, branch, from, &v) != FOURLINK_OK ||
+            !sheet_meets(c, &v))
             return 0;
     }
     return 1;

@@ -10,7 +10,6 @@
 
 #include "base/system.h"
 #include "command.h"
-#include "tables/statistics.h"
 #include "terminal.h"
 #include "tables/content.h"
 #include "writers.h"
@@ -54,89 +53,66 @@ static int write_all(sheet *s, const input *in, double *varied)
     return enough;
 }
 
+/* The outputs and, with a yield, whether they meet it; null if out of memory. */
+static fourlink_value *header_of(sheet *s, const input *in)
+{
+    const fourlink_value *list;
+    fourlink_value *header;
+    unsigned long n;
+
+    fourlink_results_list(
+        in->results, s->content == SHEET_DESIGNS ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &n);
+    header = malloc((n + 1) * sizeof *header);
+    if (!header)
+        return NULL;
+    memcpy(header, list, n * sizeof *header);
+    if (s->content == SHEET_DESIGNS)
+        fourlink_results_list(in->results, FOURLINK_CONDITIONS, &s->conditions, &s->n_conditions);
+    if (s->n_conditions) {
+        memset(&header[n], 0, sizeof header[n]);
+        header[n].name = "yield";
+        header[n].unit = "1";
+        header[n].quantity = "number";
+        header[n++].meaning = "1: the outputs meet the yield";
+    }
+    s->n_header = n;
+    return header;
+}
+
 /* Set up a sheet of designs: of their outputs, or of their rows. */
 static void set_up(sheet *s, FILE *out, const input *in)
 {
-    int has_outputs = in->problem.has_outputs;
-
     memset(s, 0, sizeof *s);
     s->format = in->o->format;
     s->width = in->o->wide ? 0 : terminal_width(out);
-    s->content = has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
+    s->content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
     view_take(&s->v, in->results);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
-    fourlink_results_list(in->results, has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
-                          &s->header, &s->n_header);
 }
 
-/* Go through the designs; returns the exit status. */
-static int run(sheet *s, FILE *out, const input *in)
+int designs_write(FILE *out, const input *in)
 {
-    double *varied = malloc((s->n_variables + 1) * sizeof *varied);
-    int enough = varied != NULL;
+    fourlink_value *header;
+    double *varied;
+    int enough;
+    sheet s;
 
+    set_up(&s, out, in);
+    s.header = header = header_of(&s, in);
+    varied = malloc((s.n_variables + 1) * sizeof *varied);
+    enough = header && varied;
     system_catch(1);
     if (enough) {
-        content_begin(s, out, !s->statistics && (!in->o->parts || in->o->part == 1));
-        enough = write_all(s, in, varied);
+        content_begin(&s, out, !in->o->parts || in->o->part == 1);
+        enough = write_all(&s, in, varied);
     }
     system_catch(0);
     free(varied);
+    free(header);
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (system_caught())
         return command_complain("stopped", in->name,
                                 in->o->parts ? "interrupted; run this part again" : "interrupted");
-    return s->failed ? EXIT_ROWS : 0;
-}
-
-/* Collect the designs, then write their statistics. */
-static int write_statistics(sheet *s, FILE *out, const input *in)
-{
-    const fourlink_value *conditions;
-    unsigned long n;
-    statistics x;
-    int status;
-
-    fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
-    if (!statistics_open(&x, s->header, s->n_header, conditions, n)) {
-        statistics_close(&x);
-        return command_complain("cannot analyse", in->name, "not enough memory");
-    }
-    s->statistics = &x;
-    status = run(s, out, in);
-    if (status < EXIT_FILES) {
-        s->content = SHEET_STATISTICS;
-        s->n_variables = 0;
-        content_begin(s, out, 1);
-        statistics_write(s, in->results, &x);
-    }
-    statistics_close(&x);
-    s->statistics = NULL;
-    return status;
-}
-
-/* Say that a `yield` prints statistics, where programs may expect designs. */
-static void tell_statistics(const input *in)
-{
-    const fourlink_value *conditions;
-    unsigned long n;
-
-    fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
-    if (in->problem.has_statistics && n && !in->o->statistics && !in->o->parts &&
-        in->o->format != &table_format)
-        command_tell("note", in->name, 0,
-                     "with a yield, statistics are printed, not designs; "
-                     "--set=sweep.statistics=no prints the designs",
-                     NULL);
-}
-
-int designs_write(FILE *out, const input *in)
-{
-    sheet s;
-
-    set_up(&s, out, in);
-    tell_statistics(in);
-    return in->problem.has_statistics && !in->o->parts ? write_statistics(&s, out, in)
-                                                       : run(&s, out, in);
+    return s.failed ? EXIT_ROWS : 0;
 }

@@ -108,8 +108,7 @@ static int shows_rows(const input *in)
 {
     const options *o = in->o;
     plot_kind kind = o->drawing.kind;
-    int shows_outputs = in->problem.n_designs && in->problem.has_outputs &&
-                        (kind == PLOT_HISTOGRAM || kind == PLOT_COLUMNS);
+    int shows_outputs = in->problem.n_designs && in->problem.has_outputs && kind == PLOT_COLUMNS;
 
     return o->report || ((o->plot || o->plot_script) && !shows_outputs);
 }

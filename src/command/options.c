@@ -247,8 +247,6 @@ static const option_info table[] = {
     {0, "--report", "FILE", OWN(set_report),
      "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
      "tables"},
-    {0, "--statistics", NULL, "sweep.statistics=yes", NULL, SHEET_ROWS,
-     offsetof(options, statistics), "print statistics of the designs of the deck's [sweep]"},
     {0, "--best", "'max|min NAME'", OWN(set_best),
      "print the best design of the deck's [sweep], refined, as a deck"},
     {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]"},
@@ -422,8 +420,8 @@ static int has_picture(const options *o)
 /* 1 if a deck, which is printed, is asked for together with something else. */
 static int has_other_output(const options *o)
 {
-    return o->content != SHEET_ROWS || o->parts || o->statistics || has_picture(o) ||
-           o->n_decks > 1 || o->format != &table_format;
+    return o->content != SHEET_ROWS || o->parts || has_picture(o) || o->n_decks > 1 ||
+           o->format != &table_format;
 }
 
 /* What does not go together, or null. */
@@ -442,8 +440,6 @@ static const char *find_conflict(const options *o)
         return "--expect takes one deck, not several";
     if (o->best && has_other_output(o))
         return "--best prints a deck: it takes one deck and no other output";
-    if (o->statistics && o->parts)
-        return "--statistics needs all designs, not a --part";
     if (o->print_deck && (has_other_output(o) || o->best || o->at))
         return "--print-deck prints a deck: it takes one deck and no other output";
     return NULL;
@@ -466,7 +462,7 @@ static const char *find_further_conflict(const options *o)
         return "--report=FOLDER/ needs --design=all";
     if (o->names && !o->all_designs)
         return "--names needs --design=all";
-    if (o->design && (o->parts || o->best || o->statistics))
+    if (o->design && (o->parts || o->best))
         return "--design takes one design, not the whole [sweep]";
     if (o->solution && !o->synthesis)
         return "--solution needs --synthesis";
@@ -590,8 +586,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
 
 int options_want_table(const options *o)
 {
-    return !has_picture(o) || o->asks_for_table || o->content != SHEET_ROWS || o->statistics ||
-           o->parts;
+    return !has_picture(o) || o->asks_for_table || o->content != SHEET_ROWS || o->parts;
 }
 
 void options_free(options *o)

@@ -155,7 +155,6 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
-    problem->has_statistics = d->sweep.has_statistics;
     problem->mode = d->drive.mode;
     problem->by_time = d->drive.by_time;
     problem->time_step = d->drive.by_time ? d->drive.time_step : 0;

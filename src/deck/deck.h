@@ -87,7 +87,6 @@ typedef struct deck_sweep {
     unsigned long design; /* the number of this design */
     deck_names output;    /* empty: rows of each design */
     deck_names yield;     /* the conditions of the yield */
-    int has_statistics;
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };

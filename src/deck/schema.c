@@ -67,7 +67,6 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(SYNTHESIS_CHOOSE, "best", 1)                                            \
     X(SYNTHESIS_WHICH, "left", FOURLINK_LEFT)                                 \
     X(SYNTHESIS_WHICH, "right", FOURLINK_RIGHT)                               \
-    YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
     X(LOAD_OVER, "theta2", FLK_THETA2)                                        \

@@ -223,7 +223,6 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND)                                        \
-    X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                                \
     X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
     X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)                                \
     X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \

@@ -561,22 +561,17 @@ void flk_sweep_assign(parser *p, unsigned long design)
     }
 }
 
-/* Read the outputs of each design.  A yield is a statistic, unless statistics are turned off. */
+/* Read the outputs of each design, and the conditions of the yield. */
 static void read_outputs(parser *p)
 {
     deck_sweep *sweep = &p->d->sweep;
     const setting *output = flk_setting_find(p, KEY_SWEEP_OUTPUT),
-                  *yield = flk_setting_find(p, KEY_SWEEP_YIELD),
-                  *statistics = flk_setting_find(p, KEY_SWEEP_STATISTICS);
+                  *yield = flk_setting_find(p, KEY_SWEEP_YIELD);
 
     sweep->output.names = output->value;
     sweep->output.place = output->place;
     sweep->yield.names = yield->value;
     sweep->yield.place = yield->place;
-    sweep->has_statistics = IS_SET(statistics) ? statistics->word : IS_SET(yield);
-    if (sweep->has_statistics && !IS_SET(output) && !IS_SET(yield))
-        flk_mistake(p->mistakes, statistics->place,
-                    "statistics need 'output = NAME, ...' in [sweep]");
 }
 
 void flk_sweep_read(parser *p)

@@ -147,8 +147,7 @@ int picture_row_find(picture *p, fourlink_branch branch, picture_row *r)
 
 int picture_has_outputs(const picture *p)
 {
-    return p->v.problem.has_outputs && p->v.problem.n_designs &&
-           (p->request->kind == PLOT_HISTOGRAM || p->request->kind == PLOT_COLUMNS);
+    return p->v.problem.has_outputs && p->v.problem.n_designs && p->request->kind == PLOT_COLUMNS;
 }
 
 /* Returns 0, for the caller to return. */

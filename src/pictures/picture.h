@@ -40,8 +40,6 @@
       "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")          \
     X(ERROR, "error", 1, 1, 900, 480, PLOT_WANTED | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER,     \
       picture_motion, "structural_error", "structural error of a function generator")             \
-    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,    \
-      NULL, "histograms of the outputs of the sweep")                                             \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,    \
       "columns of the table, or outputs of the sweep")
 

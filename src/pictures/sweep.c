@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sweep.c - pictures of the designs of a sweep: histograms of its outputs, and outputs over the
-** quantity that it varies.
+** sweep.c - pictures of the designs of a sweep: its outputs over the quantity that it varies.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +14,6 @@
 #include "sketch.h"
 
 #define MOST_DESIGNS 1000000UL
-#define MOST_BINS 60
 #define NO_VALUES "no design of the [sweep] has a number to draw"
 
 /* The designs of a sweep. */
@@ -189,74 +187,6 @@ static void plot(picture *p, unsigned long output, int branch, const char *style
                  fourlink_branch_text((int)p->v.branches[branch]));
 }
 
-/* ------------------------------------------------------------------------------------- histograms */
-
-/* The number of bins, by D. Freedman and P. Diaconis (1981): their width is 2 IQR n^(-1/3). */
-static int count_bins(const double *sorted, size_t n)
-{
-    double iqr = gsl_stats_quantile_from_sorted_data(sorted, 1, n, 0.75) -
-                 gsl_stats_quantile_from_sorted_data(sorted, 1, n, 0.25);
-    double range = sorted[n - 1] - sorted[0],
-           bins = iqr > 0 ? range * pow((double)n, 1. / 3) / (2 * iqr) : 5;
-
-    return range <= 0 ? 1 : bins > MOST_BINS ? MOST_BINS : bins < 5 ? 5 : (int)ceil(bins);
-}
-
-/* Write the bins of an output on a branch; returns the largest count. */
-static unsigned long put_bins(const picture *p, const designs *d, unsigned long output, int branch,
-                              int bins, double low, double width)
-{
-    unsigned long counts[MOST_BINS] = {0}, most = 0, i;
-    int k;
-
-    for (i = 0; i < d->n; i++) {
-        double value = values_of(d, p, i, branch)[output];
-
-        if (gsl_isnan(value))
-            continue;
-        k = (int)floor((value - low) / width);
-        k = k < 0 ? 0 : k >= bins ? bins - 1 : k;
-        if (++counts[k] > most)
-            most = counts[k];
-    }
-    begin_data(p, output, branch);
-    for (k = 0; k < bins; k++)
-        canvas_print(&p->on, "%.12g %.12g\n", low + (k + 0.5) * width, (double)counts[k]);
-    canvas_print(&p->on, "EOD\n");
-    return most;
-}
-
-/* Draw the histogram of an output; 0 if it has no number. */
-static int put_histogram(picture *p, designs *d, unsigned long output)
-{
-    size_t n = sort_values(p, d, output);
-    double low, high, width;
-    unsigned long most = 0, here;
-    char symbol[NOTATION_SIZE];
-    int b, bins;
-
-    if (n == 0)
-        return 0;
-    low = d->sorted[0];
-    high = d->sorted[n - 1];
-    bins = count_bins(d->sorted, n);
-    width = bins > 1 ? (high - low) / bins : low != 0 ? 0.01 * fabs(low) : 1;
-    low -= bins > 1 ? 0 : 0.5 * width;
-    begin_panel(p, canvas_symbol(&p->on, d->outputs[output].name, symbol), d->outputs[output].unit,
-                "designs", "number");
-    for (b = 0; b < p->v.n_branches; b++) {
-        here = put_bins(p, d, output, b, bins, low, width);
-        most = here > most ? here : most;
-    }
-    put_x_range(&p->on, low, low + bins * width);
-    canvas_print(&p->on, "set yrange [0:%.8g]\nset boxwidth %.12g\nset style fill solid 0.4\n",
-                 1.1 * (double)most, width);
-    for (b = 0; b < p->v.n_branches; b++)
-        plot(p, output, b, b ? "histeps" : "boxes", b + 1);
-    canvas_print(&p->on, "\n");
-    return 1;
-}
-
 /* ------------------------------------------------------------------------------------------ curves */
 
 /* 1 if the curves run in one direction, so that lines can join their points. */
@@ -311,16 +241,15 @@ static int put_curve(picture *p, designs *d, unsigned long output, const char *s
     return 1;
 }
 
-/* -------------------------------------------------------------------------------------------- kinds */
-
-/* Compute the designs and draw each output. */
-static const char *draw_outputs(picture *p, int is_histogram)
+const char *picture_outputs(picture *p)
 {
     unsigned long i, k;
     const char *style;
     int drawn = 0, enough;
     designs d;
 
+    if (p->v.problem.n_designs < 2)
+        return "the [sweep] has a single design";
     if (p->v.problem.n_designs > MOST_DESIGNS)
         return "a picture shows at most 1000000 designs";
     enough = open_designs(p, &d);
@@ -330,20 +259,9 @@ static const char *draw_outputs(picture *p, int is_histogram)
         find_axis(p, &d);
         style = is_monotonic(&d) ? "linespoints" : "points";
         for (k = 0; k < d.n_outputs; k++)
-            drawn += is_histogram ? put_histogram(p, &d, k) : put_curve(p, &d, k, style);
+            drawn += put_curve(p, &d, k, style);
     }
     p->out_of_memory = !enough;
     close_designs(&d);
     return drawn ? NULL : NO_VALUES;
-}
-
-const char *picture_histogram(picture *p, fourlink_branch branch)
-{
-    (void)branch;
-    return draw_outputs(p, 1);
-}
-
-const char *picture_outputs(picture *p)
-{
-    return p->v.problem.n_designs < 2 ? "the [sweep] has a single design" : draw_outputs(p, 0);
 }

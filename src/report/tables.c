@@ -155,8 +155,6 @@ static const sheet_format html_format = {
     sizeof(style),                                           /* layout_size */
     0,                                                       /* is_by_angle */
     1,                                                       /* is_brief */
-    NULL,                                                    /* statistic */
-    NULL,                                                    /* yield */
     NULL,                                                    /* mark */
     NULL                                                     /* extremes */
 };

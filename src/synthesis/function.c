@@ -19,7 +19,10 @@
 ** they grow without bound. */
 #define STEPS 100
 #define SHORTEST 1e-12
+#define FEW_STEPS 6 /* of each start; the best ones go on */
+#define SHORT 0.02
 #define GROWTH_MOST 100
+#define SETTLED 1e-13 /* of the sum: a smaller decrease is the last */
 
 /* The equation of a point, linear in K, or in S1, S2, S3:
 **
@@ -184,60 +187,78 @@ static double errors_of(const fourlink_function_task *task, const double K[3],
     return sum;
 }
 
-/* The best fit so far. */
-typedef struct best_fit {
+/* A fit: K on a branch. */
+typedef struct fit {
     double K[3], sum;
+    fourlink_branch branch;
     int is_at_bound; /* 1: longer links would fit better */
-} best_fit;
+} fit;
 
-/* Make the errors of the output on a branch small, by Gauss's method with shortened steps from a start, and keep
-** the fit if it is the best.  Steps that make the links grow beyond the bound are shortened. */
-static void fit_from(const fourlink_function_task *task, const double start[3],
-                     fourlink_branch branch, best_fit *best)
+/* The best fits of a few steps each, the best one first. */
+#define FITS 8
+
+typedef struct best_fits {
+    fit list[FITS];
+    int n;
+} best_fits;
+
+/* Make the errors of the output small, by Gauss's method with shortened steps, at most so many.  Steps that make the
+** links grow beyond the bound are shortened.  0 if the linkage does not reach all points. */
+static int improve(const fourlink_function_task *task, fit *f, int steps, double shortest)
 {
-    double error[FOURLINK_PRECISION_MAX], at[3], step[3], trial[3], condition, part, next;
-    double growth = 0, sum = errors_of(task, start, branch, error, &growth);
-    int is_at_bound = growth > GROWTH_MOST, j, n;
+    double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, next, growth = 0;
+    int is_settled = 0, j;
 
-    if (!(sum < GSL_POSINF) || is_at_bound)
-        return;
-    memcpy(at, start, sizeof at);
-    for (n = 0; n < STEPS && sum > 0; n++) {
-        if (find_step(task, at, error, step, &condition) != FOURLINK_OK)
+    f->sum = errors_of(task, f->K, f->branch, error, &growth);
+    if (!(f->sum < GSL_POSINF) || growth > GROWTH_MOST)
+        return 0;
+    for (f->is_at_bound = 0; steps > 0 && f->sum > 0 && !is_settled; steps--) {
+        if (find_step(task, f->K, error, step, &condition) != FOURLINK_OK)
             break;
         next = GSL_POSINF;
-        is_at_bound = 0;
-        for (part = 1; part > SHORTEST && !(next < sum); part *= 0.5) {
+        f->is_at_bound = 0;
+        for (part = 1; part > shortest && !(next < f->sum); part *= 0.5) {
             for (j = 0; j < 3; j++)
-                trial[j] = at[j] + part * step[j];
-            next = errors_of(task, trial, branch, error, &growth);
-            if (next < sum && growth > GROWTH_MOST) {
-                is_at_bound = 1;
+                trial[j] = f->K[j] + part * step[j];
+            next = errors_of(task, trial, f->branch, error, &growth);
+            if (next < f->sum && growth > GROWTH_MOST) {
+                f->is_at_bound = 1;
                 next = GSL_POSINF;
             }
         }
-        if (!(next < sum))
+        if (!(next < f->sum))
             break;
-        memcpy(at, trial, sizeof at);
-        sum = next;
+        memcpy(f->K, trial, sizeof trial);
+        is_settled = next > f->sum * (1 - SETTLED);
+        f->sum = next;
     }
-    if (sum < best->sum) {
-        memcpy(best->K, at, sizeof at);
-        best->sum = sum;
-        best->is_at_bound = is_at_bound;
-    }
+    return 1;
 }
 
-static void fit_branches(const fourlink_function_task *task, const double start[3], best_fit *best)
+/* Try a start on both branches, by a few steps. */
+static void try_start(const fourlink_function_task *task, const double start[3], best_fits *best)
 {
-    fit_from(task, start, FOURLINK_OPEN, best);
-    fit_from(task, start, FOURLINK_CROSSED, best);
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    fit f;
+    int b, i;
+
+    for (b = 0; b < 2; b++) {
+        memcpy(f.K, start, sizeof f.K);
+        f.branch = branches[b];
+        if (!improve(task, &f, FEW_STEPS, SHORT))
+            continue;
+        for (i = best->n < FITS ? best->n++ : FITS; i > 0 && f.sum < best->list[i - 1].sum; i--)
+            if (i < FITS)
+                best->list[i] = best->list[i - 1];
+        if (i < FITS)
+            best->list[i] = f;
+    }
 }
 
 /* Fit from the linkages through three of at most seven points, the ends and those between. */
 #define SPREAD 7
 
-static void fit_through_points(const fourlink_function_task *task, best_fit *best)
+static void fit_through_points(const fourlink_function_task *task, best_fits *best)
 {
     const double none[3] = {0, 0, 0};
     double start[3], theta2[3], output[3], condition;
@@ -255,21 +276,20 @@ static void fit_through_points(const fourlink_function_task *task, best_fit *bes
                     output[k] = task->output[i[k] * (task->n - 1) / (m - 1)];
                 }
                 if (find_step(&three, none, NULL, start, &condition) == FOURLINK_OK)
-                    fit_branches(task, start, best);
+                    try_start(task, start, best);
             }
 }
 
 /* Fit from linkages of common proportions, turned by 180 deg or not: lengths in parts of unit_of. */
-static void fit_proportions(const fourlink_function_task *task, best_fit *best)
+static void fit_proportions(const fourlink_function_task *task, best_fits *best)
 {
-    static const double parts[] = {-2, -1, -0.5, -0.2, 0.2, 0.5, 1, 2},
-                        others[] = {0.4, 0.8, 1.3, 2.2};
+    static const double parts[] = {-1.5, -0.7, -0.3, 0.3, 0.7, 1.5}, others[] = {0.5, 1, 2};
     double start[3], d = length_unit(task);
     int i, j, k;
 
-    for (i = 0; i < 8; i++)
-        for (j = 0; j < 8; j++)
-            for (k = 0; k < 4; k++) {
+    for (i = 0; i < 6; i++)
+        for (j = 0; j < 6; j++)
+            for (k = 0; k < 3; k++) {
                 double a = parts[i] * d, c = parts[j] * d, b = others[k] * d;
 
                 if (task->kind == FOURLINK_FOUR_BAR) {
@@ -281,7 +301,7 @@ static void fit_proportions(const fourlink_function_task *task, best_fit *best)
                     start[1] = 2 * a * c;
                     start[2] = a * a + c * c - b * b;
                 }
-                fit_branches(task, start, best);
+                try_start(task, start, best);
             }
 }
 
@@ -290,16 +310,21 @@ static void fit_proportions(const fourlink_function_task *task, best_fit *best)
 ** longer links would fit better. */
 static int fit_output(const fourlink_function_task *task, double K[3])
 {
-    best_fit best;
+    double least = GSL_POSINF;
+    int is_at_bound = 0, i;
+    best_fits best;
 
-    best.sum = GSL_POSINF;
-    best.is_at_bound = 0;
-    fit_branches(task, K, &best);
+    best.n = 0;
+    try_start(task, K, &best);
     fit_through_points(task, &best);
     fit_proportions(task, &best);
-    if (best.sum < GSL_POSINF)
-        memcpy(K, best.K, sizeof best.K);
-    return best.is_at_bound;
+    for (i = 0; i < best.n; i++)
+        if (improve(task, &best.list[i], STEPS, SHORTEST) && best.list[i].sum < least) {
+            least = best.list[i].sum;
+            is_at_bound = best.list[i].is_at_bound;
+            memcpy(K, best.list[i].K, sizeof best.list[i].K);
+        }
+    return is_at_bound;
 }
 
 /* The size of the error at a crank angle, for the search of the largest; NaN where the linkage does not

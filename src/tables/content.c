@@ -10,7 +10,6 @@
 
 #include "base/message.h"
 #include "content.h"
-#include "statistics.h"
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
 ** times. */
@@ -431,6 +430,31 @@ void content_write_mark(sheet *s, const sheet_mark *mark)
     line_end(&s->l);
 }
 
+int sheet_meets(const fourlink_value *condition, const fourlink_value *v)
+{
+    double limit = condition->value;
+
+    return !v->words && (((condition->flags & FOURLINK_ABOVE) && v->value > limit) ||
+                         ((condition->flags & FOURLINK_BELOW) && v->value < limit) ||
+                         ((condition->flags & FOURLINK_OR_EQUAL) && v->value == limit));
+}
+
+/* The last output, 1 if the others meet all conditions. */
+static void find_yield(const sheet *s, sheet_output *outputs)
+{
+    sheet_output *yield = &outputs[s->n_header - 1];
+    unsigned long i, k;
+
+    memset(yield, 0, sizeof *yield);
+    yield->has_value = 1;
+    yield->v.value = 1;
+    for (i = 0; i < s->n_conditions; i++)
+        for (k = 0; k + 1 < s->n_header; k++)
+            if (s->header[k].handle == s->conditions[i].handle &&
+                !(outputs[k].has_value && sheet_meets(&s->conditions[i], &outputs[k].v)))
+                yield->v.value = 0;
+}
+
 /* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
 ** have needs no reason. */
 static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
@@ -480,35 +504,37 @@ static const char *find_gap(const sheet *s, char words[200])
 /* Write the lines of a design, one for each branch. */
 static void write_lines(sheet *s)
 {
-    sheet_output outputs[SHEET_OUTPUTS];
+    sheet_output outputs[SHEET_OUTPUTS + 1];
     int i;
     unsigned long k;
     char words[200];
-    const char *gap = s->statistics ? NULL : find_gap(s, words);
+    const char *gap = find_gap(s, words);
 
     for (i = 0; i < s->v.n_branches; i++) {
         const char *why = NULL;
 
-        for (k = 0; k < s->n_header; k++) {
+        for (k = 0; k < s->n_header - (s->n_conditions > 0); k++) {
             const char *reason = find_output(s, s->v.branches[i], s->header[k].handle, &outputs[k]);
 
             why = why ? why : reason;
         }
+        if (s->n_conditions)
+            find_yield(s, outputs);
         s->failed += why != NULL;
-        if (s->statistics)
-            statistics_add(s, s->v.branches[i], outputs);
-        else
-            s->format->design(s, s->v.branches[i], outputs, why ? why : gap);
+        s->format->design(s, s->v.branches[i], outputs, why ? why : gap);
     }
 }
 
-/* Count a design that could not be computed. */
-static void refuse_statistics(sheet *s)
+/* Write the lines of a design that cannot be computed, which does not meet the yield. */
+static void refuse_yield(sheet *s, const char *why)
 {
+    sheet_output outputs[SHEET_OUTPUTS + 1];
     int i;
 
+    memset(outputs, 0, sizeof outputs);
+    outputs[s->n_header - 1].has_value = 1;
     for (i = 0; i < s->v.n_branches; i++)
-        statistics_add(s, s->v.branches[i], NULL);
+        s->format->design(s, s->v.branches[i], outputs, why);
 }
 
 void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
@@ -518,8 +544,8 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
     s->varied = varied;
     if (!open_results(s, results ? results : first))
         s->out_of_memory = 1;
-    else if (!results && s->statistics)
-        refuse_statistics(s);
+    else if (!results && s->n_conditions && !s->format->is_brief)
+        refuse_yield(s, why);
     else if (!results)
         s->format->refuse(s, why);
     else if (s->content == SHEET_DESIGNS)

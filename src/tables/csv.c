@@ -63,7 +63,6 @@ static const char *const heads[SHEET_CONTENT_COUNT] = {
     NULL,
     NULL,
     NULL,
-    "name,unit,branch,count,mean,std_dev,min,5 %,25 %,50 %,75 %,95 %,max,yield,low,high",
     "name,right,of,percent,note"};
 
 static void begin(sheet *s)
@@ -191,14 +190,6 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_byte(&s->l, '\n');
 }
 
-/* A comma and a number; nothing after it if it is not defined. */
-static void put_next(sheet *s, double value)
-{
-    line_byte(&s->l, ',');
-    if (!gsl_isnan(value))
-        line_number(&s->l, value, DIGITS);
-}
-
 /* The line of a deck that has a score, or mistakes; `of` is NaN if nothing is known of what is asked. */
 static void put_score(sheet *s, const char *result, double right, double of, const char *note)
 {
@@ -229,27 +220,6 @@ static void refuse(sheet *s, const char *why)
         put_design(s, s->v.branches[i], NULL, why);
 }
 
-static void put_statistic(sheet *s, const sheet_statistic *x)
-{
-    int i;
-
-    put_words(&s->l, x->output->name);
-    line_put(&s->l, ",%s,%s,%lu", x->output->unit, fourlink_branch_text((int)x->branch), x->count);
-    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
-        put_next(s, x->values[i]);
-    line_put(&s->l, ",,,\n");
-}
-
-static void put_yield(sheet *s, const sheet_yield *y)
-{
-    put_words(&s->l, y->condition);
-    line_put(&s->l, ",%s,%s,%lu,,,,,,,,,", "%", fourlink_branch_text((int)y->branch), y->designs);
-    put_next(s, y->percent);
-    put_next(s, y->low);
-    put_next(s, y->high);
-    line_byte(&s->l, '\n');
-}
-
 static void put_mark(sheet *s, const sheet_mark *m)
 {
     put_words(&s->l, m->name);
@@ -265,23 +235,21 @@ static void put_mark(sheet *s, const sheet_mark *m)
 const sheet_format csv_format = {
     "csv", /* name */
     1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
-        1 << SHEET_STATISTICS | 1 << SHEET_SCORES, /* writes */
-    begin,                                         /* begin */
-    open_deck,                                     /* open */
-    NULL,                                          /* column */
-    put_fact,                                      /* fact */
-    NULL,                                          /* block */
-    put_row,                                       /* row */
-    NULL,                                          /* end_block */
-    put_check,                                     /* check */
-    put_design,                                    /* design */
-    refuse,                                        /* refuse */
-    close_deck,                                    /* close */
-    sizeof(long),                                  /* layout_size */
-    0,                                             /* is_by_angle */
-    0,                                             /* is_brief */
-    put_statistic,                                 /* statistic */
-    put_yield,                                     /* yield */
-    put_mark,                                      /* mark */
-    NULL                                           /* extremes */
+        1 << SHEET_SCORES, /* writes */
+    begin,                 /* begin */
+    open_deck,             /* open */
+    NULL,                  /* column */
+    put_fact,              /* fact */
+    NULL,                  /* block */
+    put_row,               /* row */
+    NULL,                  /* end_block */
+    put_check,             /* check */
+    put_design,            /* design */
+    refuse,                /* refuse */
+    close_deck,            /* close */
+    sizeof(long),          /* layout_size */
+    0,                     /* is_by_angle */
+    0,                     /* is_brief */
+    put_mark,              /* mark */
+    NULL                   /* extremes */
 };

@@ -146,8 +146,6 @@ static void open_deck(sheet *s)
 
     put_labels(s);
     put_text(&s->l, "title", s->v.problem.title);
-    if (s->content == SHEET_STATISTICS)
-        return;
     put_text(&s->l, "mechanism", s->v.kind.words);
     if (s->content == SHEET_LIST)
         return;
@@ -304,33 +302,6 @@ static void close_deck(sheet *s)
     line_put(&s->l, s->list ? "]}\n" : "}\n");
 }
 
-static void put_statistic(sheet *s, const sheet_statistic *x)
-{
-    int i;
-
-    put_item(s, "statistics");
-    begin_object(&s->l, "name", x->output->name);
-    put_text(&s->l, "unit", x->output->unit);
-    put_text(&s->l, "branch", fourlink_branch_text((int)x->branch));
-    put_named_number(&s->l, "count", (double)x->count);
-    for (i = 0; i < SHEET_STATISTICS_COUNT; i++)
-        put_named_number(&s->l, sheet_statistic_names[i], x->values[i]);
-    line_text(&s->l, "}", 1);
-}
-
-static void put_yield(sheet *s, const sheet_yield *y)
-{
-    put_item(s, "yield");
-    begin_object(&s->l, "condition", y->condition);
-    put_text(&s->l, "branch", fourlink_branch_text((int)y->branch));
-    put_named_number(&s->l, "designs", (double)y->designs);
-    put_named_number(&s->l, "passed", (double)y->passed);
-    put_named_number(&s->l, "yield", y->percent);
-    put_named_number(&s->l, "low", y->low);
-    put_named_number(&s->l, "high", y->high);
-    line_text(&s->l, "}", 1);
-}
-
 static void put_mark(sheet *s, const sheet_mark *m)
 {
     begin_object(&s->l, "name", m->name);
@@ -358,8 +329,6 @@ const sheet_format json_format = {
     0,                                                                          /* layout_size */
     0,                                                                          /* is_by_angle */
     0,                                                                          /* is_brief */
-    put_statistic,                                                              /* statistic */
-    put_yield,                                                                  /* yield */
     put_mark,                                                                   /* mark */
     NULL                                                                        /* extremes */
 };

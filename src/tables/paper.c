@@ -71,8 +71,6 @@ const sheet_format paper_format = {
     0,               /* layout_size */
     1,               /* is_by_angle */
     0,               /* is_brief */
-    NULL,            /* statistic */
-    NULL,            /* yield */
     NULL,            /* mark */
     NULL             /* extremes */
 };

@@ -20,10 +20,9 @@ typedef enum sheet_content {
     SHEET_CHECK,
     SHEET_LIST,
     SHEET_MATRIX,
-    SHEET_DESIGNS,    /* a line for each design of a sweep */
-    SHEET_EXPECT,     /* values for --check */
-    SHEET_STATISTICS, /* of the outputs of a sweep */
-    SHEET_SCORES,     /* a line for each file of answers */
+    SHEET_DESIGNS, /* a line for each design of a sweep */
+    SHEET_EXPECT,  /* values for --check */
+    SHEET_SCORES,  /* a line for each file of answers */
     SHEET_CONTENT_COUNT
 } sheet_content;
 
@@ -58,11 +57,13 @@ typedef struct sheet {
     fourlink_load *loads; /* of a row */
     const fourlink_value *variables;
     unsigned long n_variables;
-    const char *each;              /* what has a line of its own: design, solution; null: design */
-    unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
-    const double *varied;          /* the values of its variables */
-    struct statistics *statistics; /* collects the designs, which are not written; null: none */
-    void *layout;                  /* of the format */
+    const fourlink_value
+        *conditions; /* of a [sweep] with a yield, which is then the last of the header */
+    unsigned long n_conditions;
+    const char *each;        /* what has a line of its own: design, solution; null: design */
+    unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
+    const double *varied;    /* the values of its variables */
+    void *layout;            /* of the format */
     int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
     unsigned long n_written; /* decks or designs */
     const char *list;        /* for the format: the list that is open, or null */
@@ -94,28 +95,9 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
-/* Statistics of one output on one branch: mean, standard deviation, least, quantiles, largest. */
-#define SHEET_STATISTICS_COUNT 9
-typedef struct sheet_statistic {
-    const fourlink_value *output;
-    fourlink_branch branch;
-    unsigned long count;
-    double values[SHEET_STATISTICS_COUNT]; /* NaN: not defined */
-} sheet_statistic;
-extern const char *const sheet_statistic_names[SHEET_STATISTICS_COUNT];
-
-/* How many designs meet a condition. */
-typedef struct sheet_yield {
-    const char *condition;
-    fourlink_branch branch;
-    unsigned long passed, designs;
-    double percent, low, high; /* 95 per cent interval, in per cent */
-} sheet_yield;
-
 /* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may
 ** be null.  The others may be null if the format does not write their contents: `row` for rows, `check`
-** and `refuse` for comparisons, `column` for lists, `design` and `refuse` for sweeps, `statistic` and
-** `yield` for statistics. */
+** and `refuse` for comparisons, `column` for lists, `design` and `refuse` for sweeps. */
 typedef struct sheet_format {
     const char *name;
     int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
@@ -135,9 +117,7 @@ typedef struct sheet_format {
                            at the end of a revolution */
     int is_brief;    /* 1: rows without numbers, one after the other for the same reason, are one;
                            in a summary a fact that is the same on both branches is there once */
-    void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
-    void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
-    void (*mark)(sheet *s, const sheet_mark *m);           /* of SHEET_SCORES */
+    void (*mark)(sheet *s, const sheet_mark *m); /* of SHEET_SCORES */
     /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */
     void (*extremes)(sheet *s, const fourlink_value *column, const fourlink_value *least,
                      const fourlink_value *most, int branch);
@@ -179,6 +159,9 @@ void sheet_write_stop(sheet *s, fourlink_branch branch);
 ** is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
                        void (*put)(sheet *s, fourlink_branch branch, double angle));
+
+/* 1 if a value meets a condition of a yield; NaN meets none. */
+int sheet_meets(const fourlink_value *condition, const fourlink_value *v);
 
 /* The results of a comparison in words. */
 extern const char *const sheet_verdicts[];

@@ -179,8 +179,6 @@ const sheet_format table_format = {
     sizeof(style),                  /* layout_size */
     0,                              /* is_by_angle */
     1,                              /* is_brief */
-    table_put_statistic,            /* statistic */
-    table_put_yield,                /* yield */
     table_put_mark,                 /* mark */
     summary_put_extremes            /* extremes */
 };

@@ -33,8 +33,6 @@ void table_put_check(sheet *s, const fourlink_check *check);
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why);
 void table_refuse(sheet *s, const char *why);
-void table_put_statistic(sheet *s, const sheet_statistic *x);
-void table_put_yield(sheet *s, const sheet_yield *y);
 void table_put_mark(sheet *s, const sheet_mark *m);
 void table_close(sheet *s);
 

@@ -40,10 +40,6 @@ void table_put_head(sheet *s)
         put_entry(s, "column", "unit", "meaning", "in the sources");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
-    if (s->content == SHEET_STATISTICS) {
-        head_put_title(s);
-        return;
-    }
     if (s->content == SHEET_SUMMARY)
         summary_put_inputs(s);
     else

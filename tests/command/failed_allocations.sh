@@ -234,10 +234,8 @@ all 1 -f csv -o files/result t.deck
 all 1 -f json -o files/result t.deck
 all 1 -o files/result t.deck
 all 1 -f csv --part=2/3 -o files/result t.deck
-all 1 --statistics -o files/result t.deck
-for kind in histogram columns; do
-    all 1 --plot=files/plot.svg --plot-kind=$kind -o files/result t.deck
-done
+all 1 -f csv -s 'sweep.yield=mu_min > 40 deg' -o files/result t.deck
+all 1 --plot=files/plot.svg --plot-kind=columns -o files/result t.deck
 sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's simplex
 all 0 "--best=max swing" -o files/result t.deck
 

@@ -30,7 +30,7 @@ check "the crank at the limit: $crank" awk -v x="$crank" '/^\[/ {on = $0 == "[cr
 gives mu_min open 45 1e-4
 gives swing open "$value" 1e-3
 # better than each design of the grid that is allowed
-run 0 -f csv -b open -s sweep.output=swing -s sweep.statistics=no t.deck
+run 0 -f csv -b open -s sweep.output=swing t.deck
 check 'better than the grid' awk -F, -v best="$value" 'NR > 1 {sub(/\r/, ""); if ($5 >= 45 && $4 > best + 1e-3) bad = 1; n++} END {exit bad || n != 8}' out
 
 # a smooth minimum between designs, of two quantities: each partial derivative is 0 there
@@ -156,7 +156,7 @@ run 2 --best='max Ts' t.deck
 says "'Ts' has a value in each row"
 run 2 --best='max swing' single.deck
 says '--best: error: [sweep] varies nothing'
-for other in --summary --check --part=1/2 --format=csv --plot=p.svg --statistics single.deck; do
+for other in --summary --check --part=1/2 --format=csv --plot=p.svg single.deck; do
     usage '--best prints a deck' --best='max swing' $other t.deck
 done
 run 1 --best='max type' t.deck

@@ -155,4 +155,14 @@ prints '# type: 1 crank-rocker; 2 rocker-crank; 3 double crank (drag link); 4 do
 check 'it has a line for each column' grep -qx '#   design    crank.length    branch          mu_min            type' out
 check 'types of another kind' none 'slider' out
 
+# The yield: 1 if the outputs meet all conditions, 0 if not or if one has no value; of words there is none.
+sweep 'crank.length = 18 mm, 20 mm, 22 mm, 25 mm' 'ground.length = 80 mm, 100 mm, 800 mm' 'output = mu_min, swing' \
+    'yield = mu_min > 56 deg, swing <= 42 deg, max(Ts) >= -1 N m'
+run 1 -f csv t.deck
+check 'each line' awk -F, 'NR == 1 {ok = $5 == "mu_min (deg)" && $6 == "swing (deg)" && $7 == "max(Ts) (N.m)" && $8 == "yield (1)"}
+    NR > 1 {want = $5 != "" && $6 != "" && $7 != "" && $5 > 56 && $6 <= 42 && $7 >= -1; n[want]++; if ($8 != want) bad = 1}
+    END {exit !(ok && !bad && n[0] > 15 && n[1] == 2)}' out
+run 1 t.deck
+prints 'yield'
+
 finish

@@ -65,7 +65,7 @@ prints '# the crank comes to rest at'
 cp "$alvi" good.deck
 printf '[sweep]\ncrank.length = -1 mm, 300 mm\noutput = mu_min\n' | cat good.deck - >none.deck
 for format in table csv json paper; do
-    for option in --check --expect --list --matrix --summary --statistics --best='max mu_min' --part=1/2 --plot=x.svg \
+    for option in --check --expect --list --matrix --summary --best='max mu_min' --part=1/2 --plot=x.svg \
         --plot=- --plot-script=-; do
         for deck in bad.deck empty.deck none.deck; do
             run 2 -f $format "$option" $deck

@@ -7,7 +7,6 @@ import io
 import math
 import os
 import re
-import statistics
 import sys
 import tempfile
 
@@ -362,73 +361,6 @@ def check_speed(deck, rows):
                         'points of the table', len(points), len(wanted))
 
 
-def check_histograms(program, folder, matrix):
-    """Bins by D. Freedman and P. Diaconis: of the width 2 IQR / n^(1/3), at least 5 and at most 60."""
-    for name, sweep in (('normal', 'coupler.length = 66 mm +- 1 mm normal\nsamples = 200'),
-                        ('uniform', 'coupler.length = 66 mm +- 1 mm\nsamples = 300'),
-                        ('skew', 'crank.length = 5 mm, 6 mm, 7 mm, 8 mm, 8.5 mm, 9 mm, 9.2 mm, 9.4 mm, 9.6 mm, 9.8 mm, 12 mm, 30 mm')):
-        path = os.path.join(folder, name + '-sweep.deck')
-        with open(matrix, encoding='utf-8') as text, open(path, 'w', encoding='utf-8') as out:
-            out.write(text.read().split('[expect]')[0] + '\n[sweep]\n%s\noutput = mu_min, max(Ts), theta4_max\n' % sweep)
-        lines = list(csv.reader(io.StringIO(program.run('-f', 'csv', path))))
-        head = [h.split(' ')[0] for h in lines[0]]
-        branch = head.index('branch')
-        script = program.run('--plot-script=' + os.path.join(folder, 'h.gp'), '--plot-kind=histogram', path)
-        with open(os.path.join(folder, 'h.gp'), encoding='utf-8') as text:
-            script = Script(text.read())
-        for k, panel in enumerate(script.panels):
-            output = ('mu_min', 'max(Ts)', 'theta4_max')[k]
-            checks.where = 'histogram of %s, %s' % (output, name)
-            column = head.index(output)
-            values = {b: [float(line[column]) for line in lines[1:] if line[branch] == b and line[column]] for b in ('open', 'crossed')}
-            all_values = sorted(values['open'] + values['crossed'])
-            first, _, third = statistics.quantiles(all_values, n=4, method='inclusive')
-            span = all_values[-1] - all_values[0]
-            bins = span * len(all_values) ** (1 / 3) / (2 * (third - first)) if third > first else 5
-            bins = min(60, max(5, math.ceil(bins)))
-            width = span / bins
-            for b in values:
-                drawn = panel.blocks['o%d_%s' % (k, b)]
-                checks.that(len(drawn) == bins, 'bins', len(drawn), bins)
-                checks.that(sum(p.imag for p in drawn) == len(values[b]), 'all designs are in a bin')
-                off = 0
-                for j, p in enumerate(drawn):
-                    low = all_values[0] + j * width
-                    checks.near('the middle of a bin', p.real, low + width / 2, span, 1e-9)
-                    exact = sum(1 for v in values[b] if low <= v < low + width or (j == bins - 1 and v == all_values[-1]))
-                    off += abs(exact - p.imag)
-                checks.that(off <= 2, 'numbers of designs, by bin', off)
-            most = max(p.imag for b in values for p in panel.blocks['o%d_%s' % (k, b)])
-            checks.that(panel.range['y'][0] == 0 and most < panel.range['y'][1] <= 1.3 * most, 'the range of the numbers', panel.range)
-            checks.that(panel.range['x'][0] < all_values[0] and panel.range['x'][1] > all_values[-1], 'the range of the values')
-
-
-TWO_RANGES = """mechanism = four-bar
-[ground]
-length = 9.5 m
-[crank]
-length = 8.4 m
-[coupler]
-length = 2 m
-[rocker]
-length = 9.5 m
-[motion]
-speed = 1 rad/s
-from = -90 deg
-to = 270 deg
-interval = 10 deg
-"""
-
-
-def check_two_ranges(program, folder):
-    """The crank moves in two ranges; with the samples of the second an angle does not follow those of the first."""
-    path = os.path.join(folder, 'two-ranges.deck')
-    with open(path, 'w', encoding='utf-8') as out:
-        out.write(TWO_RANGES)
-    own = Deck(program, path)
-    check_over_angle(own, fine_table(own), 'motion', None)
-
-
 def main(fourlink, data, decks):
     with tempfile.TemporaryDirectory() as folder:
         program = Program(fourlink, folder)
@@ -457,7 +389,6 @@ def main(fourlink, data, decks):
         own = deck('gerstmayr-run-up.deck')
         check_speed(own, fine_table(own))
         check_two_ranges(program, folder)
-        check_histograms(program, folder, os.path.join(data, 'me3491-matrix.deck'))
     return checks.finish()
 
 

@@ -12,7 +12,7 @@ refused() {
 for name in x.bmp x.svgz svg x.svg.gz '' x.; do
     refused '--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -' --plot="$name" "$fourbar"
 done
-refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, limits, klein, animation, speed, error, histogram or columns, not 'foo'" \
+refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, limits, klein, animation, speed, error or columns, not 'foo'" \
     --plot=x.svg --plot-kind=foo "$fourbar"
 refused "did you mean 'motion'?" --plot=x.svg --plot-kind=motoin "$fourbar"
 refused '--plot-kind must be' --plot=x.svg --plot-kind= "$fourbar"
@@ -118,7 +118,7 @@ time_step='20001 rows; a picture shows at most 20,000: give a coarser time_step 
 too_many "$time_step" motion --set='motion.time_step=0.025 ms' "$decks/../fuzz/decks/free.deck"
 # the outputs of a sweep are not rows
 { cat "$fourbar" && printf '[sweep]\ncrank.length = 18 mm, 20 mm\noutput = mu_min\n'; } >outputs.deck
-run 0 --plot-script=x.gp --plot-kind=histogram --interval='0.018 deg' outputs.deck
+run 0 --plot-script=x.gp --plot-kind=columns --interval='0.018 deg' outputs.deck
 too_many "$coarser" motion --interval='0.018 deg' outputs.deck
 
 # x MESSAGE NAME [DECK]: no such column to draw over

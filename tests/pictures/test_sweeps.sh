@@ -1,29 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_sweeps.sh FOURLINK DATA - pictures of a sweep: histograms, and outputs over the quantity that it varies.
+# test_sweeps.sh FOURLINK DATA - pictures of a sweep: outputs over the quantity that it varies.
 . "$(dirname "$0")/../command/sweeps.sh"
 
 # block NAME: the lines of a block of data in the script t.gp
 block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" t.gp | sed '1d;$d'; }
-
-sweep 'coupler.length = 66 mm +- 1 mm' 'samples = 60' 'output = mu_min, max(Ts), type'
-run 0 -f csv t.deck
-mv out designs
-run 0 --plot-script=t.gp --plot-kind=histogram t.deck
-quiet
-for column in 4 5; do
-    for branch in open crossed; do
-        block "o$((column - 4))_$branch" >bins
-        check "bins of column $column, $branch" awk -v c=$column -v branch=$branch -F'[, ]' '
-            NR == FNR {x[FNR] = $1; n[FNR] = $2; bins = FNR; next}
-            FNR == 1 {half = (x[2] - x[1]) / 2; next}
-            $3 == branch {v = $c; sub(/\r/, "", v); for (k = bins; k > 1 && v < x[k] - half; k--); m[k]++; sum++}
-            END {for (k = 1; k <= bins; k++) if (m[k] != n[k] + 0) {off += m[k] > n[k] ? m[k] - n[k] : n[k] - m[k]}
-                 exit bins < 5 || sum != 60 || off > 2}' bins designs # a value on an edge may round to either side
-    done
-done
-check 'words have no histogram' none 'o2_' t.gp
 
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm, 22 mm & 70 mm' \
     'output = mu_min, max(Ts)'
@@ -60,23 +42,16 @@ check 'a tolerance alone is' grep -q '^set xlabel "coupler.length (mm)"' t.gp
 check 'the name of the deck is not cut' grep -q '^source = "t.deck"' t.gp
 
 # what is refused
-run 2 --plot-script=t.gp --plot-kind=histogram single.deck
-says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'
 sweep 'crank.length = 18 mm, 20 mm'
-run 2 --plot-script=t.gp --plot-kind=histogram t.deck
-says 'needs a [sweep] with outputs'
 # without outputs `columns` draws those of the first design
 run 0 --plot-script=t.gp --plot-kind=columns -c theta4 t.deck
 check 'the first design' grep -q '", first design of its sweep' t.gp
-for kind in histogram columns; do
-    sweep 'crank.length = 18 mm, 20 mm' 'output = type'
-    run 2 --plot-script=t.gp --plot-kind=$kind t.deck
-    says 'no design of the [sweep] has a number to draw'
-done
+sweep 'crank.length = 18 mm, 20 mm' 'output = type'
+run 2 --plot-script=t.gp --plot-kind=columns t.deck
+says 'no design of the [sweep] has a number to draw'
 sweep 'crank.length = 18 mm' 'output = mu_min'
 run 2 --plot-script=t.gp --plot-kind=columns t.deck
 says 'the [sweep] has a single design'
-run 0 --plot-script=t.gp --plot-kind=histogram t.deck
 sweep 'crank.length = 18 mm, 20 mm' 'output = mu_min'
 run 2 --plot-script=t.gp --plot-kind=columns --plot-x=theta4 t.deck
 says '--plot-x: error: the outputs of a [sweep] are drawn over what it varies'
@@ -88,6 +63,7 @@ says '2 of 4 lines of the [sweep] could not be computed'
 run 1 --plot-script=t.gp --plot-kind=columns --output=t.txt t.deck
 quiet
 check 'the table' test -s t.txt
-usage "did you mean 'histogram'?" --plot=p.svg --plot-kind=histogramm t.deck
+usage "did you mean 'columns'?" --plot=p.svg --plot-kind=column t.deck
+usage "--plot-kind must be " --plot=p.svg --plot-kind=histogram t.deck
 
 finish

@@ -156,7 +156,6 @@ output = run_up_time, mean_speed'
 run 1 sweep.deck -f csv -b open
 check 'a run-up that stalls' grep -q '^1,60,open,,,stalls: the crank comes to rest' out
 check 'a run-up that does not' grep -q '^2,120,open,[0-9.]*,[0-9.]*,ok' out
-run 1 sweep.deck -b open --statistics
 # A run-up that stalls has no facts of the steady motion that it does not reach.
 sweep 's/^turns.*/turns = 2\nfrom = 150 deg/' 'motor.stall_torque = 65 N m, 70 N m
 output = mean_speed, mean_speed_textbook, period, fluctuation_exact, steady_rate, run_up_time, stall_angle'

@@ -54,7 +54,7 @@ sound 'scores'
 { cat "$alvi"; printf '[sweep]\ncrank.length = 18 mm, -1 mm, 300 mm, 22 mm\noutput = mu_min, type\n'; } >sweep.deck
 "$fourlink" -f csv sweep.deck >out 2>err
 sound 'designs'
-"$fourlink" -f csv --statistics sweep.deck >out 2>err
-sound 'statistics'
+"$fourlink" -f csv --set='sweep.yield=mu_min > 50 deg' sweep.deck >out 2>err
+sound 'designs with a yield'
 
 finish
