@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "read.h"
+#include "deck/reader.h"
 
 /* The file that a deck names, whatever its name: the host's text. */
 static inline const char *load_text(void *host, const char *file_name, unsigned long *length)

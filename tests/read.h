@@ -6,6 +6,7 @@
 #define FOURLINK_TEST_READ_H
 
 #include "deck/deck.h"
+#include "deck/reader.h"
 #include "source.h"
 
 /* As flk_deck_read. */

@@ -20,7 +20,7 @@
 #include "command.h"
 #include "terminal.h"
 #include "tables/sheet.h"
-#include "writers.h"
+#include "best.h"
 
 #define DIGITS 10      /* of a refined value */
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */

@@ -7,7 +7,7 @@
 #include "command.h"
 #include "tables/content.h"
 #include "terminal.h"
-#include "writers.h"
+#include "catalogue.h"
 
 #define MASS "mass = 1 kg\nuniform = yes\n"
 #define LINK(name) "[" name "]\nlength = 60 mm\n" MASS

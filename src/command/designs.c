@@ -12,7 +12,7 @@
 #include "command.h"
 #include "terminal.h"
 #include "tables/content.h"
-#include "writers.h"
+#include "designs.h"
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)

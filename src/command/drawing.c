@@ -12,7 +12,6 @@
 #include "output.h"
 #include "pictures/plot.h"
 #include "report/report.h"
-#include "writers.h"
 
 /* What pictures and reports show: the deck with lengths in the unit in which it writes them. */
 typedef struct shown {

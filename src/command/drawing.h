@@ -22,4 +22,7 @@ int drawing_begin(drawing *d, const input *in);
 /* Draw a script, or give it out; or drop it.  Returns the exit status. */
 int drawing_end(drawing *d, int keep);
 
+/* Write the report that the options ask for. */
+int drawing_report(const input *in);
+
 #endif

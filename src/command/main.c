@@ -16,7 +16,10 @@
 #include "input.h"
 #include "output.h"
 #include "variants.h"
-#include "writers.h"
+#include "catalogue.h"
+#include "solutions.h"
+#include "best.h"
+#include "designs.h"
 #include "tables/content.h"
 
 /* Write the text of a deck with the values that are computed; returns the exit status. */

@@ -8,7 +8,7 @@
 #include "command.h"
 #include "tables/content.h"
 #include "terminal.h"
-#include "writers.h"
+#include "solutions.h"
 
 #define MOST_SOLUTIONS 100
 

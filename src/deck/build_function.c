@@ -8,6 +8,12 @@
 
 #include "base/number.h"
 #include "base/steffen.h"
+#include "card.h"
+#include "curve_point.h"
+#include "curve_text.h"
+#include "parser.h"
+#include "settings.h"
+#include "synthesis.h"
 #include "task.h"
 
 /* The functions: powers, and then others; those of an angle, whose x needs a unit, come last.  A table is

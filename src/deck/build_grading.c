@@ -5,8 +5,11 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "build.h"
+#include "build_grading.h"
 #include "deck.h"
-#include "reader.h"
+#include "parser.h"
+#include "settings.h"
 
 int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance)
 {

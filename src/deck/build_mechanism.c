@@ -10,7 +10,12 @@
 
 #include "base/number.h"
 #include "mechanics/kind.h"
-#include "reader.h"
+#include "build.h"
+#include "build_mechanism.h"
+#include "parser.h"
+#include "pieces.h"
+#include "settings.h"
+#include "vector.h"
 
 /* Find the kind of the mechanism, and refuse sections and keys that it does not have. */
 int flk_build_kind(parser *p)
@@ -177,7 +182,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
                     "of length",
                     s->value, kind->link[link]);
     else
-        flk_values_size(p, s, QUANTITY_LENGTH, gsl_hypot(at->x, at->y));
+        flk_piece_size(p, s, QUANTITY_LENGTH, gsl_hypot(at->x, at->y));
 }
 
 /* The mass data in the section of a link. */
@@ -447,4 +452,28 @@ void flk_build_series(parser *p)
     p->d->approximation = (fourlink_approximation)s->word;
     if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
         flk_mistake(p->mistakes, s->place, "%s", fourlink_status_text(FOURLINK_NO_SERIES));
+}
+
+flk_element *flk_build_element(parser *p)
+{
+    flk_machine *machine = &p->d->machine;
+
+    if (!machine->element) /* a section makes one, at most */
+        machine->element = flk_reader_keep(p, p->n_uses * sizeof *machine->element);
+    return machine->element ? &machine->element[machine->n_elements++] : NULL;
+}
+
+int flk_build_check_link(parser *p, const section_use *use, const setting *link)
+{
+    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+    const char *const *own = kind->link;
+
+    if (!IS_SET(link) && !use->is_mistaken)
+        flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
+                    flk_section_table[use->section].name, own[2], own[3], own[4]);
+    else if (link->word && !flk_text_equal(link->value, own[link->word]))
+        return flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
+                           flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
+                           own[4]);
+    return 1;
 }

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_motion.c - builds the motion of the crank, the table and the expected values.
+** build_motion.c - builds [motion] from values.
 */
 #include <math.h>
 
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "build.h"
+#include "build_motor.h"
+#include "parser.h"
+#include "settings.h"
 
 #define MOST_TIMES 1000000 /* rows by time */
 #define MOST_ROWS 10000000 /* rows by angle */
@@ -280,93 +283,4 @@ void flk_build_motion(parser *p)
         p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
     if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_mistakes_count(p->mistakes) == before)
         check_range(p);
-}
-
-void flk_build_table(parser *p)
-{
-    const setting *columns = flk_setting_find(p, KEY_TABLE_COLUMNS),
-                  *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
-    int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
-
-    p->d->asks_for_both = branches == BRANCH_BOTH;
-    if (!branches && flk_machine_count(&p->d->machine, &flk_gas_sort))
-        branches = BRANCH_OPEN; /* the usual branch of engines */
-    p->d->open = branches != BRANCH_CROSSED;
-    p->d->crossed = branches != BRANCH_OPEN;
-    p->d->columns.names = columns->value;
-    p->d->columns.place = columns->place;
-    p->d->solver = flk_setting_find(p, KEY_TOP_SOLVER)->word;
-    if (digits->si[0] > 17)
-        flk_mistake(p->mistakes, digits->place, "digits must be 1 to 17, not %t", digits->value);
-    else
-        p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
-}
-
-/* For a deck that requests one branch, keep only the answers for that branch.  If there are none, those for
-** the other branch are used. */
-static void keep_one_branch(deck *d)
-{
-    fourlink_branch asked = d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
-    int is_given = 0;
-    size_t i, kept = 0;
-
-    if (d->open && d->crossed)
-        return;
-    for (i = 0; i < d->n_expectations; i++)
-        is_given |= d->expectations[i].has_branch && d->expectations[i].branch == asked;
-    for (i = 0; i < d->n_expectations; i++) {
-        if (is_given && d->expectations[i].branch != asked)
-            continue;
-        d->expectations[kept] = d->expectations[i];
-        d->expectations[kept++].branch = asked;
-    }
-    d->n_expectations = kept;
-}
-
-/* Add the printed values of the deck, in line order. */
-void flk_build_expectations(parser *p)
-{
-    deck *d = p->d;
-    deck_expectation *list;
-    size_t i;
-
-    d->n_expectations = 0; /* those of the deck, if these are its answers */
-    if (!p->n_named)
-        return;
-    d->expectations = list = flk_reader_keep(p, p->n_named * sizeof *list);
-    if (!list)
-        return;
-    for (i = 0; i < p->n_named; i++) {
-        const named_value *named = &p->named[i];
-        const section_use *use = &p->uses[named->use];
-        const setting *at, *branch, *tolerance;
-        deck_expectation *e;
-
-        if (use->section == SECTION_SWEEP || use->section == SECTION_GRADING)
-            continue;
-        at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
-        branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
-        tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
-        e = &list[d->n_expectations++];
-        e->place = named->place;
-        e->name = named->name;
-        e->value = named->value;
-        e->tolerance = tolerance->value;
-        e->tolerance_place = tolerance->place;
-        e->misprint = use->section == SECTION_MISPRINT;
-        e->has_at = IS_SET(at) || d->one_instant;
-        e->at_is_time = IS_SET(at) && flk_expects_at_time(use);
-        e->at = e->at_is_time ? at->si[0]
-                : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
-                              : d->motion.from;
-        if (e->at_is_time && !d->drive.by_time)
-            flk_mistake(p->mistakes, at->place,
-                        "a time is for rows by time: expected a crank angle, such as 40 deg");
-        e->has_branch = IS_SET(branch);
-        e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
-                    : d->open    ? FOURLINK_OPEN
-                                 : FOURLINK_CROSSED;
-    }
-    if (p->is_answers)
-        keep_one_branch(d);
 }

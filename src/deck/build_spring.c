@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_spring.c - builds springs, friction and counterweights from values.
+** build_spring.c - builds [spring] from values.
 */
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
-#include "reader.h"
-
-/* ------------------------------------------------------------------------------------------ springs */
+#include "build.h"
+#include "build_mechanism.h"
+#include "build_point.h"
+#include "parser.h"
+#include "settings.h"
+#include "values.h"
 
 /* Refuse a key that only the other sort of spring has. */
 static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
@@ -160,110 +163,4 @@ void flk_build_springs(parser *p)
             build_spring(p, use, element);
         p->d->has_forces = 1;
     }
-}
-
-/* ----------------------------------------------------------------------------------------- friction */
-
-/* The friction circle of a pin, from its own values or from those of all pins; 0 and a mistake if one is
-** missing, -1 if that is the radius of all pins. */
-static double build_circle(parser *p, const section_use *use, key_code coefficient, key_code key)
-{
-    const setting *own = flk_setting_of(use, coefficient),
-                  *all = flk_setting_of(use, KEY_FRICTION_MU),
-                  *own_radius = flk_setting_of(use, key),
-                  *common_radius = flk_setting_of(use, KEY_FRICTION_RADIUS);
-    const setting *mu = IS_SET(own) ? own : all;
-    const setting *radius = IS_SET(own_radius) ? own_radius : common_radius;
-
-    if (!flk_build_has(p, coefficient))
-        return 0;
-    if (IS_SET(all) && !IS_SET(own) && !IS_SET(radius) && mu->si[0] > 0)
-        return -1;
-    if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->is_mistaken)
-        flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
-                    flk_key_table[coefficient].name, flk_key_table[key].name);
-    if (IS_SET(own_radius) && !IS_SET(mu) && !use->is_mistaken)
-        flk_mistake(p->mistakes, own_radius->place, "'%s' needs '%s', the coefficient of friction",
-                    flk_key_table[key].name, flk_key_table[coefficient].name);
-    return mu->si[0] * radius->si[0];
-}
-
-void flk_build_friction(parser *p)
-{
-    const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
-    const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
-                  *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
-                  *mu = flk_setting_find(p, KEY_FRICTION_MU),
-                  *radius = flk_setting_find(p, KEY_FRICTION_RADIUS);
-    fourlink_friction *friction = &p->d->machine.friction;
-    int i, has_pins = IS_SET(mu), lacks_radius = 0;
-
-    if (!use)
-        return;
-    for (i = 0; i < 4; i++) {
-        has_pins |= IS_SET(flk_setting_of(use, (key_code)(KEY_FRICTION_A + i)));
-        friction->circle[i] = build_circle(p, use, (key_code)(KEY_FRICTION_A + i),
-                                           (key_code)(KEY_FRICTION_RADIUS_A + i));
-        lacks_radius |= friction->circle[i] < 0;
-    }
-    if (lacks_radius && !use->is_mistaken)
-        flk_mistake(p->mistakes, mu->place, "'mu' needs 'radius', that of the pins");
-    if (IS_SET(radius) && !has_pins && !use->is_mistaken)
-        flk_mistake(p->mistakes, radius->place, "'radius' needs 'mu', the coefficient of friction");
-    if (IS_SET(length) && !IS_SET(guide) && !use->is_mistaken)
-        flk_mistake(p->mistakes, length->place,
-                    "'guide_length' needs 'guide', the coefficient of friction");
-    if (!has_pins && !IS_SET(guide) && !IS_SET(radius) && !use->is_mistaken)
-        flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
-    friction->guide = guide->si[0];
-    friction->guide_length = length->si[0];
-    friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
-    p->d->machine.has_friction = 1;
-}
-
-/* ------------------------------------------------------------------------------------------ balance */
-
-static void apply(parser *p, int link, const fourlink_vector *moment, double *mass)
-{
-    deck_balance *b = &p->d->balance;
-    fourlink_link balanced;
-
-    if (fourlink_add_counterweight(&p->d->design.link[link], moment, b->radius, &balanced, mass) ==
-            FOURLINK_OK &&
-        flk_setting_find(p, KEY_BALANCE_APPLY)->word)
-        p->d->design.link[link] = balanced;
-}
-
-void flk_build_balance(parser *p)
-{
-    const section_use *use = flk_section_find(p, SECTION_BALANCE, NULL);
-    const setting *fraction = flk_setting_find(p, KEY_BALANCE_FRACTION),
-                  *radius = flk_setting_find(p, KEY_BALANCE_RADIUS),
-                  *add = flk_setting_find(p, KEY_BALANCE_APPLY);
-    deck_balance *b = &p->d->balance;
-
-    if (!use)
-        return;
-    b->is_there = 1;
-    b->crank = flk_setting_find(p, KEY_BALANCE_CRANK)->word || IS_SET(fraction);
-    b->rocker = flk_setting_find(p, KEY_BALANCE_ROCKER)->word;
-    b->radius = radius->si[0];
-    if (!b->crank && !b->rocker && !use->is_mistaken)
-        flk_mistake(p->mistakes, use->place, "[balance] needs %s",
-                    flk_build_has(p, KEY_BALANCE_FRACTION)
-                        ? "the fraction of the reciprocating mass to be balanced"
-                        : "'crank = yes', 'rocker = yes' or both");
-    if (add->word && !IS_SET(radius) && !use->is_mistaken)
-        flk_mistake(p->mistakes, add->place,
-                    "'apply' needs a radius, at which the counterweights are");
-    if (p->mistakes->count ||
-        fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
-        return;
-    if (flk_build_has(p, KEY_BALANCE_FRACTION))
-        b->reciprocating = flk_balance_reciprocating(&p->d->design);
-    if (b->crank && b->radius > 0)
-        apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);
-    if (b->rocker && b->radius > 0)
-        apply(p, FOURLINK_FOLLOWER, &b->moment.rocker, &b->mass[1]);
-    fourlink_prepare(&p->d->design, &p->d->machine.mechanism);
 }

@@ -5,6 +5,13 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
+#include "build_mechanism.h"
+#include "build_synthesis.h"
+#include "curve_text.h"
+#include "parser.h"
+#include "pieces.h"
+#include "settings.h"
+#include "synthesis.h"
 #include "task.h"
 
 #define POSITIONS 3 /* of motion and path */
@@ -75,7 +82,7 @@ static int read_dyad(parser *p, key_code key, fourlink_dyad *dyad)
     if (dyad->choice == FOURLINK_ROTATIONS)
         return flk_task_pair(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0], &dyad->rotation[1]);
     if (dyad->choice == FOURLINK_SLIDER)
-        return flk_values_piece(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0]);
+        return flk_piece_read(p, s, rest, QUANTITY_ANGLE, &dyad->rotation[0]);
     return flk_task_point(p, s, rest, &dyad->pivot, &word) &&
            (!word.length || flk_mistake(p->mistakes, s->place,
                                         "expected one point, such as (24, 10) mm, not '%t'", rest));
@@ -96,7 +103,7 @@ static int read_positions(parser *p, key_code other, const char *example,
         return -1;
     while (n < POSITIONS && flk_curve_text_item(&rest, &item) &&
            flk_task_point(p, s, item, &at[n], &after)) {
-        if (after.length && !flk_values_piece(p, s, after, QUANTITY_ANGLE, &angle[n]))
+        if (after.length && !flk_piece_read(p, s, after, QUANTITY_ANGLE, &angle[n]))
             return -1;
         n_angles += after.length > 0;
         n++;

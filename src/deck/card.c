@@ -10,7 +10,10 @@
 #include <string.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "card.h"
+#include "curve_point.h"
+#include "lines.h"
+#include "parser.h"
 
 #define MOST_FIELDS 4
 #define ROW_SIZE 400

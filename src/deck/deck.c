@@ -71,35 +71,6 @@ void flk_deck_give_mistakes(const mistakes *from, unsigned long max, fourlink_mi
         *n_mistakes = (unsigned long)flk_mistakes_count(from);
 }
 
-int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
-                       void *host, unsigned long max_mistakes, fourlink_deck **result,
-                       fourlink_mistake *list, unsigned long *n_mistakes)
-{
-    fourlink_source source;
-    deck *d;
-    int status;
-
-    if (!contents || !result || (!list && max_mistakes))
-        return FOURLINK_NULL;
-    d = malloc(sizeof *d);
-    if (!d)
-        return FOURLINK_NO_MEMORY;
-    memset(&source, 0, sizeof source);
-    source.text = contents;
-    source.length = length;
-    source.load = load;
-    source.host = host;
-    status = flk_deck_read(&source, d);
-    if (status > 0) {
-        *result = d;
-        return FOURLINK_OK;
-    }
-    if (status == 0)
-        flk_deck_give_mistakes(&d->mistakes, max_mistakes, list, n_mistakes);
-    fourlink_deck_free(d);
-    return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
-}
-
 void fourlink_deck_free(fourlink_deck *d)
 {
     if (d)

@@ -153,54 +153,6 @@ struct fourlink_deck {
     struct kept *storage; /* texts that names and places point to */
 };
 
-/* Read an item of a rule: a tolerance in per cent or of this quantity, in SI units; marks, as in "2 marks".
-** 1; 0 if it is something else. */
-int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance);
-int flk_rule_marks(text item, double *marks);
-
-/* Read a deck.
-**
-** Given:
-**    source      the text, and changes to it; not needed after the call
-** Returned:
-**    d           the deck, for flk_deck_free, even if it has mistakes
-** Returned (function value):
-**    1 the deck is valid, 0 see d->mistakes, -1 out of memory
-** Note:
-**    Answers are read only if the deck itself has no mistakes.
-*/
-int flk_deck_read(const fourlink_source *source, deck *d);
-
-/* Build another design of a deck from its settings, without its text.
-**
-** Given:
-**    from        from flk_deck_read or flk_deck_design; must outlive `d`
-**    design      below from->sweep.n_designs; 0 for a deck without [sweep]
-**    set         numbers that differ from those of this design
-**    n_set       how many
-** Returned:
-**    d           the deck, for flk_deck_free, even if it has mistakes; its notes are only those on what is
-**                built
-** Returned (function value):
-**    as from flk_deck_read; 0 if the text itself has mistakes
-*/
-int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
-                    deck *d);
-
-/* The first `max` values of a design's variables, in the deck's unit; the values before and after them in
-** their ranges, or the same value at an end of a range, and for a list.  `low` and `high` may be null. */
-void flk_deck_variables(const deck *d, unsigned long design, size_t max, double *values,
-                        double *low, double *high);
-
-/* The number of a deck with this name, crank.length or load L.force.size: the same for all its designs; 0 if
-** there is no such key, or no such section in the deck. */
-unsigned long flk_number_find(const deck *d, text name);
-
-/* The quantity and the last word of the name of a number; its value in the deck's unit, NaN if it is not
-** given. 0 if it is not a number: words, a list, a curve. */
-int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
-                        double *value);
-
 /* Copy the first `max` mistakes or notes of a deck, and their number, for the caller. */
 void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);

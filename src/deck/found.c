@@ -8,7 +8,14 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
+#include "build_motor.h"
+#include "found.h"
+#include "found_text.h"
+#include "parser.h"
+#include "settings.h"
+#include "synthesis.h"
 #include "task.h"
+#include "values.h"
 
 #define RATIO_USUAL 10.0 /* longest / shortest link, above which there is a note */
 

@@ -11,7 +11,10 @@
 
 #include "base/number.h"
 #include "mechanics/kind.h"
-#include "reader.h"
+#include "found_text.h"
+#include "numbers.h"
+#include "parser.h"
+#include "settings.h"
 #include "synthesis.h"
 
 #define DEAD \

@@ -4,7 +4,9 @@
 */
 #include <string.h>
 
-#include "reader.h"
+#include "lines.h"
+#include "parser.h"
+#include "settings.h"
 
 #define LINE_MAX_LENGTH 65536
 #define MOST_LINES 4000000

@@ -8,7 +8,10 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "numbers.h"
+#include "parser.h"
+#include "settings.h"
+#include "values.h"
 
 int flk_target_is_number(const target *t)
 {

@@ -6,73 +6,23 @@
 ** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
 ** does not stop the reader, so that one run reports all of them.
 */
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "base/spelling.h"
 #include "base/utf16.h"
+#include "build.h"
+#include "build_synthesis.h"
+#include "found.h"
+#include "lines.h"
+#include "numbers.h"
+#include "parser.h"
 #include "reader.h"
-#include "synthesis.h"
-
-void *flk_reader_keep(parser *p, size_t size)
-{
-    void *result = flk_deck_keep(p->d, size);
-
-    if (!result)
-        p->out_of_memory = 1;
-    return result;
-}
-
-void *flk_reader_grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
-{
-    size_t more = *capacity ? 2 * *capacity : 64;
-    void *bigger;
-
-    if (n < *capacity)
-        return list;
-    bigger = flk_reader_keep(p, more * size);
-    if (!bigger)
-        return NULL;
-    if (n)
-        memcpy(bigger, list, n * size);
-    *capacity = more;
-    return bigger;
-}
-
-char *flk_reader_copy(parser *p, text t, const char *ending)
-{
-    char *copy = flk_reader_keep(p, t.length + strlen(ending) + 1);
-
-    if (!copy)
-        return NULL;
-    if (t.length)
-        memcpy(copy, t.start, t.length);
-    return strcpy(copy + t.length, ending) - t.length;
-}
-
-text flk_reader_plain(parser *p, text t)
-{
-    char *copy = flk_spelling_is_plain(t) ? NULL : flk_reader_keep(p, SPELLING_SIZE(t.length));
-
-    return copy ? flk_spelling_plain(t, copy) : t;
-}
-
-text flk_reader_utf8(parser *p, text t)
-{
-    char *copy = flk_utf16_is(t) ? flk_reader_keep(p, UTF16_SIZE(t.length)) : NULL;
-
-    return copy ? flk_utf16_convert(t, copy) : t;
-}
-
-text_place flk_reader_end(const parser *p)
-{
-    text_place place;
-
-    place.source = p->name;
-    place.line = p->last_line;
-    return place;
-}
+#include "settings.h"
+#include "sweep.h"
+#include "values.h"
 
 /* [SECTION[ NAME].]KEY=VALUE */
 static void change(parser *p, const fourlink_change *c)
@@ -156,7 +106,7 @@ static void build_all(parser *p)
     flk_build_table(p);
     flk_build_curve_ends(p);
     if (!p->is_design)
-        flk_build_doubts(p);
+        flk_build_notes(p);
     flk_build_expectations(p);
     flk_build_grading(p);
 }
@@ -277,4 +227,33 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
         return status;
     d->answers = share(d, from->answers);
     return build_from(d, d->answers, 0, NULL, 0);
+}
+
+int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
+                       void *host, unsigned long max_mistakes, fourlink_deck **result,
+                       fourlink_mistake *list, unsigned long *n_mistakes)
+{
+    fourlink_source source;
+    deck *d;
+    int status;
+
+    if (!contents || !result || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    d = malloc(sizeof *d);
+    if (!d)
+        return FOURLINK_NO_MEMORY;
+    memset(&source, 0, sizeof source);
+    source.text = contents;
+    source.length = length;
+    source.load = load;
+    source.host = host;
+    status = flk_deck_read(&source, d);
+    if (status > 0) {
+        *result = d;
+        return FOURLINK_OK;
+    }
+    if (status == 0)
+        flk_deck_give_mistakes(&d->mistakes, max_mistakes, list, n_mistakes);
+    fourlink_deck_free(d);
+    return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }

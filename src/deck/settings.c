@@ -5,7 +5,8 @@
 */
 #include <string.h>
 
-#include "reader.h"
+#include "parser.h"
+#include "settings.h"
 
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
                               const char *start)

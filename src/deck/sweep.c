@@ -15,7 +15,12 @@
 #include <gsl/gsl_rng.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "numbers.h"
+#include "parser.h"
+#include "pieces.h"
+#include "settings.h"
+#include "sweep.h"
+#include "values.h"
 
 #define MOST_VARIABLES 1000
 #define MOST_DESIGNS 4e9 /* fits an unsigned long on every machine */
@@ -77,7 +82,7 @@ static text own_piece(const variation *v, text item)
 
 static int read(parser *p, const variation *v, text t, quantity_value *value)
 {
-    return flk_values_quantity(p, v->place, t, t, v->q, value);
+    return flk_piece_quantity(p, v->place, t, t, v->q, value);
 }
 
 /* A quantity in a unit, without rounding if it is written in that unit. */

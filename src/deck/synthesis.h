@@ -73,26 +73,4 @@ typedef struct deck_synthesis {
 
 #define MOST_LISTED 10 /* solutions of a search */
 
-/* Read the task; find the linkage.  They return 0 after a mistake, or if there is no linkage. */
-int flk_synthesis_read(struct parser *p);
-int flk_synthesis_run(struct parser *p);
-
-/* Set the lengths of the linkage found, its working range, branch and coupler point, and write its text. */
-void flk_synthesis_assign(struct parser *p);
-
-/* The structural error at a crank angle of the linkage found, rad or m; NaN where the wanted function is not
-** defined, or the linkage does not reach. */
-double flk_synthesis_error(const deck_synthesis *t, double theta2);
-
-/* A quantity, or a point, with its unit, so that it is read again as the same number; valid as long as the
-** deck. */
-const char *flk_found_value(struct parser *p, double si, quantity q);
-const char *flk_found_point(struct parser *p, fourlink_vector at);
-
-/* Write what the text of the deck begins and ends with; the coupler point has this name. */
-void flk_found_write(struct parser *p, const char *point_name);
-
-/* Tell the defects of the linkage found: their names in `defects`, sentences in those of the deck. */
-void flk_synthesis_tell_defects(struct parser *p);
-
 #endif

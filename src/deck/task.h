@@ -5,7 +5,7 @@
 #ifndef FOURLINK_DECK_TASK_H
 #define FOURLINK_DECK_TASK_H
 
-#include "reader.h"
+#include "parser.h"
 #include "synthesis.h"
 
 /* A key of [synthesis]; 1 if it is given. */

@@ -5,7 +5,14 @@
 #include <string.h>
 
 #include "mechanics/kind.h"
+#include "curve_point.h"
+#include "curve_text.h"
+#include "parser.h"
+#include "pieces.h"
+#include "settings.h"
+#include "synthesis.h"
 #include "task.h"
+#include "vector.h"
 
 setting *flk_task_find(parser *p, key_code key)
 {
@@ -66,7 +73,7 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
     flk_task_unit(p, flk_quantity_unit_text(first));
     if (!flk_quantity_unit_text(first).length && name.length) /* 30 to 120 deg */
         first = flk_text_of(flk_reader_copy(p, first, flk_reader_copy(p, name, "")));
-    if (!flk_values_piece(p, s, last, q, &range[1]) || !flk_values_piece(p, s, first, q, &range[0]))
+    if (!flk_piece_read(p, s, last, q, &range[1]) || !flk_piece_read(p, s, first, q, &range[0]))
         return 0;
     return range[0] != range[1] ||
            flk_mistake(p->mistakes, s->place, "the range begins and ends at the same value");
@@ -83,7 +90,7 @@ unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long m
             flk_mistake(p->mistakes, s->place, "more than %ld values", (long)most);
             return 0;
         }
-        if (!flk_values_piece(p, s, item, q, &list[n++]))
+        if (!flk_piece_read(p, s, item, q, &list[n++]))
             return 0;
     }
     return n;

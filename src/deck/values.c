@@ -7,53 +7,12 @@
 
 #include "base/number.h"
 #include "mechanics/kind.h"
-#include "reader.h"
-
-static int refuse(parser *p, text_place place)
-{
-    return flk_mistake(p->mistakes, place, "%s", p->why);
-}
-
-/* Read the number at the front of `rest`, and the unit `t` (if empty, the deck's); 0 and a mistake if there
-** is none. */
-int flk_values_number(parser *p, const setting *s, text *rest, quantity q, double *number)
-{
-    return flk_quantity_number(rest, s->value, q, number, p->why) || refuse(p, s->place);
-}
-
-int flk_values_unit(parser *p, const setting *s, text t, quantity q, unit *u)
-{
-    return flk_quantity_unit(t, s->value, q, p->d->bare[q].unit, u, p->why) || refuse(p, s->place);
-}
-
-int flk_values_size(parser *p, const setting *s, quantity q, double si)
-{
-    return flk_quantity_size(si, s->value, q, p->why) || refuse(p, s->place);
-}
-
-int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
-                        quantity_value *value)
-{
-    return flk_quantity_read(t, whole, q, p->d->bare[q].unit, value, p->why) || refuse(p, place);
-}
-
-/* Read a quantity that is a piece of a setting's value. */
-int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si)
-{
-    quantity_value value;
-    int is_one;
-
-    if (s->is_number) {
-        *si = flk_unit_to_si(s->number, s->unit);
-        return flk_values_size(p, s, q, *si);
-    }
-    memset(&value, 0, sizeof value);
-    is_one = flk_values_quantity(p, s->place, t, s->value, q, &value);
-    s->number = value.number;
-    s->unit = value.unit;
-    *si = value.si;
-    return is_one;
-}
+#include "curve_text.h"
+#include "parser.h"
+#include "pieces.h"
+#include "settings.h"
+#include "values.h"
+#include "vector.h"
 
 /* Find the value of a word; 0 if the key does not accept it. */
 static int find_word(key_code key, text t, int *value)
@@ -189,7 +148,7 @@ static int read_count(parser *p, setting *s, quantity q)
 {
     text t = s->value;
 
-    if (!flk_values_number(p, s, &t, q, &s->si[0]))
+    if (!flk_piece_number(p, s, &t, q, &s->si[0]))
         return 0;
     if (t.length || s->si[0] != floor(s->si[0]))
         return flk_mistake(p->mistakes, s->place, "expected a whole number, not '%t'", s->value);
@@ -319,7 +278,7 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         read_word(p, code, s);
         break;
     case FORM_UNIT:
-        if (flk_values_unit(p, s, s->value, key->q, &s->unit)) {
+        if (flk_piece_unit(p, s, s->value, key->q, &s->unit)) {
             set_unit(p->d->units, key->q, s->value, s->unit);
             set_unit(p->d->bare, key->q, s->value, s->unit);
         }
@@ -330,7 +289,7 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         if (s->word)
             break;
         if ((key->form != FORM_EITHER || has_unit(p, code, s)) &&
-            flk_values_piece(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
+            flk_piece_read(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
             check_sign(p, key, s);
         break;
     case FORM_COUNT:

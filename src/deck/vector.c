@@ -8,7 +8,9 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "parser.h"
+#include "pieces.h"
+#include "vector.h"
 
 void flk_vector_direction(double angle, double *x, double *y)
 {
@@ -48,7 +50,7 @@ static int read_components(parser *p, setting *s, text t, quantity q, point *res
     flk_text_split(&rest, ')', &inside);
     if (!rest.start || flk_text_count(inside, ',') != 1)
         return refuse_components(p, s, q, inside);
-    if (!flk_values_unit(p, s, rest, q, &u))
+    if (!flk_piece_unit(p, s, rest, q, &u))
         return 0;
     result->has_unit = flk_text_trim(rest).length > 0;
     result->unit_to_si = flk_unit_to_si(1, u);
@@ -56,12 +58,12 @@ static int read_components(parser *p, setting *s, text t, quantity q, point *res
         double number;
 
         flk_text_split(&inside, ',', &x);
-        if (!flk_values_number(p, s, &x, q, &number))
+        if (!flk_piece_number(p, s, &x, q, &number))
             return 0;
         if (flk_text_trim(x).length)
             return refuse_components(p, s, q, inside);
         result->y[i] = flk_unit_to_si(number, u);
-        if (!flk_values_size(p, s, q, result->y[i]))
+        if (!flk_piece_size(p, s, q, result->y[i]))
             return 0;
     }
     return 1;
@@ -74,7 +76,7 @@ static int read_share(parser *p, setting *s, text t, double *share)
     if (!t.length || t.start[t.length - 1] != '%')
         return 0;
     s->of_length = 1;
-    flk_values_piece(p, s, t, QUANTITY_NUMBER, share);
+    flk_piece_read(p, s, t, QUANTITY_NUMBER, share);
     return 1;
 }
 
@@ -83,7 +85,7 @@ static int read_size(parser *p, setting *s, text t, quantity q, point *result, d
 {
     if (q == QUANTITY_LENGTH && read_share(p, s, t, size))
         return 1;
-    if (!flk_values_piece(p, s, t, q, size))
+    if (!flk_piece_read(p, s, t, q, size))
         return 0;
     result->has_unit = flk_quantity_unit_text(t).length > 0;
     result->unit_to_si = flk_unit_to_si(1, s->unit);
@@ -110,7 +112,7 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
         return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
                            s->value);
     has_angle = flk_text_cut(t, " at ", &size_text, &angle_text);
-    if (has_angle && !flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
+    if (has_angle && !flk_piece_read(p, s, angle_text, QUANTITY_ANGLE, &angle))
         return 0;
     if (!read_size(p, s, size_text, q, result, &size))
         return 0;
@@ -168,7 +170,7 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
                         "'%t' is a part of the length of the link: give the point in a unit of "
                         "length before you vary a part of it",
                         s->value);
-        flk_values_piece(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
+        flk_piece_read(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
         part[i] = own->si[0];
         is_polar = i >= PART_SIZE;
     }

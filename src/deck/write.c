@@ -7,8 +7,11 @@
 #include <string.h>
 
 #include "base/number.h"
-#include "reader.h"
+#include "lines.h"
+#include "numbers.h"
+#include "parser.h"
 #include "synthesis.h"
+#include "values.h"
 
 /* The destination of a deck; text beyond its size is cut off. */
 typedef struct writer {

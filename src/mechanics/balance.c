@@ -22,6 +22,7 @@
 #include <math.h>
 
 #include "kind.h"
+#include "balance.h"
 
 static void balance_four_bar(const fourlink_link *link, fourlink_balance *u)
 {

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "free_body.h"
+#include "closed_form.h"
 
 /* F34 comes from the kind.  With e2 the axis of the crank,
 **

@@ -25,6 +25,7 @@
 #include <gsl/gsl_math.h>
 
 #include "free_body.h"
+#include "friction.h"
 
 #define JOINTS 4
 #define COUPLED 3 /* all but A */

@@ -110,42 +110,8 @@ typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechani
 flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
 int flk_dyad_is_singular(const fourlink_state *state);
 
-/* Find the motion of every link.  Without `angles`, which take a third of the time, theta of links 3 and 4,
-** mu and phi are not set (mechanism.c). */
-int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
-                       const fourlink_crank *crank, int angles, fourlink_state *state);
-
-/* The relative speed in a joint for unit crank speed: in rad for a pin, along the slide and divided by the
-** crank length for a slider.  The sense in which the crank turns or starts: 1 or -1 (friction.c). */
-double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                          const fourlink_joint *at);
-int flk_friction_sense(double omega2, const fourlink_friction *friction);
-
-/* As fourlink_solve_friction, but if `held` is not null, the signs of friction are those of that state. */
-int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       const fourlink_state *held, const fourlink_load *loads,
-                       unsigned long n_loads, const fourlink_friction *friction, int closed_form,
-                       fourlink_forces *forces, fourlink_losses *losses);
-
 /* The joint of load i of fourlink_losses, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
 extern const int flk_friction_joint[FOURLINK_FRICTION_LOADS];
 int flk_friction_link(const flk_kind *kind, unsigned long i);
-
-/* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, with an arbitrary origin
-** (turns.c). */
-double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
-
-/* 1 if a torsional spring winds up: its angle is different after this crank angle, a period of the linkage
-** (spring.c). */
-int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring *spring,
-                     double period);
-
-/* The reciprocating mass of a slider-crank, kg: piston and its part of the rod (balance.c). */
-double flk_balance_reciprocating(const fourlink_design *design);
-
-/* The forces of a position that is not singular, with valid loads (closed_form.c). */
-void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
-              const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
-              fourlink_forces *forces);
 
 #endif

@@ -18,6 +18,8 @@
 #include "base/solve.h"
 #include "inertia.h"
 #include "kind.h"
+#include "friction.h"
+#include "mechanism.h"
 #include "machine.h"
 
 #define STEPS 60 /* of the secant */

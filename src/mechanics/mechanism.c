@@ -9,6 +9,8 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "closed_form.h"
+#include "mechanism.h"
 
 static int check_link(const fourlink_link *link)
 {

@@ -19,6 +19,8 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "spring.h"
+#include "turns.h"
 #include "switch.h"
 
 /* Find the position and velocity of an end of a spring. */

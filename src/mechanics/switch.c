@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "kind.h"
+#include "friction.h"
 #include "switch.h"
 
 static const double zero = 0;

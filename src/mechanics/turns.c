@@ -7,6 +7,7 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "turns.h"
 
 /* The line from D to B, of the signed length r, is smooth in theta2.  With t = theta2,
 **

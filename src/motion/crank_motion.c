@@ -13,6 +13,7 @@
 
 #include "crank_motion.h"
 #include "mechanics/kind.h"
+#include "mechanics/spring.h"
 
 #define SHORT 0.5 /* rad, of a piece of rows by time */
 

@@ -16,6 +16,7 @@
 #include "base/solve.h"
 #include "mechanics/inertia.h"
 #include "mechanics/kind.h"
+#include "mechanics/mechanism.h"
 #include "path.h"
 
 #define LONGEST 0.35    /* rad, of a step */

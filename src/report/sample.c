@@ -7,7 +7,10 @@
 
 #include <gsl/gsl_math.h>
 
-#include "sample.h"
+#include "mathml.h"
+#include "report.h"
+#include "sample_forces.h"
+#include "sample_motion.h"
 
 /* The sizes of values: what the crank alone would have, and the largest pin force. */
 static void set_sizes(const report *r, math *m)

@@ -8,7 +8,10 @@
 
 #include <gsl/gsl_math.h>
 
-#include "sample.h"
+#include "mathml.h"
+#include "report.h"
+#include "sample_friction.h"
+#include "sample_forces.h"
 #include "view/geometry.h"
 
 /* A moving link at this position, in the axes of the ground. */

@@ -6,7 +6,9 @@
 
 #include <gsl/gsl_math.h>
 
-#include "sample.h"
+#include "mathml.h"
+#include "report.h"
+#include "sample_friction.h"
 
 #define PINS 4
 

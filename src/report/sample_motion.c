@@ -7,7 +7,9 @@
 
 #include <gsl/gsl_math.h>
 
-#include "sample.h"
+#include "mathml.h"
+#include "report.h"
+#include "sample_motion.h"
 
 static void put_heading(math *m, const char *words)
 {

@@ -9,7 +9,8 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "sample.h"
+#include "mathml.h"
+#include "report.h"
 
 #define MOST_EQUATIONS 10
 #define DIGITS 6

@@ -10,7 +10,9 @@
 
 #include "analysis.h"
 #include "deck/synthesis.h"
+#include "deck/found.h"
 #include "mechanics/kind.h"
+#include "mechanics/mechanism.h"
 
 /* What can be computed for a deck. */
 static int possible(const deck *d)

@@ -10,6 +10,7 @@
 #include "base/quantity.h"
 #include "expected.h"
 #include "fact.h"
+#include "deck/build_grading.h"
 
 /* Beyond so many values, more than people write, an unknown name is reported without a similar name, so
 ** that a large file does not take long. */

@@ -6,6 +6,7 @@
 
 #include "deck/schema.h"
 #include "list.h"
+#include "deck/numbers.h"
 
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
 {

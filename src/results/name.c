@@ -11,6 +11,7 @@
 
 #include "fact.h"
 #include "name.h"
+#include "deck/numbers.h"
 
 /* Find the input or variable of this name, or with a handle that of this handle. */
 static void find_given(flk_opened *o, text name, flk_name *n)

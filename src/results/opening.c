@@ -13,6 +13,7 @@
 #include "name.h"
 #include "opening.h"
 #include "turning.h"
+#include "deck/reader.h"
 
 /* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one
 ** instant. */

@@ -14,6 +14,8 @@
 #include "name.h"
 #include "opening.h"
 #include "turning.h"
+#include "deck/sweep.h"
+#include "deck/numbers.h"
 
 /* ------------------------------------------------------------------------------------------ opening */
 

@@ -4,7 +4,8 @@
 */
 #include <string.h>
 
-#include "table.h"
+#include "sheet.h"
+#include "head.h"
 
 void head_put_title(sheet *s)
 {

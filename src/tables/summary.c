@@ -9,7 +9,9 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "table.h"
+#include "sheet.h"
+#include "summary.h"
+#include "head.h"
 
 #define LINE 100
 #define NAME 20

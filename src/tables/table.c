@@ -7,7 +7,9 @@
 
 #include "base/text.h"
 #include "fit.h"
-#include "table.h"
+#include "sheet.h"
+#include "table_lines.h"
+#include "summary.h"
 
 static void open_deck(sheet *s)
 {

@@ -7,7 +7,10 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
-#include "table.h"
+#include "sheet.h"
+#include "table_lines.h"
+#include "summary.h"
+#include "head.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
 static const char *blank(const char *name)

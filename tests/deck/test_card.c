@@ -5,6 +5,7 @@
 */
 #include "outcome.h"
 #include "elements.h"
+#include "deck/reader.h"
 
 /* Nine lines; the indicator is open. */
 #define ENGINE                   \

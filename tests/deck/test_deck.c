@@ -7,6 +7,7 @@
 #include "check.h"
 #include "elements.h"
 #include "read.h"
+#include "deck/reader.h"
 
 /* Nine lines each: what a test adds stands at line 10. */
 #define FOUR_BAR             \

@@ -5,6 +5,7 @@
 */
 #include "outcome.h"
 #include "elements.h"
+#include "deck/reader.h"
 
 /* Eight lines; the coupler is open. */
 #define FOUR_BAR             \

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "elements.h"
 #include "read.h"
+#include "deck/reader.h"
 
 /* Fifteen lines: [sweep] stands at line 15, what a test adds to it from line 16 on. */
 #define DECK                       \

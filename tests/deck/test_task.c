@@ -9,7 +9,9 @@
 
 #include "check.h"
 #include "deck/synthesis.h"
+#include "deck/found.h"
 #include "read.h"
+#include "deck/reader.h"
 
 #define FOUR_BAR "mechanism = four-bar\n"
 #define GROUND "[ground]\nlength = 100 mm\n"

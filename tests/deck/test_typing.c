@@ -4,6 +4,7 @@
 */
 #include "outcome.h"
 #include "elements.h"
+#include "deck/reader.h"
 
 /* Ten lines; the crank is open. */
 #define FOUR_BAR             \

@@ -11,6 +11,7 @@
 #include "machines.h"
 #include "motion/path.h"
 #include "results/analysis.h"
+#include "deck/reader.h"
 
 #define FRICTION                                                                            \
     "[friction]\nguide = 0.1\nguide_length = 60 mm\nA = 0.05\nradius_A = 20 mm\nB = 0.05\n" \

@@ -1,23 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** table.h - the parts of the format table that are not rows: its head, lines, and summary.
+** table_lines.h - the parts of the format table that are lines of text: facts, lists, comparisons, designs.
 */
-#ifndef FOURLINK_TABLE_H
-#define FOURLINK_TABLE_H
+#ifndef FOURLINK_TABLES_TABLE_LINES_H
+#define FOURLINK_TABLES_TABLE_LINES_H
 
 #include "sheet.h"
-
-/* Write the title, if there is one; the kind of mechanism; then its type, its lengths, and its speed with
-** what has a mass or a load. */
-void head_put_title(sheet *s);
-void head_put_kind(sheet *s);
-void head_put_all(sheet *s);
-
-/* Write the head and the inputs of a summary; a fact; the extremes of a column, as in sheet_format. */
-void summary_put_inputs(sheet *s);
-void summary_put_fact(sheet *s, const fourlink_value *fact);
-void summary_put_extremes(sheet *s, const fourlink_value *column, const fourlink_value *least,
-                          const fourlink_value *most, int branch);
 
 /* Write the head of a sheet of designs. */
 void table_begin(sheet *s);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** doubts.c - notes on values that are allowed but probably not meant.
+** notes.c - notes on values that are allowed but probably not meant.
 */
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,12 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
-#include "reader.h"
+#include "mechanics/mechanism.h"
+#include "build.h"
+#include "build_motor.h"
+#include "parser.h"
+#include "settings.h"
+#include "values.h"
 
 /* ------------------------------------------------------------------------------------------- units */
 
@@ -250,7 +255,7 @@ static void check_run_up(parser *p)
                     "load, or a motor whose torque falls with the speed");
 }
 
-void flk_build_doubts(parser *p)
+void flk_build_notes(parser *p)
 {
     const section_use *use = NULL;
     size_t n = 0;
@@ -276,4 +281,77 @@ void flk_build_doubts(parser *p)
     check_above_one(p, flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION), "a fluctuation");
     check_motor(p);
     check_run_up(p);
+}
+
+/* ------------------------------------------------------------------------------------- ends of curves */
+
+#define PLACES 180    /* of the motion, that are checked */
+#define ROUNDING 1e-9 /* of the curve */
+
+/* The smallest and the largest argument of a load over the motion.  If the motion is not given, speeds are
+** unknown. */
+static void find_range(const deck *d, flk_variable over, double *low, double *high)
+{
+    double end = d->one_instant ? d->motion.from : d->motion.to;
+    fourlink_state state;
+    fourlink_row row;
+    int i, branch;
+
+    *low = GSL_POSINF;
+    *high = GSL_NEGINF;
+    for (i = 0; i <= PLACES; i++)
+        for (branch = FOURLINK_CROSSED; branch <= FOURLINK_OPEN; branch += 2) {
+            double angle = d->motion.from + (end - d->motion.from) * i / PLACES;
+
+            if (!(branch == FOURLINK_OPEN ? d->open : d->crossed) ||
+                fourlink_motion_at(&d->motion, angle, &row) != FOURLINK_OK ||
+                flk_mechanism_move(&d->machine.mechanism, (fourlink_branch)branch, &row.crank, 0,
+                                   &state) != FOURLINK_OK)
+                continue;
+            *low = GSL_MIN(*low, flk_variable_value(&state, over));
+            *high = GSL_MAX(*high, flk_variable_value(&state, over));
+        }
+}
+
+/* Note that the motion goes beyond a curve. */
+static void check_ends(parser *p, const setting *s, const setting *over, const curve *c)
+{
+    const deck_unit *u = &p->d->units[flk_values_quantity_over(over->word)];
+    double low, high, first, last;
+
+    if (!c->n || c->period > 0)
+        return;
+    find_range(p->d, (flk_variable)over->word, &low, &high);
+    first = c->x[0];
+    last = c->x[c->n - 1];
+    if (low >= first - ROUNDING * (last - first) && high <= last + ROUNDING * (last - first))
+        return;
+    flk_mistake(NOTES(p), s->place,
+                "%t goes from %.6g to %.6g %s: before %.6g and after %.6g %s the value of the "
+                "nearest point holds",
+                over->value, flk_unit_from_si(low, u->unit), flk_unit_from_si(high, u->unit),
+                u->name, flk_unit_from_si(first, u->unit), flk_unit_from_si(last, u->unit),
+                u->name);
+}
+
+void flk_build_curve_ends(parser *p)
+{
+    const section_use *use = NULL;
+    size_t n = 0;
+
+    if (p->mistakes->count || p->out_of_memory)
+        return;
+    for (; (use = flk_section_next(p, SECTION_LOAD, use)) != NULL; n++) {
+        const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                      *back = flk_setting_of(use, KEY_LOAD_BACK);
+        const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
+
+        if (over->word <= FLK_THETA4 ||
+            (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))
+            continue;
+        check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &own->values.force_curve[0]);
+        check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &own->values.torque_curve);
+        check_ends(p, back, over, &own->back.force_curve[0]);
+        check_ends(p, back, over, &own->back.torque_curve);
+    }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_doubts.c - notes on what is probably not meant: each beside a deck that has none.
+** test_deck_notes.c - notes on what is probably not meant: each beside a deck that has none.
 */
 #include "outcome.h"
 

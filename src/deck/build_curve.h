@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_curve.h - builds curves, of loads, gas and motors, from points.
+*/
+#ifndef FOURLINK_DECK_BUILD_CURVE_H
+#define FOURLINK_DECK_BUILD_CURVE_H
+
+#include "parser.h"
+
+/* Build one curve for each component of a setting. */
+void flk_build_curves(parser *p, const setting *s, int n_components, int over, curve *results);
+
+/* 1 if the arguments of a curve rise, by this step at least; otherwise 0 and this mistake. */
+int flk_build_is_rising(parser *p, const setting *s, double least, const char *message);
+
+#endif

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_expect.c - builds [expect] and [misprint], the values that a source printed.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "build.h"
+#include "parser.h"
+#include "settings.h"
+#include "values.h"
+
+/* For a deck that requests one branch, keep only the answers for that branch.  If there are none, those for
+** the other branch are used. */
+static void keep_one_branch(deck *d)
+{
+    fourlink_branch asked = d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    int is_given = 0;
+    size_t i, kept = 0;
+
+    if (d->open && d->crossed)
+        return;
+    for (i = 0; i < d->n_expectations; i++)
+        is_given |= d->expectations[i].has_branch && d->expectations[i].branch == asked;
+    for (i = 0; i < d->n_expectations; i++) {
+        if (is_given && d->expectations[i].branch != asked)
+            continue;
+        d->expectations[kept] = d->expectations[i];
+        d->expectations[kept++].branch = asked;
+    }
+    d->n_expectations = kept;
+}
+
+/* Add the printed values of the deck, in line order. */
+void flk_build_expectations(parser *p)
+{
+    deck *d = p->d;
+    deck_expectation *list;
+    size_t i;
+
+    d->n_expectations = 0; /* those of the deck, if these are its answers */
+    if (!p->n_named)
+        return;
+    d->expectations = list = flk_reader_keep(p, p->n_named * sizeof *list);
+    if (!list)
+        return;
+    for (i = 0; i < p->n_named; i++) {
+        const named_value *named = &p->named[i];
+        const section_use *use = &p->uses[named->use];
+        const setting *at, *branch, *tolerance;
+        deck_expectation *e;
+
+        if (use->section == SECTION_SWEEP || use->section == SECTION_GRADING)
+            continue;
+        at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
+        branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
+        tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
+        e = &list[d->n_expectations++];
+        e->place = named->place;
+        e->name = named->name;
+        e->value = named->value;
+        e->tolerance = tolerance->value;
+        e->tolerance_place = tolerance->place;
+        e->misprint = use->section == SECTION_MISPRINT;
+        e->has_at = IS_SET(at) || d->one_instant;
+        e->at_is_time = IS_SET(at) && flk_expects_at_time(use);
+        e->at = e->at_is_time ? at->si[0]
+                : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
+                              : d->motion.from;
+        if (e->at_is_time && !d->drive.by_time)
+            flk_mistake(p->mistakes, at->place,
+                        "a time is for rows by time: expected a crank angle, such as 40 deg");
+        e->has_branch = IS_SET(branch);
+        e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
+                    : d->open    ? FOURLINK_OPEN
+                                 : FOURLINK_CROSSED;
+    }
+    if (p->is_answers)
+        keep_one_branch(d);
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_friction.c - builds [friction] from values.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "build.h"
+#include "build_mechanism.h"
+#include "parser.h"
+#include "settings.h"
+
+/* ----------------------------------------------------------------------------------------- friction */
+
+/* The friction circle of a pin, from its own values or from those of all pins; 0 and a mistake if one is
+** missing, -1 if that is the radius of all pins. */
+static double build_circle(parser *p, const section_use *use, key_code coefficient, key_code key)
+{
+    const setting *own = flk_setting_of(use, coefficient),
+                  *all = flk_setting_of(use, KEY_FRICTION_MU),
+                  *own_radius = flk_setting_of(use, key),
+                  *common_radius = flk_setting_of(use, KEY_FRICTION_RADIUS);
+    const setting *mu = IS_SET(own) ? own : all;
+    const setting *radius = IS_SET(own_radius) ? own_radius : common_radius;
+
+    if (!flk_build_has(p, coefficient))
+        return 0;
+    if (IS_SET(all) && !IS_SET(own) && !IS_SET(radius) && mu->si[0] > 0)
+        return -1;
+    if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->is_mistaken)
+        flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
+                    flk_key_table[coefficient].name, flk_key_table[key].name);
+    if (IS_SET(own_radius) && !IS_SET(mu) && !use->is_mistaken)
+        flk_mistake(p->mistakes, own_radius->place, "'%s' needs '%s', the coefficient of friction",
+                    flk_key_table[key].name, flk_key_table[coefficient].name);
+    return mu->si[0] * radius->si[0];
+}
+
+void flk_build_friction(parser *p)
+{
+    const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
+    const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
+                  *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
+                  *mu = flk_setting_find(p, KEY_FRICTION_MU),
+                  *radius = flk_setting_find(p, KEY_FRICTION_RADIUS);
+    fourlink_friction *friction = &p->d->machine.friction;
+    int i, has_pins = IS_SET(mu), lacks_radius = 0;
+
+    if (!use)
+        return;
+    for (i = 0; i < 4; i++) {
+        has_pins |= IS_SET(flk_setting_of(use, (key_code)(KEY_FRICTION_A + i)));
+        friction->circle[i] = build_circle(p, use, (key_code)(KEY_FRICTION_A + i),
+                                           (key_code)(KEY_FRICTION_RADIUS_A + i));
+        lacks_radius |= friction->circle[i] < 0;
+    }
+    if (lacks_radius && !use->is_mistaken)
+        flk_mistake(p->mistakes, mu->place, "'mu' needs 'radius', that of the pins");
+    if (IS_SET(radius) && !has_pins && !use->is_mistaken)
+        flk_mistake(p->mistakes, radius->place, "'radius' needs 'mu', the coefficient of friction");
+    if (IS_SET(length) && !IS_SET(guide) && !use->is_mistaken)
+        flk_mistake(p->mistakes, length->place,
+                    "'guide_length' needs 'guide', the coefficient of friction");
+    if (!has_pins && !IS_SET(guide) && !IS_SET(radius) && !use->is_mistaken)
+        flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
+    friction->guide = guide->si[0];
+    friction->guide_length = length->si[0];
+    friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
+    p->d->machine.has_friction = 1;
+}

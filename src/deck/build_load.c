@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_load.c - builds [load] from values.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "build.h"
+#include "build_curve.h"
+#include "build_mechanism.h"
+#include "parser.h"
+#include "settings.h"
+
+/* Build the range of crank angles in which a load acts. */
+static void build_window(parser *p, const section_use *use, flk_own_load *own)
+{
+    const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
+
+    if (!IS_SET(from) && !IS_SET(to))
+        return;
+    own->is_windowed = 1;
+    own->window[0] = from->si[0]; /* 0 if not given */
+    own->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
+    if (use->is_mistaken)
+        return;
+    if (own->window[1] <= own->window[0])
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
+                    "the load's 'from' must be less than its 'to', not %t and %t",
+                    IS_SET(from) ? from->value : flk_text_of("0"),
+                    IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
+    else if (own->window[1] - own->window[0] > p->d->machine.cycle * (1 + 1e-12))
+        flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
+                    "the load acts for more than a cycle");
+}
+
+/* 1 if a link slides along the line of stroke: forces on it need neither a point nor a direction. */
+static int is_piston(const parser *p, int link)
+{
+    return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
+}
+
+/* The argument of the curves of a load. */
+static int over_of(const section_use *use)
+{
+    return flk_setting_of(use, KEY_LOAD_OVER)->word;
+}
+
+/* Build the force of a load, and check its point. */
+static void build_force(parser *p, const section_use *use, flk_own_load *own)
+{
+    const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *at = flk_setting_of(use, KEY_LOAD_AT);
+    int link = own->load.link;
+
+    if (force->is_bare && link && !is_piston(p, link))
+        flk_mistake(p->mistakes, force->place,
+                    "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, "
+                    "not '%t'",
+                    force->value);
+    else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) && link &&
+             !use->is_mistaken && flk_kind_of(p->d->design.kind)->has_length[link] != FLK_NO_LENGTH)
+        flk_mistake(p->mistakes, use->place,
+                    "the force needs 'at', the point of the link where it acts");
+    if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
+        flk_mistake(p->mistakes, at->place, "'at' needs a force");
+    own->values.force.x = force->si[0];
+    own->values.force.y = force->si[1];
+    flk_build_curves(p, force, 2, over_of(use), own->values.force_curve);
+}
+
+/* Refuse an argument that the mechanism does not have. */
+static void check_over(parser *p, const setting *over)
+{
+    static const int kinds[] = {
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED,
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED};
+    int kind = (int)p->d->design.kind;
+
+    if (IS_SET(over) && !(kinds[over->word] & kind))
+        flk_mistake(p->mistakes, over->place, "%s %s has no %t",
+                    flk_text_article(fourlink_kind_text(kind)), fourlink_kind_text(kind),
+                    over->value);
+}
+
+/* Build the values on the way back: a curve or a constant, like torque or force. */
+static void build_back(parser *p, const section_use *use, flk_own_load *own)
+{
+    const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
+
+    if (!IS_SET(back))
+        return;
+    own->has_back = 1;
+    if (FLK_IS_SPEED(own->over))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' is for loads over a position, not over a speed");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE)))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' of a force or of a torque? give them in two loads");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
+        own->back.force.x = back->si[0];
+        own->back.force.y = back->si[1];
+        flk_build_curves(p, back, 2, over_of(use), own->back.force_curve);
+    } else {
+        own->back.torque = back->si[0];
+        flk_build_curves(p, back, 1, over_of(use), &own->back.torque_curve);
+    }
+}
+
+/* Build a value that follows a speed, which needs the speed at which it is reached. */
+static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
+                            flk_own_load *own)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
+                  *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
+    const setting *first = IS_SET(speed) ? speed : exponent;
+
+    own->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
+    own->at_speed = speed->si[0];
+    if (!is_clear)
+        return;
+    if (IS_SET(first) && !FLK_IS_SPEED(own->over))
+        flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (IS_SET(first) && has_curve)
+        flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (FLK_IS_SPEED(own->over) && !has_curve && !IS_SET(speed))
+        flk_mistake(p->mistakes, over->place,
+                    "a load over a speed needs 'at_speed', the speed at which it has its value, or "
+                    "a curve");
+}
+
+static void build_law(parser *p, const section_use *use, flk_own_load *own)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
+                  *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
+    int has_curve = force->curve || torque->curve;
+    int is_clear = !use->is_mistaken && (IS_SET(force) || IS_SET(torque));
+
+    own->over = (flk_variable)over->word;
+    check_over(p, over);
+    build_back(p, use, own);
+    build_power_law(p, use, is_clear, has_curve, own);
+    if (!own->over && !own->has_back)
+        return;
+    if (IS_SET(over) && !FLK_IS_SPEED(own->over) && !has_curve && !own->has_back && is_clear)
+        flk_mistake(p->mistakes, over->place,
+                    "'over' needs a curve: a force or torque that varies");
+    if (IS_SET(from) || IS_SET(to))
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
+                    "'%s' is a crank angle: a load with 'over' or 'back' has none",
+                    IS_SET(from) ? "from" : "to");
+}
+
+static void build_load(parser *p, const section_use *use, flk_own_load *own)
+{
+    const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
+                  *frame = flk_setting_of(use, KEY_LOAD_FRAME);
+
+    own->load.link = flk_build_check_link(p, use, link) ? link->word : 0;
+    if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->is_mistaken)
+        flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
+    own->load.frame = (fourlink_frame)frame->word;
+    build_force(p, use, own);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), own->load.link, &own->load.at);
+    own->values.torque = torque->si[0];
+    flk_build_curves(p, torque, 1, over_of(use), &own->values.torque_curve);
+    build_window(p, use, own);
+    build_law(p, use, own);
+}
+
+void flk_build_loads(parser *p)
+{
+    const section_use *use = NULL;
+    flk_element *element;
+    flk_own_load *own;
+
+    while (!p->out_of_memory && (use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
+        own = flk_reader_keep(p, sizeof *own);
+        element = flk_build_element(p);
+        if (!own || !element)
+            return;
+        build_load(p, use, own);
+        element->name = flk_reader_copy(p, use->name, "");
+        flk_element_of_own(own, element);
+        p->d->has_forces = 1;
+    }
+}

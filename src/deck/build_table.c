@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_table.c - builds [table] from values.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "build.h"
+#include "parser.h"
+#include "settings.h"
+
+void flk_build_table(parser *p)
+{
+    const setting *columns = flk_setting_find(p, KEY_TABLE_COLUMNS),
+                  *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
+    int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
+
+    p->d->asks_for_both = branches == BRANCH_BOTH;
+    if (!branches && flk_machine_count(&p->d->machine, &flk_gas_sort))
+        branches = BRANCH_OPEN; /* the usual branch of engines */
+    p->d->open = branches != BRANCH_CROSSED;
+    p->d->crossed = branches != BRANCH_OPEN;
+    p->d->columns.names = columns->value;
+    p->d->columns.place = columns->place;
+    p->d->solver = flk_setting_find(p, KEY_TOP_SOLVER)->word;
+    if (digits->si[0] > 17)
+        flk_mistake(p->mistakes, digits->place, "digits must be 1 to 17, not %t", digits->value);
+    else
+        p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** values.h - second pass over a deck: the texts of its settings to values in SI units.
+*/
+#ifndef FOURLINK_DECK_VALUES_H
+#define FOURLINK_DECK_VALUES_H
+
+#include "parser.h"
+
+/* Second pass: the units, which bare numbers need; the values not yet read. */
+void flk_values_read_section(parser *p, section_use *use);
+void flk_values_read(parser *p, int units_only);
+
+/* The unit of lengths in pictures, and in all results if these are drawn: that in which the crank is written,
+** unless the deck or the host gives a unit of results. */
+void flk_values_drawn_unit(parser *p, const fourlink_source *source);
+
+/* The units of results that a host asks for, such as "mm, kg, rpm", in place of the deck's. */
+void flk_values_result_units(parser *p, const char *list);
+
+/* The quantity of the argument of a load: FLK_THETA2 ... */
+quantity flk_values_quantity_over(int over);
+
+/* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin. */
+quantity flk_quantity_of_key(const section_use *use, key_code key);
+
+/* 1 if the values of an [expect] or [misprint] are at a time, not at a crank angle. */
+int flk_expects_at_time(const section_use *use);
+
+/* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
+int flk_spring_is_torsional(const section_use *use);
+
+#endif

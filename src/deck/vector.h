@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** vector.h - forces and points of links from the text of a deck.
+*/
+#ifndef FOURLINK_DECK_VECTOR_H
+#define FOURLINK_DECK_VECTOR_H
+
+#include "parser.h"
+
+/* Read a force (10 N at 30 deg, (10, 5) N, or 10 N along +x), or a point of a link (also mid, 50 %), from a
+** piece of the setting's value. */
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
+
+/* Read a point of a link; the parts that are set separately. */
+int flk_vector_read(parser *p, setting *s, quantity q);
+void flk_vector_read_parts(parser *p, setting *s, quantity q);
+
+/* Sine and cosine, exact for whole quarters of a turn. */
+void flk_vector_direction(double angle, double *x, double *y);
+
+#endif
