@@ -36,11 +36,6 @@ void flk_curve_finish(double period, curve *c)
     }
 }
 
-double flk_curve_value(const curve *c, double x)
-{
-    return flk_curve_piece(c, x, x);
-}
-
 double flk_curve_piece(const curve *c, double x, double within)
 {
     double d, beside = x - within;

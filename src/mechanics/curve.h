@@ -25,9 +25,8 @@ typedef struct curve {
 void flk_curve_place(double *memory, size_t n, curve *c);
 void flk_curve_finish(double period, curve *c);
 
-/* The value at any x; the same on the piece that contains `within`, less than half a period away, continued
-** smoothly beyond its ends. */
-double flk_curve_value(const curve *c, double x);
+/* The value at any x, by the piece that contains `within`, less than half a period away, continued smoothly
+** beyond its ends. */
 double flk_curve_piece(const curve *c, double x, double within);
 
 #endif

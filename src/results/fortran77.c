@@ -144,18 +144,19 @@ void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, co
             double *values, int *istat)
 {
     fourlink_branch branch = (fourlink_branch)*ibrnch;
-    flk_opened *o;
-    flk_row row;
+    unsigned long row = (unsigned long)*i - 1;
+    flk_opened *o = *handle ? (*handle)->now : NULL;
+    int is_short = o && (*n < 0 || (size_t)*n < o->n_columns); /* no room for all columns */
+    flk_row here;
     size_t k;
 
-    *istat = *i < 1
-                 ? FOURLINK_NO_SUCH_ROW
-                 : fourlink_results_row(*handle, branch, (unsigned long)*i - 1, NULL, NULL, NULL);
-    if (*istat >= FOURLINK_NULL)
+    *istat = *i < 1     ? FOURLINK_NO_SUCH_ROW
+             : is_short ? fourlink_results_row(*handle, branch, row, NULL, NULL, NULL)
+                        : fourlink_results_row(*handle, branch, row, values, NULL, NULL);
+    if (!is_short || *istat >= FOURLINK_NULL)
         return;
-    o = (*handle)->now;
-    flk_analysis_row(&o->a, o->needs, branch, (unsigned long)*i - 1, &row);
-    for (k = 0; k < o->n_columns && (long)k < *n; k++)
-        values[k] = flk_column_value(&o->columns[k], &row);
-    *istat = row.at.status;
+    flk_analysis_row(&o->a, o->needs, branch, row, &here);
+    for (k = 0; (long)k < *n; k++)
+        values[k] = flk_column_value(&o->columns[k], &here);
+    *istat = here.at.status;
 }

@@ -74,9 +74,9 @@ TEST(test_forms)
         read_accepted(contents, same[i].file, &d);
         assert_int_equal(d.notes.count, 0);
         assert_int_equal(gas_of(&d)->indicator.n, 3);
-        assert_near(flk_curve_value(&gas_of(&d)->indicator, 0), 1e5, 1e-6);
-        assert_near(flk_curve_value(&gas_of(&d)->indicator, 20.5 * DEG), 32.5e5, 1e-5);
-        assert_near(flk_curve_value(&gas_of(&d)->indicator, 180 * DEG), 4e5, 1e-6);
+        assert_near(flk_curve_piece(&gas_of(&d)->indicator, 0, 0), 1e5, 1e-6);
+        assert_near(flk_curve_piece(&gas_of(&d)->indicator, 20.5 * DEG, 20.5 * DEG), 32.5e5, 1e-5);
+        assert_near(flk_curve_piece(&gas_of(&d)->indicator, 180 * DEG, 180 * DEG), 4e5, 1e-6);
         flk_deck_free(&d);
     }
 }
@@ -236,7 +236,7 @@ TEST(test_random_files)
             if (strcmp(d.mistakes.list[k].place.source, "card.csv") == 0)
                 assert_in_range(d.mistakes.list[k].place.line, 1, lines + 2);
         for (k = 0; k < 20 && gas_of(&d)->indicator.n; k++)
-            assert_true(fabs(flk_curve_value(&gas_of(&d)->indicator, (double)k)) <=
+            assert_true(fabs(flk_curve_piece(&gas_of(&d)->indicator, (double)k, (double)k)) <=
                         FOURLINK_NUMBER_MAX);
         flk_deck_free(&d);
     }

@@ -604,8 +604,9 @@ static void check_curve(const curve *c, const double points[][2], size_t n)
     assert_true(c->n > 0);
     for (i = 0; i < n; i++)
         for (turns = -2; turns <= 2; turns++)
-            assert_near(flk_curve_value(c, (points[i][0] + 360 * turns) * DEG), points[i][1],
-                        1e-9 * (1 + fabs(points[i][1])));
+            assert_near(flk_curve_piece(c, (points[i][0] + 360 * turns) * DEG,
+                                        (points[i][0] + 360 * turns) * DEG),
+                        points[i][1], 1e-9 * (1 + fabs(points[i][1])));
 }
 
 TEST(test_engine)
@@ -626,7 +627,7 @@ TEST(test_engine)
     assert_true(gas_of(&d)->back_pressure == 1e5);
     check_curve(&gas_of(&d)->indicator, card, 4);
     for (i = -720; i < 720; i++) { /* between the points it stays between their values */
-        double p = flk_curve_value(&gas_of(&d)->indicator, i * DEG);
+        double p = flk_curve_piece(&gas_of(&d)->indicator, i * DEG, i * DEG);
 
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
@@ -639,7 +640,7 @@ TEST(test_engine)
     check_curve(&gas_of(&d)->indicator, card_file, 4);
     flk_deck_free(&d);
     read_with(ENGINE, "gas.indicator=file \"two words.txt\"", &d);
-    assert_near(flk_curve_value(&gas_of(&d)->indicator, 100 * DEG), 6e5, 1e-3);
+    assert_near(flk_curve_piece(&gas_of(&d)->indicator, 100 * DEG, 100 * DEG), 6e5, 1e-3);
     flk_deck_free(&d);
     read_with(ENGINE, "load T.torque=-7 N m", &d);
     assert_true(own_load(&d, 0)->values.torque == -7);
@@ -744,10 +745,10 @@ TEST(test_odd_curves)
         change.assignment = curves[i];
         if (read_changed(ENGINE, &change, 1, &d))
             for (k = -100; k < 100; k++) {
-                assert_true(fabs(flk_curve_value(&gas_of(&d)->indicator, k * 0.1)) <=
+                assert_true(fabs(flk_curve_piece(&gas_of(&d)->indicator, k * 0.1, k * 0.1)) <=
                             FOURLINK_NUMBER_MAX);
-                assert_true(fabs(flk_curve_value(&own_load(&d, 0)->values.torque_curve, k * 0.1)) <=
-                            FOURLINK_NUMBER_MAX);
+                assert_true(fabs(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, k * 0.1,
+                                                 k * 0.1)) <= FOURLINK_NUMBER_MAX);
             }
         flk_deck_free(&d);
     }
@@ -1191,10 +1192,10 @@ static int check_outcome(const char *contents, size_t length)
         assert_in_range(d.digits, 1, 17);
         for (i = 0; i < 20; i++) {
             if (gas_of(&d)->indicator.n)
-                assert_true(fabs(flk_curve_value(&gas_of(&d)->indicator, (double)i)) <=
+                assert_true(fabs(flk_curve_piece(&gas_of(&d)->indicator, (double)i, (double)i)) <=
                             FOURLINK_NUMBER_MAX);
             if (own_loads(&d) && own_load(&d, 0)->values.torque_curve.n)
-                assert_true(fabs(flk_curve_value(&own_load(&d, 0)->values.torque_curve,
+                assert_true(fabs(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, (double)i,
                                                  (double)i)) <= FOURLINK_NUMBER_MAX);
         }
         status = 1;

@@ -247,7 +247,8 @@ TEST(test_curves)
                            "m\n",
                   NULL, &d);
     assert_int_equal(own_load(&d, 0)->values.torque_curve.n, 3);
-    assert_near(flk_curve_value(&own_load(&d, 0)->values.torque_curve, 90 * DEG), -3, 1e-12);
+    assert_near(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, 90 * DEG, 90 * DEG), -3,
+                1e-12);
     flk_deck_free(&d);
     check_mistake(
         FOUR_BAR "length = 20 mm\n[load]\nlink = crank\ntorque = 0 deg 1,5 N m, 90 deg 3 N m\n",

@@ -97,7 +97,7 @@ TEST(test_points)
 
         draw(&seed, number, &s);
         for (i = 0; i < (int)s.n; i++)
-            assert_near(flk_curve_value(&s.c, s.x[i]), s.y[i], 1e-14 * s.largest);
+            assert_near(flk_curve_piece(&s.c, s.x[i], s.x[i]), s.y[i], 1e-14 * s.largest);
         release(&s.c);
     }
 }
@@ -116,20 +116,21 @@ TEST(test_periodic)
         draw(&seed, number, &s);
         for (k = 0; k < 50; k++) {
             /* halfway round the curve is another one: nothing is constant by mistake */
-            double x = uniform(&seed, -1, 2) * s.period, y = flk_curve_value(&s.c, x);
+            double x = uniform(&seed, -1, 2) * s.period, y = flk_curve_piece(&s.c, x, x);
 
-            changing += fabs(flk_curve_value(&s.c, x + s.period / 2) - y) > 1e-3 * s.largest;
+            changing += fabs(flk_curve_piece(&s.c, x + s.period / 2, x + s.period / 2) - y) >
+                        1e-3 * s.largest;
             for (i = 0; i < COUNT(periods); i++) {
                 double far = x + periods[i] * s.period;
 
-                assert_near(flk_curve_value(&s.c, far), y, rounding(&s, far));
+                assert_near(flk_curve_piece(&s.c, far, far), y, rounding(&s, far));
             }
         }
         for (k = 0; k < (int)s.n; k++)
             for (i = 0; i < COUNT(periods); i++) {
                 double far = s.x[k] + periods[i] * s.period;
 
-                assert_near(flk_curve_value(&s.c, far), s.y[k], rounding(&s, far));
+                assert_near(flk_curve_piece(&s.c, far, far), s.y[k], rounding(&s, far));
             }
         release(&s.c);
     }
@@ -159,7 +160,7 @@ TEST(test_any_first_point)
             for (k = 0; k < 20; k++) {
                 double at = uniform(&seed, -3, 3) * s.period;
 
-                assert_near(flk_curve_value(&c, at), flk_curve_value(&s.c, at),
+                assert_near(flk_curve_piece(&c, at, at), flk_curve_piece(&s.c, at, at),
                             4 * rounding(&s, at));
             }
             release(&c);
@@ -187,7 +188,7 @@ TEST(test_no_overshoot)
 
             for (k = 1; k < STEPS; k++) {
                 double x = x_of(&s, i) + (x_of(&s, i + 1) - x_of(&s, i)) * k / STEPS;
-                double y = flk_curve_value(&s.c, x);
+                double y = flk_curve_piece(&s.c, x, x);
 
                 assert_true(y >= fmin(from, to) - tolerance && y <= fmax(from, to) + tolerance);
                 assert_true(sign * (y - before) >= -rounding(&s, x));
@@ -204,8 +205,9 @@ static double one_sided(const sample *s, int i, int side)
 {
     double x = x_of(s, i), h = (x_of(s, i + side) - x) / 3;
 
-    return (-11 * flk_curve_value(&s->c, x) + 18 * flk_curve_value(&s->c, x + h) -
-            9 * flk_curve_value(&s->c, x + 2 * h) + 2 * flk_curve_value(&s->c, x + 3 * h)) /
+    return (-11 * flk_curve_piece(&s->c, x, x) + 18 * flk_curve_piece(&s->c, x + h, x + h) -
+            9 * flk_curve_piece(&s->c, x + 2 * h, x + 2 * h) +
+            2 * flk_curve_piece(&s->c, x + 3 * h, x + 3 * h)) /
            (6 * h);
 }
 
@@ -241,9 +243,9 @@ TEST(test_continuous)
             double h = fmin(x_of(&s, i + 1) - x, x - x_of(&s, i - 1));
 
             tolerance = 40 * rounding(&s, x) / h;
-            assert_near(flk_curve_value(&s.c, x + tiny), y_of(&s, i),
+            assert_near(flk_curve_piece(&s.c, x + tiny, x + tiny), y_of(&s, i),
                         3 * steep * tiny + rounding(&s, x));
-            assert_near(flk_curve_value(&s.c, x - tiny), y_of(&s, i),
+            assert_near(flk_curve_piece(&s.c, x - tiny, x - tiny), y_of(&s, i),
                         3 * steep * tiny + rounding(&s, x));
             assert_near(one_sided(&s, i, 1), slope, tolerance);
             assert_near(one_sided(&s, i, -1), slope, tolerance);
@@ -252,7 +254,7 @@ TEST(test_continuous)
         for (k = 0; k < 100; k++) {
             double x = uniform(&seed, -2, 2) * s.period;
 
-            assert_near(flk_curve_value(&s.c, x + tiny), flk_curve_value(&s.c, x),
+            assert_near(flk_curve_piece(&s.c, x + tiny, x + tiny), flk_curve_piece(&s.c, x, x),
                         3 * steep * tiny + rounding(&s, x));
         }
         release(&s.c);
@@ -278,9 +280,10 @@ TEST(test_two_points)
         for (k = 0; k < 20; k++) {
             double t = uniform(&seed, 0, 1), u = t * t * (3 - 2 * t);
 
-            assert_near(flk_curve_value(&c, x[0] + t * (x[1] - x[0])), y[0] + u * (y[1] - y[0]),
-                        1e-12);
-            assert_near(flk_curve_value(&c, x[1] + t * (x[0] + period - x[1]) - 3 * period),
+            assert_near(flk_curve_piece(&c, x[0] + t * (x[1] - x[0]), x[0] + t * (x[1] - x[0])),
+                        y[0] + u * (y[1] - y[0]), 1e-12);
+            assert_near(flk_curve_piece(&c, x[1] + t * (x[0] + period - x[1]) - 3 * period,
+                                        x[1] + t * (x[0] + period - x[1]) - 3 * period),
                         y[1] + u * (y[0] - y[1]), 1e-12);
         }
         release(&c);
@@ -307,15 +310,16 @@ TEST(test_constant_and_straight)
                 y[j] = constants[i];
             make(saw_x, y, n, 2 * PI, &c);
             for (k = 0; k < 100; k++)
-                assert_true(flk_curve_value(&c, uniform(&seed, -100, 100)) == constants[i]);
+                assert_true(flk_curve_piece(&c, uniform(&seed, -100, 100),
+                                            uniform(&seed, -100, 100)) == constants[i]);
             release(&c);
         }
     make(saw_x, saw_y, 8, 4 * PI, &c);
     for (k = 0; k < 1000; k++) {
         double x = uniform(&seed, 0.5, 3);
 
-        assert_near(flk_curve_value(&c, x), 1 + 2 * x, 1e-14);
-        assert_near(flk_curve_value(&c, x - 4 * PI), 1 + 2 * x, 1e-13);
+        assert_near(flk_curve_piece(&c, x, x), 1 + 2 * x, 1e-14);
+        assert_near(flk_curve_piece(&c, x - 4 * PI, x - 4 * PI), 1 + 2 * x, 1e-13);
     }
     release(&c);
 }
@@ -335,11 +339,13 @@ TEST(test_two_turns)
         x[i] = degrees[i] * DEG;
     make(x, bar, 8, 720 * DEG, &c);
     for (turn = -4; turn <= 4; turn++) {
-        double level = flk_curve_value(&c, (10 + 360 * turn) * DEG);
+        double level = flk_curve_piece(&c, (10 + 360 * turn) * DEG, (10 + 360 * turn) * DEG);
 
         assert_near(level, turn % 2 ? 1 : 40, 1e-12);
-        assert_near(flk_curve_value(&c, (450 + 720 * turn) * DEG), 1, 1e-12);
-        assert_near(flk_curve_value(&c, (-20 + 720 * turn) * DEG), 15, 1e-11);
+        assert_near(flk_curve_piece(&c, (450 + 720 * turn) * DEG, (450 + 720 * turn) * DEG), 1,
+                    1e-12);
+        assert_near(flk_curve_piece(&c, (-20 + 720 * turn) * DEG, (-20 + 720 * turn) * DEG), 15,
+                    1e-11);
     }
     release(&c);
 }
@@ -367,7 +373,7 @@ TEST(test_far_angles)
     make(x, y, 3, 2 * M_PI, &c);
     for (i = 0; i < 100000; i++) {
         double angle = uniform(&seed, -1, 1) * pow(10, uniform(&seed, 10, 30));
-        double value = flk_curve_value(&c, angle);
+        double value = flk_curve_piece(&c, angle, angle);
 
         assert_true(0.999 <= value && value <= 10.001);
     }
