@@ -19,7 +19,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 
-#include "base/format.h"
+#include "system/format.h"
 #include "fourlink.h"
 #include "tables/line.h"
 

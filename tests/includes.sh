@@ -5,10 +5,11 @@
 #
 #   base < mechanics < synthesis < deck < motion < results    the library: a folder includes from itself and from
 #                                                             those below it
-#   view < tables, pictures < report < command  the command: of the library, only fourlink.h and base/
+#   system < view < tables, pictures < report < command       the command: of the library, only fourlink.h and base/
 #
 # tables and pictures do not include each other, and no file includes itself by way of others, where a
-# header and its source count as one file.  Headers of an operating system are for base/system_*.c alone.  Prints each offender; exits with 1 if there is one.
+# header and its source count as one file.  Headers of an operating system are for system/system_*.c alone.
+# Prints each offender; exits with 1 if there is one.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
@@ -20,11 +21,12 @@ BEGIN {
   allowed["deck"] = "deck synthesis mechanics base"
   allowed["motion"] = "motion deck mechanics base"
   allowed["results"] = "results motion deck mechanics base"
-  allowed["view"] = "view base"
-  allowed["tables"] = "tables view base"
-  allowed["pictures"] = "pictures view base"
-  allowed["report"] = "report tables pictures view base"
-  allowed["command"] = "command report tables pictures view base"
+  allowed["system"] = "system base"
+  allowed["view"] = "view system base"
+  allowed["tables"] = "tables view system base"
+  allowed["pictures"] = "pictures view system base"
+  allowed["report"] = "report tables pictures view system base"
+  allowed["command"] = "command report tables pictures view system base"
   for (i = 1; i < ARGC; i++)
     present[ARGV[i]] = 1
 }
@@ -38,7 +40,7 @@ FNR == 1 {
     seen[folder] = 1
 }
 
-/^[ \t]*#[ \t]*include[ \t]*<(sys\/|unistd|fcntl|windows|io\.h|dirent|glob|poll|pthread|termios)/ && file !~ /^src\/base\/system_/ {
+/^[ \t]*#[ \t]*include[ \t]*<(sys\/|unistd|fcntl|windows|io\.h|dirent|glob|poll|pthread|termios)/ && file !~ /^src\/system\/system_/ {
   offend("system", file ":" FNR ": includes a header of the operating system")
 }
 

@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <stddef.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "report/assets.h"
 #include "report/report.h"
 

@@ -16,7 +16,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
-#include "base/system.h"
+#include "system/system.h"
 #include "command.h"
 #include "terminal.h"
 #include "tables/sheet.h"

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "command.h"
 #include "terminal.h"
 #include "tables/content.h"

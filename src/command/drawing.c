@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "command.h"
 #include "drawing.h"
 #include "output.h"

@@ -10,7 +10,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
-#include "base/system.h"
+#include "system/system.h"
 #include "options.h"
 #include "tables/content.h"
 #include "terminal.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "command.h"
 #include "files.h"
 #include "output.h"

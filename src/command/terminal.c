@@ -4,7 +4,7 @@
 */
 #include <stdlib.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "terminal.h"
 
 #define USUAL_WIDTH 80

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/message.h"
-#include "base/system.h"
+#include "system/system.h"
 #include "command.h"
 #include "files.h"
 #include "variants.h"

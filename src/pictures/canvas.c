@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "canvas.h"
-#include "base/format.h"
+#include "system/format.h"
 #include "base/message.h"
 
 #define HEAD (4 * CANVAS_LINE) /* title and source */

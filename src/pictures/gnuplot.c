@@ -7,9 +7,9 @@
 #include <errno.h>
 #include <string.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "base/text.h"
-#include "base/xml.h"
+#include "system/xml.h"
 #include "plot.h"
 
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */

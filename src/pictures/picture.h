@@ -5,7 +5,7 @@
 #ifndef FOURLINK_PICTURE_H
 #define FOURLINK_PICTURE_H
 
-#include "base/format.h"
+#include "system/format.h"
 #include "canvas.h"
 #include "view/scene.h"
 

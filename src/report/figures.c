@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "base/system.h"
+#include "system/system.h"
 #include "pictures/plot.h"
 #include "compact.h"
 #include "report.h"

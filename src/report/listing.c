@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/utf16.h"
-#include "base/xml.h"
+#include "system/xml.h"
 #include "report.h"
 
 /* The first mistake, or note, at a line of the deck; null if there is none. */

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/format.h"
+#include "system/format.h"
 #include "base/text.h"
-#include "base/xml.h"
+#include "system/xml.h"
 #include "mathml.h"
 
 #define FUNCTION(name)                                                 \

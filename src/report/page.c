@@ -8,9 +8,9 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/format.h"
+#include "system/format.h"
 #include "base/text.h"
-#include "base/xml.h"
+#include "system/xml.h"
 #include "page.h"
 #include "view/notation.h"
 

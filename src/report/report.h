@@ -7,7 +7,7 @@
 #ifndef FOURLINK_REPORT_H
 #define FOURLINK_REPORT_H
 
-#include "base/format.h"
+#include "system/format.h"
 #include "page.h"
 #include "pictures/plot.h"
 #include "view/view.h"

@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/format.h"
+#include "system/format.h"
 #include "base/text.h"
 #include "rows.h"
 

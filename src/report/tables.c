@@ -8,8 +8,8 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/system.h"
-#include "base/xml.h"
+#include "system/system.h"
+#include "system/xml.h"
 #include "report.h"
 #include "tables/style.h"
 #include "tables/content.h"

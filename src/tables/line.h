@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-#include "base/format.h"
+#include "system/format.h"
 
 /* Nothing else may be written to the stream between line_start and line_end. */
 typedef struct line {

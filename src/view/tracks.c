@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/format.h"
+#include "system/format.h"
 #include "base/text.h"
 #include "geometry.h"
 #include "tracks.h"

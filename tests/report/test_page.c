@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/xml.h"
+#include "system/xml.h"
 #include "check.h"
 #include "report/compact.h"
 #include "report/mathml.h"

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "digits.h"
+#include "base/digits.h"
 #include "format.h"
 
 /* Take the sign off a number that prints as 0; returns its end. */

@@ -4,7 +4,7 @@
 */
 #include <string.h>
 
-#include "text.h"
+#include "base/text.h"
 #include "xml.h"
 
 #define REPLACEMENT "\357\277\275" /* U+FFFD in UTF-8 */

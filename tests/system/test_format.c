@@ -5,7 +5,7 @@
 #include <float.h>
 
 #include "check.h"
-#include "base/format.h"
+#include "system/format.h"
 #include "locales.h"
 #include "base/number.h"
 #include "tables/line.h"
