@@ -15,24 +15,24 @@
 #include "settings.h"
 
 /* Build the range of crank angles in which a load acts. */
-static void build_window(parser *p, const section_use *use, flk_own_load *own)
+static void build_window(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
 
     if (!IS_SET(from) && !IS_SET(to))
         return;
-    own->is_windowed = 1;
-    own->window[0] = from->si[0]; /* 0 if not given */
-    own->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
+    given->is_windowed = 1;
+    given->window[0] = from->si[0]; /* 0 if not given */
+    given->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
     if (use->is_mistaken)
         return;
-    if (own->window[1] <= own->window[0])
+    if (given->window[1] <= given->window[0])
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be less than its 'to', not %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
-    else if (own->window[1] - own->window[0] > p->d->machine.cycle * (1 + 1e-12))
+    else if (given->window[1] - given->window[0] > p->d->machine.cycle * (1 + 1e-12))
         flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
                     "the load acts for more than a cycle");
 }
@@ -50,11 +50,11 @@ static int over_of(const section_use *use)
 }
 
 /* Build the force of a load, and check its point. */
-static void build_force(parser *p, const section_use *use, flk_own_load *own)
+static void build_force(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
                   *at = flk_setting_of(use, KEY_LOAD_AT);
-    int link = own->load.link;
+    int link = given->load.link;
 
     if (force->is_bare && link && !is_piston(p, link))
         flk_mistake(p->mistakes, force->place,
@@ -67,9 +67,9 @@ static void build_force(parser *p, const section_use *use, flk_own_load *own)
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
-    own->values.force.x = force->si[0];
-    own->values.force.y = force->si[1];
-    flk_build_curves(p, force, 2, over_of(use), own->values.force_curve);
+    given->values.force.x = force->si[0];
+    given->values.force.y = force->si[1];
+    flk_build_curves(p, force, 2, over_of(use), given->values.force_curve);
 }
 
 /* Refuse an argument that the mechanism does not have. */
@@ -87,55 +87,55 @@ static void check_over(parser *p, const setting *over)
 }
 
 /* Build the values on the way back: a curve or a constant, like torque or force. */
-static void build_back(parser *p, const section_use *use, flk_own_load *own)
+static void build_back(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
 
     if (!IS_SET(back))
         return;
-    own->has_back = 1;
-    if (FLK_IS_SPEED(own->over))
+    given->has_back = 1;
+    if (FLK_IS_SPEED(given->over))
         flk_mistake(p->mistakes, back->place,
                     "'back' is for loads over a position, not over a speed");
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE)))
         flk_mistake(p->mistakes, back->place,
                     "'back' of a force or of a torque? give them in two loads");
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
-        own->back.force.x = back->si[0];
-        own->back.force.y = back->si[1];
-        flk_build_curves(p, back, 2, over_of(use), own->back.force_curve);
+        given->back.force.x = back->si[0];
+        given->back.force.y = back->si[1];
+        flk_build_curves(p, back, 2, over_of(use), given->back.force_curve);
     } else {
-        own->back.torque = back->si[0];
-        flk_build_curves(p, back, 1, over_of(use), &own->back.torque_curve);
+        given->back.torque = back->si[0];
+        flk_build_curves(p, back, 1, over_of(use), &given->back.torque_curve);
     }
 }
 
 /* Build a value that follows a speed, which needs the speed at which it is reached. */
 static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
-                            flk_own_load *own)
+                            flk_given_load *given)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
                   *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
     const setting *first = IS_SET(speed) ? speed : exponent;
 
-    own->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
-    own->at_speed = speed->si[0];
+    given->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
+    given->at_speed = speed->si[0];
     if (!is_clear)
         return;
-    if (IS_SET(first) && !FLK_IS_SPEED(own->over))
+    if (IS_SET(first) && !FLK_IS_SPEED(given->over))
         flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
                     IS_SET(speed) ? "at_speed" : "exponent");
     else if (IS_SET(first) && has_curve)
         flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
                     IS_SET(speed) ? "at_speed" : "exponent");
-    else if (FLK_IS_SPEED(own->over) && !has_curve && !IS_SET(speed))
+    else if (FLK_IS_SPEED(given->over) && !has_curve && !IS_SET(speed))
         flk_mistake(p->mistakes, over->place,
                     "a load over a speed needs 'at_speed', the speed at which it has its value, or "
                     "a curve");
 }
 
-static void build_law(parser *p, const section_use *use, flk_own_load *own)
+static void build_law(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *force = flk_setting_of(use, KEY_LOAD_FORCE),
@@ -145,13 +145,13 @@ static void build_law(parser *p, const section_use *use, flk_own_load *own)
     int has_curve = force->curve || torque->curve;
     int is_clear = !use->is_mistaken && (IS_SET(force) || IS_SET(torque));
 
-    own->over = (flk_variable)over->word;
+    given->over = (flk_variable)over->word;
     check_over(p, over);
-    build_back(p, use, own);
-    build_power_law(p, use, is_clear, has_curve, own);
-    if (!own->over && !own->has_back)
+    build_back(p, use, given);
+    build_power_law(p, use, is_clear, has_curve, given);
+    if (!given->over && !given->has_back)
         return;
-    if (IS_SET(over) && !FLK_IS_SPEED(own->over) && !has_curve && !own->has_back && is_clear)
+    if (IS_SET(over) && !FLK_IS_SPEED(given->over) && !has_curve && !given->has_back && is_clear)
         flk_mistake(p->mistakes, over->place,
                     "'over' needs a curve: a force or torque that varies");
     if (IS_SET(from) || IS_SET(to))
@@ -160,38 +160,38 @@ static void build_law(parser *p, const section_use *use, flk_own_load *own)
                     IS_SET(from) ? "from" : "to");
 }
 
-static void build_load(parser *p, const section_use *use, flk_own_load *own)
+static void build_load(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    own->load.link = flk_build_check_link(p, use, link) ? link->word : 0;
+    given->load.link = flk_build_check_link(p, use, link) ? link->word : 0;
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    own->load.frame = (fourlink_frame)frame->word;
-    build_force(p, use, own);
-    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), own->load.link, &own->load.at);
-    own->values.torque = torque->si[0];
-    flk_build_curves(p, torque, 1, over_of(use), &own->values.torque_curve);
-    build_window(p, use, own);
-    build_law(p, use, own);
+    given->load.frame = (fourlink_frame)frame->word;
+    build_force(p, use, given);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), given->load.link, &given->load.at);
+    given->values.torque = torque->si[0];
+    flk_build_curves(p, torque, 1, over_of(use), &given->values.torque_curve);
+    build_window(p, use, given);
+    build_law(p, use, given);
 }
 
 void flk_build_loads(parser *p)
 {
     const section_use *use = NULL;
     flk_element *element;
-    flk_own_load *own;
+    flk_given_load *given;
 
     while (!p->out_of_memory && (use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
-        own = flk_reader_keep(p, sizeof *own);
+        given = flk_reader_keep(p, sizeof *given);
         element = flk_build_element(p);
-        if (!own || !element)
+        if (!given || !element)
             return;
-        build_load(p, use, own);
+        build_load(p, use, given);
         element->name = flk_reader_copy(p, use->name, "");
-        flk_element_of_own(own, element);
+        flk_element_of_given_load(given, element);
         p->d->has_forces = 1;
     }
 }

@@ -98,7 +98,7 @@ static void check_mode_of_motor(parser *p, const section_use *use, const fourlin
     else if (motor->kind == FOURLINK_MOTOR_BALANCE &&
              !IS_SET(flk_setting_find(p, KEY_MOTION_MEAN_SPEED)))
         flk_mistake(p->mistakes, torque->place,
-                    "torque = constant leaves the speed open: [motion] needs a mean_speed");
+                    "torque = constant does not determine the speed: [motion] needs a mean_speed");
 }
 
 void flk_build_motor(parser *p)

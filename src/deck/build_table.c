@@ -19,7 +19,7 @@ void flk_build_table(parser *p)
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
     p->d->asks_for_both = branches == BRANCH_BOTH;
-    if (!branches && flk_machine_count(&p->d->machine, &flk_gas_sort))
+    if (!branches && flk_machine_count(&p->d->machine, &flk_gas_type))
         branches = BRANCH_OPEN; /* the usual branch of engines */
     p->d->open = branches != BRANCH_CROSSED;
     p->d->crossed = branches != BRANCH_OPEN;

@@ -28,7 +28,7 @@ typedef struct card {
     char quote[MOST_QUOTED + 1]; /* the start of the line */
     quantity q[2];
     char unit[2][UNIT_SIZE]; /* unit of bare numbers in each column; empty: that of the deck */
-    int is_told[2];          /* 1: the deck gives the unit after the file name */
+    int unit_in_deck[2];     /* 1: the deck gives the unit after the file name */
     int separator;           /* of the first line: ';', or ' ' for all others; 0 before that line */
     char mark;               /* the first decimal mark in a file with semicolons: '.' or ',' */
     int headers;
@@ -177,7 +177,7 @@ static int keep_unit(card *c, int column, text t)
                            c->row.value);
     if (!flk_quantity_unit(t, t, c->q[column], c->p->d->bare[c->q[column]].unit, &u, c->p->why))
         return flk_mistake(c->p->mistakes, c->row.place, "%s", c->p->why);
-    if (c->is_told[column] && !flk_text_same(t, c->unit[column]))
+    if (c->unit_in_deck[column] && !flk_text_same(t, c->unit[column]))
         return flk_mistake(c->p->mistakes, c->row.place,
                            "the header has the unit '%t', the deck '%s'", t, c->unit[column]);
     flk_text_copy(t, c->unit[column], UNIT_SIZE);
@@ -397,7 +397,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text whole)
     for (i = 0; i < 2; i++) {
         if (!keep_unit(&c, i, units[i]))
             return 0;
-        c.is_told[i] = units[i].length > 0;
+        c.unit_in_deck[i] = units[i].length > 0;
     }
     contents.length = length;
     contents = flk_reader_utf8(p, contents);

@@ -112,7 +112,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_friction = d->machine.has_friction;
     problem->has_gas = d->machine.first_gas < d->machine.n_loads;
     problem->n_loads = d->machine.n_loads;
-    problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_sort);
+    problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_type);
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
@@ -234,9 +234,9 @@ int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_in
         return FOURLINK_OK;
     }
     for (e = machine->element; i - e->first >= (unsigned long)e->n_loads; e++)
-        info->element = e[1].sort == e->sort ? info->element + 1 : 0;
+        info->element = e[1].type == e->type ? info->element + 1 : 0;
     info->name = e->name[0] ? e->name : "load";
-    info->sort = e->sort->code;
+    info->sort = e->type->code;
     info->link = e->link[i - e->first];
     info->has_torque = e->has_torque;
     return FOURLINK_OK;
@@ -249,7 +249,7 @@ int fourlink_deck_spring(const fourlink_deck *d, unsigned long i, const char **n
 
     if (!d || !spring)
         return FOURLINK_NULL;
-    e = flk_machine_find(&d->machine, &flk_spring_sort, i);
+    e = flk_machine_find(&d->machine, &flk_spring_type, i);
     if (!e)
         return FOURLINK_NO_SUCH_POINT;
     if (name)

@@ -188,14 +188,14 @@ static void check_pressure(parser *p, key_code key)
 }
 
 /* 1 if a torque over a speed always has the sign of that speed. */
-static int drives(const flk_own_load *own)
+static int drives(const flk_given_load *given)
 {
-    const curve *c = &own->values.torque_curve;
+    const curve *c = &given->values.torque_curve;
     int n = 0;
     size_t i;
 
-    if (own->at_speed > 0)
-        return own->values.torque > 0;
+    if (given->at_speed > 0)
+        return given->values.torque > 0;
     for (i = 0; i < c->n; i++) {
         if (c->x[i] * c->y[i] < 0)
             return 0;
@@ -205,17 +205,17 @@ static int drives(const flk_own_load *own)
 }
 
 /* Note a load over the speed of its own link that drives it: a fan with a positive torque. */
-static void check_load(parser *p, const section_use *use, const flk_own_load *own)
+static void check_load(parser *p, const section_use *use, const flk_given_load *given)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER);
 
-    if ((own->over == FLK_OMEGA2 && own->load.link == FOURLINK_CRANK) ||
-        (own->over == FLK_OMEGA4 && own->load.link == FOURLINK_FOLLOWER))
-        if (drives(own))
+    if ((given->over == FLK_OMEGA2 && given->load.link == FOURLINK_CRANK) ||
+        (given->over == FLK_OMEGA4 && given->load.link == FOURLINK_FOLLOWER))
+        if (drives(given))
             flk_mistake(NOTES(p), flk_setting_of(use, KEY_LOAD_TORQUE)->place,
                         "this torque has the sign of %t, so it drives the %s: that of a fan or a "
                         "brake has the opposite sign",
-                        over->value, fourlink_link_text((int)p->d->design.kind, own->load.link));
+                        over->value, fourlink_link_text((int)p->d->design.kind, given->load.link));
 }
 
 /* Note a curve at whose fast end the motor still drives: beyond it, it keeps this torque. */
@@ -274,7 +274,7 @@ void flk_build_notes(parser *p)
     while ((use = flk_section_next(p, SECTION_SPRING, use)) != NULL)
         check_spring(p, use);
     while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL)
-        check_load(p, use, flk_machine_find(&p->d->machine, &flk_own_sort, n++)->data);
+        check_load(p, use, flk_machine_find(&p->d->machine, &flk_given_load_type, n++)->data);
     check_friction(p);
     check_pressure(p, KEY_GAS_PRESSURE);
     check_pressure(p, KEY_GAS_BACK_PRESSURE);
@@ -344,14 +344,15 @@ void flk_build_curve_ends(parser *p)
     for (; (use = flk_section_next(p, SECTION_LOAD, use)) != NULL; n++) {
         const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                       *back = flk_setting_of(use, KEY_LOAD_BACK);
-        const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
+        const flk_given_load *given =
+            flk_machine_find(&p->d->machine, &flk_given_load_type, n)->data;
 
         if (over->word <= FLK_THETA4 ||
             (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))
             continue;
-        check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &own->values.force_curve[0]);
-        check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &own->values.torque_curve);
-        check_ends(p, back, over, &own->back.force_curve[0]);
-        check_ends(p, back, over, &own->back.torque_curve);
+        check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &given->values.force_curve[0]);
+        check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &given->values.torque_curve);
+        check_ends(p, back, over, &given->back.force_curve[0]);
+        check_ends(p, back, over, &given->back.torque_curve);
     }
 }

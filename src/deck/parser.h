@@ -24,14 +24,14 @@ typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } ve
 extern const char *const flk_part_names[];
 
 /* Where the value of a key or a name comes from. */
-typedef enum value_giver { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_giver;
+typedef enum value_source { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_source;
 
 /* The value of a key in the deck. */
 typedef struct setting {
     text_place place; /* see IS_SET */
     text own;         /* its value in the deck's text; null: not in the text */
     text value;       /* the value in effect */
-    value_giver giver;
+    value_source source;
     double number;  /* as written */
     unit unit;      /* its unit */
     double si[2];   /* the value in SI units and radians, or the two components */
@@ -74,7 +74,7 @@ typedef struct named_value {
     text name;
     text_place place;
     text own, value; /* as in a setting */
-    value_giver giver;
+    value_source source;
 } named_value;
 
 /* What a key of a section means: a key of the schema, a part of its vector, or a name. */

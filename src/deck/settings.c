@@ -228,7 +228,7 @@ static int grow_named(parser *p)
 }
 
 /* Set a name in a section that takes names. */
-static void set_named(parser *p, text_place place, const target *t, text value, value_giver giver)
+static void set_named(parser *p, text_place place, const target *t, text value, value_source source)
 {
     size_t *slot;
     named_value *named;
@@ -242,7 +242,7 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     if (!grow_named(p))
         return;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && giver == GIVEN_BY_TEXT) {
+    if (*slot && source == GIVEN_BY_TEXT) {
         flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
         return;
     }
@@ -253,9 +253,9 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     named->name = t->name;
     named->place = place;
     named->value = flk_reader_plain(p, value);
-    named->giver = giver;
-    p->has_changed_names |= giver != GIVEN_BY_TEXT;
-    if (giver == GIVEN_BY_TEXT)
+    named->source = source;
+    p->has_changed_names |= source != GIVEN_BY_TEXT;
+    if (source == GIVEN_BY_TEXT)
         named->own = value;
 }
 
@@ -273,15 +273,15 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static void set_value(text_place place, setting *s, text value, value_giver giver)
+static void set_value(text_place place, setting *s, text value, value_source source)
 {
-    text own = giver == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
+    text own = source == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
 
     memset(s, 0, sizeof *s);
     s->place = place;
     s->own = own;
     s->value = value;
-    s->giver = giver;
+    s->source = source;
 }
 
 int flk_section_unshare(parser *p, section_use *use)
@@ -301,7 +301,7 @@ int flk_section_unshare(parser *p, section_use *use)
 
 /* x and y, or size and angle */
 static setting *set_part(parser *p, text_place place, const target *t, setting *s, text value,
-                         value_giver giver)
+                         value_source source)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
     setting *parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
@@ -312,40 +312,40 @@ static setting *set_part(parser *p, text_place place, const target *t, setting *
         set_value(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
     if (s->parts) /* may belong to the deck that this is a design of */
         memcpy(parts, s->parts, PART_NONE * sizeof *parts);
-    set_value(s->place, s, s->value, s->giver); /* discards what was read from the old value */
+    set_value(s->place, s, s->value, s->source); /* discards what was read from the old value */
     s->parts = parts;
     if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1])) {
         flk_mistake(p->mistakes, place,
                     "'%t' and another part of it: set x and y, or size and angle", t->name);
         return NULL;
     }
-    set_value(place, &parts[t->part], value, giver);
+    set_value(place, &parts[t->part], value, source);
     return &parts[t->part];
 }
 
 /* key = value; `t->name` has the text of the key.  Returns the setting of a key or a part, null for a name
 ** and after a mistake. */
 static setting *set_target(parser *p, text_place place, const target *t, text value,
-                           value_giver giver)
+                           value_source source)
 {
     section_use *use = &p->uses[t->use];
     setting *s;
 
     if (t->key == KEY_COUNT)
-        set_named(p, place, t, value, giver);
+        set_named(p, place, t, value, source);
     if (t->key == KEY_COUNT || !flk_section_unshare(p, use))
         return NULL;
     use->is_read = 0;
     s = flk_setting_of(use, t->key);
-    if (IS_SET(s) && giver == GIVEN_BY_TEXT)
+    if (IS_SET(s) && source == GIVEN_BY_TEXT)
         flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
                     s->place.line);
     else if (!value.length)
         flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
     else if (t->part != PART_NONE)
-        return set_part(p, place, t, s, value, giver);
+        return set_part(p, place, t, s, value, source);
     else {
-        set_value(place, s, value, giver);
+        set_value(place, s, value, source);
         return s;
     }
     return NULL;

@@ -94,7 +94,7 @@ static void put_vector(writer *w, const setting *s, quantity q)
 
     find_unit(d, s->value, q, &name, &u);
     for (i = 0; i < PART_ANGLE; i++)
-        if (IS_SET(&s->parts[i]) && (s->parts[i].giver == GIVEN_BY_CHANGE || !name.length) &&
+        if (IS_SET(&s->parts[i]) && (s->parts[i].source == GIVEN_BY_CHANGE || !name.length) &&
             find_unit(d, s->parts[i].value, q, &other, &of_part) && other.length) {
             name = other;
             u = of_part;
@@ -118,7 +118,7 @@ static void put_value(writer *w, const section_use *use, const changed *c)
 
     if (c->s && c->s->parts) {
         put_vector(w, c->s, flk_key_table[c->key].q);
-    } else if (c->s && c->s->giver == GIVEN_BY_DESIGN) {
+    } else if (c->s && c->s->source == GIVEN_BY_DESIGN) {
         put_varied(w, use, c);
     } else {
         put_string(w, is_quoted ? "\"" : "");
@@ -147,13 +147,13 @@ static int find_changed(const parser *p, const section_use *use, size_t i, chang
             c->s = NULL;
             return 1;
         }
-        return IS_SET(c->s) && (c->s->parts || c->s->giver != GIVEN_BY_TEXT);
+        return IS_SET(c->s) && (c->s->parts || c->s->source != GIVEN_BY_TEXT);
     }
     named = &p->named[i - n];
     c->name = named->name;
     c->own = named->own;
     c->value = named->value;
-    return named->giver != GIVEN_BY_TEXT && &p->uses[named->use] == use;
+    return named->source != GIVEN_BY_TEXT && &p->uses[named->use] == use;
 }
 
 static size_t count_entries(const parser *p, const section_use *use)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** element.h - the elements that exert known loads on the links: own forces and torques, springs and dampers,
+** element.h - the elements that exert known loads on the links: given forces and torques, springs and dampers,
 ** gas.
 **
-** A machine has a list of elements (machine.h).  Each sort of element is one file.  Friction is not an
+** A machine has a list of elements (machine.h).  Each type of element is one file.  Friction is not an
 ** element: it belongs to the joints and depends on their forces.
 */
 #ifndef FOURLINK_ELEMENT_H
@@ -35,12 +35,12 @@ typedef struct flk_switch flk_switch;
 
 #define FLK_ELEMENT_SWITCHES 6
 
-/* A sort of element.
+/* A type of element.
 **
-** act       sets the element's loads for a state and adds their force on the frame; returns a status switches
-** lists where it is not smooth (switch.h) and returns their number; null: it is smooth switching changes sign
-** where the element begins or stops acting; null: it always acts */
-typedef struct flk_sort {
+**    act         sets the element's loads for a state and adds their force on the frame; returns a status
+**    switches    lists where it is not smooth (switch.h) and returns their number; null: it is smooth
+**    switching   changes sign where the element begins or stops acting; null: it always acts */
+typedef struct flk_element_type {
     int code; /* FOURLINK_LOAD_OWN ... */
     int (*act)(const flk_element *element, const struct flk_machine *machine,
                const fourlink_state *state, fourlink_load *load, flk_acting *acting);
@@ -48,17 +48,17 @@ typedef struct flk_sort {
                        flk_switch *list);
     double (*switching)(const flk_element *element, const struct flk_machine *machine,
                         const fourlink_state *state);
-} flk_sort;
+} flk_element_type;
 
-extern const flk_sort flk_own_sort, flk_spring_sort, flk_gas_sort;
+extern const flk_element_type flk_given_load_type, flk_spring_type, flk_gas_type;
 
 #define FLK_ELEMENT_COLUMNS 4
 
 struct flk_element {
-    const flk_sort *sort;
+    const flk_element_type *type;
     const char *name;                              /* of its section; "": none */
     const char *column_names[FLK_ELEMENT_COLUMNS]; /* of a spring, NAME.length ... */
-    void *data;                                    /* flk_own_load, fourlink_spring, flk_gas */
+    void *data;                                    /* flk_given_load, fourlink_spring, flk_gas */
     unsigned long first; /* index of its first load among those of the machine */
     int n_loads;         /* 1 or 2 */
     int link[2];         /* on which these act */
@@ -74,8 +74,8 @@ typedef struct flk_load_values {
     curve force_curve[2], torque_curve;
 } flk_load_values;
 
-/* An own load: a force and a torque (own_load.c). */
-typedef struct flk_own_load {
+/* A given load: a force and a torque (given_load.c). */
+typedef struct flk_given_load {
     fourlink_load load; /* its link, point and axes; the values are 0 */
     flk_load_values values, back;
     flk_variable over;
@@ -84,7 +84,7 @@ typedef struct flk_own_load {
     int has_back;     /* 1: `back` has the values for where the variable falls */
     int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double window[2]; /* rad, from and to */
-} flk_own_load;
+} flk_given_load;
 
 /* Gas in a cylinder (gas.c). */
 typedef struct flk_gas {
@@ -94,8 +94,8 @@ typedef struct flk_gas {
     double back_pressure;   /* Pa, on the crank side */
 } flk_gas;
 
-/* Set up an element of each sort with its data (own_load.c, spring.c, gas.c). */
-void flk_element_of_own(flk_own_load *own, flk_element *element);
+/* Set up an element of each type with its data (given_load.c, spring.c, gas.c). */
+void flk_element_of_given_load(flk_given_load *given, flk_element *element);
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element);
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element);
 

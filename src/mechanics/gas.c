@@ -69,13 +69,13 @@ static size_t list_gas_switches(const flk_element *element, const flk_machine *m
     return flk_switch_of_curve(&gas->indicator, FLK_THETA2, list);
 }
 
-const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, apply_gas, list_gas_switches, NULL};
+const flk_element_type flk_gas_type = {FOURLINK_LOAD_GAS, apply_gas, list_gas_switches, NULL};
 
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element)
 {
     int on_piston = fourlink_slides((int)kind, FOURLINK_FOLLOWER) == FOURLINK_GROUND;
 
-    element->sort = &flk_gas_sort;
+    element->type = &flk_gas_type;
     element->name = "gas";
     element->data = gas;
     element->n_loads = on_piston ? 1 : 2;

@@ -37,7 +37,7 @@ void flk_machine_finish(flk_machine *m)
     for (i = 0; i <= m->n_elements; i++) {
         flk_element *e = i < m->n_elements ? &m->element[i] : NULL;
 
-        if (!is_behind_springs && (!e || e->sort == &flk_gas_sort)) {
+        if (!is_behind_springs && (!e || e->type == &flk_gas_type)) {
             m->first_friction = m->n_loads;
             m->n_loads += m->has_friction ? FOURLINK_FRICTION_LOADS : 0;
             m->first_gas = m->n_loads;
@@ -52,21 +52,21 @@ void flk_machine_finish(flk_machine *m)
     }
 }
 
-size_t flk_machine_count(const flk_machine *m, const flk_sort *sort)
+size_t flk_machine_count(const flk_machine *m, const flk_element_type *type)
 {
     size_t i, n = 0;
 
     for (i = 0; i < m->n_elements; i++)
-        n += m->element[i].sort == sort;
+        n += m->element[i].type == type;
     return n;
 }
 
-const flk_element *flk_machine_find(const flk_machine *m, const flk_sort *sort, size_t i)
+const flk_element *flk_machine_find(const flk_machine *m, const flk_element_type *type, size_t i)
 {
     size_t k;
 
     for (k = 0; k < m->n_elements; k++)
-        if (m->element[k].sort == sort && i-- == 0)
+        if (m->element[k].type == type && i-- == 0)
             return &m->element[k];
     return NULL;
 }
@@ -106,7 +106,7 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
         for (i = 0; i < e->n_loads && e->needs_motion; i++)
             clear_load(&acting->load[e->first + (unsigned long)i], e->link[i]);
         if (!e->needs_motion)
-            e->sort->act(e, m, &state, &acting->load[e->first], acting);
+            e->type->act(e, m, &state, &acting->load[e->first], acting);
     }
 }
 
@@ -121,7 +121,7 @@ static int set_loads(const flk_machine *m, const fourlink_state *state, double o
     for (k = 0; k < m->n_elements && status == FOURLINK_OK; k++) {
         const flk_element *e = &m->element[k];
 
-        status = e->sort->act(e, m, state, &acting->load[e->first], acting);
+        status = e->type->act(e, m, state, &acting->load[e->first], acting);
     }
     return status;
 }

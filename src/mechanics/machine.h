@@ -10,7 +10,7 @@
 
 #include "element.h"
 
-/* A machine.  Its loads are those of the elements in their order (own loads, springs, gas), with
+/* A machine.  Its loads are those of the elements in their order (given loads, springs, gas), with
 ** FOURLINK_FRICTION_LOADS loads of friction before those of the gas. */
 typedef struct flk_machine {
     fourlink_mechanism mechanism; /* with counterweights applied */
@@ -31,9 +31,10 @@ typedef struct flk_machine {
 /* Number the loads; call this after the last element has been added. */
 void flk_machine_finish(flk_machine *machine);
 
-/* The number of elements of a sort; the i-th of them, or null. */
-size_t flk_machine_count(const flk_machine *machine, const flk_sort *sort);
-const flk_element *flk_machine_find(const flk_machine *machine, const flk_sort *sort, size_t i);
+/* The number of elements of a type; the i-th of them, or null. */
+size_t flk_machine_count(const flk_machine *machine, const flk_element_type *type);
+const flk_element *flk_machine_find(const flk_machine *machine, const flk_element_type *type,
+                                    size_t i);
 
 /* The loads at a crank angle; only the sense of the speed matters.  Loads of friction and of elements that
 ** need the motion are 0. */

@@ -277,12 +277,12 @@ static size_t list_spring_switches(const flk_element *element, const flk_machine
     return spring->only ? flk_switch_of_element(element, list) : 0;
 }
 
-const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, apply_spring, list_spring_switches,
-                                  switching};
+const flk_element_type flk_spring_type = {FOURLINK_LOAD_SPRING, apply_spring, list_spring_switches,
+                                          switching};
 
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element)
 {
-    element->sort = &flk_spring_sort;
+    element->type = &flk_spring_type;
     element->data = spring;
     if (spring->link != FOURLINK_GROUND)
         element->link[element->n_loads++] = spring->link;

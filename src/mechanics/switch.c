@@ -65,7 +65,7 @@ size_t flk_switch_list(const flk_machine *m, flk_switch *list)
 
     for (k = 0; k < m->n_elements; k++) {
         const flk_element *e = &m->element[k];
-        size_t of_element = e->sort->switches ? e->sort->switches(e, m, own) : 0;
+        size_t of_element = e->type->switches ? e->type->switches(e, m, own) : 0;
 
         for (i = 0; i < of_element; i++, n++)
             if (list)
@@ -84,7 +84,7 @@ double flk_switch_value(const flk_machine *m, const flk_switch *s, const fourlin
     const flk_kind *kind = flk_kind_of(m->mechanism.design.kind);
 
     if (s->element)
-        return s->element->sort->switching(s->element, m, state);
+        return s->element->type->switching(s->element, m, state);
     return s->joint ? flk_friction_speed(&m->mechanism, state, &kind->joint[s->joint])
                     : flk_variable_value(state, s->of);
 }

@@ -49,7 +49,7 @@ static int run_free(flk_path *p, const deck *d, double length)
 }
 
 /* A run-up that ends never reaches the steady motion, unless it merely needs too many steps. */
-static void lose_cycle(const flk_path *p, flk_actual_facts *f)
+static void discard_cycle_facts(const flk_path *p, flk_actual_facts *f)
 {
     if (p->status == FOURLINK_TOO_LONG)
         return;
@@ -70,10 +70,10 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
     else
         f->no_cycle = p->status;
     if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run_free(p, p->d, m->cycle))
-        lose_cycle(p, f);
+        discard_cycle_facts(p, f);
     found = run_free(p, p->d, m->length);
     if (!found)
-        lose_cycle(p, f);
+        discard_cycle_facts(p, f);
     return found;
 }
 

@@ -126,7 +126,7 @@ static void find_crossings(flk_corners *c, fourlink_branch branch)
 /* ----------------------------------------------------------------------------------------------- the next */
 
 typedef struct search {
-    const flk_passage *p;
+    const flk_direction *p;
     double after; /* rad passed: the next end after this is sought */
     double at;    /* the nearest end so far, and its kind */
     flk_piece_end end;
@@ -208,30 +208,30 @@ static void offer_positions(search *s)
                 mechanism->change_stretched ? FLK_END_CHANGE : FLK_END_PLAIN);
 }
 
-double flk_corners_next(const flk_passage *passage, double after, const double *more, size_t n,
+double flk_corners_next(const flk_direction *direction, double after, const double *more, size_t n,
                         flk_piece_end *what)
 {
     search s;
     size_t i;
 
-    s.p = passage;
+    s.p = direction;
     s.after = after;
     s.at = GSL_POSINF;
     s.end = FLK_END_NOWHERE;
     offer_positions(&s);
     for (i = 0; i < n; i++)
         offer(&s, more[i], FLK_END_PLAIN);
-    if (passage->has_loads)
+    if (direction->has_loads)
         offer_loads(&s);
     *what = s.end;
     return s.at;
 }
 
-flk_piece_end flk_corners_first(const flk_passage *passage)
+flk_piece_end flk_corners_first(const flk_direction *direction)
 {
     search s;
 
-    s.p = passage;
+    s.p = direction;
     s.after = -3 * CLOSEST;
     s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;

@@ -32,13 +32,13 @@ typedef struct flk_corners {
 } flk_corners;
 
 /* A motion that passes corners. */
-typedef struct flk_passage {
+typedef struct flk_direction {
     flk_corners *corners;
     fourlink_branch branch;
     double from;   /* rad, theta2 at the first row */
     double sense;  /* 1 or -1 */
     int has_loads; /* 1: include the corners of loads */
-} flk_passage;
+} flk_direction;
 
 /* Set up the corners of a deck; null if out of memory. */
 flk_corners *flk_corners_open(const deck *d);
@@ -49,11 +49,11 @@ void flk_corners_close(flk_corners *corners);
 
 /* The next corner after `after`, in rad passed since the first row, and its kind; n more ends may be
 ** given. */
-double flk_corners_next(const flk_passage *passage, double after, const double *more, size_t n,
+double flk_corners_next(const flk_direction *direction, double after, const double *more, size_t n,
                         flk_piece_end *what);
 
 /* The kind of corner at the first row. */
-flk_piece_end flk_corners_first(const flk_passage *passage);
+flk_piece_end flk_corners_first(const flk_direction *direction);
 
 /* The largest possible number of load corners in an angle. */
 size_t flk_corners_most(const flk_corners *corners, double angle);

@@ -46,7 +46,7 @@ int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting
     flk_deck_range(d, &c->range); /* checked by the deck reader */
     c->end = last_angle(c);
     c->period = period_of(machine);
-    for (; (spring = flk_machine_find(machine, &flk_spring_sort, i)) != NULL; i++)
+    for (; (spring = flk_machine_find(machine, &flk_spring_type, i)) != NULL; i++)
         c->winds |= flk_spring_winds(&machine->mechanism, spring->data, c->period);
     c->corners = flk_corners_open(d);
     if (c->corners && d->drive.mode != DRIVE_GIVEN)
@@ -166,7 +166,7 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 
-static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
+static void find_direction(const flk_pieces *x, int has_loads, flk_direction *p)
 {
     const fourlink_motion *motion = &x->crank_motion->d->motion;
 
@@ -182,9 +182,9 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
 {
     const fourlink_motion *motion = &x->crank_motion->d->motion;
     double more[2], at;
-    flk_passage p;
+    flk_direction p;
 
-    find_passage(x, has_loads, &p);
+    find_direction(x, has_loads, &p);
     more[0] = motion->run_up * motion->angle_unit; /* 0 is passed */
     more[1] = x->period;
     at = flk_corners_next(&p, after, more, 2, end);
@@ -199,9 +199,9 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
 /* The kind of end at the beginning of the motion. */
 static flk_piece_end first_end(const flk_pieces *x)
 {
-    flk_passage p;
+    flk_direction p;
 
-    find_passage(x, 0, &p);
+    find_direction(x, 0, &p);
     return join(beginning(x->crank_motion), flk_corners_first(&p));
 }
 

@@ -370,19 +370,19 @@ static int enter(flk_path *p, const flk_node *node, int turning, double length, 
     flk_equation *e = &p->equation;
     double s = node->y[FLK_PASSED];
     fourlink_crank crank = {0, 0, 0};
-    flk_passage way;
+    flk_direction direction;
     int status;
 
-    way.corners = p->corners;
-    way.branch = e->branch;
-    way.from = e->from;
-    way.sense = e->sense * turning;
-    way.has_loads = 1;
+    direction.corners = p->corners;
+    direction.branch = e->branch;
+    direction.from = e->from;
+    direction.sense = e->sense * turning;
+    direction.has_loads = 1;
     c->turning = turning;
     c->goes_on = 0;
-    c->end = turning * flk_corners_next(&way, turning * s, NULL, 0, &c->what);
+    c->end = turning * flk_corners_next(&direction, turning * s, NULL, 0, &c->what);
     crank.theta2 = flk_equation_theta2(e, 0.5 * (s + c->end));
-    crank.omega2 = way.sense;
+    crank.omega2 = direction.sense;
     status = flk_mechanism_move(&e->machine.mechanism, e->branch, &crank, 1, &c->held);
     if (status != FOURLINK_OK)
         return status;

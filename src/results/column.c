@@ -149,7 +149,7 @@ static void make_of_point(const deck *d, const deck_point *point, int i, flk_col
 
 static void make_of_spring(const deck *d, size_t i, flk_column *c)
 {
-    const flk_element *e = flk_machine_find(&d->machine, &flk_spring_sort, i / FLK_ELEMENT_COLUMNS);
+    const flk_element *e = flk_machine_find(&d->machine, &flk_spring_type, i / FLK_ELEMENT_COLUMNS);
     const fourlink_spring *spring = e->data;
 
     c->component = (int)(i % FLK_ELEMENT_COLUMNS);
@@ -174,7 +174,7 @@ static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
 size_t flk_column_limit(const deck *d)
 {
     return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points +
-           FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_sort);
+           FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_type);
 }
 
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
@@ -215,7 +215,7 @@ static const char *name_of(const flk_analysis *a, size_t i)
     size_t of_springs = of_points - n_of_points;
 
     if (i >= FIXED_COUNT + n_of_points)
-        return flk_machine_find(&a->d->machine, &flk_spring_sort, of_springs / FLK_ELEMENT_COLUMNS)
+        return flk_machine_find(&a->d->machine, &flk_spring_type, of_springs / FLK_ELEMENT_COLUMNS)
             ->column_names[of_springs % FLK_ELEMENT_COLUMNS];
     return i < TABLE_COUNT   ? table[i].name
            : i < FIXED_COUNT ? own_table[i - TABLE_COUNT].name

@@ -168,7 +168,7 @@ static int is_any_wanted(const listing *t, fact_code first, fact_code last)
     return !t->only || (t->only <= OTHER(first) && t->only >= OTHER(last));
 }
 
-/* Where a fact is listed, or if it is not wanted, the next one will be. */
+/* Returns the slot to fill; it is reused if the fact is not listed. */
 static fourlink_value *add_fact(listing *t, fact_code code, double si)
 {
     fourlink_value *f = &t->list[t->n];
@@ -374,7 +374,7 @@ static int is_of_motion(const deck *d, int i)
     }
 }
 
-int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch)
+int flk_fact_why_missing(flk_analysis *a, int handle, fourlink_branch branch)
 {
     const flk_actual_facts *f = flk_actual_facts_of(a->crank_motion.actual, branch);
     int i = OTHER(handle), status;

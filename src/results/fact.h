@@ -25,7 +25,7 @@ void flk_fact_describe(const deck *d, int handle, fourlink_value *f);
 
 /* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or the status, 1 to 19, with which the actual
 ** motion ended early. */
-int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch);
+int flk_fact_why_missing(flk_analysis *a, int handle, fourlink_branch branch);
 
 /* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
 ** does not begin, or FOURLINK_NO_MEAN.  `all` as in flk_extremes_find, `names` as in flk_fact_list. */

@@ -205,7 +205,7 @@ static void add_motion(listing *t)
 }
 
 /* What a load follows. */
-static void add_law(listing *t, const flk_own_load *law)
+static void add_law(listing *t, const flk_given_load *law)
 {
     static const char *const names[] = {"theta2", "theta4", "x", "slide",
                                         "omega2", "omega4", "v", "slide_v"};
@@ -224,9 +224,9 @@ static void add_law(listing *t, const flk_own_load *law)
 
 static void list_load(listing *t, const flk_element *element)
 {
-    const flk_own_load *own = element->data;
-    const flk_load_values *values = &own->values;
-    const fourlink_load *load = &own->load;
+    const flk_given_load *given = element->data;
+    const flk_load_values *values = &given->values;
+    const fourlink_load *load = &given->load;
     char section[DECK_NAME_SIZE];
 
     t->section = flk_text_join(section, sizeof section - 10, "load ", element->name, (char *)NULL);
@@ -245,10 +245,11 @@ static void list_load(listing *t, const flk_element *element)
     else
         add_input_unless_0(t, "torque", QUANTITY_TORQUE, values->torque,
                            "torque, counter-clockwise positive");
-    add_law(t, own);
-    if (own->is_windowed) {
-        add_input(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
-        add_input(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
+    add_law(t, given);
+    if (given->is_windowed) {
+        add_input(t, "from", QUANTITY_ANGLE, given->window[0],
+                  "first crank angle at which it acts");
+        add_input(t, "to", QUANTITY_ANGLE, given->window[1], "last crank angle at which it acts");
     }
 }
 
@@ -313,7 +314,7 @@ static void add_friction(listing *t)
 
 static void add_gas(listing *t)
 {
-    const flk_element *element = flk_machine_find(&t->d->machine, &flk_gas_sort, 0);
+    const flk_element *element = flk_machine_find(&t->d->machine, &flk_gas_type, 0);
     const flk_gas *gas;
 
     if (!element)
@@ -366,9 +367,9 @@ void flk_list_inputs(const deck *d, flk_list *inputs)
     add_input(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
     add_motion(&t);
     add_motor(&t);
-    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++)
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_given_load_type, i)) != NULL; i++)
         list_load(&t, e);
-    for (i = 0; (e = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_spring_type, i)) != NULL; i++)
         add_spring(&t, e);
     add_friction(&t);
     add_gas(&t);

@@ -141,7 +141,7 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
                                      o->facts.names, value);
     case FLK_NAME_FACT:
         if (!flk_name_facts(o, n->handle, branch))
-            return flk_fact_lack(&o->a, n->handle, branch);
+            return flk_fact_why_missing(&o->a, n->handle, branch);
         *value = o->facts.list[0];
         return FOURLINK_OK;
     case FLK_NAME_GIVEN:

@@ -24,7 +24,7 @@ typedef struct flk_name {
     const fourlink_value *given;
 } flk_name;
 
-/* What a name means.  An unknown one has a statistic and `of` too. */
+/* What a name means.  `statistic` and `of` are set even if the name is unknown. */
 void flk_name_find(flk_opened *o, text name, flk_name *n);
 
 /* What a handle stands for in this design; `of` is empty. */

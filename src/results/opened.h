@@ -24,7 +24,7 @@ typedef struct flk_opened {
 
 /* Results, whose numbers a host can set. */
 struct fourlink_results {
-    flk_opened *now;   /* the design that all functions are about */
+    flk_opened *now;   /* the current design */
     flk_opened *first; /* the design as it was opened, with the settings that the others share */
     deck_number *set;  /* the numbers that differ from it */
     size_t n_set;

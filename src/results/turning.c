@@ -102,17 +102,17 @@ static void cut(moment *m)
 {
     double cycle = m->a->d->machine.cycle, corner, degree, at = 0;
     size_t steps = turning_steps(m->a->d), i;
-    flk_passage way;
+    flk_direction direction;
     flk_piece_end what;
 
-    way.corners = m->a->crank_motion.corners;
-    way.branch = m->branch;
-    way.from = 0;
-    way.sense = way.has_loads = 1;
+    direction.corners = m->a->crank_motion.corners;
+    direction.branch = m->branch;
+    direction.from = 0;
+    direction.sense = direction.has_loads = 1;
     m->cuts[m->n_cuts++] = 0;
     for (i = 1; i <= steps; i++, at = degree) {
         degree = i < steps ? cycle * (double)i / (double)steps : cycle;
-        while ((corner = flk_corners_next(&way, at, NULL, 0, &what)) <
+        while ((corner = flk_corners_next(&direction, at, NULL, 0, &what)) <
                degree - FLK_CORNERS_CLOSE(degree))
             m->cuts[m->n_cuts++] = at = corner;
         m->cuts[m->n_cuts++] = degree;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** without_deck.c - extremes for hosts that have structures only: the deck that says the same is made of them.
+** without_deck.c - extremes for hosts without a deck: builds a deck from a host's structures.
 */
 #include <math.h>
 #include <string.h>
@@ -28,18 +28,18 @@ static int set_machine(const fourlink_mechanism *mechanism, const fourlink_load 
                        unsigned long n_loads, deck *d)
 {
     flk_machine *machine = &d->machine;
-    flk_own_load *own = flk_deck_keep(d, (n_loads + 1) * sizeof *own);
+    flk_given_load *given = flk_deck_keep(d, (n_loads + 1) * sizeof *given);
     unsigned long i;
 
     machine->element = flk_deck_keep(d, (n_loads + 1) * sizeof *machine->element);
-    if (!own || !machine->element)
+    if (!given || !machine->element)
         return 0;
     for (i = 0; i < n_loads; i++) {
-        own[i].load = loads[i];
-        own[i].values.force = loads[i].force;
-        own[i].values.torque = loads[i].torque;
-        own[i].load.force.x = own[i].load.force.y = own[i].load.torque = 0;
-        flk_element_of_own(&own[i], &machine->element[i]);
+        given[i].load = loads[i];
+        given[i].values.force = loads[i].force;
+        given[i].values.torque = loads[i].torque;
+        given[i].load.force.x = given[i].load.force.y = given[i].load.torque = 0;
+        flk_element_of_given_load(&given[i], &machine->element[i]);
     }
     d->design = mechanism->design;
     d->has_forces = 1;

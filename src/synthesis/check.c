@@ -3,7 +3,7 @@
 ** check.c - the checks of a linkage that synthesis has found.
 **
 ** The equations of synthesis hold on both branches, on both circuits, and in any order of the positions.
-** Whether the linkage found can move through them is asked of the analysis: position, reach, type.
+** Whether the linkage found can move through them is checked by the analysis: position, reach, type.
 */
 #include <math.h>
 #include <string.h>

@@ -90,7 +90,7 @@ int fit_has(const sheet *s, const style *x)
     return x->page == s->page || x->page == EACH_PAGE;
 }
 
-int fit_has_lead(const sheet *s)
+int fit_begins_with_angle(const sheet *s)
 {
     const style *styles = s->layout;
 

@@ -15,6 +15,6 @@ int fit_columns(const sheet *s, style *styles);
 int fit_has(const sheet *s, const style *x);
 
 /* 1 if the first column that is printed is the crank angle. */
-int fit_has_lead(const sheet *s);
+int fit_begins_with_angle(const sheet *s);
 
 #endif

@@ -145,7 +145,7 @@ static void put_loads(sheet *s)
         line_put(&s->l, "; gas");
 }
 
-void head_put_all(sheet *s)
+void head_put_properties(sheet *s)
 {
     head_put_title(s);
     put_type(s);

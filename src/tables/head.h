@@ -11,6 +11,6 @@
 ** what has a mass or a load. */
 void head_put_title(sheet *s);
 void head_put_kind(sheet *s);
-void head_put_all(sheet *s);
+void head_put_properties(sheet *s);
 
 #endif

@@ -69,7 +69,7 @@ static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 static void put_extremes(sheet *s, const char *label, int at_angle)
 {
     const style *styles = s->layout;
-    int has_lead = fit_has_lead(s);
+    int has_lead = fit_begins_with_angle(s);
     size_t hash = 1;
     unsigned long j, k;
 

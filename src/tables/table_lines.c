@@ -46,7 +46,7 @@ void table_put_head(sheet *s)
     if (s->content == SHEET_SUMMARY)
         summary_put_inputs(s);
     else
-        head_put_all(s);
+        head_put_properties(s);
 }
 
 /* -------------------------------------------------------------------------------------------- facts */

@@ -7,16 +7,16 @@
 
 #include "deck/deck.h"
 
-static inline size_t own_loads(const deck *d)
+static inline size_t given_loads(const deck *d)
 {
-    return flk_machine_count(&d->machine, &flk_own_sort);
+    return flk_machine_count(&d->machine, &flk_given_load_type);
 }
 
 /* Load i of a deck; one of zeros if there is none. */
-static inline const flk_own_load *own_load(const deck *d, size_t i)
+static inline const flk_given_load *given_load(const deck *d, size_t i)
 {
-    static const flk_own_load none;
-    const flk_element *e = flk_machine_find(&d->machine, &flk_own_sort, i);
+    static const flk_given_load none;
+    const flk_element *e = flk_machine_find(&d->machine, &flk_given_load_type, i);
 
     return e ? e->data : &none;
 }
@@ -24,7 +24,7 @@ static inline const flk_own_load *own_load(const deck *d, size_t i)
 static inline const flk_gas *gas_of(const deck *d)
 {
     static const flk_gas none;
-    const flk_element *e = flk_machine_find(&d->machine, &flk_gas_sort, 0);
+    const flk_element *e = flk_machine_find(&d->machine, &flk_gas_type, 0);
 
     return e ? e->data : &none;
 }

@@ -539,17 +539,17 @@ TEST(test_four_bar)
     assert_true(d.motion.run_up == 0 && d.motion.hold == 0);
     assert_int_equal(d.one_instant, 0);
     assert_int_equal(d.one_revolution, 0);
-    assert_int_equal(own_loads(&d), 2);
-    assert_int_equal(own_load(&d, 0)->load.link, 3);
-    assert_int_equal(own_load(&d, 0)->load.frame, FOURLINK_FRAME_GROUND);
-    assert_close(own_load(&d, 0)->values.force.x, 50 * cos(30 * DEG), 1e-15);
-    assert_close(own_load(&d, 0)->values.force.y, 25.0, 1e-15);
-    assert_true(own_load(&d, 0)->load.at.x == 0 && own_load(&d, 0)->load.at.y == 0.02 &&
-                own_load(&d, 0)->values.torque == 0);
-    assert_int_equal(own_load(&d, 1)->load.link, 4);
-    assert_true(own_load(&d, 1)->values.force.x == 3000 &&
-                own_load(&d, 1)->values.force.y == -4000);
-    assert_close(own_load(&d, 1)->values.torque, 0.2259696580552334, 1e-15);
+    assert_int_equal(given_loads(&d), 2);
+    assert_int_equal(given_load(&d, 0)->load.link, 3);
+    assert_int_equal(given_load(&d, 0)->load.frame, FOURLINK_FRAME_GROUND);
+    assert_close(given_load(&d, 0)->values.force.x, 50 * cos(30 * DEG), 1e-15);
+    assert_close(given_load(&d, 0)->values.force.y, 25.0, 1e-15);
+    assert_true(given_load(&d, 0)->load.at.x == 0 && given_load(&d, 0)->load.at.y == 0.02 &&
+                given_load(&d, 0)->values.torque == 0);
+    assert_int_equal(given_load(&d, 1)->load.link, 4);
+    assert_true(given_load(&d, 1)->values.force.x == 3000 &&
+                given_load(&d, 1)->values.force.y == -4000);
+    assert_close(given_load(&d, 1)->values.torque, 0.2259696580552334, 1e-15);
     assert_int_equal(d.has_forces, 1);
     assert_int_equal(d.open, 0);
     assert_int_equal(d.crossed, 1);
@@ -574,11 +574,12 @@ TEST(test_slider_crank)
     check_link(&d.design.link[3], 1.2, 0, 0, 0, 0);
     assert_true(d.design.link[4].mass == 50);
     assert_true(d.design.offset == -0.05);
-    assert_int_equal(own_loads(&d), 2);
-    assert_int_equal(own_load(&d, 0)->load.link, 4);
-    assert_true(own_load(&d, 0)->values.force.x == -1000 && own_load(&d, 0)->values.force.y == 0);
-    assert_int_equal(own_load(&d, 1)->load.link, 3);
-    assert_true(own_load(&d, 1)->values.torque == -3);
+    assert_int_equal(given_loads(&d), 2);
+    assert_int_equal(given_load(&d, 0)->load.link, 4);
+    assert_true(given_load(&d, 0)->values.force.x == -1000 &&
+                given_load(&d, 0)->values.force.y == 0);
+    assert_int_equal(given_load(&d, 1)->load.link, 3);
+    assert_true(given_load(&d, 1)->values.torque == -3);
     assert_int_equal(d.one_instant, 1);
     assert_int_equal(d.motion.hold, 1);
     assert_true(d.motion.acceleration == 7);
@@ -631,7 +632,7 @@ TEST(test_engine)
 
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
-    check_curve(&own_load(&d, 0)->values.torque_curve, torque, 3);
+    check_curve(&given_load(&d, 0)->values.torque_curve, torque, 3);
     assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
     assert_int_equal(d.has_forces, 1);
     flk_deck_free(&d);
@@ -643,8 +644,8 @@ TEST(test_engine)
     assert_near(flk_curve_piece(&gas_of(&d)->indicator, 100 * DEG, 100 * DEG), 6e5, 1e-3);
     flk_deck_free(&d);
     read_with(ENGINE, "load T.torque=-7 N m", &d);
-    assert_true(own_load(&d, 0)->values.torque == -7);
-    assert_int_equal(own_load(&d, 0)->values.torque_curve.n, 0);
+    assert_true(given_load(&d, 0)->values.torque == -7);
+    assert_int_equal(given_load(&d, 0)->values.torque_curve.n, 0);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
@@ -747,7 +748,7 @@ TEST(test_odd_curves)
             for (k = -100; k < 100; k++) {
                 assert_true(fabs(flk_curve_piece(&gas_of(&d)->indicator, k * 0.1, k * 0.1)) <=
                             FOURLINK_NUMBER_MAX);
-                assert_true(fabs(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, k * 0.1,
+                assert_true(fabs(flk_curve_piece(&given_load(&d, 0)->values.torque_curve, k * 0.1,
                                                  k * 0.1)) <= FOURLINK_NUMBER_MAX);
             }
         flk_deck_free(&d);
@@ -767,7 +768,7 @@ TEST(test_defaults)
     assert_true(d.open == 1 && d.crossed == 1);
     assert_int_equal(d.digits, 6);
     assert_int_equal(d.has_forces, 0);
-    assert_int_equal(own_loads(&d), 0);
+    assert_int_equal(given_loads(&d), 0);
     assert_null(d.columns.names.start);
     flk_deck_free(&d);
 
@@ -828,10 +829,10 @@ TEST(test_units)
     assert_close(d.motion.acceleration, 2 * DEG, 1e-15);
     assert_true(d.motion.angle_unit == 1);
     assert_true(d.motion.from == 1 && d.motion.to == 3 && d.motion.interval == 0.25);
-    assert_close(own_load(&d, 0)->values.force.x, 2000 * cos(1), 1e-15);
-    assert_close(own_load(&d, 0)->values.force.y, 2000 * sin(1), 1e-15);
-    assert_true(own_load(&d, 0)->values.torque == 0.007);
-    assert_true(own_load(&d, 0)->load.at.x == 0 && own_load(&d, 0)->load.at.y == 0.004);
+    assert_close(given_load(&d, 0)->values.force.x, 2000 * cos(1), 1e-15);
+    assert_close(given_load(&d, 0)->values.force.y, 2000 * sin(1), 1e-15);
+    assert_true(given_load(&d, 0)->values.torque == 0.007);
+    assert_true(given_load(&d, 0)->load.at.x == 0 && given_load(&d, 0)->load.at.y == 0.004);
     assert_close(d.design.gravity.x, 386 * 0.0254, 1e-15);
     assert_true(d.design.gravity.y == 0);
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "mm");
@@ -926,7 +927,7 @@ static void check_vector(const char *assignment, double x, double y, double tole
     fourlink_vector v;
 
     read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\nat = 0 mm\n", assignment, &d);
-    v = strncmp(assignment, "load.force", 10) == 0 ? own_load(&d, 0)->values.force
+    v = strncmp(assignment, "load.force", 10) == 0 ? given_load(&d, 0)->values.force
                                                    : d.design.link[2].cg;
     assert_near(v.x, x, tolerance);
     assert_near(v.y, y, tolerance);
@@ -985,7 +986,7 @@ TEST(test_gravity)
               "ground.angle=30 deg", &d);
     assert_near(d.design.gravity.x, -9.81 / 2, 1e-14);
     assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
-    assert_true(own_load(&d, 0)->values.force.x == 0 && own_load(&d, 0)->values.force.y == 2);
+    assert_true(given_load(&d, 0)->values.force.x == 0 && given_load(&d, 0)->values.force.y == 2);
     assert_true(d.motion.from == 0 && d.motion.to == 360);
     flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=90 deg", &d); /* a vertical engine, piston on top */
@@ -1030,16 +1031,16 @@ TEST(test_changes)
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "in");
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "load F2.force=5 N at 90 deg", &d);
-    assert_true(own_load(&d, 0)->values.force.x == 1 && own_load(&d, 0)->values.force.y == 0);
-    assert_true(own_load(&d, 1)->values.force.x == 0 && own_load(&d, 1)->values.force.y == 5);
+    assert_true(given_load(&d, 0)->values.force.x == 1 && given_load(&d, 0)->values.force.y == 0);
+    assert_true(given_load(&d, 1)->values.force.x == 0 && given_load(&d, 1)->values.force.y == 5);
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "LOAD f1.torque=5 N m", &d);
-    assert_true(own_load(&d, 0)->values.torque == 5 && own_load(&d, 1)->values.torque == 0);
+    assert_true(given_load(&d, 0)->values.torque == 5 && given_load(&d, 1)->values.torque == 0);
     flk_deck_free(&d);
     /* unless two names differ in that alone */
     read_with(FOUR_BAR LOADS "[load f1]\nlink = crank\ntorque = 1 N m\n", "load f1.torque=5 N m",
               &d);
-    assert_true(own_load(&d, 0)->values.torque == 0 && own_load(&d, 2)->values.torque == 5);
+    assert_true(given_load(&d, 0)->values.torque == 0 && given_load(&d, 2)->values.torque == 5);
     flk_deck_free(&d);
     read_with("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = nonsense\n"
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n",
@@ -1081,8 +1082,8 @@ TEST(test_changed_parts)
                                                "at = 0 mm\n",
                                       changes, cases[i].second ? 2 : 1, &d),
                          1);
-        assert_near(own_load(&d, 0)->values.force.x, cases[i].x, 1e-14);
-        assert_near(own_load(&d, 0)->values.force.y, cases[i].y, 1e-14);
+        assert_near(given_load(&d, 0)->values.force.x, cases[i].x, 1e-14);
+        assert_near(given_load(&d, 0)->values.force.y, cases[i].y, 1e-14);
         flk_deck_free(&d);
     }
     read_with(FOUR_BAR, "coupler.cg.y=5 mm", &d); /* not given: the link's origin */
@@ -1194,8 +1195,8 @@ static int check_outcome(const char *contents, size_t length)
             if (gas_of(&d)->indicator.n)
                 assert_true(fabs(flk_curve_piece(&gas_of(&d)->indicator, (double)i, (double)i)) <=
                             FOURLINK_NUMBER_MAX);
-            if (own_loads(&d) && own_load(&d, 0)->values.torque_curve.n)
-                assert_true(fabs(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, (double)i,
+            if (given_loads(&d) && given_load(&d, 0)->values.torque_curve.n)
+                assert_true(fabs(flk_curve_piece(&given_load(&d, 0)->values.torque_curve, (double)i,
                                                  (double)i)) <= FOURLINK_NUMBER_MAX);
         }
         status = 1;

@@ -93,7 +93,7 @@ TEST(test_places_of_loads)
     read_accepted(FOUR_BAR LENGTH "[load]\nlink = rocker\nforce = (3, 0) N\nat = mid\n"
                                   "[point P]\nlink = coupler\nat = 200 %\n",
                   NULL, &d);
-    assert_near(own_load(&d, 0)->load.at.x, 0.028, 1e-17);
+    assert_near(given_load(&d, 0)->load.at.x, 0.028, 1e-17);
     assert_near(d.points[0].at.x, 0.132, 1e-16);
     flk_deck_free(&d);
     /* 50 g cm2 about G, 2 s about the end: as with cg = 33 mm and swing_pin = 66 mm */

@@ -199,7 +199,7 @@ static const struct {
     {RUN_UP "[motor]\ntorque = constant\n", 10,
      "torque = constant balances the loads over a cycle: it needs mode = steady"},
     {STEADY "[motor]\ntorque = constant\n", 10,
-     "torque = constant leaves the speed open: [motion] needs a mean_speed"},
+     "torque = constant does not determine the speed: [motion] needs a mean_speed"},
     {STEADY "mean_speed = 100 rpm\n" LINE, 9,
      "a mean_speed needs [motor] torque = constant, which balances the loads at any speed"},
     {PUMP "mean_speed = 100 rpm\n", 8,

@@ -143,7 +143,7 @@ TEST(test_mechanism)
     assert_near(d.design.link[2].length, 0.020, 1e-17);
     assert_near(d.design.link[3].length, 0.066, 0);
     assert_near(d.design.link[4].length, 0.056, 0);
-    assert_near(own_load(&d, 0)->values.torque, 3, 0);
+    assert_near(given_load(&d, 0)->values.torque, 3, 0);
     assert_near(d.motion.speed, 1, 0);
     flk_deck_free(&d);
 }
@@ -545,8 +545,10 @@ TEST(test_design_is_assignments)
         source.changes = changes;
         source.n_changes = 5;
         assert_int_equal(flk_deck_read(&source, &set), 1);
-        assert_close(own_load(&set, 1)->values.force.x, own_load(&swept, 1)->values.force.x, 1e-14);
-        assert_close(own_load(&set, 1)->values.force.y, own_load(&swept, 1)->values.force.y, 1e-14);
+        assert_close(given_load(&set, 1)->values.force.x, given_load(&swept, 1)->values.force.x,
+                     1e-14);
+        assert_close(given_load(&set, 1)->values.force.y, given_load(&swept, 1)->values.force.y,
+                     1e-14);
         assert_close(set.design.link[4].cg.x, swept.design.link[4].cg.x, 1e-14);
         assert_close(set.motion.speed, swept.motion.speed, 1e-14);
         assert_close(set.design.link[2].length, swept.design.link[2].length, 1e-14);

@@ -160,7 +160,7 @@ static double value_of(const char *key, const deck *d)
            : strcmp(key, "crank.inertia") == 0 ? d->design.link[2].inertia
            : strcmp(key, "motion.speed") == 0  ? d->motion.speed
            : strcmp(key, "motion.at") == 0     ? d->motion.from
-           : strcmp(key, "load.torque") == 0   ? own_load(d, 0)->values.torque
+           : strcmp(key, "load.torque") == 0   ? given_load(d, 0)->values.torque
                                                : d->flywheel_fluctuation;
 }
 
@@ -211,7 +211,7 @@ TEST(test_lines)
                   NULL, &d);
     assert_string_equal(d.title, "30" DEGREE " " MINUS " K\303\266nig");
     assert_true(d.design.link[2].length == 0.02);
-    assert_string_equal(flk_machine_find(&d.machine, &flk_own_sort, 0)->name, "F" TWO);
+    assert_string_equal(flk_machine_find(&d.machine, &flk_given_load_type, 0)->name, "F" TWO);
     assert_string_equal(d.points[0].name, "P" TWO);
     assert_int_equal(d.columns.names.length, strlen("theta2," NO_BREAK "P" TWO ".x"));
     assert_string_equal(d.units[QUANTITY_ANGLE].name, "deg");
@@ -246,8 +246,8 @@ TEST(test_curves)
                            "torque = 0" DEGREE " 1 Nm, 90" DEGREE " " MINUS "3 Nm,180 1 N" DOT
                            "m\n",
                   NULL, &d);
-    assert_int_equal(own_load(&d, 0)->values.torque_curve.n, 3);
-    assert_near(flk_curve_piece(&own_load(&d, 0)->values.torque_curve, 90 * DEG, 90 * DEG), -3,
+    assert_int_equal(given_load(&d, 0)->values.torque_curve.n, 3);
+    assert_near(flk_curve_piece(&given_load(&d, 0)->values.torque_curve, 90 * DEG, 90 * DEG), -3,
                 1e-12);
     flk_deck_free(&d);
     check_mistake(
