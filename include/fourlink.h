@@ -1607,8 +1607,8 @@ FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quant
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
-**    i          0 ... problem.n_loads - 1, ordered by sort, then by element; friction in the order of
-**    fourlink_losses
+**    i          0 ... problem.n_loads - 1, those of own loads, of springs, of gas, each by element; then
+**               friction in the order of fourlink_losses
 ** Returned:
 **    info       the same at every crank angle; its name is valid as long as the deck
 ** Returned (function value):

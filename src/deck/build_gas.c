@@ -16,7 +16,7 @@
 
 void flk_build_gas(parser *p)
 {
-    const section_use *use = flk_section_find(p, SECTION_GAS, NULL);
+    section_use *use = flk_section_find(p, SECTION_GAS, NULL);
     const setting *bore = flk_setting_find(p, KEY_GAS_BORE),
                   *rod = flk_setting_find(p, KEY_GAS_PISTON_ROD);
     const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),
@@ -43,7 +43,7 @@ void flk_build_gas(parser *p)
         flk_mistake(p->mistakes, rod->place, "the piston_rod, %t, is not thinner than the bore",
                     rod->value);
     gas = flk_reader_keep(p, sizeof *gas);
-    element = flk_build_element(p);
+    element = flk_build_element(p, use);
     if (!gas || !element)
         return;
     gas->area = M_PI / 4 * bore->si[0] * bore->si[0];

@@ -180,13 +180,13 @@ static void build_load(parser *p, const section_use *use, flk_given_load *given)
 
 void flk_build_loads(parser *p)
 {
-    const section_use *use = NULL;
+    section_use *use = NULL;
     flk_element *element;
     flk_given_load *given;
 
     while (!p->out_of_memory && (use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
         given = flk_reader_keep(p, sizeof *given);
-        element = flk_build_element(p);
+        element = flk_build_element(p, use);
         if (!given || !element)
             return;
         build_load(p, use, given);

@@ -454,13 +454,14 @@ void flk_build_series(parser *p)
         flk_mistake(p->mistakes, s->place, "%s", fourlink_status_text(FOURLINK_NO_SERIES));
 }
 
-flk_element *flk_build_element(parser *p)
+flk_element *flk_build_element(parser *p, section_use *use)
 {
     flk_machine *machine = &p->d->machine;
 
     if (!machine->element) /* a section makes one, at most */
         machine->element = flk_reader_keep(p, p->n_uses * sizeof *machine->element);
-    return machine->element ? &machine->element[machine->n_elements++] : NULL;
+    use->element = machine->element ? &machine->element[machine->n_elements++] : NULL;
+    return use->element;
 }
 
 int flk_build_check_link(parser *p, const section_use *use, const setting *link)

@@ -8,8 +8,8 @@
 
 #include "parser.h"
 
-/* The next element of the machine's list, for a load, a spring or gas; null if out of memory. */
-flk_element *flk_build_element(parser *p);
+/* The next element of the machine's list, for the load, spring or gas of a section; null if out of memory. */
+flk_element *flk_build_element(parser *p, section_use *use);
 
 /* 1 if the kind of the mechanism has this key. */
 int flk_build_has(const parser *p, key_code key);

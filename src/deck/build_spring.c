@@ -154,11 +154,11 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
 
 void flk_build_springs(parser *p)
 {
-    const section_use *use = NULL;
+    section_use *use = NULL;
     flk_element *element;
 
     while (!p->out_of_memory && (use = flk_section_next(p, SECTION_SPRING, use)) != NULL) {
-        element = flk_build_element(p);
+        element = flk_build_element(p, use);
         if (element)
             build_spring(p, use, element);
         p->d->has_forces = 1;

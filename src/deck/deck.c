@@ -110,7 +110,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
     problem->has_friction = d->machine.has_friction;
-    problem->has_gas = d->machine.first_gas < d->machine.n_loads;
+    problem->has_gas = flk_machine_count(&d->machine, &flk_gas_type) > 0;
     problem->n_loads = d->machine.n_loads;
     problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_type);
     problem->n_points = (unsigned long)d->n_points;
@@ -223,7 +223,7 @@ int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_in
     if (i >= machine->n_loads)
         return FOURLINK_BAD_LINK;
     info->element = 0;
-    if (i >= machine->first_friction && i < machine->first_gas) {
+    if (i >= machine->first_friction) {
         int joint = flk_friction_joint[i -= machine->first_friction];
 
         info->name = "friction";

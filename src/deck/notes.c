@@ -258,7 +258,6 @@ static void check_run_up(parser *p)
 void flk_build_notes(parser *p)
 {
     const section_use *use = NULL;
-    size_t n = 0;
     int k;
 
     if (p->mistakes->count || p->out_of_memory)
@@ -274,7 +273,7 @@ void flk_build_notes(parser *p)
     while ((use = flk_section_next(p, SECTION_SPRING, use)) != NULL)
         check_spring(p, use);
     while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL)
-        check_load(p, use, flk_machine_find(&p->d->machine, &flk_given_load_type, n++)->data);
+        check_load(p, use, use->element->data);
     check_friction(p);
     check_pressure(p, KEY_GAS_PRESSURE);
     check_pressure(p, KEY_GAS_BACK_PRESSURE);
@@ -337,15 +336,13 @@ static void check_ends(parser *p, const setting *s, const setting *over, const c
 void flk_build_curve_ends(parser *p)
 {
     const section_use *use = NULL;
-    size_t n = 0;
 
     if (p->mistakes->count || p->out_of_memory)
         return;
-    for (; (use = flk_section_next(p, SECTION_LOAD, use)) != NULL; n++) {
+    while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL) {
         const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                       *back = flk_setting_of(use, KEY_LOAD_BACK);
-        const flk_given_load *given =
-            flk_machine_find(&p->d->machine, &flk_given_load_type, n)->data;
+        const flk_given_load *given = use->element->data;
 
         if (over->word <= FLK_THETA4 ||
             (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))

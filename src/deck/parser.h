@@ -61,11 +61,12 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    const char *start; /* of its header in the text; null: not in the text */
-    int is_mistaken;   /* 1: a mistake in it is reported; mistakes that follow from it are not */
-    int is_read;       /* 1: all its settings have been read */
-    int is_shared;     /* 1: its settings are those of the deck that this is a design of */
-    setting *settings; /* see flk_setting_of */
+    const char *start;    /* of its header in the text; null: not in the text */
+    int is_mistaken;      /* 1: a mistake in it is reported; mistakes that follow from it are not */
+    int is_read;          /* 1: all its settings have been read */
+    int is_shared;        /* 1: its settings are those of the deck that this is a design of */
+    setting *settings;    /* see flk_setting_of */
+    flk_element *element; /* built from it for the current design; null: none */
 } section_use;
 
 /* A value in a section that has names as keys: [expect], [misprint], [sweep]. */

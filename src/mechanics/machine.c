@@ -29,27 +29,19 @@ enum { ON_D = 4, ON_A = 5 }; /* indices of loads in fourlink_losses */
 void flk_machine_finish(flk_machine *m)
 {
     size_t i;
-    int is_behind_springs = 0;
 
     m->n_loads = 0;
-    m->first_friction = m->first_gas = 0;
     m->needs_motion = m->has_friction;
-    for (i = 0; i <= m->n_elements; i++) {
-        flk_element *e = i < m->n_elements ? &m->element[i] : NULL;
+    for (i = 0; i < m->n_elements; i++) {
+        flk_element *e = &m->element[i];
 
-        if (!is_behind_springs && (!e || e->type == &flk_gas_type)) {
-            m->first_friction = m->n_loads;
-            m->n_loads += m->has_friction ? FOURLINK_FRICTION_LOADS : 0;
-            m->first_gas = m->n_loads;
-            is_behind_springs = 1;
-        }
-        if (!e)
-            break;
         e->first = m->n_loads;
         m->n_loads += (unsigned long)e->n_loads;
         m->needs_motion |= e->needs_motion;
         m->needs_angles |= e->needs_angles;
     }
+    m->first_friction = m->n_loads;
+    m->n_loads += m->has_friction ? FOURLINK_FRICTION_LOADS : 0;
 }
 
 size_t flk_machine_count(const flk_machine *m, const flk_element_type *type)
@@ -86,7 +78,7 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
     omega2 = acting->held ? acting->held->link[FOURLINK_CRANK].omega : omega2;
     acting->sense = flk_friction_sense(omega2, &m->friction);
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
-    for (i = m->first_friction; i < m->first_gas; i++)
+    for (i = m->first_friction; i < m->n_loads; i++)
         clear_load(&acting->load[i], flk_friction_link(kind, i - m->first_friction));
 }
 
@@ -110,7 +102,7 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
     }
 }
 
-/* Set the loads for a state, which may be at unit speed if no load depends on the speed. */
+/* Set the loads for a state, but those of friction to 0.  It may be at unit speed if no load depends on the speed. */
 static int set_loads(const flk_machine *m, const fourlink_state *state, double omega2,
                      flk_acting *acting)
 {
@@ -126,11 +118,6 @@ static int set_loads(const flk_machine *m, const fourlink_state *state, double o
     return status;
 }
 
-int flk_machine_loads(const flk_machine *m, const fourlink_state *state, flk_acting *acting)
-{
-    return set_loads(m, state, state->link[FOURLINK_CRANK].omega, acting);
-}
-
 /* Friction in a pin on the ground also acts on the ground, opposite to the link. */
 static void take_friction(const flk_machine *m, const fourlink_losses *losses, flk_acting *acting)
 {
@@ -143,7 +130,7 @@ int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int cl
                        flk_acting *acting, fourlink_forces *forces, fourlink_losses *losses)
 {
     const fourlink_mechanism *mechanism = &m->mechanism;
-    int status = flk_machine_loads(m, state, acting);
+    int status = set_loads(m, state, state->link[FOURLINK_CRANK].omega, acting);
 
     if (status != FOURLINK_OK)
         return status;
@@ -245,7 +232,7 @@ static int move_loads(const flk_machine *m, const flk_machine_place *place, doub
         return set_loads(m, &place->state, omega2, acting);
     *moving = place->state;
     fourlink_velocity(&m->mechanism, omega2, moving);
-    return flk_machine_loads(m, moving, acting);
+    return set_loads(m, moving, moving->link[FOURLINK_CRANK].omega, acting);
 }
 
 int flk_machine_torque_at(const flk_machine *m, const flk_machine_place *place, double omega2,

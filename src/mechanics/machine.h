@@ -10,8 +10,8 @@
 
 #include "element.h"
 
-/* A machine.  Its loads are those of the elements in their order (given loads, springs, gas), with
-** FOURLINK_FRICTION_LOADS loads of friction before those of the gas. */
+/* A machine.  Its loads are those of the elements in their order (given loads, springs, gas), then, with
+** friction, FOURLINK_FRICTION_LOADS of friction. */
 typedef struct flk_machine {
     fourlink_mechanism mechanism; /* with counterweights applied */
     flk_element *element;
@@ -23,9 +23,9 @@ typedef struct flk_machine {
     double cycle;         /* rad, the period of curves over theta2 and of ranges of crank angles */
     /* from flk_machine_finish: */
     unsigned long n_loads;
-    unsigned long first_friction, first_gas; /* indices of loads; n_loads: none */
-    int needs_motion;                        /* 1: loads depend on more than the crank angle */
-    int needs_angles;                        /* 1: ... on the angles of links 3 and 4 */
+    unsigned long first_friction; /* index of a load; n_loads: none */
+    int needs_motion;             /* 1: loads depend on more than the crank angle */
+    int needs_angles;             /* 1: ... on the angles of links 3 and 4 */
 } flk_machine;
 
 /* Number the loads; call this after the last element has been added. */
@@ -40,9 +40,6 @@ const flk_element *flk_machine_find(const flk_machine *machine, const flk_elemen
 ** need the motion are 0. */
 void flk_machine_loads_at(const flk_machine *machine, fourlink_branch branch, double theta2,
                           double omega2, flk_acting *acting);
-
-/* The loads in a state; those of friction are 0: FOURLINK_OK, FOURLINK_NO_DIRECTION. */
-int flk_machine_loads(const flk_machine *machine, const fourlink_state *state, flk_acting *acting);
 
 /* The loads in a state, including friction, and the resulting forces.  Losses are those of friction; without
 ** friction Ts0 is Ts, the efficiency is 1 and the rest is 0. */

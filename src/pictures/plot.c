@@ -268,13 +268,14 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
     return 1;
 }
 
-/* The gas, the last of the loads, is not counted. */
 static int has_too_many_loads(const picture *p)
 {
-    fourlink_load_info next;
+    fourlink_load_info load;
+    unsigned long i, n = 0;
 
-    return fourlink_deck_load(p->v.deck, PICTURE_LOADS, &next) == FOURLINK_OK &&
-           next.sort != FOURLINK_LOAD_GAS;
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
+        n += load.sort != FOURLINK_LOAD_GAS;
+    return n > PICTURE_LOADS;
 }
 
 static const char *missing(const picture *p)

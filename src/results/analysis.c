@@ -19,7 +19,7 @@ static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | NEED_ANGLES |
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
-                (d->machine.first_gas < d->machine.n_loads ? NEED_GAS : 0) |
+                (flk_machine_count(&d->machine, &flk_gas_type) ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES : 0) |
                 (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0) |
                 (d->synthesis && d->synthesis->function.wanted ? NEED_WANTED : 0);
@@ -103,9 +103,11 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
 
     at->branch = branch;
     at->status = compute(a, needs, forces, crank, at);
-    if (at->status == FOURLINK_OK && (needs & NEED_ENGINE))
-        at->status = fourlink_engine_method(mechanism, &at->state, at->gas_force, a->acting.load,
-                                            machine->first_gas, a->d->approximation, &row->engine);
+    if (at->status == FOURLINK_OK && (needs & NEED_ENGINE)) {
+        at->status = fourlink_engine_method(mechanism, &at->state, 0, a->acting.load,
+                                            machine->n_loads, a->d->approximation, &row->engine);
+        row->engine.gas_force = at->gas_force; /* which is among the loads */
+    }
     if (at->status == FOURLINK_OK && (needs & NEED_SERIES))
         at->status = fourlink_textbook_series(mechanism, &at->state, &row->series);
     if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))

@@ -389,24 +389,24 @@ TEST(test_sorts_of_loads)
                               "at = 400 mm\n" PUMP_FRICTION GAS,
                   8,
                   {{"S", SPRING, 0, 4, 0},
+                   {"gas", GAS_LOAD, 0, 4, 0},
                    {"friction", FRICTION, B, 3, 1},
                    {"friction", FRICTION, B, 2, 1},
                    {"friction", FRICTION, C, 4, 1},
                    {"friction", FRICTION, C, 3, 1},
                    {"friction", FRICTION, D, 4, 0},
-                   {"friction", FRICTION, A, 2, 1},
-                   {"gas", GAS_LOAD, 0, 4, 0}}},
+                   {"friction", FRICTION, A, 2, 1}}},
                  {LEVER GAS,
                   9,
                   {{"L", OWN, 0, 4, 0},
+                   {"gas", GAS_LOAD, 0, 3, 0},
+                   {"gas", GAS_LOAD, 0, 4, 0},
                    {"friction", FRICTION, B, 3, 1},
                    {"friction", FRICTION, B, 2, 1},
                    {"friction", FRICTION, C, 3, 0},
                    {"friction", FRICTION, C, 4, 0},
                    {"friction", FRICTION, D, 4, 1},
-                   {"friction", FRICTION, A, 2, 1},
-                   {"gas", GAS_LOAD, 0, 3, 0},
-                   {"gas", GAS_LOAD, 0, 4, 0}}}};
+                   {"friction", FRICTION, A, 2, 1}}}};
     fourlink_load_info info;
     fourlink_load loads[13];
     fourlink_instant at;
