@@ -2016,9 +2016,10 @@ typedef struct fourlink_solution {
     double
         max_error; /* rad or m, function: largest |structural error|, with the sign of the error: in
                             the working range if the wanted function is given, else at the points */
-    double max_error_at; /* rad, crank angle of the linkage there */
-    int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: the fit is the better the longer the links are; this
-                             is the best one whose longest link is at most 100 times as long as the shortest */
+    double max_error_at;  /* rad, crank angle of the linkage there */
+    int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: the longer the links, the better the
+                             fit; this is the best whose longest link is at most 100 times as long as
+                             the shortest */
 } fourlink_solution;
 
 /* The wanted output of a function generator, for the structural error between the points.

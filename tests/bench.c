@@ -150,8 +150,8 @@ static int analyse_friction(const fourlink_mechanism *m, fourlink_branch branch,
                : status;
 }
 
-/* Extremes.  The six of the forces against 360 rows by dyads of the same deck, and those of a whole table, both
-** branches, against writing that as csv. */
+/* Extremes.  The six of the forces against 360 rows by dyads of the same deck, and those of a whole
+** table, both branches, against writing that as csv. */
 #define DECK_SIZE 10000
 
 static double time_extremes(const char *deck, size_t length, int n)
@@ -214,8 +214,8 @@ static double time_steady(void)
     return seconds() - start;
 }
 
-/* Opening a deck whose loads have corners, and a row of its motion, against reading it: the corners cost nothing until a
-** load is asked for. */
+/* Opening a deck whose loads have corners, and a row of its motion, against reading it: the corners cost
+** nothing until a load is asked for. */
 #define OPENINGS 100
 
 static double time_opening(const char *deck, size_t length, int opens)

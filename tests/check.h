@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** check.h - what the tests share: cmocka, a list of tests that fills itself, comparison of doubles, random numbers.
+** check.h - what the tests share: cmocka, a list of tests that fills itself, comparison of doubles,
+** random numbers.
 */
 #ifndef FOURLINK_CHECK_H
 #define FOURLINK_CHECK_H
@@ -40,7 +41,8 @@ static inline void add_test(const char *name, CMUnitTestFunction f)
     tests.list[tests.n++].test_func = f;
 }
 
-/* Run the tests of the file; the status of its main().  `setup` is called once before them, unless it is null. */
+/* Run the tests of the file; the status of its main().  `setup` is called once before them, unless it is
+** null. */
 static inline int run_all_tests(CMFixtureFunction setup)
 {
     return _cmocka_run_group_tests("tests", tests.list, tests.n, setup, NULL);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** formulas.h - the motion of linkages and engines by formulas of this file in long double, and extremes of these by
-** dense scan.
+** formulas.h - the motion of linkages and engines by formulas of this file in long double, and extremes
+** of these by dense scan.
 */
 #ifndef FOURLINK_FORMULAS_H
 #define FOURLINK_FORMULAS_H

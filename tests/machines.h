@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** machines.h - linkages and engines for the tests of results: their decks, values by name, and the facts of a deck.
+** machines.h - linkages and engines for the tests of results: their decks, values by name, and the facts
+** of a deck.
 */
 #ifndef FOURLINK_MACHINES_H
 #define FOURLINK_MACHINES_H
@@ -14,7 +15,8 @@ static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
 ** Decks
 ** ------------------------------------------------------------------------------------------- */
 
-/* Alvi's linkage with the masses of data/me3491-matrix.deck; the pump of doc/motor-pump.deck, and what it has besides. */
+/* Alvi's linkage with the masses of data/me3491-matrix.deck; the pump of doc/motor-pump.deck, and what
+** it has besides. */
 #define ROCKER                                                                           \
     "mechanism = four-bar\n[ground]\nlength = 80 mm\n"                                   \
     "[crank]\nlength = 20 mm\nmass = 0.1 kg\ngyration = 8 mm\ncg = 10 mm\n"              \

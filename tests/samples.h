@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** samples.h - Alvi's linkage with masses, and random mechanisms with masses and loads, for the tests of forces.
+** samples.h - Alvi's linkage with masses, and random mechanisms with masses and loads, for the tests of
+** forces.
 */
 #ifndef FOURLINK_SAMPLES_H
 #define FOURLINK_SAMPLES_H

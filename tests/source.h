@@ -11,8 +11,8 @@
 
 #include "fourlink.h"
 
-/* Keep some of the decks as files in the folder FOURLINK_KEEP_DECKS, if it is set; tests/web.sh tries them in the
-** page. */
+/* Keep some of the decks as files in the folder FOURLINK_KEEP_DECKS, if it is set; tests/web.sh tries
+** them in the page. */
 static inline void keep_deck(const char *contents)
 {
     static unsigned long n;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** figures.c - the report that is made in a page, in place of src/report/figures.c and assets.c: its figure is the
-** interactive drawing, since there is no gnuplot, and there is no scratch file for the csv that the page saves
-** itself.  The page has the style and the script of a report, and puts them in.
+** figures.c - the report that is made in a page, in place of src/report/figures.c and assets.c: its
+** figure is the interactive drawing, since there is no gnuplot, and there is no scratch file for the csv
+** that the page saves itself.  The page has the style and the script of a report, and puts them in.
 */
 #include <errno.h>
 #include <stddef.h>

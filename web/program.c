@@ -2,8 +2,8 @@
 **
 ** program.c - what the page calls, from worker.js.
 **
-** A call takes its text from the room that web_room gave, and leaves its answer, JSON or a file, where web_answer
-** says.  One deck is open at a time.
+** A call takes its text from the room that web_room gave, and leaves its answer, JSON or a file, where
+** web_answer says.  One deck is open at a time.
 */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include <stdio.h>
@@ -87,7 +87,7 @@ static void put_number(const char *name, unsigned long value)
     line_put(&l, ",\"%s\":%lu", name, value);
 }
 
-/* ------------------------------------------------------------------------------------------------ messages */
+/* ----------------------------------------------------------------------------------------- messages */
 
 /* What is not printable becomes a question mark, as in the messages of the command. */
 static void make_printable(char *words)
@@ -144,7 +144,7 @@ static void put_messages(fourlink_mistake *list, unsigned long count,
     put_number("more", count > MOST_MISTAKES ? count - MOST_MISTAKES : 0);
 }
 
-/* ------------------------------------------------------------------------------------------------ the deck */
+/* ----------------------------------------------------------------------------------------- the deck */
 
 static void put_value_name(const fourlink_value *v)
 {
@@ -206,8 +206,8 @@ static int open_drawn(void)
                : fourlink_results_open(&drawn_source, 0, &drawn, NULL, NULL);
 }
 
-/* Open the deck whose name, of this length and with its final zero, and whose text are in the room.  Answers with its
-** messages and, if it has no mistakes, what there is to see.  Returns a status. */
+/* Open the deck whose name, of this length and with its final zero, and whose text are in the room.
+** Answers with its messages and, if it has no mistakes, what there is to see.  Returns a status. */
 CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
@@ -251,7 +251,7 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- drawing, curves */
+/* ---------------------------------------------------------------------------------- drawing, curves */
 
 /* Answer with the rows of the drawing, of all branches or of one, at `at` too, a crank angle or NaN. */
 CALLED(web_scene) int web_scene(int branch, double at)
@@ -318,7 +318,7 @@ CALLED(web_curve) int web_curve(void)
     return done;
 }
 
-/* ------------------------------------------------------------------------------------- numbers, sheets, report */
+/* -------------------------------------------------------------------------- numbers, sheets, report */
 
 /* Rows of the deck's columns: for each its values and then its status.  Null without memory. */
 CALLED(web_rows) const double *web_rows(int branch, unsigned long first, unsigned long n)
@@ -364,8 +364,8 @@ CALLED(web_sheet) int web_sheet(int format, int content)
     return end_answer() && done;
 }
 
-/* Answer with the report; the room has the crank angle of its sample calculation, or nothing: a deck with one crank
-** angle has no other.  Returns 0 without memory, 2 if the answer is a mistake. */
+/* Answer with the report; the room has the crank angle of its sample calculation, or nothing: a deck
+** with one crank angle has no other.  Returns 0 without memory, 2 if the answer is a mistake. */
 CALLED(web_report) int web_report(void)
 {
     report_outcome outcome;
@@ -398,7 +398,8 @@ CALLED(web_label) int web_label(void)
     return end_answer();
 }
 
-/* The value in SI units of the quantity in the room, such as "40 mm", read as the deck reads it; NaN if it is none. */
+/* The value in SI units of the quantity in the room, such as "40 mm", read as the deck reads it; NaN if
+** it is none. */
 CALLED(web_quantity) double web_quantity(int is_angle)
 {
     quantity q = is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;

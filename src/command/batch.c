@@ -2,8 +2,9 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks, and marks are for what all answers are asked: for these, all are
-** read once before they are written.  What can be read only once, such as standard input, is kept as text.
+** The header of a csv has the columns of all decks, and marks are for what all answers are asked: for
+** these, all are read once before they are written.  What can be read only once, such as standard input,
+** is kept as text.
 */
 #include <errno.h>
 #include <stdlib.h>
@@ -75,7 +76,7 @@ static int add_columns(batch *b, const input *in)
     return 1;
 }
 
-/* ----------------------------------------------------------------------------------------------- the sheet */
+/* ---------------------------------------------------------------------------------------- the sheet */
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
 {

@@ -144,7 +144,8 @@ static int has_word(const char *start, size_t length, const char *word)
     return 0;
 }
 
-/* 1 if neither the deck nor the options can have a [sweep]: seen before the deck is opened, which can take seconds. */
+/* 1 if neither the deck nor the options can have a [sweep]: seen before the deck is opened, which can
+** take seconds. */
 static int has_no_sweep(const input *in)
 {
     size_t i;

@@ -39,9 +39,9 @@ typedef struct input_text {
     size_t length;
 } input_text;
 
-/* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads
-** the first design without mistakes.  `once` keeps the text of a deck that is read again and can be read only once;
-** null: it is not read again. */
+/* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this
+** reads the first design without mistakes.  `once` keeps the text of a deck that is read again and can
+** be read only once; null: it is not read again. */
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers,
                input_text *once);
 

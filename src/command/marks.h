@@ -20,8 +20,8 @@ typedef struct marks {
 } marks;
 
 /* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own
-** [expect]; if it has none, the values that enough answers have, which a note tells.  Begin, which returns the
-** exit status; add each input; then end. */
+** [expect]; if it has none, the values that enough answers have, which a note tells.  Begin, which
+** returns the exit status; add each input; then end. */
 int marks_begin(marks *m, const options *o, const input *deck);
 void marks_add(marks *m, const input *in);
 void marks_end(marks *m);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build.h - the builders: from the settings of a section to its part of the problem, a file for each section.  reader.c calls
-** them in this order.
+** build.h - the builders: from the settings of a section to its part of the problem, a file for each
+** section.  reader.c calls them in this order.
 */
 #ifndef FOURLINK_BUILD_H
 #define FOURLINK_BUILD_H

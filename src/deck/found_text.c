@@ -17,8 +17,9 @@
 #include "settings.h"
 #include "synthesis.h"
 
-#define DEAD \
-    1e-6 /* rad, for links of one length; else times the root of their ratio: below it rounding decides what is dead */
+/* Below this rounding decides what is dead: rad, for links of one length; else times the root of their
+** ratio. */
+#define DEAD 1e-6
 #define ROUNDING 1e-12 /* relative, of the values that prove a linkage */
 
 /* Add an item to a list: " 1, 3". */

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** parser.h - the settings of a deck, which its passes share: lines to settings (lines.c, settings.c), settings to values
-** (values.c), values to a problem (build_*.c), all by reader.c.
+** parser.h - the settings of a deck, which its passes share: lines to settings (lines.c, settings.c),
+** settings to values (values.c), values to a problem (build_*.c), all by reader.c.
 **
-** A parser has the sections in the order of the text, each with one setting for every key that it can have, unset or not;
-** sections of one name are found by first_use, the first of each kind, and by going on.  A setting has its text (own) and
-** the text in effect (value), which a change or a design replaces; the members that follow from it are read once, after
-** the units.  A design shares the sections of its deck and copies one before it changes it (flk_section_unshare): the
-** settings of a deck never change after it has been read.
+** A parser has the sections in the order of the text, each with one setting for every key that it can
+** have, unset or not; sections of one name are found by first_use, the first of each kind, and by going
+** on.  A setting has its text (own) and the text in effect (value), which a change or a design replaces;
+** the members that follow from it are read once, after the units.  A design shares the sections of its
+** deck and copies one before it changes it (flk_section_unshare): the settings of a deck never change
+** after it has been read.
 */
 #ifndef FOURLINK_PARSER_H
 #define FOURLINK_PARSER_H

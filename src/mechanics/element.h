@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** element.h - the elements that exert known loads on the links: given forces and torques, springs and dampers,
-** gas.
+** element.h - the elements that exert known loads on the links: given forces and torques, springs and
+** dampers, gas.
 **
 ** A machine has a list of elements (machine.h).  Each type of element is one file.  Friction is not an
 ** element: it belongs to the joints and depends on their forces.

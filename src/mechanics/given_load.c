@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** given_load.c - a given force and torque on a link: constant or a function of a position or a speed, within a
-** range of crank angles.
+** given_load.c - a given force and torque on a link: constant or a function of a position or a speed,
+** within a range of crank angles.
 */
 #include <math.h>
 

@@ -102,7 +102,8 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
     }
 }
 
-/* Set the loads for a state, but those of friction to 0.  It may be at unit speed if no load depends on the speed. */
+/* Set the loads for a state, but those of friction to 0.  It may be at unit speed if no load depends on
+** the speed. */
 static int set_loads(const flk_machine *m, const fourlink_state *state, double omega2,
                      flk_acting *acting)
 {

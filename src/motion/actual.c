@@ -14,8 +14,8 @@
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1.5e-13 /* of a step: 1e-11 over many */
-/* Trial steps of a motion; of a steady motion, or a run-up that leads to one, with the search for it.  Each that is kept
-** takes 240 bytes. */
+/* Trial steps of a motion; of a steady motion, or a run-up that leads to one, with the search for it.
+** Each that is kept takes 240 bytes. */
 #define MOST_STEPS 80000
 #define MOST_STEPS_OF_SEARCH 160000
 

@@ -3,10 +3,10 @@
 ** crossing.c - the crank angles at which a column has a value.
 **
 ** The column is sampled piece by piece (samples.c), closer beside the ends of a piece, poles and samples
-** without a value.  Between two samples on different sides of the value, base/solve finds the zero of the
-** difference.  Where three samples approach the value and turn back, their extreme may touch it.  At whatever
-** place that leads to, the row itself must have the value: a jump across it is no crossing, neither of a load,
-** nor through infinity, nor of an angle by half a turn.
+** without a value.  Between two samples on different sides of the value, base/solve finds the zero of
+** the difference.  Where three samples approach the value and turn back, their extreme may touch it.  At
+** whatever place that leads to, the row itself must have the value: a jump across it is no crossing,
+** neither of a load, nor through infinity, nor of an angle by half a turn.
 */
 #include <math.h>
 #include <string.h>
@@ -75,9 +75,9 @@ static double off_at_row(double s, void *data)
     return off_of_row(s, data, &row);
 }
 
-/* The scale of a row: the largest magnitude of the column's quantity in it, of what is computed for the column.
-** A column can be alone of its quantity, or the others 0: for the value 0 it counts too how far the column is from it
-** around the row. */
+/* The scale of a row: the largest magnitude of the column's quantity in it, of what is computed for the
+** column. A column can be alone of its quantity, or the others 0: for the value 0 it counts too how far
+** the column is from it around the row. */
 static double scale_of(const crossings *k, const flk_row *row, double around)
 {
     const flk_column *c = k->c->of.c;
@@ -187,8 +187,8 @@ static double off_beyond(const crossings *k, size_t i, int direction)
     return off;
 }
 
-/* How far the column is from the value around samples i and i + 1: the smaller distance of both sides, since one can
-** lead to a pole; around an end of the piece. */
+/* How far the column is from the value around samples i and i + 1: the smaller distance of both sides,
+** since one can lead to a pole; around an end of the piece. */
 static double around_step(const crossings *k, size_t i)
 {
     return GSL_MIN_DBL(off_beyond(k, i, -1), off_beyond(k, i + 1, 1));
@@ -255,7 +255,8 @@ static size_t close_gap(crossings *k, size_t i, int before)
     return n;
 }
 
-/* Insert samples on both sides of a pole between samples i and i + 1, over which the column changes its sign. */
+/* Insert samples on both sides of a pole between samples i and i + 1, over which the column changes its
+** sign. */
 typedef struct pole {
     crossings *k;
     double sign;
@@ -304,8 +305,8 @@ static int is_bent(const crossings *k, size_t i)
     return most > MUCH * least;
 }
 
-/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.  Insert a sample
-** there between samples i and i + 1, where samples show only that the vector turns. */
+/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.
+** Insert a sample there between samples i and i + 1, where samples show only that the vector turns. */
 typedef struct turning {
     crossings *k;
     double x, y; /* F(s2) - F(s1) */
@@ -385,7 +386,8 @@ static void insert_samples(crossings *k)
     }
 }
 
-/* Keep the row at an end of the piece, if it has the value; or if the column passes it from the piece before. */
+/* Keep the row at an end of the piece, if it has the value; or if the column passes it from the piece
+** before. */
 static void search_end(crossings *k, const flk_sample *end, const flk_sample *before)
 {
     double around = around_end(k, before == NULL);

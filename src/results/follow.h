@@ -32,7 +32,8 @@ void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch);
 void flk_follow_all(flk_follower *f);
 int flk_follow_next(flk_follower *f);
 
-/* How many periods are skipped behind the present piece, the last one of the first period; 0 behind others. */
+/* How many periods are skipped behind the present piece, the last one of the first period; 0 behind
+** others. */
 double flk_follow_skips(const flk_follower *f);
 
 /* 1 if the linkage can be assembled in the piece. */

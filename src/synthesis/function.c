@@ -148,8 +148,8 @@ static int error_at(const fourlink_solution *s, const fourlink_mechanism *mechan
     return status;
 }
 
-/* How long the links are, or the offset: the longest relative to the shortest or, for a slider-crank, to the largest
-** |X| if that is shorter. */
+/* How long the links are, or the offset: the longest relative to the shortest or, for a slider-crank, to
+** the largest |X| if that is shorter. */
 static double growth_of(const fourlink_function_task *task, const fourlink_design *design)
 {
     double longest = fabs(design->offset), shortest = length_unit(task);
@@ -202,8 +202,8 @@ typedef struct best_fits {
     int n;
 } best_fits;
 
-/* Make the errors of the output small, by Gauss's method with shortened steps, at most so many.  Steps that make the
-** links grow beyond the bound are shortened.  0 if the linkage does not reach all points. */
+/* Make the errors of the output small, by Gauss's method with shortened steps, at most so many.  Steps
+** that make the links grow beyond the bound are shortened.  0 if the linkage does not reach all points. */
 static int improve(const fourlink_function_task *task, fit *f, int steps, double shortest)
 {
     double error[FOURLINK_PRECISION_MAX], step[3], trial[3], condition, part, next, growth = 0;
@@ -305,9 +305,9 @@ static void fit_proportions(const fourlink_function_task *task, best_fits *best)
             }
 }
 
-/* Gauss's method stops at a minimum that need not be the least, and often the linkage of the equation does not reach
-** all points: so it starts from many linkages, on both branches.  If none has a fit, K is left as it is.  Returns 1 if
-** longer links would fit better. */
+/* Gauss's method stops at a minimum that need not be the least, and often the linkage of the equation
+** does not reach all points: so it starts from many linkages, on both branches.  If none has a fit, K is
+** left as it is.  Returns 1 if longer links would fit better. */
 static int fit_output(const fourlink_function_task *task, double K[3])
 {
     double least = GSL_POSINF;

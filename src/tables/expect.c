@@ -55,8 +55,8 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
     line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);
 }
 
-/* The values at a crank angle or, unless `time` is null, at a time, s: a machine that swings back passes a crank angle
-** more than once. */
+/* The values at a crank angle or, unless `time` is null, at a time, s: a machine that swings back passes
+** a crank angle more than once. */
 static void put_section(sheet *s, fourlink_branch branch, double angle, const double *time,
                         int status)
 {

@@ -344,7 +344,8 @@ static void known_above(double x, void *data, double *y)
     *y = x < *(double *)data ? NAN : x;
 }
 
-/* A rule of 15 points that contains Gauss's of 7 is exact up to x^22 (23 by symmetry), Gauss's own up to x^13. */
+/* A rule of 15 points that contains Gauss's of 7 is exact up to x^22 (23 by symmetry), Gauss's own up to
+** x^13. */
 TEST(test_degree)
 {
     flk_integral of[FLK_INTEGRALS];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** failing_malloc.c - memory that runs out, for failed_allocations.sh: allocation number FAIL_AT of the program
-** fails, and if FAIL_ON is 1 all after it too.  COUNT_FILE gets the number of allocations.
+** failing_malloc.c - memory that runs out, for failed_allocations.sh: allocation number FAIL_AT of the
+** program fails, and if FAIL_ON is 1 all after it too.  COUNT_FILE gets the number of allocations.
 **
 ** Loaded before the C library with LD_PRELOAD, or, as a sanitizer has its own malloc, linked into the program
 ** with -DWRAPPED and --wrap.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** optimise.c - a deck in, the coupler and the rocker with the best transmission angle out, in strict C90: GSL's simplex
-** method sets two lengths and asks for mu_min.
+** optimise.c - a deck in, the coupler and the rocker with the best transmission angle out, in strict
+** C90: GSL's simplex method sets two lengths and asks for mu_min.
 */
 #include <stdio.h>
 #include <fourlink.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_card.c - curves from files as instruments write them: each form that is read beside one that is refused;
-** bare numbers.
+** test_card.c - curves from files as instruments write them: each form that is read beside one that is
+** refused; bare numbers.
 */
 #include "outcome.h"
 #include "elements.h"

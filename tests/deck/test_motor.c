@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_motor.c - motors, flywheels and the modes of motion in decks: what they mean, and each mistake with its
-** message and line.
+** test_motor.c - motors, flywheels and the modes of motion in decks: what they mean, and each mistake
+** with its message and line.
 */
 #include "outcome.h"
 

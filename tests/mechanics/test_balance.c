@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_balance.c - counterweights: the shaking force of balanced machines in any motion, and what is left of it in an
-** engine that is balanced in part.
+** test_balance.c - counterweights: the shaking force of balanced machines in any motion, and what is
+** left of it in an engine that is balanced in part.
 */
 #include "samples.h"
 
@@ -66,8 +66,8 @@ TEST(test_balanced)
     }
 }
 
-/* A rod so long that the piston moves in simple harmonic motion: m_rec r w^2 sqrt((1 - c)^2 cos^2 + c^2 sin^2) is
-** left. */
+/* A rod so long that the piston moves in simple harmonic motion: m_rec r w^2 sqrt((1 - c)^2 cos^2 + c^2
+** sin^2) is left. */
 TEST(test_engine)
 {
     double c, largest;

@@ -579,8 +579,8 @@ TEST(test_change_points_are_said)
     }
 }
 
-/* A linkage of two nearly equal pairs of links lies in one line at 0 deg within the rounding of its sine, whose square is
-** (a - d - b + c) (a - d + b - c) (4 b c) / (4 b c)^2 there. */
+/* A linkage of two nearly equal pairs of links lies in one line at 0 deg within the rounding of its
+** sine, whose square is (a - d - b + c) (a - d + b - c) (4 b c) / (4 b c)^2 there. */
 TEST(test_nearly_equal_pairs)
 {
     static const double off[] = {1e-8, 1e-6};

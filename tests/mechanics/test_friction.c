@@ -417,9 +417,9 @@ TEST(test_places)
 ** Locking
 ** ------------------------------------------------------------------------------------------- */
 
-/* A massless slider-crank with friction in its guide, whose crank drives against P on the piston: with the obliquity
-** phi of the rod, Q in the rod, N = Q sin(phi) and P + mu N = Q cos(phi), so that Q = P / (cos(phi) - mu sin(phi)).
-** It locks where tan(phi) = 1 / mu. */
+/* A massless slider-crank with friction in its guide, whose crank drives against P on the piston: with
+** the obliquity phi of the rod, Q in the rod, N = Q sin(phi) and P + mu N = Q cos(phi), so that Q = P /
+** (cos(phi) - mu sin(phi)). It locks where tan(phi) = 1 / mu. */
 TEST(test_locking)
 {
     double mu = 1.25;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_inertia.c - the machine as one mass, against the torque of the nine equations and differences; torques of motors.
+** test_inertia.c - the machine as one mass, against the torque of the nine equations and differences;
+** torques of motors.
 */
 #include "check.h"
 #include "fourlink.h"

@@ -452,8 +452,8 @@ static void add(sum *s, fourlink_vector at, double x, double y, double couple)
     s->size = fmax(s->size, fabs(couple));
 }
 
-/* Newton and Euler for each link by itself: joints, weight and loads give m a_G, and about G I alpha.  The force of
-** the slider on the lever is F34 at B, and the couple M34. */
+/* Newton and Euler for each link by itself: joints, weight and loads give m a_G, and about G I alpha.
+** The force of the slider on the lever is F34 at B, and the couple M34. */
 TEST(test_free_bodies)
 {
     const fourlink_vector A = {0, 0};

@@ -143,7 +143,8 @@ TEST(test_energy)
     }
 }
 
-/* Over a cycle at constant speed the crank puts in what the dampers take: masses, weights and springs give back all. */
+/* Over a cycle at constant speed the crank puts in what the dampers take: masses, weights and springs
+** give back all. */
 TEST(test_work_of_dampers)
 {
     double work = 0, lost = 0;
@@ -349,8 +350,8 @@ TEST(test_bad)
     assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &good, NULL), FOURLINK_NULL);
 }
 
-/* Of a buffer and a rope that are otherwise a spring one acts, with all that the spring does, on its side of the free
-** length. */
+/* Of a buffer and a rope that are otherwise a spring one acts, with all that the spring does, on its
+** side of the free length. */
 TEST(test_buffer_and_rope)
 {
     uint64_t seed = 11;

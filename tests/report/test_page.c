@@ -36,7 +36,7 @@ static page new_page(void)
     return p;
 }
 
-/* ----------------------------------------------------------------------------------------- texts and numbers */
+/* -------------------------------------------------------------------------------- texts and numbers */
 
 static const char *shown(const char *words, size_t length)
 {
@@ -98,7 +98,7 @@ TEST(test_base64)
     assert_string_equal(in_base64("\xfb\xff\xfe"), "+//+");
 }
 
-/* ------------------------------------------------------------------------------------------------- equations */
+/* ---------------------------------------------------------------------------------------- equations */
 
 /* The text of markup, without its elements. */
 static const char *text_of(char *markup)
@@ -158,7 +158,7 @@ TEST(test_equations)
     assert_non_null(strstr(equation("<beta b > + a", 1), "3=b+a\n"));
 }
 
-/* -------------------------------------------------------------------------------------------------- drawings */
+/* ----------------------------------------------------------------------------------------- drawings */
 
 static const char *shortened(const char *svg)
 {

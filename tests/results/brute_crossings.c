@@ -4,12 +4,13 @@
 **
 **    brute_crossings DECKS [SEED [FIRST]]
 **
-** Of each column on both branches, two values are sought: one that it has between two rows chosen by chance, and one of
-** its peaks.  The rows are thousands, closer to dead positions and to the ends of the motion.  No crossing is false: the
-** row there has the value, to 1e-9 of the largest value of its quantity in that row, or of the change to rows beside
-** it.  None is lost: wherever two rows
-** next to each other are on different sides of the value, bisection leads to a jump or to a crossing that was found,
-** but for touches within 1e-6 and what rounding decides.  Decks that fail are left as crossings-SEED-NUMBER.deck.
+** Of each column on both branches, two values are sought: one that it has between two rows chosen by
+** chance, and one of its peaks.  The rows are thousands, closer to dead positions and to the ends of the
+** motion.  No crossing is false: the row there has the value, to 1e-9 of the largest value of its
+** quantity in that row, or of the change to rows beside it.  None is lost: wherever two rows next to
+** each other are on different sides of the value, bisection leads to a jump or to a crossing that was
+** found, but for touches within 1e-6 and what rounding decides.  Decks that fail are left as
+** crossings-SEED-NUMBER.deck.
 */
 #include <float.h>
 #include <math.h>
@@ -172,7 +173,8 @@ static void fail(const char *what, unsigned long c, double value, double p, doub
     deck_failed = 1;
 }
 
-/* Bisection between two rows; returns the place, and 1 in *is_jump if the column leaps over the value there. */
+/* Bisection between two rows; returns the place, and 1 in *is_jump if the column leaps over the value
+** there. */
 static double bisect(unsigned long c, double value, double low, double high, double f_low,
                      int *is_jump)
 {
@@ -219,8 +221,8 @@ static int is_touch(unsigned long c, double value, double p)
     return 0;
 }
 
-/* 1 if rounding decides: rows that are as good as one, or at the next angle that there is, differ by more than a
-** crossing may, or there is none. */
+/* 1 if rounding decides: rows that are as good as one, or at the next angle that there is, differ by
+** more than a crossing may, or there is none. */
 static int is_rounding_error(unsigned long c, double value, double p)
 {
     double v[3][COLUMNS], h, bend, slope;

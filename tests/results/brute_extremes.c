@@ -4,12 +4,13 @@
 **
 **    brute_extremes DECKS [SEED [FIRST]]
 **
-** Each deck is opened with all columns, on both branches.  Its extremes are compared with the best of thousands of
-** rows, refined by parabolas, and with the row at the angle that is told: within 1e-9 of the column's size, or 1e-6
-** near dead positions, change points and where the crank is at rest.  At a dead position or a change point itself,
-** where there is no row, the limit is found by halving the distance; a column that doubles with each halving is
-** unbounded there.  What the rows cannot tell, as their rounding is larger, is counted as undecided.  Decks that fail
-** are left as brute-SEED-NUMBER.deck.
+** Each deck is opened with all columns, on both branches.  Its extremes are compared with the best of
+** thousands of rows, refined by parabolas, and with the row at the angle that is told: within 1e-9 of
+** the column's size, or 1e-6 near dead positions, change points and where the crank is at rest.  At a
+** dead position or a change point itself, where there is no row, the limit is found by halving the
+** distance; a column that doubles with each halving is unbounded there.  What the rows cannot tell, as
+** their rounding is larger, is counted as undecided.  Decks that fail are left as
+** brute-SEED-NUMBER.deck.
 */
 #include <float.h>
 #include <math.h>
@@ -113,8 +114,8 @@ static int is_near(double p, const double *v)
            !(fabs(v[omega2]) > 0.05 * fastest);
 }
 
-/* 1 if rows close to one another show a column as smooth, but for a tolerance: else it is rounding.  So it is if it is
-** so small beside others of its kind, of which it may be the sum. */
+/* 1 if rows close to one another show a column as smooth, but for a tolerance: else it is rounding.  So
+** it is if it is so small beside others of its kind, of which it may be the sum. */
 static int is_steady(unsigned long c, double p, double tolerance)
 {
     double v[3][COLUMNS], h;
@@ -388,7 +389,8 @@ static int follow(unsigned long c)
     return 1;
 }
 
-/* A direction where there is no force is noise; at a change point it can turn over, nearer than the rows go. */
+/* A direction where there is no force is noise; at a change point it can turn over, nearer than the rows
+** go. */
 static int is_noise(unsigned long c)
 {
     size_t length_of_force = strlen(columns[c].name) - 4, i, zeros = 0;
@@ -545,7 +547,8 @@ static int has_bound(unsigned long c)
     return names[i] != NULL;
 }
 
-/* 1 if a column changes sign at a pole between rows.  The parts are uneven, as a row at a pole has no value. */
+/* 1 if a column changes sign at a pole between rows.  The parts are uneven, as a row at a pole has no
+** value. */
 static int has_pole(unsigned long c)
 {
     double v[COLUMNS];
@@ -621,8 +624,8 @@ static void fail(const fourlink_value *f, const char *what, double value, double
     deck_failed = 1;
 }
 
-/* 1 if a finite extreme is the value of the row at its angle, or a limit there; sets *is_open where the rows cannot
-** tell.  A row may have no value, between others. */
+/* 1 if a finite extreme is the value of the row at its angle, or a limit there; sets *is_open where the
+** rows cannot tell.  A row may have no value, between others. */
 static int is_attained(unsigned long c, const fourlink_value *f, double size, int *is_open)
 {
     double p = sense * (f->angle - from) * unit, v[COLUMNS], limit, far = INFINITY;

@@ -4,13 +4,15 @@
 **
 **    integrated_motions DECK...
 **
-** The equation of motion is Lagrange's.  Positions, their derivatives, inertia, the work of weights, springs and
-** dampers, and the motor's torque are computed here; the values of loads are those of fourlink_deck_analyse.  With
-** friction, alpha2 is the one for which its Ts is T_motor - I_f alpha2.  GSL's rk8pd integrates from corner to corner
-** of the loads: over the angle, near rest over the time, and where the crank comes to rest over the speed.
+** The equation of motion is Lagrange's.  Positions, their derivatives, inertia, the work of weights,
+** springs and dampers, and the motor's torque are computed here; the values of loads are those of
+** fourlink_deck_analyse.  With friction, alpha2 is the one for which its Ts is T_motor - I_f alpha2.
+** GSL's rk8pd integrates from corner to corner of the loads: over the angle, near rest over the time,
+** and where the crank comes to rest over the speed.
 **
-** Every row is compared, and so is the end of the motion: where the crank stalls, friction locks it or a position is
-** dead; that it does not start; that a steady motion repeats, has its rate and is stable; that there is none.
+** Every row is compared, and so is the end of the motion: where the crank stalls, friction locks it or a
+** position is dead; that it does not start; that a steady motion repeats, has its rate and is stable;
+** that there is none.
 */
 #include <complex.h>
 #include <math.h>
@@ -335,8 +337,8 @@ static int accelerate(machine *m, double theta2, double omega2, double *alpha2)
     return FOURLINK_OK;
 }
 
-/* A zero of a function that rises, by Brent's method, to a part of it: from a bracket about `at` that grows.  NaN if
-** there is none. */
+/* A zero of a function that rises, by Brent's method, to a part of it: from a bracket about `at` that
+** grows.  NaN if there is none. */
 static double zero_of(double (*f)(double, void *), void *context, double at, double width,
                       double close)
 {
@@ -537,8 +539,8 @@ static int why(const integration *n)
     return n->status > 0 ? n->status : GIVES_UP;
 }
 
-/* One step of at most *h, not beyond `to`, in units of the variable: 1, and the *h for the next; or 0, and *h is
-** shorter. */
+/* One step of at most *h, not beyond `to`, in units of the variable: 1, and the *h for the next; or 0,
+** and *h is shorter. */
 static int take(integration *n, variable over, double to, double *h, crank_state *at)
 {
     gsl_odeiv2_system system = {derive, NULL, 2, n};
@@ -755,7 +757,8 @@ static void read_motor(const char *deck, machine *m)
     m->inertia += m->ratio * m->ratio * input(r, "motor.inertia");
 }
 
-/* Follow the angles of torsional springs from the first crank angle >= 0 that the links reach to another one. */
+/* Follow the angles of torsional springs from the first crank angle >= 0 that the links reach to another
+** one. */
 static void wind(machine *m, double theta2)
 {
     double first = 0, step;
@@ -940,9 +943,9 @@ static double most_torque(const machine *m)
     return 10 * fabs(m->ratio) * most;
 }
 
-/* A row against the integration: motion, equation of motion, torque of the shaft by the pin forces, energy.  Where the
-** crank has nearly stopped, at a speed w, an error of the energy is one of the time (largest speed / w)^2 times as
-** large. */
+/* A row against the integration: motion, equation of motion, torque of the shaft by the pin forces,
+** energy.  Where the crank has nearly stopped, at a speed w, an error of the energy is one of the time
+** (largest speed / w)^2 times as large. */
 static void compare_row(machine *m, const row *r, const crank_state *at, const integration *n,
                         const sizes *s)
 {
@@ -999,7 +1002,7 @@ static void compare_rows(machine *m, integration *n, const sizes *s, crank_state
     }
 }
 
-/* ------------------------------------------------------------------------------------------- steady motions */
+/* ----------------------------------------------------------------------------------- steady motions */
 
 /* Of a cycle that begins at a speed: 1 if it is passed, with the state after it. */
 static int pass_cycle(machine *m, double omega2, double tolerance, crank_state *after)
@@ -1056,8 +1059,8 @@ static double rate_of(machine *m, double omega2, double largest)
     return (after_cycle(m, omega2 + h) - after_cycle(m, omega2 - h)) / (2 * h);
 }
 
-/* A steady motion repeats, with the rate that is told, and is stable; of several it is that of a run-up.  Where the
-** crank nearly stops, a slower one stalls. */
+/* A steady motion repeats, with the rate that is told, and is stable; of several it is that of a run-up.
+** Where the crank nearly stops, a slower one stalls. */
 static void check_steady(machine *m, double first, double last, const integration *n)
 {
     double told = fact(m, "steady_rate"), wanted = input(m->results, "motion.mean_speed"), rate;
@@ -1095,8 +1098,8 @@ static int is_wound(machine *m)
     return is_other;
 }
 
-/* Of a motor that balances the loads: what a cycle from a speed gains with a torque on the crank, in the sense of the
-** motion. */
+/* Of a motor that balances the loads: what a cycle from a speed gains with a torque on the crank, in the
+** sense of the motion. */
 typedef struct gain {
     machine *m;
     double omega2;
@@ -1121,8 +1124,8 @@ static double mean_speed_from(machine *m, double omega2)
     return fabs(gain_with(torque, &g)) < 0.1 ? 2 * PI / g.after.t : 0;
 }
 
-/* What is sought at a first speed: LOW, it is at a higher one; HIGH, at a lower one; NOWHERE: the crank does not pass a
-** cycle. */
+/* What is sought at a first speed: LOW, it is at a higher one; HIGH, at a lower one; NOWHERE: the crank
+** does not pass a cycle. */
 typedef enum side { NOWHERE, LOW, HIGH } side;
 
 #define GAINS 1e-6 /* of the speed, in a cycle */
@@ -1163,8 +1166,9 @@ static int is_low_between(machine *m, double low, double high)
     return 0;
 }
 
-/* No steady motion: there are no two speeds at the lower of which a cycle gains energy and at the higher loses it; with
-** a motor that balances the loads, at the lower of which the mean speed is too low and at the higher too high. */
+/* No steady motion: there are no two speeds at the lower of which a cycle gains energy and at the higher
+** loses it; with a motor that balances the loads, at the lower of which the mean speed is too low and at
+** the higher too high. */
 static int confirm_no_steady(machine *m)
 {
     double factor = m->balances ? 2 : 1.8;

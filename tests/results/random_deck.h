@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** random_deck.h - a random deck, for trials in C: all mechanisms, change points and dead positions, loads, gas, motions.
+** random_deck.h - a random deck, for trials in C: all mechanisms, change points and dead positions,
+** loads, gas, motions.
 */
 #ifndef RANDOM_DECK_H
 #define RANDOM_DECK_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_actual.c - the actual motion of machines: energy, a second integration by GSL, limits, symmetries, machines that
-** swing back, and values of an independent solver.
+** test_actual.c - the actual motion of machines: energy, a second integration by GSL, limits,
+** symmetries, machines that swing back, and values of an independent solver.
 */
 #include <stdlib.h>
 
@@ -106,8 +106,8 @@ TEST(test_shaft)
 
 static int n_machines = 6; /* or the argument */
 
-/* A run-up ends in the steady motion, with flywheels of all sizes: one cycle leaves from hardly any to nearly all of a
-** difference. */
+/* A run-up ends in the steady motion, with flywheels of all sizes: one cycle leaves from hardly any to
+** nearly all of a difference. */
 TEST(test_ends_of_run_ups)
 {
     uint64_t seed = 18;
@@ -143,8 +143,8 @@ TEST(test_ends_of_run_ups)
     assert_true(compared > n_machines / 3);
 }
 
-/* Friction has corners where a force of a joint is zero, at angles that depend on the speed: the energy after a cycle
-** is known to some 1e-10, but the steady motion is found, and closes within 1e-9. */
+/* Friction has corners where a force of a joint is zero, at angles that depend on the speed: the energy
+** after a cycle is known to some 1e-10, but the steady motion is found, and closes within 1e-9. */
 TEST(test_friction_of_motors)
 {
     double torque, last = 0;
@@ -291,8 +291,8 @@ TEST(test_large_flywheel)
     fourlink_results_free(given);
 }
 
-/* Values of the theory of flywheels: 12 rad/s in the mean over time is 12.089 over the angle, and the textbooks'
-** coefficient of fluctuation, 0.25825, is not the true one. */
+/* Values of the theory of flywheels: 12 rad/s in the mean over time is 12.089 over the angle, and the
+** textbooks' coefficient of fluctuation, 0.25825, is not the true one. */
 TEST(test_fluctuation)
 {
     fourlink_results *r =
@@ -360,8 +360,9 @@ TEST(test_rate)
 #define BALANCED "[motor]\ntorque = constant\n"
 #define TEN "[motion]\nmode = steady\nmean_speed = 10 rad/s\ninterval = 45 deg\n"
 
-/* A motor that balances the loads has a steady motion with any flywheel, though the crank nearly comes to rest; two
-** values are those of an independent integration, by Runge and Kutta's method in 4000 steps. */
+/* A motor that balances the loads has a steady motion with any flywheel, though the crank nearly comes
+** to rest; two values are those of an independent integration, by Runge and Kutta's method in 4000
+** steps. */
 TEST(test_small_flywheels)
 {
     static const struct {
@@ -407,7 +408,8 @@ TEST(test_wanted_fluctuation)
     fourlink_results_free(r);
 }
 
-/* With a flywheel so small that the crank stands still, but for rounding, none is found, and no torque is told. */
+/* With a flywheel so small that the crank stands still, but for rounding, none is found, and no torque
+** is told. */
 TEST(test_no_flywheel)
 {
     fourlink_results *r =
@@ -506,7 +508,8 @@ TEST(test_positions)
     fourlink_results_free(r);
 }
 
-/* Linkages with one change point, at 0 or at 180 deg, and engines with one at 90 or at -90 deg keep their energy. */
+/* Linkages with one change point, at 0 or at 180 deg, and engines with one at 90 or at -90 deg keep
+** their energy. */
 TEST(test_one_change_point)
 {
     static const char motion[] =
@@ -620,8 +623,8 @@ TEST(test_pendulum)
     fourlink_results_free(s);
 }
 
-/* A load that opposes the rocker in both directions, as dry friction does, takes T |dtheta4| of the energy: the
-** crank stops where it is spent, and stays there. */
+/* A load that opposes the rocker in both directions, as dry friction does, takes T |dtheta4| of the
+** energy: the crank stops where it is spent, and stays there. */
 TEST(test_rest_between_two_loads)
 {
     fourlink_results *r = opened_open(

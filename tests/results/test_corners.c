@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_corners.c - where columns of loads are not smooth, at angles that are known, and what the ends of pieces are.
+** test_corners.c - where columns of loads are not smooth, at angles that are known, and what the ends of
+** pieces are.
 */
 #include "check.h"
 #include "motion/crank_motion.h"
@@ -70,8 +71,8 @@ static void check_end(const char *contents, double angle)
 
 static const double rest = 0.19525624189766637; /* m, sqrt(l^2 - r^2 sin^2 60 deg) */
 
-/* At 60 deg the piston has the speed r omega2 sin(theta2) (1 + r cos(theta2) / sqrt(l^2 - r^2 sin^2(theta2))); at another
-** speed of the crank it has that elsewhere. */
+/* At 60 deg the piston has the speed r omega2 sin(theta2) (1 + r cos(theta2) / sqrt(l^2 - r^2
+** sin^2(theta2))); at another speed of the crank it has that elsewhere. */
 TEST(test_one_speed)
 {
     double v = 0.5 * sqrt(0.75) * (1 + 0.025 / rest);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_crossing.c - where a column has a value: against a scan in small steps, and against angles that are known.
+** test_crossing.c - where a column has a value: against a scan in small steps, and against angles that
+** are known.
 */
 #include "check.h"
 #include "fourlink.h"
@@ -48,7 +49,8 @@ static unsigned long crossings(fourlink_results *r, const char *column, fourlink
     return n;
 }
 
-/* The same number of them as changes of sign in small steps, each within its step; the column has the value there. */
+/* The same number of them as changes of sign in small steps, each within its step; the column has the
+** value there. */
 static void check_scan(const char *deck, const char *column, double share)
 {
     static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
@@ -99,8 +101,8 @@ TEST(test_against_scan)
             check_scan(load, columns[i], shares[j]);
 }
 
-/* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles are those of a
-** scan in steps of 0.001 deg. */
+/* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles
+** are those of a scan in steps of 0.001 deg. */
 TEST(test_direction_beside_change_point)
 {
     fourlink_results *r =
@@ -163,7 +165,8 @@ TEST(test_jumps)
     fourlink_results_free(r);
 }
 
-/* A revolution of a motion that repeats ends with its first row, which counts once; one that slows down does not. */
+/* A revolution of a motion that repeats ends with its first row, which counts once; one that slows down
+** does not. */
 TEST(test_first_row)
 {
 #define MACHINE                                                                                \

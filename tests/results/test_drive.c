@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_drive.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a fluctuation;
-** against an independent solver.
+** test_drive.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a
+** fluctuation; against an independent solver.
 */
 #include "machines.h"
 
@@ -125,8 +125,8 @@ TEST(test_ends)
     fourlink_results_free(r);
 }
 
-/* A run-up that stalls below its steady motion has no facts of it, also where the rows end before it stalls; the steady
-** motion is there by itself. */
+/* A run-up that stalls below its steady motion has no facts of it, also where the rows end before it
+** stalls; the steady motion is there by itself. */
 TEST(test_steady_motion_that_is_not_reached)
 {
     static const char *const names[] = {"mean_speed",        "mean_speed_textbook", "period",
@@ -197,8 +197,8 @@ TEST(test_wanted_flywheel)
     }
 }
 
-/* The rotor of the motor is there besides: the flywheel that is found gives the fluctuation, in a deck that has both,
-** and a large rotor needs none. */
+/* The rotor of the motor is there besides: the flywheel that is found gives the fluctuation, in a deck
+** that has both, and a large rotor needs none. */
 TEST(test_wanted_flywheel_beside_a_rotor)
 {
     static const double ratios[] = {1, -5};
@@ -257,7 +257,8 @@ TEST(test_wanted_flywheel_beside_a_rotor)
     }
 }
 
-/* A constant torque that balances the loads, at any mean speed; the exact fluctuation is not the textbooks'. */
+/* A constant torque that balances the loads, at any mean speed; the exact fluctuation is not the
+** textbooks'. */
 TEST(test_balancing_motor)
 {
     fourlink_results *r =

@@ -95,8 +95,8 @@ TEST(test_corners)
     check(deck, FOURLINK_OPEN, "min(Fi2_dir)", 0, 1e-9);
 }
 
-/* The force in a massless coupler has its direction, also where that ends: at a dead position coupler and rocker are in
-** one line, from B to D.  Its size does not matter. */
+/* The force in a massless coupler has its direction, also where that ends: at a dead position coupler
+** and rocker are in one line, from B to D.  Its size does not matter. */
 TEST(test_direction_at_dead_position)
 {
     static const char *const torques[] = {"1 N m", "1e6 N m", "1e-6 N m"};
@@ -265,7 +265,8 @@ TEST(test_lock_of_pins)
     check_rows(deck, FOURLINK_OPEN);
 }
 
-/* The crank angle towards which a linkage is free, between one at which it is and one at which friction locks it. */
+/* The crank angle towards which a linkage is free, between one at which it is and one at which friction
+** locks it. */
 static double lock_of(fourlink_results *results, double is_free, double is_locked)
 {
     double values[COLUMNS];
@@ -282,8 +283,8 @@ static double lock_of(fourlink_results *results, double is_free, double is_locke
     return is_free;
 }
 
-/* Where friction locks within 0.0005 deg of a dead position, or less, Ts grows as the inverse of the distance, and the
-** torque without friction ends at the value of the last row. */
+/* Where friction locks within 0.0005 deg of a dead position, or less, Ts grows as the inverse of the
+** distance, and the torque without friction ends at the value of the last row. */
 TEST(test_lock_near_dead)
 {
     static const double parts[] = {1, 0.5, 0.25, 0.17, 0.1, 0.03};
@@ -320,8 +321,8 @@ TEST(test_lock_near_dead)
     }
 }
 
-/* A free motion that repeats itself has its extremes in its first turn, though the integration makes a later one
-** larger by its error.  Below, 3 kg m2 have fallen 7 kg m: 3/2 (omega2^2 - 1) = 7 g. */
+/* A free motion that repeats itself has its extremes in its first turn, though the integration makes a
+** later one larger by its error.  Below, 3 kg m2 have fallen 7 kg m: 3/2 (omega2^2 - 1) = 7 g. */
 TEST(test_free_turns)
 {
     static const char deck[] =
@@ -351,7 +352,8 @@ TEST(test_behind_lock)
     check_rows(deck, FOURLINK_CROSSED);
 }
 
-/* Columns that are found together have the extremes that each has alone: others' samples do not disturb them. */
+/* Columns that are found together have the extremes that each has alone: others' samples do not disturb
+** them. */
 TEST(test_together)
 {
     static const char *const names[] = {"max(a)", "max(klein_ON)", "min(omega3)", "max(Ts)"};

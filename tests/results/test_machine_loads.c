@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_machine_loads.c - decks with springs, dampers, friction, loads over positions and speeds, and counterweights:
-** balances, extremes and means against dense scans, and mistakes.
+** test_machine_loads.c - decks with springs, dampers, friction, loads over positions and speeds, and
+** counterweights: balances, extremes and means against dense scans, and mistakes.
 */
 #include "machines.h"
 
@@ -46,8 +46,9 @@ static double value(fourlink_results *r, const char *name, double angle)
     return si_value(r, name, FOURLINK_OPEN, angle);
 }
 
-/* The shaking moment of springs and friction: the ground's part of all torques about A, by the balance of the whole
-** machine, which is at rest and without weight: then forces and moments on the ground are those of the loads. */
+/* The shaking moment of springs and friction: the ground's part of all torques about A, by the balance
+** of the whole machine, which is at rest and without weight: then forces and moments on the ground are
+** those of the loads. */
 TEST(test_shaking_moment)
 {
     fourlink_results *r = opened(
@@ -72,8 +73,8 @@ static double cross(double ax, double ay, double bx, double by)
     return ax * by - ay * bx;
 }
 
-/* F34 is all that the slider exerts on the lever, but for the gas: the lever and the slider are in balance with the table's
-** own columns, and the guide loses what friction takes. */
+/* F34 is all that the slider exerts on the lever, but for the gas: the lever and the slider are in
+** balance with the table's own columns, and the guide loses what friction takes. */
 static void check_contact(fourlink_results *r, double angle, double gas)
 {
     static const double d = 0.24, g = 9.81, m3 = 0.3, I3 = 0.00012, m4 = 2.5, I4 = 0.035, L = -150;
@@ -215,7 +216,8 @@ TEST(test_scans)
                  "Ts");
 }
 
-/* Work of a cycle: what the crank puts in, friction and dampers take; loads without a law of their own give it back. */
+/* Work of a cycle: what the crank puts in, friction and dampers take; loads without a law of their own
+** give it back. */
 TEST(test_work)
 {
     fourlink_results *r = opened(MOVING_ROCKER SPRINGS PINS);
@@ -234,7 +236,8 @@ TEST(test_work)
     fourlink_results_free(r);
 }
 
-/* One coefficient and one radius for all pins that a mechanism has; a pin's own override them; the guide has its own. */
+/* One coefficient and one radius for all pins that a mechanism has; a pin's own override them; the guide
+** has its own. */
 TEST(test_all_pins)
 {
     static const struct {
@@ -321,9 +324,9 @@ TEST(test_power_law)
     fourlink_results_free(r);
 }
 
-/* At 90 deg the slide of an inverted slider-crank has the length sqrt(a^2 + d^2) and the speed a d omega2 / sqrt(a^2 + d^2),
-** and the lever turns at omega4 = omega2 a^2 / (a^2 + d^2): at a point of its curve a load has its value T, and Ts is
-** -T omega4 / omega2. */
+/* At 90 deg the slide of an inverted slider-crank has the length sqrt(a^2 + d^2) and the speed a d
+** omega2 / sqrt(a^2 + d^2), and the lever turns at omega4 = omega2 a^2 / (a^2 + d^2): at a point of its
+** curve a load has its value T, and Ts is -T omega4 / omega2. */
 TEST(test_over_the_slide)
 {
     static const double a = 0.12, d = 0.24, omega2 = 10;
@@ -361,8 +364,8 @@ TEST(test_ends_of_curves)
 ** Springs, friction and loads for a host; counterweights; sweeps
 ** ------------------------------------------------------------------------------------------- */
 
-/* What each load is, by hand, and what it does at one crank angle: its link, its torque, and of friction the moment of
-** the pin or the force of the guide, which fourlink_losses has by joint. */
+/* What each load is, by hand, and what it does at one crank angle: its link, its torque, and of friction
+** the moment of the pin or the force of the guide, which fourlink_losses has by joint. */
 TEST(test_sorts_of_loads)
 {
     enum { A, B, C, D, OWN = FOURLINK_LOAD_OWN, SPRING, FRICTION, GAS_LOAD };

@@ -44,7 +44,8 @@ static void check_value(const char *contents, const char *name, fourlink_branch 
                  found, expected, contents);
 }
 
-/* ---- formulas; over a revolution the trapezoidal rule is exact to rounding, but for mu, which has corners */
+/* ---- formulas; over a revolution the trapezoidal rule is exact to rounding, but for mu, which has
+** corners */
 
 typedef struct formula {
     const char *column;
@@ -162,7 +163,8 @@ TEST(test_cycles)
     }
 }
 
-/* The angle of link 4 at the dead position, where crank, coupler and rocker are a triangle with the ground. */
+/* The angle of link 4 at the dead position, where crank, coupler and rocker are a triangle with the
+** ground. */
 static double dead_theta4(double *theta2)
 {
     const double a = 0.3, b = 0.4, c = 0.5, d = 0.75;
@@ -192,8 +194,8 @@ TEST(test_distances)
     }
 }
 
-/* An angle goes on over a gap: the mean is that of the range in one piece, but for whole turns, and so is the mean square
-** of what it deviates by from its mean. */
+/* An angle goes on over a gap: the mean is that of the range in one piece, but for whole turns, and so
+** is the mean square of what it deviates by from its mean. */
 TEST(test_angles_over_a_gap)
 {
     static const char *const names[] = {"theta3", "theta4", "mu"};
@@ -283,8 +285,8 @@ TEST(test_nothing_to_integrate)
     assert_memory_equal(&v, &before, sizeof v);
 }
 
-/* The force m (a_G - g) of a crank with r omega^2 = g vanishes once in a turn.  Until then its direction turns by half
-** a turn; then it starts anew.  Each segment has a slope of 1/2 over its angles. */
+/* The force m (a_G - g) of a crank with r omega^2 = g vanishes once in a turn.  Until then its direction
+** turns by half a turn; then it starts anew.  Each segment has a slope of 1/2 over its angles. */
 TEST(test_direction_that_starts_anew)
 {
     static const int turns[] = {1, 2, 3, 4, 20};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_without_deck.c - extremes for hosts with structures only, against rows of fourlink_analyse and against decks.
+** test_without_deck.c - extremes for hosts with structures only, against rows of fourlink_analyse and
+** against decks.
 */
 #include "machines.h"
 

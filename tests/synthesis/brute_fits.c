@@ -4,10 +4,10 @@
 **
 **    brute_fits TASKS [SEED [STARTS]]
 **
-** Each task has 4 to 12 points, near the output of a linkage or anywhere, and weights or none.  From random linkages,
-** whose links are at most 100 times as long as others, the simplex method of Nelder and Mead makes the sum of w error^2
-** small; the errors are those of fourlink_position.  A fit is missed if a search finds a sum that is 0.1 % less: at
-** most 3 of 100 are.  None has longer links.
+** Each task has 4 to 12 points, near the output of a linkage or anywhere, and weights or none.  From
+** random linkages, whose links are at most 100 times as long as others, the simplex method of Nelder and
+** Mead makes the sum of w error^2 small; the errors are those of fourlink_position.  A fit is missed if
+** a search finds a sum that is 0.1 % less: at most 3 of 100 are.  None has longer links.
 */
 #include <math.h>
 #include <stdio.h>

@@ -180,7 +180,8 @@ TEST(sliders)
     }
 }
 
-/* Positions without a rotation: all points of the coupler move as P does, so that a moving pivot is a slider. */
+/* Positions without a rotation: all points of the coupler move as P does, so that a moving pivot is a
+** slider. */
 TEST(moving_pivot_on_a_line)
 {
     fourlink_motion_task task = {.point = {{0, 0}, {3, 1}, {6, 2}}};

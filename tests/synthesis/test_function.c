@@ -510,8 +510,8 @@ TEST(bad_problems)
     }
 }
 
-/* Random powers over wide ranges: K of the equation leaves a quarter of them without a linkage that reaches all
-** points; a fit of the angle finds one for nearly all. */
+/* Random powers over wide ranges: K of the equation leaves a quarter of them without a linkage that
+** reaches all points; a fit of the angle finds one for nearly all. */
 TEST(fits_that_reach)
 {
     uint64_t seed = 31;

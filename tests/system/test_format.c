@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_format.c - numbers to text: the C library's printf is the judge of every byte but the sign of 0; lines of them.
+** test_format.c - numbers to text: the C library's printf is the judge of every byte but the sign of 0;
+** lines of them.
 */
 #include <float.h>
 

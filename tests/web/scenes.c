@@ -4,7 +4,8 @@
 **
 **    scenes DECK
 **
-** Prints the scene as JSON, with the crank angle where the page begins, "from".  Exit status 1: there is none.
+** Prints the scene as JSON, with the crank angle where the page begins, "from".  Exit status 1: there is
+** none.
 */
 #include "program.c"
 
