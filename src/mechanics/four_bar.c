@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "turns.h"
 
 /* Reach.  With f = BD, the distance that coupler and rocker must span,
 **
@@ -303,6 +304,71 @@ static void four_bar_limits(const fourlink_mechanism *mechanism, fourlink_branch
         swing_of_rocker(mechanism, branch, limits);
 }
 
+/* An angle of the triangle BCD, from sine and cosine, continued through 0 and, if it is `turned` at the
+** folded change point, through 180 deg.  Between change points it keeps its sign:
+**
+**    folded change point alone    sign and angle repeat after two turns of the crank, on one side of 180 deg
+**    stretched as well            it passes through 0 there, and goes on in one sense
+**
+** A line of signed length (a = d) keeps it smooth where that length is 0; it then passes through 180 deg only
+** if r reaches -(b + c), once in two turns.
+*/
+static double in_triangle(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                          double sine, double cosine, int turned)
+{
+    double angle = atan2(sine, cosine), branch = (double)state->branch;
+    double theta2 = state->link[2].theta;
+    int is_signed = mechanism->design.link[1].length == mechanism->design.link[2].length;
+
+    if (is_signed && mechanism->change_folded)
+        return mechanism->change_stretched
+                   ? angle - branch * 2 * M_PI * floor((theta2 + M_PI) / (4 * M_PI))
+                   : angle;
+    if (!mechanism->change_folded || !turned)
+        return angle;
+    if (mechanism->change_stretched)
+        return angle - branch * 2 * M_PI * floor(theta2 / (2 * M_PI));
+    return angle * branch < 0 ? angle + branch * 2 * M_PI : angle;
+}
+
+/* Coupler and rocker: with r the signed length of BD, f = |r|, beta and delta the angles at B and D of the
+** triangle BCD, positive where C is to the left of B->D,
+**
+**    sin(beta) = c sine / r,   cos(beta) = (r^2 + b^2 - c^2) / (2 r b),   theta3 = angle(D - B) + beta
+**    sin(delta) = b sine / r,   cos(delta) = (r^2 + c^2 - b^2) / (2 r c),   theta4 = angle(B - D) - delta
+*/
+static double four_bar_turns(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             int link)
+{
+    const fourlink_link *l = mechanism->design.link;
+    double b = l[3].length, c = l[4].length, r, line = flk_turns_of_B(mechanism, state, &r);
+
+    if (link == FOURLINK_COUPLER)
+        return line - M_PI +
+               in_triangle(mechanism, state, c * state->sine / r,
+                           (r * r + (b - c) * (b + c)) / (2 * r * b), c > b);
+    return line - in_triangle(mechanism, state, b * state->sine / r,
+                              (r * r + (c - b) * (c + b)) / (2 * r * c), b > c);
+}
+
+/* Counterweights (balance.c), with a e^(i theta2) + b e^(i theta3) = d + c e^(i theta4):
+**
+**    sum m r = const + e^(i theta2) [m2 z2 + m3 a (1 - z3 / b)] + e^(i theta4) [m4 z4 + m3 (c / b) z3]
+*/
+static void four_bar_balance(const fourlink_mechanism *mechanism, double fraction,
+                             fourlink_balance *u)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double m = link[3].mass, a = link[2].length, b = link[3].length, c = link[4].length;
+    const fourlink_vector *z = &link[3].cg;
+
+    (void)fraction;
+    u->crank.x = -(link[2].mass * link[2].cg.x + m * a * (1 - z->x / b));
+    u->crank.y = -(link[2].mass * link[2].cg.y - m * a * z->y / b);
+    u->rocker.x = -(link[4].mass * link[4].cg.x + m * c * z->x / b);
+    u->rocker.y = -(link[4].mass * link[4].cg.y + m * c * z->y / b);
+}
+
 const flk_kind flk_four_bar = {
     FOURLINK_FOUR_BAR,
     "four-bar",
@@ -311,6 +377,7 @@ const flk_kind flk_four_bar = {
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH},
     FOURLINK_CRANK_ROCKER,
     FOURLINK_CHANGE_POINT_LINKAGE,
+    0,
     {
         {"A", 1, 2, 2, 0, 0},
         {"B", 2, 3, 3, 0, 0},
@@ -327,4 +394,6 @@ const flk_kind flk_four_bar = {
     four_bar_type,
     four_bar_ranges,
     four_bar_limits,
+    four_bar_turns,
+    four_bar_balance,
 };

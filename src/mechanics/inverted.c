@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "turns.h"
 
 /* Only the signed distance h of the lever's line from D matters.  With u = (cos(theta3), sin(theta3)) the
 ** direction of the slide, n = u turned left by 90 deg, s along the slide from the foot of the perpendicular
@@ -248,6 +249,41 @@ static void inverted_limits(const fourlink_mechanism *mechanism, fourlink_branch
     }
 }
 
+/* The slide: B - D = s u + h n */
+static double angle_of_slide(const fourlink_mechanism *mechanism, const fourlink_state *state)
+{
+    double r, line = flk_turns_of_B(mechanism, state, &r);
+
+    if (mechanism->change_folded && mechanism->h == 0)
+        return state->branch == FOURLINK_OPEN ? line : line - M_PI;
+    return line - atan2(mechanism->h, state->s);
+}
+
+static double inverted_turns(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             int link)
+{
+    return angle_of_slide(mechanism, state) +
+           (link == FOURLINK_COUPLER ? 0 : atan2(mechanism->lever.y, mechanism->lever.x));
+}
+
+/* Counterweights (balance.c), link 3 at the angle gamma to link 4:
+**
+**    sum m r = const + e^(i theta2) [m2 z2 + m3 a] + e^(i theta4) [m4 z4 + m3 z3 e^(i gamma)]
+**
+** The lever's axis in the slider's axes is e^(-i gamma). */
+static void inverted_balance(const fourlink_mechanism *mechanism, double fraction,
+                             fourlink_balance *u)
+{
+    const fourlink_link *link = mechanism->design.link;
+    const fourlink_vector *z = &link[3].cg, *lever = &mechanism->lever;
+
+    (void)fraction;
+    u->crank.x = -(link[2].mass * link[2].cg.x + link[3].mass * link[2].length);
+    u->crank.y = -link[2].mass * link[2].cg.y;
+    u->rocker.x = -(link[4].mass * link[4].cg.x + link[3].mass * FLK_DOT(*lever, *z));
+    u->rocker.y = -(link[4].mass * link[4].cg.y + link[3].mass * FLK_CROSS(*lever, *z));
+}
+
 const flk_kind flk_inverted = {
     FOURLINK_INVERTED_SLIDER_CRANK,
     "inverted-slider-crank",
@@ -256,6 +292,7 @@ const flk_kind flk_inverted = {
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH, FLK_LENGTH_OR_NONE},
     FOURLINK_SLOTTED_LEVER,
     FOURLINK_CHANGE_POINT_INVERTED,
+    0,
     {
         {"A", 1, 2, 2, 0, 0},
         {"B", 2, 3, 3, 0, 0},
@@ -272,4 +309,6 @@ const flk_kind flk_inverted = {
     inverted_type,
     inverted_ranges,
     inverted_limits,
+    inverted_turns,
+    inverted_balance,
 };

@@ -55,6 +55,8 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 **               free, and the moments of links 3 and 4 about their origins
 ** type, ranges, limits
 **               of the mechanism as a whole; ranges and limits are set to 0 before
+** turns         the angle of link 3 or 4, continuous in theta2 (turns.c)
+** balance       the counterweights; `fraction` of a reciprocating mass (balance.c)
 */
 typedef struct flk_kind {
     fourlink_kind kind;
@@ -63,6 +65,7 @@ typedef struct flk_kind {
     const char *link[5]; /* names of the links, by number */
     int has_length[5];   /* FLK_NO_LENGTH ... */
     fourlink_type first_type, last_type;
+    double folded; /* rad, theta2 of the folded change point; half a turn from the stretched one */
     fourlink_joint joint[4]; /* in the order of the unknowns */
     void (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
@@ -78,6 +81,9 @@ typedef struct flk_kind {
     void (*ranges)(const fourlink_mechanism *mechanism, fourlink_reach *reach);
     void (*limits)(const fourlink_mechanism *mechanism, fourlink_branch branch,
                    fourlink_limits *limits);
+    double (*turns)(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
+    void (*balance)(const fourlink_mechanism *mechanism, double fraction,
+                    fourlink_balance *balance);
 } flk_kind;
 
 extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted;

@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "balance.h"
 #include "kind.h"
 
 /* Reach.  The rod spans the height r sin(theta2) - e of the crank pin above the line of stroke.  With X the
@@ -227,6 +228,45 @@ static void slider_crank_limits(const fourlink_mechanism *mechanism, fourlink_br
         stroke_of_piston(mechanism, branch, limits);
 }
 
+/* The rod passes -90 deg at the stretched change point, and 90 deg at the folded one.  With both (l = r,
+** e = 0) it turns against the crank, but with it on the crossed branch. */
+static double slider_crank_turns(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                 int link)
+{
+    const fourlink_vector *e3 = &state->link[3].axis;
+    double theta2 = state->link[2].theta;
+
+    if (link == FOURLINK_FOLLOWER)
+        return 0;
+    if (mechanism->change_stretched && mechanism->change_folded)
+        return state->branch == FOURLINK_OPEN ? -theta2 : M_PI + theta2;
+    if (mechanism->change_stretched)
+        return atan2(e3->x, -e3->y) - M_PI_2;
+    if (mechanism->change_folded)
+        return M_PI_2 - atan2(e3->x, e3->y);
+    return state->branch == FOURLINK_OPEN ? atan2(e3->y, e3->x) : M_PI + atan2(-e3->y, -e3->x);
+}
+
+/* Counterweights (balance.c), with r e^(i theta2) + l e^(i theta3) = X + i e:
+**
+**    sum m r = const + e^(i theta2) [m2 z2 + m3 r (1 - z3 / l)] + X [m4 + m3 z3 / l]
+**
+** The bracket of X is the reciprocating mass, of which the crank balances a fraction: X is r cos(theta2) plus
+** smaller terms of twice the frequency.
+*/
+static void slider_crank_balance(const fourlink_mechanism *mechanism, double fraction,
+                                 fourlink_balance *u)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double m = link[3].mass, r = link[2].length, l = link[3].length;
+    const fourlink_vector *z = &link[3].cg;
+
+    u->crank.x = -(link[2].mass * link[2].cg.x + m * r * (1 - z->x / l) +
+                   fraction * flk_balance_reciprocating(&mechanism->design) * r);
+    u->crank.y = -(link[2].mass * link[2].cg.y - m * r * z->y / l);
+    u->rocker.x = u->rocker.y = 0;
+}
+
 const flk_kind flk_slider_crank = {
     FOURLINK_SLIDER_CRANK,
     "slider-crank",
@@ -235,6 +275,7 @@ const flk_kind flk_slider_crank = {
     {FLK_NO_LENGTH, FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH},
     FOURLINK_ENGINE,
     FOURLINK_CHANGE_POINT_SLIDER,
+    -M_PI_2,
     {
         {"A", 1, 2, 2, 0, 0},
         {"B", 2, 3, 3, 0, 0},
@@ -251,4 +292,6 @@ const flk_kind flk_slider_crank = {
     slider_crank_type,
     slider_crank_ranges,
     slider_crank_limits,
+    slider_crank_turns,
+    slider_crank_balance,
 };

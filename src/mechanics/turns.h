@@ -11,4 +11,7 @@
 ** (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 
+/* The angle of the line from D to B, of the signed length r, as smooth in theta2. */
+double flk_turns_of_B(const fourlink_mechanism *mechanism, const fourlink_state *state, double *r);
+
 #endif

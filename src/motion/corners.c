@@ -193,7 +193,7 @@ static void offer_loads(search *s)
 static void offer_positions(search *s)
 {
     const fourlink_mechanism *mechanism = &s->p->corners->d->machine.mechanism;
-    double line = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
+    double line = flk_kind_of(mechanism->design.kind)->folded;
     fourlink_reach reach;
     int i;
 

@@ -15,6 +15,7 @@
 
 #include "equation.h"
 #include "mechanics/dormand_prince.h"
+#include "mechanics/kind.h"
 
 #define BESIDE 5e-3 /* rad, from a change point: closer values are interpolated from around it */
 #define PLACES 6
@@ -38,7 +39,7 @@ int flk_equation_torque(const flk_equation *e, const flk_machine_place *place, d
 static double after_change(const flk_equation *e, double s)
 {
     const fourlink_mechanism *mechanism = &e->machine.mechanism;
-    double folded = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
+    double folded = flk_kind_of(mechanism->design.kind)->folded;
     double nearest = GSL_POSINF;
     int i;
 
