@@ -361,6 +361,32 @@ def check_speed(deck, rows):
                         'points of the table', len(points), len(wanted))
 
 
+TWO_RANGES = """mechanism = four-bar
+[ground]
+length = 9.5 m
+[crank]
+length = 8.4 m
+[coupler]
+length = 2 m
+[rocker]
+length = 9.5 m
+[motion]
+speed = 1 rad/s
+from = -90 deg
+to = 270 deg
+interval = 10 deg
+"""
+
+
+def check_two_ranges(program, folder):
+    """The crank moves in two ranges; with the samples of the second an angle does not follow those of the first."""
+    path = os.path.join(folder, 'two-ranges.deck')
+    with open(path, 'w', encoding='utf-8') as out:
+        out.write(TWO_RANGES)
+    own = Deck(program, path)
+    check_over_angle(own, fine_table(own), 'motion', None)
+
+
 def main(fourlink, data, decks):
     with tempfile.TemporaryDirectory() as folder:
         program = Program(fourlink, folder)
