@@ -78,9 +78,10 @@ int flk_build_has(const parser *p, key_code key)
 }
 
 /* Report a missing length. */
-static void require_length(parser *p, const char *link)
+static void require_length(parser *p, section_code section)
 {
-    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
+    const section_use *use = flk_section_find(p, section, NULL);
+    const char *link = flk_section_table[section].name;
 
     if (use ? use->is_mistaken : p->has_unknown_section)
         return;
@@ -159,7 +160,7 @@ static void build_stroke(parser *p)
 /* 1 if a link whose length is optional has none. */
 static int is_without_length(parser *p, const flk_kind *kind, int number)
 {
-    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+    section_code section = flk_section_of_link(kind->kind, number);
 
     return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
            !IS_SET(flk_setting_by_name(p, section, "length"));
@@ -297,7 +298,7 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
 
 static void build_link(parser *p, const flk_kind *kind, int number)
 {
-    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+    section_code section = flk_section_of_link(kind->kind, number);
     const setting *length = flk_setting_by_name(p, section, "length");
 
     if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
@@ -305,7 +306,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     else if (IS_SET(length))
         p->d->design.link[number].length = length->si[0];
     else if (kind->has_length[number] == FLK_LENGTH)
-        require_length(p, kind->link[number]);
+        require_length(p, section);
     build_body(p, kind, number, section);
 }
 
@@ -404,7 +405,7 @@ static void check_reach(parser *p, const flk_kind *kind)
     }
     sum -= link[longest].length;
     if (link[longest].length > sum * (1 + 1e-14)) {
-        s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
+        s = flk_setting_by_name(p, flk_section_of_link(kind->kind, longest), "length");
         flk_mistake(
             p->mistakes, s->place,
             "the %s, %s, is longer than the other three together, %s: the linkage cannot be "

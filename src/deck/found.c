@@ -146,7 +146,7 @@ static void set_lengths(parser *p)
     int i;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        section_code section = flk_find_section(flk_text_of(kind->link[i]));
+        section_code section = flk_section_of_link(kind->kind, i);
         const setting *given = flk_setting_by_name(p, section, "length");
 
         if (design->link[i].length > 0 && kind->has_length[i] != FLK_NO_LENGTH &&

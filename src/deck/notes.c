@@ -100,8 +100,8 @@ static double longest_link(const fourlink_design *design)
 static void check_body(parser *p, int number)
 {
     const fourlink_link *link = &p->d->design.link[number];
-    const char *name = flk_kind_of(p->d->design.kind)->link[number];
-    section_code section = flk_find_section(flk_text_of(name));
+    section_code section = flk_section_of_link(p->d->design.kind, number);
+    const char *name = flk_section_table[section].name;
     const setting *inertia = flk_setting_by_name(p, section, "inertia"),
                   *gyration = flk_setting_by_name(p, section, "gyration"),
                   *cg = flk_setting_by_name(p, section, "cg");

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "deck.h"
+#include "mechanics/kind.h"
 #include "schema.h"
 
 #define SECTION_INFO(code, name, repeats, kinds, first) {name, repeats, kinds, first},
@@ -138,4 +139,9 @@ section_code flk_find_section(text name)
         if (flk_text_equal(name, flk_section_table[i].name))
             return (section_code)i;
     return SECTION_COUNT;
+}
+
+section_code flk_section_of_link(fourlink_kind kind, int link)
+{
+    return flk_find_section(flk_text_of(flk_kind_of(kind)->link[link]));
 }

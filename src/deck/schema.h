@@ -292,4 +292,7 @@ key_code flk_find_key(section_code section, text name);
 /* The section with this name; SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);
 
+/* The section of a link, 1 to 4, of a kind of mechanism: the one with its name. */
+section_code flk_section_of_link(fourlink_kind kind, int link);
+
 #endif

@@ -135,9 +135,7 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
 
 static const setting *length_of(parser *p, int link)
 {
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
-
-    return flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[link])), "length");
+    return flk_setting_by_name(p, flk_section_of_link(p->d->design.kind, link), "length");
 }
 
 int flk_task_lengths(parser *p, double length[5])

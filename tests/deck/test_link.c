@@ -6,6 +6,7 @@
 #include "outcome.h"
 #include "elements.h"
 #include "deck/reader.h"
+#include "deck/schema.h"
 
 /* Eight lines; the coupler is open. */
 #define FOUR_BAR             \
@@ -21,7 +22,7 @@
 #define LENGTH "length = 66 mm\n"
 
 /* Six lines; the lever is open. */
-#define INVERTED                          \
+#define SLOTTED                           \
     "mechanism = inverted-slider-crank\n" \
     "[crank]\n"                           \
     "length = 120 mm\n"                   \
@@ -61,7 +62,7 @@ TEST(test_uniform_bars)
     check_body("mechanism = slider-crank\n[crank]\nstroke = 200 mm\nmass = 2 kg\nuniform = yes\n"
                "[rod]\nlength = 400 mm\n",
                2, 2, 2 * 0.1 * 0.1 / 12, 0.05, 0);
-    check_body(INVERTED "length = 300 mm\nangle = 20 deg\nmass = 3 kg\nuniform = yes\n", 4, 3,
+    check_body(SLOTTED "length = 300 mm\nangle = 20 deg\nmass = 3 kg\nuniform = yes\n", 4, 3,
                3 * 0.3 * 0.3 / 12, 0.15, 0);
     check_body(FOUR_BAR LENGTH "mass = 0.3 kg\nuniform = no\ncg = 1 mm\n", 3, 0.3, 0, 0.001, 0);
     check_body(FOUR_BAR LENGTH "mass = 0 kg\nuniform = yes\n", 3, 0, 0, 0.033, 0);
@@ -112,24 +113,24 @@ TEST(test_refused)
     check_mistake(FOUR_BAR LENGTH "uniform = yes\n", NULL, 10, "a uniform link needs a mass");
     check_mistake(FOUR_BAR LENGTH "mass = 1 kg\nuniform = 1\n", NULL, 11,
                   "expected no or yes, not '1'");
-    check_mistake(INVERTED "mass = 1 kg\nuniform = yes\n", NULL, 8,
+    check_mistake(SLOTTED "mass = 1 kg\nuniform = yes\n", NULL, 8,
                   "a uniform lever needs a length");
-    check_mistake(INVERTED "mass = 1 kg\nuniform = yes\nlenth = 3 mm\nangle = 30 deg\n", NULL, 9,
+    check_mistake(SLOTTED "mass = 1 kg\nuniform = yes\nlenth = 3 mm\nangle = 30 deg\n", NULL, 9,
                   "unknown key 'lenth' in [lever]; did you mean 'length'?");
-    check_mistake(INVERTED "mass = 1 kg\nuniform = yes\nlength = 3 kg\nangle = 30 deg\n", NULL, 9,
+    check_mistake(SLOTTED "mass = 1 kg\nuniform = yes\nlength = 3 kg\nangle = 30 deg\n", NULL, 9,
                   "'3 kg' is a mass; expected a length, such as 80 mm");
     check_mistake(FOUR_BAR LENGTH "mass = 1 kg\nuniform = yes\nswing_pin = end\n", NULL, 12, bar);
     check_mistake("mechanism = four-bar\n[ground]\nlength = 1e10 m\n[crank]\nlength = 1e10 m\n"
                   "[rocker]\nlength = 1e10 m\n[coupler]\nlength = 1e10 m\nmass = 1e20 kg\n"
                   "uniform = yes\n",
                   NULL, 11, "the resulting moment of inertia is out of range");
-    check_mistake(INVERTED "mass = 1 kg\ncg = mid\n", NULL, 8,
+    check_mistake(SLOTTED "mass = 1 kg\ncg = mid\n", NULL, 8,
                   "'mid' is a part of the length, and the lever has none: give the point in a unit "
                   "of length");
-    check_mistake(INVERTED "[slider]\nmass = 1 kg\ncg = 50 %\n", NULL, 9,
+    check_mistake(SLOTTED "[slider]\nmass = 1 kg\ncg = 50 %\n", NULL, 9,
                   "'50 %' is a part of the length, and the slider has none: give the point in a "
                   "unit of length");
-    check_mistake(INVERTED "[slider]\nmass = 1 kg\nuniform = yes\n", NULL, 9,
+    check_mistake(SLOTTED "[slider]\nmass = 1 kg\nuniform = yes\n", NULL, 9,
                   "unknown key 'uniform' in [slider]; it belongs in a section such as [crank]");
     check_mistake(SLIDER_CRANK "[load]\nlink = piston\nforce = 1 N at 0 deg\nat = mid\n", NULL, 9,
                   "'mid' is a part of the length, and the piston has none: give the point in a "
@@ -160,7 +161,7 @@ TEST(test_point_masses)
                NULL, 3,
                "[crank] is a point mass at A: write uniform = yes for a uniform bar, cg = 0 mm if "
                "this is meant");
-    check_note(INVERTED "mass = 1 kg\n[slider]\nmass = 1 kg\n", NULL, 7,
+    check_note(SLOTTED "mass = 1 kg\n[slider]\nmass = 1 kg\n", NULL, 7,
                "[lever] is a point mass at D: write cg = 0 mm if this is meant");
     check_note(
         FOUR_BAR LENGTH "mass = 0.3 kg\nuniform = no\n", NULL, 10,
@@ -251,6 +252,23 @@ TEST(test_notes_of_results)
     assert_int_equal(notes[1].line, 11);
     assert_string_equal(notes[1].file, "x.deck");
     fourlink_results_free(results);
+}
+
+/* A link has the section that has its name, which its kind has. */
+TEST(test_sections_of_links)
+{
+    static const fourlink_kind kinds[] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                                          FOURLINK_INVERTED_SLIDER_CRANK};
+    size_t k;
+    int link;
+
+    for (k = 0; k < sizeof kinds / sizeof kinds[0]; k++)
+        for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++) {
+            section_code section = flk_section_of_link(kinds[k], link);
+
+            assert_true(section < SECTION_COUNT);
+            assert_true(flk_section_table[section].kinds & (int)kinds[k]);
+        }
 }
 
 int main(void)

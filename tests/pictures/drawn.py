@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
-from linkage import Checks, Deck, Program, SKIPPED, cross, crossing, decks_of, dot, foot, si_of  # noqa: E402
+from linkage import Checks, Deck, Program, cross, crossing, decks_of, dot, foot, si_of  # noqa: E402
 from script import Script, plain  # noqa: E402
 
 # Styles of lines
