@@ -52,7 +52,6 @@ void flk_build_flywheel(parser *p)
                   *mode = flk_setting_find(p, KEY_MOTION_MODE);
 
     p->d->flywheel_fluctuation = fluctuation->si[0];
-    p->d->flywheel_inertia = inertia->si[0];
     if (IS_SET(inertia) && IS_SET(fluctuation))
         flk_mistake(p->mistakes, inertia->place,
                     "give either the fluctuation or the inertia: the other follows");

@@ -115,7 +115,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_type);
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
-    problem->flywheel_inertia = d->flywheel_inertia;
+    problem->flywheel_inertia = d->machine.flywheel;
     if (flk_deck_range(d, &range) == FOURLINK_OK)
         problem->n_rows = range.n_rows;
     problem->one_instant = d->one_instant;

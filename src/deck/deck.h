@@ -130,8 +130,8 @@ struct fourlink_deck {
     size_t n_expectations;
     deck_rule *rules; /* of [grading] */
     size_t n_rules;
-    double fewest_digits;                          /* of a value; 0: any */
-    double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
+    double fewest_digits;        /* of a value; 0: any */
+    double flywheel_fluctuation; /* 0 if not given */
     deck_drive drive;
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */

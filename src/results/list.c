@@ -374,7 +374,7 @@ void flk_list_inputs(const deck *d, flk_list *inputs)
     add_friction(&t);
     add_gas(&t);
     t.section = "flywheel";
-    add_input_unless_0(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
+    add_input_unless_0(&t, "inertia", QUANTITY_INERTIA, d->machine.flywheel,
                        "moment of inertia of the flywheel");
     add_input_unless_0(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
                        "coefficient of fluctuation of speed");

@@ -222,7 +222,7 @@ static void find_turning(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
     const flk_actual_facts *actual = flk_actual_facts_of(m->a->crank_motion.actual, m->branch);
-    double omega = m->crank.omega2, inertia = actual ? actual->inertia : d->flywheel_inertia;
+    double omega = m->crank.omega2, inertia = actual ? actual->inertia : d->machine.flywheel;
 
     if (fabs(m->mean) <= 1e-12 * scale)
         m->mean = 0;
@@ -233,7 +233,7 @@ static void find_turning(moment *m, double scale, fourlink_turning *t)
     t->has_coefficient = m->mean != 0;
     t->energy_coefficient =
         m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->machine.cycle) : 0;
-    t->inertia = actual ? actual->flywheel : d->flywheel_inertia;
+    t->inertia = actual ? actual->flywheel : d->machine.flywheel;
     t->fluctuation = actual ? 0 : d->flywheel_fluctuation;
     if (inertia > 0)
         t->fluctuation = t->energy_fluctuation / (inertia * omega * omega);

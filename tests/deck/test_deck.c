@@ -633,7 +633,7 @@ TEST(test_engine)
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
     check_curve(&given_load(&d, 0)->values.torque_curve, torque, 3);
-    assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
+    assert_true(d.flywheel_fluctuation == 0.02 && d.machine.flywheel == 0);
     assert_int_equal(d.has_forces, 1);
     flk_deck_free(&d);
 
@@ -659,7 +659,7 @@ TEST(test_engine)
     read_with("mechanism = slider-crank\n[ground]\noffset = 300 mm\n[crank]\nstroke = 600 mm\n"
               "[rod]\nlength = 1.2 m\n[flywheel]\ninertia = 3 kg m2\n",
               "title=offset", &d);
-    assert_true(d.flywheel_inertia == 3);
+    assert_true(d.machine.flywheel == 3);
     { /* the dead centres are the stroke apart */
         double r = d.design.link[2].length, e = 0.3;
 
