@@ -303,25 +303,32 @@ static void add_found(listing *t)
     add_fact(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
 }
 
-/* A counterweight: mass moment, direction, mass. */
-static void add_counterweight(listing *t, fact_code first, const fourlink_vector *moment,
-                              double mass)
+typedef struct counterweight_facts {
+    fact_code moment, angle, mass;
+} counterweight_facts;
+
+static void add_counterweight(listing *t, const counterweight_facts *code,
+                              const fourlink_vector *moment, double mass)
 {
-    add_fact(t, first, gsl_hypot(moment->x, moment->y));
+    add_fact(t, code->moment, gsl_hypot(moment->x, moment->y));
     if (moment->x != 0 || moment->y != 0)
-        add_fact(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
+        add_fact(t, code->angle, atan2(moment->y, moment->x));
     if (t->d->balance.radius > 0)
-        add_fact(t, (fact_code)(first + 2), mass);
+        add_fact(t, code->mass, mass);
 }
 
 static void add_balance(listing *t)
 {
+    static const counterweight_facts of_crank = {FACT_BALANCE_CRANK, FACT_BALANCE_CRANK_ANGLE,
+                                                 FACT_BALANCE_MASS},
+                                     of_rocker = {FACT_BALANCE_ROCKER, FACT_BALANCE_ROCKER_ANGLE,
+                                                  FACT_BALANCE_ROCKER_MASS};
     const deck_balance *b = &t->d->balance;
 
     if (b->crank)
-        add_counterweight(t, FACT_BALANCE_CRANK, &b->moment.crank, b->mass[0]);
+        add_counterweight(t, &of_crank, &b->moment.crank, b->mass[0]);
     if (b->rocker)
-        add_counterweight(t, FACT_BALANCE_ROCKER, &b->moment.rocker, b->mass[1]);
+        add_counterweight(t, &of_rocker, &b->moment.rocker, b->mass[1]);
 }
 
 static void add_limits(listing *t)
