@@ -5,6 +5,11 @@
 ** It makes three passes: lines to settings, each a text and its place (lines.c, settings.c); texts to values,
 ** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
 ** does not stop the reader, so that one run reports all of them.
+**
+** A deck keeps the parser of its text as long as it lives.  The last pass reads settings and writes only to
+** the deck; a design of a [sweep], or a deck with numbers set, runs it again over settings that it shares
+** with the first, of which it copies a section before it changes it.  Out of memory ends the reader between
+** two passes.
 */
 #include <stdlib.h>
 #include <string.h>

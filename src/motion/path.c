@@ -6,6 +6,11 @@
 ** its ends.  So steps may overshoot the end of a cell, or the place where the crank comes to rest; they are
 ** cut there on their interpolant, and the next cell begins.  Rows lie within steps: they do not depend on
 ** each other or on the interval between them.
+**
+** A path is an array of nodes in the order of time.  The first is at 0 s and 0 rad passed.  A node has the
+** unknowns where a step begins, and the polynomial of that step, which holds up to the next node and may
+** reach beyond it.  The last node has no step, h = 0; so has one at which the crank rests.  Unless the path
+** swings, the angle passed rises from node to node too, and an angle is found as a time is, by bisection.
 */
 #include <math.h>
 #include <stdlib.h>

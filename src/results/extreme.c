@@ -5,6 +5,11 @@
 ** Columns are sampled piece by piece (samples.c).  A peak of the samples is refined by a polynomial
 ** through its neighbours.  Where the row at the polynomial's peak does not agree with it, base/solve finds
 ** the peak.
+**
+** A column has two pairs of bests (flk_bests).  `here` is from where an angle last started anew, in values
+** that whole turns may still move, all together; `best` is from before, and final: commit() moves the one
+** into the other.  A value enters only if it is better by more than rounding: of equal values the first
+** stays.
 */
 #include <math.h>
 #include <string.h>

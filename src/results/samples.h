@@ -6,6 +6,10 @@
 ** follow.h, of eight where all columns are smooth.  Where there is no row, at dead positions and change
 ** points, columns have a limit (limit.h).  A piece in which friction locks the mechanism is cut
 ** further, where that begins and ends.
+**
+** The samples of a piece are n parameters s, rising within 0 to 1, and for each column n values v: v[i] is
+** the column at s[i], and all columns have the same s.  A value is finite or NaN.  Values of an angle go on
+** from one sample to the next without a jump of a turn, unless `starts_anew` is set.
 */
 #ifndef FOURLINK_SAMPLES_H
 #define FOURLINK_SAMPLES_H
