@@ -482,7 +482,7 @@ static int have_same(const flk_analysis *a, const flk_analysis *b)
            has_time(a->d) == has_time(b->d);
 }
 
-size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
+size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
                        size_t n, flk_column *list)
 {
     size_t i;

@@ -31,7 +31,7 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list);
 
 /* The same for another design of a deck whose columns are known, without looking up their names; 0 if this
 ** design has others. */
-size_t flk_column_take(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
+size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_column *from,
                        size_t n, flk_column *list);
 
 /* Possible column i, 0 ... flk_column_limit - 1; returns 0 if the deck does not have it. */

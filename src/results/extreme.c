@@ -504,7 +504,7 @@ static void move_constant(const search *x, const flk_followed *t, flk_bests *b)
 /* The least value of a difference of lengths, such as a displacement, may be 0 within rounding. */
 #define ROUNDING (32 * GSL_DBL_EPSILON)
 
-static void give(const search *x, const flk_extreme *best, double size, flk_extreme *extreme)
+static void report(const search *x, const flk_extreme *best, double size, flk_extreme *extreme)
 {
     extreme->is_there = best->is_there;
     extreme->value = fabs(best->value) <= ROUNDING * size ? 0 : best->value;
@@ -522,8 +522,8 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
 
         commit(b, has_gap ? flk_followed_behind_gap(&c->of, &x->samples.f) : 0);
         move_constant(x, &c->of, b);
-        give(x, &b->best[0], c->size, &pairs[i].max);
-        give(x, &b->best[1], c->size, &pairs[i].min);
+        report(x, &b->best[0], c->size, &pairs[i].max);
+        report(x, &b->best[1], c->size, &pairs[i].min);
     }
 }
 

@@ -92,7 +92,7 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
 }
 
 /* The outputs and conditions of another design, without looking up their names. */
-static int take_outputs(flk_opened *o, const flk_opened *from)
+static int copy_outputs(flk_opened *o, const flk_opened *from)
 {
     const flk_list *outputs = &from->lists[FOURLINK_OUTPUTS],
                    *conditions = &from->lists[FOURLINK_CONDITIONS];
@@ -203,7 +203,7 @@ static void list_conditions(flk_opened *o)
 }
 
 /* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory. */
-static int take_memory(flk_opened *o)
+static int allocate(flk_opened *o)
 {
     size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = 0;
     size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns;
@@ -234,15 +234,15 @@ static int open_deck(flk_opened *o, const flk_opened *from)
 
     if (o->d.sweep.n_variables && !o->d.solver)
         o->d.solver = SOLVER_DYAD;
-    if (!flk_analysis_open(&o->a, &o->d) || !take_memory(o))
+    if (!flk_analysis_open(&o->a, &o->d) || !allocate(o))
         return 0;
     if (from)
-        o->n_columns = flk_column_take(&o->a, &from->a, from->columns, from->n_columns, o->columns);
+        o->n_columns = flk_column_copy(&o->a, &from->a, from->columns, from->n_columns, o->columns);
     if (!o->n_columns)
         o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
     for (i = 0; i < o->n_columns; i++)
         o->needs |= flk_column_need(&o->columns[i]);
-    if (!from || !take_outputs(o, from)) {
+    if (!from || !copy_outputs(o, from)) {
         list_outputs(o);
         list_conditions(o);
     }

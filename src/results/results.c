@@ -20,7 +20,7 @@
 /* ------------------------------------------------------------------------------------------ opening */
 
 /* Give an opened deck to the host; its status. */
-static int give_results(int status, flk_opened *opened, fourlink_results **results)
+static int return_results(int status, flk_opened *opened, fourlink_results **results)
 {
     fourlink_results *r;
 
@@ -57,7 +57,7 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
     if (!source || !source->text || !results || (!first && max_mistakes))
         return FOURLINK_NULL;
     status = flk_opened_read(source, &list, &o);
-    return give_results(status, o, results);
+    return return_results(status, o, results);
 }
 
 int fourlink_results_design(const fourlink_results *from, unsigned long design,
@@ -73,7 +73,7 @@ int fourlink_results_design(const fourlink_results *from, unsigned long design,
     if (design >= from->first->d.sweep.n_designs)
         return FOURLINK_BAD_NUMBER;
     status = flk_opened_design(from->first, design, NULL, 0, &list, &o);
-    return give_results(status, o, results);
+    return return_results(status, o, results);
 }
 
 int fourlink_results_variables(const fourlink_results *from, unsigned long design,
@@ -239,7 +239,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
 /* --------------------------------------------------------------------------------------------- rows */
 
 /* Return what the caller asks for from a row. */
-static int give_row(const flk_opened *o, const flk_row *row, double *values,
+static int copy_row(const flk_opened *o, const flk_row *row, double *values,
                     fourlink_instant *instant, fourlink_load *loads)
 {
     if (values)
@@ -278,7 +278,7 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
     if (i >= r->now->a.crank_motion.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->now->a, needs_of(r->now, values, instant, loads), branch, i, &row);
-    return give_row(r->now, &row, values, instant, loads);
+    return copy_row(r->now, &row, values, instant, loads);
 }
 
 int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
@@ -293,7 +293,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
     if (!flk_crank_motion_find_angle(&r->now->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
-    return give_row(r->now, &row, values, instant, loads);
+    return copy_row(r->now, &row, values, instant, loads);
 }
 
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
