@@ -6,7 +6,7 @@
 #define FOURLINK_LIMIT_H
 
 #include "follow.h"
-#include "polynomial.h"
+#include "base/polynomial.h"
 
 #define FLK_LIMIT_SCALES 8
 #define FLK_LIMIT_NODES 8

@@ -2,7 +2,7 @@
 **
 ** polynomial.c - a polynomial through points, by divided differences.
 */
-#include "base/solve.h"
+#include "solve.h"
 #include "polynomial.h"
 
 void flk_polynomial_add(flk_polynomial *p, double x, double y)
