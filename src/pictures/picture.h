@@ -49,7 +49,6 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32,     /* a panel for each output of the sweep */
     PLOT_FILLED = 64,    /* as high as its drawing */
     PLOT_ACTUAL = 128,   /* a motion that is not given */
     PLOT_OVER = 256,     /* over the crank angle or over time */

@@ -297,8 +297,6 @@ static const char *missing(const picture *p)
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
         p->v.n_columns > PICTURE_CURVES)
         return "a picture shows at most 24 columns; name those to draw with --columns";
-    if ((needs & PLOT_SWEEP) && (!p->v.problem.n_designs || !p->v.problem.has_outputs))
-        return "this picture needs a [sweep] with outputs; the deck has none";
     if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->v.problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;

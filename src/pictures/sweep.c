@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "graph.h"
@@ -23,7 +22,6 @@ typedef struct designs {
     unsigned long axis; /* the variable on the x axis */
     double *inputs;     /* by design and variable */
     double *values;     /* by design, branch and output; NaN: none */
-    double *sorted;     /* room for the values of an output */
 } designs;
 
 static double *inputs_of(const designs *d, unsigned long i)
@@ -46,17 +44,15 @@ static int open_designs(picture *p, designs *d)
     fourlink_results_list(p->v.results, FOURLINK_VARIABLES, &d->variables, &d->n_variables);
     d->inputs = malloc((n + 3) * d->n_variables * sizeof *d->inputs);
     d->values = malloc((lines * d->n_outputs + 1) * sizeof *d->values);
-    d->sorted = malloc(lines * sizeof *d->sorted);
     for (i = 0; d->values && i < lines * d->n_outputs; i++)
         d->values[i] = GSL_NAN;
-    return d->inputs && d->values && d->sorted;
+    return d->inputs && d->values;
 }
 
 static void close_designs(designs *d)
 {
     free(d->inputs);
     free(d->values);
-    free(d->sorted);
 }
 
 /* Keep the outputs of design i on a branch; 0 if one could not be computed.  A fact that the design does not
@@ -139,19 +135,25 @@ static int begins(const designs *d, unsigned long i)
     return 0;
 }
 
-/* Sort the numbers of an output on all branches; returns how many there are. */
-static size_t sort_values(const picture *p, designs *d, unsigned long output)
+/* The range of an output on all branches; 0 if it has no number. */
+static int find_range(const picture *p, const designs *d, unsigned long output, double *low,
+                      double *high)
 {
     unsigned long i;
-    size_t n = 0;
     int b;
 
+    *low = GSL_POSINF;
+    *high = GSL_NEGINF;
     for (i = 0; i < d->n; i++)
-        for (b = 0; b < p->v.n_branches; b++)
-            if (!gsl_isnan(values_of(d, p, i, b)[output]))
-                d->sorted[n++] = values_of(d, p, i, b)[output];
-    gsl_sort(d->sorted, 1, n);
-    return n;
+        for (b = 0; b < p->v.n_branches; b++) {
+            double value = values_of(d, p, i, b)[output];
+
+            if (gsl_isnan(value))
+                continue;
+            *low = GSL_MIN_DBL(*low, value);
+            *high = GSL_MAX_DBL(*high, value);
+        }
+    return *low <= *high;
 }
 
 /* Widen the range of x, and set it with the step of its numbers. */
@@ -208,16 +210,13 @@ static int is_monotonic(const designs *d)
 static int put_curve(picture *p, designs *d, unsigned long output, const char *style)
 {
     const fourlink_value *x = &d->variables[d->axis];
-    size_t n = sort_values(p, d, output);
     double low, high, value;
     char symbol[NOTATION_SIZE];
     unsigned long i;
     int b;
 
-    if (n == 0)
+    if (!find_range(p, d, output, &low, &high))
         return 0;
-    low = d->sorted[0];
-    high = d->sorted[n - 1];
     begin_panel(p, x->name, x->unit, canvas_symbol(&p->on, d->outputs[output].name, symbol),
                 d->outputs[output].unit);
     for (b = 0; b < p->v.n_branches; b++) {

@@ -19,8 +19,6 @@
 #define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
 #define SAME 1e-7       /* rad: closer crank angles are the same */
-#define NEAR_LINE \
-    0.05 /* |sin(mu)|: where it is smaller, rows beside one another differ by rounding */
 
 /* Samples here are of the column minus the value sought; NaN: it is undefined. */
 typedef struct crossings {
@@ -50,12 +48,6 @@ static double off_at(double s, void *data)
     return off_of(k, flk_samples_value(&k->x, k->c, s, GSL_NAN));
 }
 
-static int is_at_limit(const crossings *k, double s)
-{
-    return (s <= 0 && flk_follow_has_limit(k->x.f.piece.begin)) ||
-           (s >= 1 && flk_follow_has_limit(k->x.f.piece.end));
-}
-
 /* The same of the row as it is printed, and the row; by the limit of the column where there is none. */
 static double off_of_row(double s, crossings *k, flk_row *row)
 {
@@ -65,7 +57,7 @@ static double off_of_row(double s, crossings *k, flk_row *row)
     flk_follow_row(&k->x.f, flk_column_need(k->c->of.c), flk_follow_corner(&k->x.f, s), row);
     k->x.f.a->is_fast = 1;
     off = off_of(k, flk_column_value(k->c->of.c, row));
-    return gsl_isnan(off) && is_at_limit(k, s) ? off_at(s, k) : off;
+    return gsl_isnan(off) && flk_samples_is_at_limit(&k->x, s) ? off_at(s, k) : off;
 }
 
 static double off_at_row(double s, void *data)
@@ -108,7 +100,7 @@ static void keep_crossing(crossings *k, double s, double around)
     if (fabs(passed - k->last) < SAME)
         return;
     off = off_of_row(s, k, &row);
-    if (fabs(row.at.state.sine) < NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
+    if (fabs(row.at.state.sine) < FLK_SAMPLES_NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
         around = 0; /* the values around the row are no smoother than it is */
     if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;
@@ -255,8 +247,6 @@ static size_t close_gap(crossings *k, size_t i, int before)
     return n;
 }
 
-/* Insert samples on both sides of a pole between samples i and i + 1, over which the column changes its
-** sign. */
 typedef struct pole {
     crossings *k;
     double sign;
@@ -270,6 +260,8 @@ static double side_of_pole(double s, void *data)
     return p->sign * value < 0 ? GSL_NEGINF : GSL_POSINF;
 }
 
+/* Insert samples on both sides of a pole between samples i and i + 1, over which the column changes its
+** sign. */
 static void bound_pole(crossings *k, size_t i)
 {
     const double *s = k->x.s, *v = k->c->v;
@@ -305,39 +297,40 @@ static int is_bent(const crossings *k, size_t i)
     return most > MUCH * least;
 }
 
-/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.
-** Insert a sample there between samples i and i + 1, where samples show only that the vector turns. */
 typedef struct turning {
     crossings *k;
     double x, y; /* F(s2) - F(s1) */
 } turning;
 
+static void vector_at(const crossings *k, double s, double *x, double *y)
+{
+    const flk_column *c = k->c->of.c;
+    flk_row row;
+
+    flk_follow_row(&k->x.f, flk_column_need(c), flk_follow_inside(&k->x.f, s), &row);
+    flk_column_vector(c, &row, x, y);
+}
+
 static double along_change(double s, void *data)
 {
     const turning *t = data;
-    flk_follower *f = &t->k->x.f;
     double x, y;
-    flk_row row;
 
-    flk_follow_row(f, flk_column_need(t->k->c->of.c), flk_follow_inside(f, s), &row);
-    flk_column_vector(t->k->c->of.c, &row, &x, &y);
+    vector_at(t->k, s, &x, &y);
     return x * t->x + y * t->y;
 }
 
+/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.
+** Insert a sample there between samples i and i + 1, where samples show only that the vector turns. */
 static void insert_least_size(crossings *k, size_t i)
 {
     double from = k->x.s[i], to = k->x.s[i + 1], before, behind, x[2], y[2];
     flk_bracket b;
     turning t;
-    int axis;
 
+    vector_at(k, from, &x[0], &y[0]);
+    vector_at(k, to, &x[1], &y[1]);
     t.k = k;
-    for (axis = 0; axis < 2; axis++) {
-        t.x = axis == 0;
-        t.y = axis == 1;
-        *(axis ? &y[0] : &x[0]) = along_change(from, &t);
-        *(axis ? &y[1] : &x[1]) = along_change(to, &t);
-    }
     t.x = x[1] - x[0];
     t.y = y[1] - y[0];
     before = x[0] * t.x + y[0] * t.y;
@@ -350,6 +343,11 @@ static void insert_least_size(crossings *k, size_t i)
         insert_row(k, i + 1, from);
 }
 
+static int has_value(const crossings *k, size_t i)
+{
+    return fabs(k->c->v[i]) < k->c->of.bound;
+}
+
 /* Insert samples where the column may approach the value unseen: close to the ends of the piece, where
 ** no sample shows that it turns, where its slope changes much, up to samples without a value, and beside
 ** poles. */
@@ -359,7 +357,7 @@ static void insert_least_size(crossings *k, size_t i)
 static void insert_samples(crossings *k)
 {
     flk_samples *x = &k->x;
-    const double *s = x->s, *v = k->c->v;
+    const double *s = x->s;
     size_t i;
 
     for (i = 0; i < x->n; i++)
@@ -378,11 +376,10 @@ static void insert_samples(crossings *k)
     for (i = x->n - 1; i-- > 0 && flk_column_has_vector(k->c->of.c) && !(k->c->of.turn > 0);)
         insert_least_size(k, i);
     for (i = 0; i + 1 < x->n; i++) {
-        if (fabs(v[i]) < k->c->of.bound && fabs(v[i + 1]) < k->c->of.bound)
+        if (has_value(k, i) && has_value(k, i + 1))
             bound_pole(k, i);
-        if ((fabs(v[i]) < k->c->of.bound) != (fabs(v[i + 1]) < k->c->of.bound))
-            i += close_gap(k, fabs(v[i]) < k->c->of.bound ? i : i + 1,
-                           !(fabs(v[i]) < k->c->of.bound));
+        if (has_value(k, i) != has_value(k, i + 1))
+            i += close_gap(k, has_value(k, i) ? i : i + 1, !has_value(k, i));
     }
 }
 
@@ -442,7 +439,7 @@ static int varies(crossings *k)
         for (i = 0; i < k->x.n; i++) {
             double value = k->c->v[i];
 
-            if (!(fabs(value) < k->c->of.bound))
+            if (!has_value(k, i))
                 continue;
             least = GSL_MIN_DBL(least, value);
             most = GSL_MAX_DBL(most, value);

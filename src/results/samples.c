@@ -17,8 +17,6 @@
 #define LEAST_STEPS 12   /* of a piece */
 #define SHORT 1e-9       /* rad, of a piece of which one row is computed */
 #define HALVINGS 9       /* of the step towards some ends */
-#define NEAR_LINE \
-    0.05 /* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad */
 
 int flk_samples_open(flk_samples_room *room, size_t most)
 {
@@ -86,8 +84,7 @@ int flk_sampled_is_rounded(const flk_sampled *c, double passed)
            fabs(passed - c->limit[1].edge) < c->limit[1].rounded;
 }
 
-/* 1 at an end of the piece where there is no row. */
-static int is_at_limit(const flk_samples *x, double s)
+int flk_samples_is_at_limit(const flk_samples *x, double s)
 {
     return (s <= 0 && flk_follow_has_limit(x->f.piece.begin)) ||
            (s >= 1 && flk_follow_has_limit(x->f.piece.end));
@@ -101,10 +98,11 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
     if (!x->has_limit && !c->of.is_noise) /* nearly all samples */
         return fabs(value) <= DBL_MAX ? value : GSL_NAN;
     if (c->is_of_crank)
-        return is_at_limit(x, s) || !flk_sampled_is_rounded(c, passed) ? value : GSL_NAN;
+        return flk_samples_is_at_limit(x, s) || !flk_sampled_is_rounded(c, passed) ? value
+                                                                                   : GSL_NAN;
     by_limit = c->limit[0].reach < 0 && c->limit[1].reach < 0 ? GSL_NAN
                                                               : value_by_limit(c, passed, GSL_NAN);
-    if (!gsl_isnan(by_limit) || is_at_limit(x, s))
+    if (!gsl_isnan(by_limit) || flk_samples_is_at_limit(x, s))
         value = by_limit;
     else if (flk_sampled_is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
         value = GSL_NAN;
@@ -206,7 +204,7 @@ static int is_fast_beside(const flk_samples *x, double s, flk_piece_end end)
     if (flk_follow_has_limit(end))
         return 1;
     flk_follow_row(&x->f, 0, flk_follow_corner(&x->f, s), &row);
-    return row.at.status == FOURLINK_OK && fabs(row.at.state.sine) < NEAR_LINE;
+    return row.at.status == FOURLINK_OK && fabs(row.at.state.sine) < FLK_SAMPLES_NEAR_LINE;
 }
 
 static size_t sample_steps(const flk_samples *x)

@@ -72,6 +72,13 @@ int flk_samples_insert(flk_samples *x, size_t i, double s);
 ** it. */
 double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, double near);
 
+/* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad, and rows beside one another
+** differ by rounding. */
+#define FLK_SAMPLES_NEAR_LINE 0.05
+
+/* 1 at an end of the piece where there is no row. */
+int flk_samples_is_at_limit(const flk_samples *x, double s);
+
 /* 1 where rows of a column are rounding error. */
 int flk_sampled_is_rounded(const flk_sampled *c, double passed);
 

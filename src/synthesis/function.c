@@ -15,8 +15,8 @@
 /* Intervals of the search for the largest structural error. */
 #define INTERVALS 180
 
-/* Steps of the fit of the output, the shortest part of a step, and the largest growth_of its links: beyond it
-** they grow without bound. */
+/* Steps of the fit of the output, the shortest part of a step, and how long its links may be (growth_of):
+** beyond it they grow without bound. */
 #define STEPS 100
 #define SHORTEST 1e-12
 #define FEW_STEPS 6 /* of each start; the best ones go on */
@@ -280,7 +280,7 @@ static void fit_through_points(const fourlink_function_task *task, best_fits *be
             }
 }
 
-/* Fit from linkages of common proportions, turned by 180 deg or not: lengths in parts of unit_of. */
+/* Fit from linkages of common proportions, turned by 180 deg or not: lengths in parts of length_unit. */
 static void fit_proportions(const fourlink_function_task *task, best_fits *best)
 {
     static const double parts[] = {-1.5, -0.7, -0.3, 0.3, 0.7, 1.5}, others[] = {0.5, 1, 2};
