@@ -102,10 +102,10 @@ static void lay_out(picture *p, FILE *out)
     }
     if (p->request->kind == PLOT_MOTION && view_is_still(&p->v))
         rows = 1;
-    if (p->request->kind == PLOT_COLUMNS)
-        n = (unsigned long)picture_column_panels(p);
-    if (picture_has_outputs(p))
+    if (picture_has_outputs(p)) /* of any number of columns */
         fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &outputs, &n);
+    else if (p->request->kind == PLOT_COLUMNS)
+        n = (unsigned long)picture_column_panels(p);
     if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;

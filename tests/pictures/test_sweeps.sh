@@ -66,4 +66,9 @@ check 'the table' test -s t.txt
 usage "did you mean 'columns'?" --plot=p.svg --plot-kind=column t.deck
 usage "--plot-kind must be " --plot=p.svg --plot-kind=histogram t.deck
 
+# a table of any number of columns beside the outputs
+{ sed '/^\[expect\]/,$d; /^\[misprint\]/,$d' "$data/dfa-example-2.deck"; printf '[sweep]\ncrank.stroke = 200 mm, 210 mm\noutput = max(Ts)\n'; } >all.deck
+run 0 --plot-script=t.gp --plot-kind=columns -c all all.deck
+check 'the output is drawn' test "$(grep -c '<< EOD' t.gp)" -ge 1
+
 finish
