@@ -11,8 +11,8 @@
 #define SECTION_INFO(code, name, repeats, kinds, first) {name, repeats, kinds, first},
 const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0, KEY_COUNT}};
 
-#define KEY_INFO(section, code, name, form, quantity, sign, kinds) \
-    {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds},
+#define KEY_INFO(section, code, name, form, quantity, sign, kinds, meaning) \
+    {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds, meaning},
 const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
 
 #define LINK_WORDS(X, key)              \

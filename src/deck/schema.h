@@ -58,18 +58,21 @@ typedef enum value_form {
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
 
-#define LINK_KEYS(X, S)                                          \
-    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND) \
-    MASS_KEYS(X, S)                                              \
-    X(S, UNIFORM, "uniform", WORD, NUMBER, ANY, ANY_KIND)
+#define LINK_KEYS(X, S)                                                    \
+    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "length") \
+    MASS_KEYS(X, S)                                                        \
+    X(S, UNIFORM, "uniform", WORD, NUMBER, ANY, ANY_KIND, "a uniform bar")
 
-#define MASS_KEYS(X, S)                                                    \
-    X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)             \
-    X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)   \
-    X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
-    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
-    X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
-    X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND)
+#define MASS_KEYS(X, S)                                                                            \
+    X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND, "mass")                             \
+    X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                           \
+      "radius of gyration about the centre of mass")                                               \
+    X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND,                            \
+      "moment of inertia about the centre of mass")                                                \
+    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND,                                                   \
+      "centre of mass: x along the link, y to its left")                                           \
+    X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND, "period as a pendulum") \
+    X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND, "where it hangs as a pendulum")
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section)                                                                       \
@@ -77,162 +80,208 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
      (section) == SECTION_GRADING)
 
 /* In addition to these, any column or fact. */
-#define EXPECT_KEYS(X, S)                               \
-    X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)      \
-    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND) \
-    X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)
+#define EXPECT_KEYS(X, S)                                                            \
+    X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND, "crank angle or time of the row") \
+    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")         \
+    X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of its values")
 
-/* section, key, its name, form, quantity, sign, mechanisms */
+#define A_UNIT "unit of results and of bare numbers"
+
+/* section, key, its name, form, quantity, sign, mechanisms, meaning */
 #define KEY_LIST(X)                                                                                \
-    X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                            \
-    X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                                    \
-    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                             \
-    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND)                                          \
-    X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                        \
-    X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                           \
-    X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                              \
-    X(UNITS, TIME, "time", UNIT, TIME, ANY, ANY_KIND)                                              \
-    X(UNITS, SPEED, "speed", UNIT, SPEED, ANY, ANY_KIND)                                           \
-    X(UNITS, ACCELERATION, "acceleration", UNIT, ACCELERATION, ANY, ANY_KIND)                      \
-    X(UNITS, ANGULAR_SPEED, "angular_speed", UNIT, ANGULAR_SPEED, ANY, ANY_KIND)                   \
+    X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND, "title of tables, pictures and reports")   \
+    X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND, "the kind of mechanism")           \
+    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK,                             \
+      "the approximation of the piston")                                                           \
+    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND, "how the forces are computed")           \
+    X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND, A_UNIT)                                \
+    X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND, A_UNIT)                                   \
+    X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND, A_UNIT)                                      \
+    X(UNITS, TIME, "time", UNIT, TIME, ANY, ANY_KIND, A_UNIT)                                      \
+    X(UNITS, SPEED, "speed", UNIT, SPEED, ANY, ANY_KIND, A_UNIT)                                   \
+    X(UNITS, ACCELERATION, "acceleration", UNIT, ACCELERATION, ANY, ANY_KIND, A_UNIT)              \
+    X(UNITS, ANGULAR_SPEED, "angular_speed", UNIT, ANGULAR_SPEED, ANY, ANY_KIND, A_UNIT)           \
     X(UNITS, ANGULAR_ACCELERATION, "angular_acceleration", UNIT, ANGULAR_ACCELERATION, ANY,        \
-      ANY_KIND)                                                                                    \
-    X(UNITS, INERTIA, "inertia", UNIT, INERTIA, ANY, ANY_KIND)                                     \
-    X(UNITS, FORCE, "force", UNIT, FORCE, ANY, ANY_KIND)                                           \
-    X(UNITS, TORQUE, "torque", UNIT, TORQUE, ANY, ANY_KIND)                                        \
-    X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND)                                  \
-    X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND)                                           \
-    X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND)                                        \
-    X(UNITS, STIFFNESS, "stiffness", UNIT, STIFFNESS, ANY, ANY_KIND)                               \
-    X(UNITS, DAMPING, "damping", UNIT, DAMPING, ANY, ANY_KIND)                                     \
-    X(UNITS, TORSIONAL_STIFFNESS, "torsional_stiffness", UNIT, TORSIONAL_STIFFNESS, ANY, ANY_KIND) \
-    X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND)       \
-    X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND)                         \
-    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                            \
-    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                      \
-    X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
+      ANY_KIND, A_UNIT)                                                                            \
+    X(UNITS, INERTIA, "inertia", UNIT, INERTIA, ANY, ANY_KIND, A_UNIT)                             \
+    X(UNITS, FORCE, "force", UNIT, FORCE, ANY, ANY_KIND, A_UNIT)                                   \
+    X(UNITS, TORQUE, "torque", UNIT, TORQUE, ANY, ANY_KIND, A_UNIT)                                \
+    X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND, A_UNIT)                          \
+    X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND, A_UNIT)                                   \
+    X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND, A_UNIT)                                \
+    X(UNITS, STIFFNESS, "stiffness", UNIT, STIFFNESS, ANY, ANY_KIND, A_UNIT)                       \
+    X(UNITS, DAMPING, "damping", UNIT, DAMPING, ANY, ANY_KIND, A_UNIT)                             \
+    X(UNITS, TORSIONAL_STIFFNESS, "torsional_stiffness", UNIT, TORSIONAL_STIFFNESS, ANY, ANY_KIND, \
+      A_UNIT)                                                                                      \
+    X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND,       \
+      A_UNIT)                                                                                      \
+    X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND, A_UNIT)                 \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "length")                  \
+    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK,                      \
+      "offset of the line of stroke")                                                              \
+    X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "direction of the ground link")      \
     LINK_KEYS(X, CRANK)                                                                            \
-    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)                  \
+    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK,                  \
+      "stroke of the piston")                                                                      \
     LINK_KEYS(X, COUPLER)                                                                          \
     LINK_KEYS(X, ROCKER)                                                                           \
     LINK_KEYS(X, ROD)                                                                              \
-    X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                                \
+    X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND, "mass")                        \
     MASS_KEYS(X, SLIDER)                                                                           \
-    X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND)                                    \
-    X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                       \
+    X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                    \
+      "distance at which the slide passes D")                                                      \
+    X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND,                                       \
+      "angle of the slide from the line D-C")                                                      \
     LINK_KEYS(X, LEVER)                                                                            \
-    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                                     \
-    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                                \
-    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                                 \
-    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                      \
-    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)                     \
-    X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                              \
-    X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND)         \
-    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                        \
-    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                            \
-    X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                           \
-    X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                                 \
-    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)                                            \
-    X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                               \
-    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(MOTION, MEAN_SPEED, "mean_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                    \
-    X(MOTION, TURNS, "turns", QUANTITY, NUMBER, ANY, ANY_KIND)                                     \
-    X(MOTION, ROWS, "rows", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(MOTION, TIME_STEP, "time_step", QUANTITY, TIME, POSITIVE, ANY_KIND)                          \
-    X(MOTION, DURATION, "duration", QUANTITY, TIME, POSITIVE, ANY_KIND)                            \
-    X(MOTOR, TORQUE, "torque", QUANTITY, TORQUE, ANY, ANY_KIND)                                    \
-    X(MOTOR, STALL_TORQUE, "stall_torque", QUANTITY, TORQUE, ANY, ANY_KIND)                        \
-    X(MOTOR, NO_LOAD_SPEED, "no_load_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)               \
-    X(MOTOR, CURVE, "curve", CURVE, TORQUE, ANY, ANY_KIND)                                         \
-    X(MOTOR, POWER, "power", QUANTITY, POWER, POSITIVE, ANY_KIND)                                  \
-    X(MOTOR, MAX_TORQUE, "max_torque", QUANTITY, TORQUE, ANY, ANY_KIND)                            \
-    X(MOTOR, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)                        \
-    X(MOTOR, RATIO, "ratio", QUANTITY, NUMBER, ANY, ANY_KIND)                                      \
-    X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND)       \
-    X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND)                             \
-    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                             \
-    X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                          \
-    X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                                \
-    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                        \
-    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                          \
-    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                              \
-    X(LOAD, OVER, "over", WORD, NUMBER, ANY, ANY_KIND)                                             \
-    X(LOAD, BACK, "back", CURVE, TORQUE, ANY, ANY_KIND)                                            \
-    X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                            \
-    X(LOAD, AT_SPEED, "at_speed", QUANTITY, SPEED, POSITIVE, ANY_KIND)                             \
-    X(SPRING, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(SPRING, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                              \
-    X(SPRING, TO, "to", WORD, NUMBER, ANY, ANY_KIND)                                               \
-    X(SPRING, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND)                                        \
-    X(SPRING, STIFFNESS, "stiffness", EITHER, STIFFNESS, ANY, ANY_KIND)                            \
-    X(SPRING, FREE_LENGTH, "free_length", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)                \
-    X(SPRING, FREE_ANGLE, "free_angle", QUANTITY, ANGLE, ANY, ANY_KIND)                            \
-    X(SPRING, PRELOAD, "preload", EITHER, FORCE, ANY, ANY_KIND)                                    \
-    X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND)                         \
-    X(SPRING, ONLY, "only", WORD, NUMBER, ANY, ANY_KIND)                                           \
-    X(FRICTION, MU, "mu", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                \
-    X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                            \
-    X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_C)                                \
-    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_D)                                \
-    X(FRICTION, RADIUS_A, "radius_A", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
-    X(FRICTION, RADIUS_B, "radius_B", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
-    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE, WITH_PIN_C)                      \
-    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D)                      \
-    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_GUIDE)                        \
-    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)              \
-    X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND)                               \
-    X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D)                                    \
-    X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK)        \
-    X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                             \
-    X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                            \
-    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                               \
-    X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND)                                      \
-    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                  \
-    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
-    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
-    X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND)                                       \
-    X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND)                                        \
-    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, WITH_PIN_C)                                  \
-    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, WITH_PIN_C)                                \
-    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, WITH_PIN_C)                                        \
-    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY, WITH_PIN_C)                              \
-    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, WITH_PIN_C)                                     \
-    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, WITH_PIN_C)                                     \
-    X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR)                            \
-    X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                       \
-    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE, WITH_PIN_C)                      \
-    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, WITH_PIN_C)                            \
-    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, WITH_PIN_C)                                   \
-    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, WITH_PIN_C)                                      \
-    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C)                                    \
-    X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                   \
-    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D)                            \
-    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE)                         \
-    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, WITH_PIN_C)                                      \
-    X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED)                                        \
-    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, WITH_PIN_C)                                  \
-    X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR)                             \
-    X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                            \
-    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
-    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
-    X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND)                                        \
-    X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
-    X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)                                \
-    X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
+    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
+    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
+    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \
+    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND,                      \
+      "pressure on the crank side")                                                                \
+    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                     \
+      "diameter of the piston rod")                                                                \
+    X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "speed of the crank")        \
+    X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND,         \
+      "acceleration of the crank")                                                                 \
+    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND, "first crank angle")                   \
+    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND, "last crank angle")                        \
+    X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                           \
+      "interval of the crank angle")                                                               \
+    X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND, "period of curves and loads")   \
+    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND, "crank angle")                             \
+    X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                               \
+      "angle of the run-up from rest")                                                             \
+    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND,                                           \
+      "every row has this speed and acceleration")                                                 \
+    X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND,                                           \
+      "how the speed of the crank is determined")                                                  \
+    X(MOTION, MEAN_SPEED, "mean_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "mean over time")  \
+    X(MOTION, TURNS, "turns", QUANTITY, NUMBER, ANY, ANY_KIND, "turns of the crank")               \
+    X(MOTION, ROWS, "rows", WORD, NUMBER, ANY, ANY_KIND, "rows by angle or by time")               \
+    X(MOTION, TIME_STEP, "time_step", QUANTITY, TIME, POSITIVE, ANY_KIND,                          \
+      "interval of rows by time")                                                                  \
+    X(MOTION, DURATION, "duration", QUANTITY, TIME, POSITIVE, ANY_KIND, "time of the last row")    \
+    X(MOTOR, TORQUE, "torque", QUANTITY, TORQUE, ANY, ANY_KIND, "torque of the motor")             \
+    X(MOTOR, STALL_TORQUE, "stall_torque", QUANTITY, TORQUE, ANY, ANY_KIND, "torque at rest")      \
+    X(MOTOR, NO_LOAD_SPEED, "no_load_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND,               \
+      "speed without torque")                                                                      \
+    X(MOTOR, CURVE, "curve", CURVE, TORQUE, ANY, ANY_KIND, "torque over the motor's speed")        \
+    X(MOTOR, POWER, "power", QUANTITY, POWER, POSITIVE, ANY_KIND, "power of the motor")            \
+    X(MOTOR, MAX_TORQUE, "max_torque", QUANTITY, TORQUE, ANY, ANY_KIND, "largest torque")          \
+    X(MOTOR, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND,                        \
+      "moment of inertia of the rotor")                                                            \
+    X(MOTOR, RATIO, "ratio", QUANTITY, NUMBER, ANY, ANY_KIND,                                      \
+      "speed of the motor / speed of the crank")                                                   \
+    X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND,       \
+      "acceleration of free fall")                                                                 \
+    X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND, "direction of free fall")   \
+    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it acts on")                      \
+    X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND, "force")                                 \
+    X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "where it acts")                               \
+    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND, "torque, counter-clockwise positive")  \
+    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND, "what the force turns with")              \
+    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND, "first crank angle at which it acts")    \
+    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND, "last crank angle at which it acts")         \
+    X(LOAD, OVER, "over", WORD, NUMBER, ANY, ANY_KIND, "what the load follows")                    \
+    X(LOAD, BACK, "back", CURVE, TORQUE, ANY, ANY_KIND, "its values where that falls")             \
+    X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "of the speed")            \
+    X(LOAD, AT_SPEED, "at_speed", QUANTITY, SPEED, POSITIVE, ANY_KIND,                             \
+      "the speed at which it has its value")                                                       \
+    X(SPRING, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it acts on")                    \
+    X(SPRING, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                             \
+    X(SPRING, TO, "to", WORD, NUMBER, ANY, ANY_KIND, "the other link, or the ground")              \
+    X(SPRING, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                       \
+    X(SPRING, STIFFNESS, "stiffness", EITHER, STIFFNESS, ANY, ANY_KIND, "stiffness")               \
+    X(SPRING, FREE_LENGTH, "free_length", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                \
+      "length without load")                                                                       \
+    X(SPRING, FREE_ANGLE, "free_angle", QUANTITY, ANGLE, ANY, ANY_KIND, "angle without load")      \
+    X(SPRING, PRELOAD, "preload", EITHER, FORCE, ANY, ANY_KIND,                                    \
+      "load at the free length or angle")                                                          \
+    X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND, "damping")              \
+    X(SPRING, ONLY, "only", WORD, NUMBER, ANY, ANY_KIND,                                           \
+      "when it acts: below its free length or angle, or above it")                                 \
+    X(FRICTION, MU, "mu", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND,                                \
+      "coefficient of friction of all pins")                                                       \
+    X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "radius of all pins")      \
+    X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND,                                  \
+      "coefficient of friction of pin A")                                                          \
+    X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND,                                  \
+      "coefficient of friction of pin B")                                                          \
+    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_C,                                \
+      "coefficient of friction of pin C")                                                          \
+    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_PIN_D,                                \
+      "coefficient of friction of pin D")                                                          \
+    X(FRICTION, RADIUS_A, "radius_A", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "radius of pin A")     \
+    X(FRICTION, RADIUS_B, "radius_B", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "radius of pin B")     \
+    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE, WITH_PIN_C, "radius of pin C")   \
+    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "radius of pin D")   \
+    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_GUIDE,                        \
+      "coefficient of friction of the guide")                                                      \
+    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE,              \
+      "length of the guided block")                                                                \
+    X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND,                               \
+      "which way it moves at a row of speed 0")                                                    \
+    X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND, "a counterweight on the crank")        \
+    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D,                                    \
+      "a counterweight on the rocker or lever")                                                    \
+    X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK,        \
+      "share of the reciprocating mass that is balanced")                                          \
+    X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND,                             \
+      "radius of the counterweights")                                                              \
+    X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND,                                        \
+      "the counterweights are in the results")                                                     \
+    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it is on")                       \
+    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its place")                                  \
+    X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly modes")                  \
+    X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND, "the columns")                       \
+    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND, "significant digits")            \
+    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND,                  \
+      "coefficient of fluctuation of speed")                                                       \
+    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND,                         \
+      "moment of inertia of the flywheel")                                                         \
+    X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND,                                       \
+      "the flywheel has this fluctuation in the actual motion")                                    \
+    X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND, "what is wanted")                      \
+    X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, WITH_PIN_C, "precision points")              \
+    X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, WITH_PIN_C, "weights of the points")       \
+    X(SYNTHESIS, FIT, "fit", WORD, NUMBER, ANY, WITH_PIN_C, "what a fit makes smallest")           \
+    X(SYNTHESIS, FUNCTION, "function", TEXT, NUMBER, ANY, WITH_PIN_C, "the function")              \
+    X(SYNTHESIS, ARGUMENT, "x", TEXT, NUMBER, ANY, WITH_PIN_C, "range of its argument")            \
+    X(SYNTHESIS, CRANK, "crank", TEXT, ANGLE, ANY, WITH_PIN_C, "range of the crank angle")         \
+    X(SYNTHESIS, ROCKER, "rocker", TEXT, ANGLE, ANY, FOURLINK_FOUR_BAR,                            \
+      "range of the rocker angle")                                                                 \
+    X(SYNTHESIS, PISTON, "piston", TEXT, LENGTH, ANY, FOURLINK_SLIDER_CRANK,                       \
+      "range of the piston's place")                                                               \
+    X(SYNTHESIS, PRECISION, "precision", COUNT, NUMBER, POSITIVE, WITH_PIN_C,                      \
+      "number of precision points")                                                                \
+    X(SYNTHESIS, POSITIONS, "positions", TEXT, LENGTH, ANY, WITH_PIN_C, "wanted positions")        \
+    X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, WITH_PIN_C, "crank angles of the positions")  \
+    X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, WITH_PIN_C, "the left fixed pin")                \
+    X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C, "the right fixed pin")             \
+    X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "time ratio")     \
+    X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D,                            \
+      "swing of the rocker or lever")                                                              \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE, "stroke")               \
+    X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, WITH_PIN_C,                                      \
+      "the slow stroke: with or against the crank")                                                \
+    X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED, "the type of quick return")            \
+    X(SYNTHESIS, CHOOSE, "choose", WORD, NUMBER, ANY, WITH_PIN_C, "the best of the solutions")     \
+    X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR, "which cognate")            \
+    X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                            \
+      "smallest transmission angle")                                                               \
+    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND, "number of random designs")    \
+    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND, "start of the random numbers")   \
+    X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND, "what is listed for each design")      \
+    X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND, "conditions that a good design meets")   \
+    X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of all values")     \
+    X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND, "fewest digits of a value")    \
     EXPECT_KEYS(X, EXPECT)                                                                         \
     EXPECT_KEYS(X, MISPRINT)
 
 #define SECTION_CODE(code, name, repeats, kinds, first) SECTION_##code,
 typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;
 
-#define KEY_CODE(section, code, name, form, quantity, sign, kinds) KEY_##section##_##code,
+#define KEY_CODE(section, code, name, form, quantity, sign, kinds, meaning) KEY_##section##_##code,
 typedef enum key_code { KEY_LIST(KEY_CODE) KEY_COUNT } key_code;
 
 typedef struct section_info {
@@ -251,6 +300,7 @@ typedef struct key_info {
     quantity q;
     value_sign sign;
     int kinds;
+    const char *meaning; /* of a value, as the list of inputs has it */
 } key_info;
 
 /* By key_code. */

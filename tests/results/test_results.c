@@ -356,17 +356,27 @@ TEST(test_inputs)
         "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
         "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
         "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
-    static const input inputs[] = {
-        {"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
-        {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
-        {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
-        {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
-        {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
-        {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
-        {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
-        {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
-        {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
-        {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
+    static const input inputs[] = {{"ground.offset", -3, "mm", NULL},
+                                   {"crank.length", 150, "mm", NULL},
+                                   {"rod.length", 450, "mm", NULL},
+                                   {"rod.mass", 2000, "g", NULL},
+                                   {"rod.cg.x", 150, "mm", NULL},
+                                   {"piston.mass", 2500, "g", NULL},
+                                   {"gas.bore", 200, "mm", NULL},
+                                   {"gas.indicator", 0, "", "a curve"},
+                                   {"gas.area", 1e4 * PI, "mm2", NULL},
+                                   {"motion.speed", 300, "rpm", NULL},
+                                   {"motion.interval", 10, "deg", NULL},
+                                   {"motion.from", 0, "deg", NULL},
+                                   {"motion.to", 360, "deg", NULL},
+                                   {"motion.cycle", 360, "deg", NULL},
+                                   {"gravity.x", 0, "m/s2", NULL},
+                                   {"gravity.y", -9.81, "m/s2", NULL},
+                                   {"load push.link", 0, "", "piston"},
+                                   {"load push.force.x", 3, "N", NULL},
+                                   {"load push.from", 10, "deg", NULL},
+                                   {"load push.to", 50, "deg", NULL},
+                                   {"flywheel.fluctuation", 0.02, "1", NULL}};
 
     check_inputs(deck, inputs, COUNT(inputs));
 }
@@ -387,8 +397,6 @@ TEST(test_inputs_of_springs_friction_and_motor)
                                    {"crank.length", 20, "mm", NULL},
                                    {"coupler.length", 66, "mm", NULL},
                                    {"rocker.length", 56, "mm", NULL},
-                                   {"gravity.x", 0, "m/s2", NULL},
-                                   {"gravity.y", -9.81, "m/s2", NULL},
                                    {"motion.mode", 0, "", "steady"},
                                    {"motion.from", 0, "deg", NULL},
                                    {"motion.to", 360, "deg", NULL},
@@ -398,11 +406,13 @@ TEST(test_inputs_of_springs_friction_and_motor)
                                    {"motor.no_load_speed", 90, "rad/s", NULL},
                                    {"motor.inertia", 2, "kg.m2", NULL},
                                    {"motor.ratio", 5, "1", NULL},
+                                   {"gravity.x", 0, "m/s2", NULL},
+                                   {"gravity.y", -9.81, "m/s2", NULL},
                                    {"load F.link", 0, "", "rocker"},
                                    {"load F.torque", -2, "N.m", NULL},
                                    {"load F.over", 0, "", "omega4"},
-                                   {"load F.at_speed", 3, "rad/s", NULL},
                                    {"load F.exponent", 2, "1", NULL},
+                                   {"load F.at_speed", 3, "rad/s", NULL},
                                    {"spring S.link", 0, "", "rocker"},
                                    {"spring S.at.x", 40, "mm", NULL},
                                    {"spring S.at.y", 10, "mm", NULL},
@@ -418,6 +428,8 @@ TEST(test_inputs_of_springs_friction_and_motor)
                                    {"spring T.to", 0, "", "crank"},
                                    {"spring T.stiffness", 1.5, "N.m/rad", NULL},
                                    {"spring T.free_angle", 100, "deg", NULL},
+                                   {"friction.A", 0.75, "1", NULL},
+                                   {"friction.radius_A", 15, "mm", NULL},
                                    {"friction.circle_A", 11.25, "mm", NULL}};
 
     check_inputs(deck, inputs, COUNT(inputs));

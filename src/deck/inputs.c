@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** inputs.c - the values that a deck gives, section by section.
+*/
+#include <string.h>
+
+#include "inputs.h"
+#include "numbers.h"
+#include "settings.h"
+
+/* The word that a key is given, as the schema writes it. */
+static const char *word_of(key_code key, const setting *s)
+{
+    const word_info *w = flk_word_table;
+
+    while (w->word && (w->key != key || !flk_text_same(s->value, w->word)))
+        w++;
+    return w->word;
+}
+
+/* The length of the link that a point in a section is on: the link that the section names, or its own. */
+static double length_of(const deck *d, const section_use *use, key_code key)
+{
+    int link = FOURLINK_GROUND;
+
+    if (use->section == SECTION_LOAD)
+        link = flk_setting_of(use, KEY_LOAD_LINK)->word;
+    else if (use->section == SECTION_POINT)
+        link = flk_setting_of(use, KEY_POINT_LINK)->word;
+    else if (use->section == SECTION_SPRING)
+        link = flk_setting_of(use, key == KEY_SPRING_AT ? KEY_SPRING_LINK : KEY_SPRING_TO)->word;
+    else
+        while (link < FOURLINK_FOLLOWER &&
+               flk_section_of_link(d->design.kind, link) != use->section)
+            link++;
+    return d->design.link[link].length;
+}
+
+/* Describe the value of a target, which is set; 0 if it is not an input. */
+static int describe_input(const deck *d, const target *t, deck_input *x)
+{
+    const section_use *use = &d->settings->uses[t->use];
+    const key_info *key = &flk_key_table[t->key];
+    const setting *s = flk_setting_of(use, t->key);
+    int is_part = t->part != PART_NONE;
+    char name[DECK_NAME_SIZE];
+
+    memset(x, 0, sizeof *x);
+    x->meaning = key->meaning;
+    if (s->curve)
+        x->words = "a curve";
+    else if (key->form == FORM_WORD)
+        x->words = word_of(t->key, s);
+    else if (s->word)
+        x->words = "constant"; /* the torque of a motor that balances the loads */
+    else
+        x->number = flk_target_number(t);
+    if (s->of_length)
+        x->place = s->si[t->part] * length_of(d, use, t->key);
+    flk_text_copy(use->name, name, sizeof name);
+    flk_text_join(x->name, sizeof x->name, flk_section_table[use->section].name, *name ? " " : "",
+                  name, ".", key->name, is_part ? "." : "", is_part ? flk_part_names[t->part] : "",
+                  (char *)NULL);
+    return key->form != FORM_TEXT && (!is_part || s->si[t->part] != 0);
+}
+
+size_t flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host)
+{
+    const parser *p = d->settings;
+    const section_use *use = NULL;
+    size_t n = 0;
+    target t;
+
+    while ((use = flk_section_next(p, section, use)) != NULL)
+        for (t.key = flk_first_key(section); t.key < flk_first_key(section + 1); t.key++) {
+            const setting *s = flk_setting_of(use, t.key);
+            value_form form = flk_key_table[t.key].form;
+            int has_parts = (form == FORM_VECTOR || form == FORM_POINT) && !s->curve;
+            int part = has_parts ? PART_X : PART_NONE, last = has_parts ? PART_Y : PART_NONE;
+            deck_input x;
+
+            t.use = (size_t)(use - p->uses);
+            for (; part <= last && IS_SET(s) && !s->is_pending; part++) {
+                t.part = (vector_part)part;
+                if (!describe_input(d, &t, &x))
+                    continue;
+                n++;
+                if (take)
+                    take(host, &x);
+            }
+        }
+    return n;
+}
