@@ -14,10 +14,20 @@
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
 
+/* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
+static int has_time(const deck *d)
+{
+    const fourlink_motion *motion = &d->motion;
+
+    if (d->drive.mode != DRIVE_GIVEN)
+        return 1;
+    return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
+}
+
 /* What can be computed for a deck. */
 static int possible(const deck *d)
 {
-    int needs = NEED_DERIVED | NEED_ANGLES |
+    int needs = NEED_DERIVED | NEED_ANGLES | (has_time(d) ? NEED_TIME : 0) |
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (flk_machine_count(&d->machine, &flk_gas_type) ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES : 0) |

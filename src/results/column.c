@@ -13,26 +13,15 @@
 #include "column_list.h"
 #include "mechanics/kind.h"
 
+/* `from` is what the macros of column_list.h call so: need, traits, denominator, form, x, y. */
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},
 static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-/* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
-static int has_time(const deck *d)
-{
-    const fourlink_motion *motion = &d->motion;
-
-    if (d->drive.mode != DRIVE_GIVEN)
-        return 1;
-    return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
-}
-
 static int has(const flk_analysis *a, const flk_column_info *info)
 {
-    if (info->x == ROW(time) && !has_time(a->d))
-        return 0;
     return (info->kinds & (int)a->d->design.kind) != 0 && (info->need & ~a->possible) == 0;
 }
 
@@ -47,7 +36,8 @@ static int has(const flk_analysis *a, const flk_column_info *info)
     X(P ".v", SPEED, "speed of " of)                      \
     X(P ".a", ACCELERATION, "magnitude of the acceleration of " of)
 
-#define POINT_INFO(name, q, meaning) {name, QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, ""},
+#define POINT_INFO(name, q, meaning) \
+    {name, QUANTITY_##q, ALL, 0, 0, NULL, VALUE, 0, 0, meaning, ""},
 static const flk_column_info point_table[DECK_POINT_COLUMNS] = {
     POINT_COLUMNS(POINT_INFO, "", "the point")};
 
@@ -112,9 +102,9 @@ static const flk_column_info own_table[] = {OWN_POINT_LIST(OWN_POINT)};
 #define OWN_COUNT (sizeof own_table / sizeof own_table[0])
 
 /* The columns of springs, and of torsional ones. */
-#define SPRING_INFO(q, meaning)                            \
-    {                                                      \
-        "", QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, "" \
+#define SPRING_INFO(q, meaning)                                     \
+    {                                                               \
+        "", QUANTITY_##q, ALL, 0, 0, NULL, VALUE, 0, 0, meaning, "" \
     }
 static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
     {SPRING_INFO(LENGTH, "length of the spring"), SPRING_INFO(FORCE, "tension of the spring"),
@@ -125,38 +115,28 @@ static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
      SPRING_INFO(ENERGY, "energy of the spring"),
      SPRING_INFO(POWER, "power that spring and damper put into the links")}};
 
+/* Fill in a column without its number, of the mechanism. */
 static void make(const deck *d, const flk_column_info *info, flk_column *c)
 {
     const unit *u = &d->units[info->q].unit;
 
     c->info = info;
     c->name = info->name;
-    c->scale = u->down / u->up;
+    c->scale = info->traits & FOURLINK_CRANK_ANGLE /* already in the deck's unit, exactly */
+                   ? 1
+                   : u->down / u->up;
     c->link = 0;
     c->spring = NULL;
-    if (info->form == VALUE && info->x == ROW(angle))
-        c->scale = 1; /* already in the deck's unit, exactly */
+    c->is_usual = 0;
 }
 
-static void make_of_point(const deck *d, const deck_point *point, int i, flk_column *c)
+static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
-    make(d, &point_table[i], c);
-    c->name = point->column_names[i];
-    c->link = point->link;
-    c->at = point->at;
-    c->component = i;
-}
+    int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
 
-static void make_of_spring(const deck *d, size_t i, flk_column *c)
-{
-    const flk_element *e = flk_machine_find(&d->machine, &flk_spring_type, i / FLK_ELEMENT_COLUMNS);
-    const fourlink_spring *spring = e->data;
-
-    c->component = (int)(i % FLK_ELEMENT_COLUMNS);
-    make(d, &spring_table[spring->is_torsional != 0][c->component], c);
-    c->name = e->column_names[c->component];
-    c->mechanism = &d->machine.mechanism;
-    c->spring = spring;
+    make(a->d, &table[i], c);
+    c->is_usual = (table[i].kinds & usual) != 0;
+    return has(a, &table[i]);
 }
 
 /* Column i of the points that every deck has; returns why this deck does not have it, or null. */
@@ -167,32 +147,56 @@ static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
     return find_own_point(d, (point_code)(i / DECK_POINT_COLUMNS), &c->link, &c->at);
 }
 
-/* Possible columns, in this order: those of the table, of the points that every deck has, of the deck's
-** own points, of its springs. */
-#define FIXED_COUNT (TABLE_COUNT + OWN_COUNT)
+static void make_of_point(const deck *d, size_t i, flk_column *c)
+{
+    const deck_point *point = &d->points[i / DECK_POINT_COLUMNS];
+    int component = (int)(i % DECK_POINT_COLUMNS);
+
+    make(d, &point_table[component], c);
+    c->name = point->column_names[component];
+    c->link = point->link;
+    c->at = point->at;
+    c->component = component;
+    c->is_usual = component < 2;
+}
+
+static void make_of_spring(const deck *d, size_t i, flk_column *c)
+{
+    const flk_element *e = flk_machine_find(&d->machine, &flk_spring_type, i / FLK_ELEMENT_COLUMNS);
+    const fourlink_spring *spring = e->data;
+    int component = (int)(i % FLK_ELEMENT_COLUMNS);
+
+    make(d, &spring_table[spring->is_torsional != 0][component], c);
+    c->name = e->column_names[component];
+    c->mechanism = &d->machine.mechanism;
+    c->spring = spring;
+    c->component = component;
+    c->is_usual = component < 2;
+}
 
 size_t flk_column_limit(const deck *d)
 {
-    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points +
+    return TABLE_COUNT + OWN_COUNT + DECK_POINT_COLUMNS * d->n_points +
            FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_type);
 }
 
+/* Possible columns are those of the table, of the points that every deck has, of the deck's own points, of
+** its springs: this is the one place that knows their order. */
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 {
-    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
+    size_t n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
 
     c->number = i;
-    if (i >= FIXED_COUNT + n_of_points)
-        make_of_spring(a->d, of_points - n_of_points, c);
-    else if (i >= FIXED_COUNT)
-        make_of_point(a->d, &a->d->points[of_points / DECK_POINT_COLUMNS],
-                      (int)(of_points % DECK_POINT_COLUMNS), c);
-    else if (i >= TABLE_COUNT)
-        return make_of_own_point(a->d, i - TABLE_COUNT, c) == NULL;
-    else if (has(a, &table[i]))
-        make(a->d, &table[i], c);
+    if (i < TABLE_COUNT)
+        return make_of_table(a, i, c);
+    i -= TABLE_COUNT;
+    if (i < OWN_COUNT)
+        return make_of_own_point(a->d, i, c) == NULL;
+    i -= OWN_COUNT;
+    if (i < n_of_points)
+        make_of_point(a->d, i, c);
     else
-        return 0;
+        make_of_spring(a->d, i - n_of_points, c);
     return 1;
 }
 
@@ -208,28 +212,13 @@ static size_t add_column(flk_column *list, size_t n, size_t first, const flk_col
     return n + 1;
 }
 
-/* The name of possible column i. */
-static const char *name_of(const flk_analysis *a, size_t i)
-{
-    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
-    size_t of_springs = of_points - n_of_points;
-
-    if (i >= FIXED_COUNT + n_of_points)
-        return flk_machine_find(&a->d->machine, &flk_spring_type, of_springs / FLK_ELEMENT_COLUMNS)
-            ->column_names[of_springs % FLK_ELEMENT_COLUMNS];
-    return i < TABLE_COUNT   ? table[i].name
-           : i < FIXED_COUNT ? own_table[i - TABLE_COUNT].name
-                             : a->d->points[of_points / DECK_POINT_COLUMNS]
-                                   .column_names[of_points % DECK_POINT_COLUMNS];
-}
-
 static int find_column(const flk_analysis *a, text name, int equal(text, const char *),
                        flk_column *c)
 {
     size_t i, n = flk_column_limit(a->d);
 
     for (i = 0; i < n; i++)
-        if (equal(name, name_of(a, i)) && flk_column_number(a, i, c))
+        if (flk_column_number(a, i, c) && equal(name, c->name))
             return 1;
     return 0;
 }
@@ -287,32 +276,20 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return meant ? meant : flk_text_nearest(name, known);
 }
 
-/* 1 if possible column i is printed if the deck names none; of a point or a spring only the first two. */
-static int is_usual(const flk_analysis *a, size_t i)
-{
-    int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
-    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
-
-    if (i < FIXED_COUNT)
-        return i < TABLE_COUNT && (table[i].kinds & usual);
-    return of_points < n_of_points ? of_points % DECK_POINT_COLUMNS < 2
-                                   : (of_points - n_of_points) % FLK_ELEMENT_COLUMNS < 2;
-}
-
 static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, size_t n)
 {
     size_t i, limit = flk_column_limit(a->d), first = n;
     flk_column c;
 
     for (i = 0; i < limit; i++)
-        if ((!usual_only || is_usual(a, i)) && flk_column_number(a, i, &c))
+        if (flk_column_number(a, i, &c) && (!usual_only || c.is_usual))
             n = add_column(list, n, first, &c);
     return n;
 }
 
 static const char *why_missing(const deck *d, const flk_column_info *info)
 {
-    if (info->x == ROW(time))
+    if (info->need & NEED_TIME)
         return "needs a moving crank";
     if (info->need & NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
@@ -478,8 +455,7 @@ static int have_same(const flk_analysis *a, const flk_analysis *b)
     for (i = 0; i < OWN_COUNT; i += DECK_POINT_COLUMNS)
         if (!make_of_own_point(a->d, i, &c) != !make_of_own_point(b->d, i, &c))
             return 0;
-    return a->possible == b->possible && a->d->design.kind == b->d->design.kind &&
-           has_time(a->d) == has_time(b->d);
+    return a->possible == b->possible && a->d->design.kind == b->d->design.kind;
 }
 
 size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_column *from,

@@ -14,6 +14,7 @@ typedef struct flk_column {
     const flk_column_info *info;
     size_t number; /* its place among all possible ones */
     const char *name;
+    int is_usual;                  /* 1: printed if the deck names no columns */
     double scale;                  /* what SI values are multiplied by */
     int link;                      /* of a point: its link; 0: a column of the mechanism */
     fourlink_vector at;            /* m, in the link's own axes */

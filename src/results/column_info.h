@@ -20,19 +20,28 @@ typedef enum column_form {
     DIFFERENCE       /* of two */
 } column_form;
 
+/* Traits, besides FOURLINK_OF_CRANK, FOURLINK_CRANK_ANGLE and FOURLINK_OF_ROUNDING. */
+enum {
+    OF_MOTION_ALONE = 0x1000, /* loads have no corners in it, though it needs forces */
+    COLUMN_FLAGS = FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING
+};
+
+/* The denominator of a column that is infinite where this is 0. */
+typedef double flk_denominator(const fourlink_state *state);
+
 struct flk_column_info {
     const char *name;
     quantity q;
-    int kinds; /* mechanisms that have it, and USUAL ...: printed when the deck names no columns */
-    int need;  /* NEED_FORCES ...; a deck that cannot give all of these does not have the column */
+    int kinds;  /* mechanisms that have it, and USUAL ...: printed when the deck names no columns */
+    int need;   /* NEED_FORCES ...; a deck that cannot give all of these does not have the column */
+    int traits; /* FOURLINK_OF_CRANK ..., see above */
+    flk_denominator *denominator; /* null: the column is finite */
     column_form form;
     size_t x, y; /* places of the numbers in a row */
     const char *meaning, *source_name;
 };
 
-/* Places of numbers in a row. */
-#define ROW(member) offsetof(flk_row, at.row.member)
-#define FORCE(member) offsetof(flk_row, at.forces.member)
-#define DERIVED(member) offsetof(flk_row, derived.member)
+flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantage,
+    flk_denominator_klein;
 
 #endif

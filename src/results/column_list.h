@@ -15,33 +15,46 @@
 #define USUAL 0x100
 #define USUAL_ACTUAL 0x200 /* the same, if the motion is not given */
 
+/* Places of numbers in a row. */
+#define ROW(member) offsetof(flk_row, at.row.member)
 #define STATE(member) offsetof(flk_row, at.state.member)
+#define FORCE(member) offsetof(flk_row, at.forces.member)
+#define DERIVED(member) offsetof(flk_row, derived.member)
 #define SERIES(member) offsetof(flk_row, series.member)
 
-/* need, form, x, y */
-#define OF_ROW(member) 0, VALUE, ROW(member), 0
-#define OF_STATE(member) 0, VALUE, STATE(member), 0
-#define OF_ANGLE(member) NEED_ANGLES, VALUE, STATE(member), 0
-#define OF_FORCES(member) NEED_FORCES, VALUE, FORCE(member), 0
-#define SIZE_OF(F) NEED_FORCES, SIZE, FORCE(F##x), FORCE(F##y)
-#define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
-#define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
-#define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
-#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
-#define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
-#define OF_INERTIA(i, form, x, y) \
-    NEED_DERIVED | NEED_FORCES, form, DERIVED(inertia[i].x), DERIVED(inertia[i].y)
-#define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
-#define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
+/* need, traits, denominator, form, x, y */
+#define OF_CRANK(member) 0, FOURLINK_OF_CRANK, NULL, VALUE, ROW(member), 0
+#define OF_CRANK_ANGLE 0, FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE, NULL, VALUE, ROW(angle), 0
+#define OF_TIME NEED_TIME, FOURLINK_OF_CRANK, NULL, VALUE, ROW(time), 0
+#define OF_STATE(member) 0, 0, NULL, VALUE, STATE(member), 0
+#define OF_ANGLE(member) NEED_ANGLES, 0, NULL, VALUE, STATE(member), 0
+#define OF_FORCES(member) NEED_FORCES, 0, NULL, VALUE, FORCE(member), 0
+#define OF_RESIDUAL NEED_FORCES, FOURLINK_OF_ROUNDING, NULL, VALUE, FORCE(residual), 0
+#define SIZE_OF(F) NEED_FORCES, 0, NULL, SIZE, FORCE(F##x), FORCE(F##y)
+#define DIRECTION_OF(F) NEED_FORCES, 0, NULL, DIRECTION, FORCE(F##x), FORCE(F##y)
+#define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(Ts), ROW(crank.omega2)
+#define OF_MOTION(member) NEED_DERIVED, 0, NULL, VALUE, DERIVED(member), 0
+#define OF_POLES(member, denominator) NEED_DERIVED, 0, denominator, VALUE, DERIVED(member), 0
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, 0, NULL, form, DERIVED(Fsx), DERIVED(Fsy)
+#define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, 0, NULL, VALUE, DERIVED(member), 0
+#define OF_INERTIA(form, x, y) \
+    NEED_DERIVED | NEED_FORCES, OF_MOTION_ALONE, NULL, form, DERIVED(x), DERIVED(y)
+#define OF_SPLIT(member, traits) \
+    NEED_FORCES | NEED_SUPERPOSITION, traits, NULL, VALUE, DERIVED(member), 0
+#define OF_SERIES(member) NEED_SERIES, 0, NULL, VALUE, SERIES(member), 0
 #define DIFFERENCE_OF(member, exact) \
-    NEED_SERIES | NEED_ANGLES, DIFFERENCE, SERIES(member), STATE(exact)
-#define OF_GAS NEED_GAS, VALUE, offsetof(flk_row, at.gas_force), 0
-#define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
-#define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
-#define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, VALUE, DERIVED(member), 0
-#define OF_ACTUAL(member) NEED_ACTUAL, VALUE, offsetof(flk_row, actual.member), 0
-#define OF_WANTED NEED_DERIVED | NEED_WANTED, VALUE, DERIVED(structural_error), 0
-#define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
+    NEED_SERIES | NEED_ANGLES, 0, NULL, DIFFERENCE, SERIES(member), STATE(exact)
+#define OF_GAS NEED_GAS, 0, NULL, VALUE, offsetof(flk_row, at.gas_force), 0
+#define OF_ENGINE(member) NEED_ENGINE, 0, NULL, VALUE, offsetof(flk_row, engine.member), 0
+#define OF_LOSSES(member) \
+    NEED_FORCES | NEED_LOSSES, 0, NULL, VALUE, offsetof(flk_row, at.losses.member), 0
+#define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, 0, NULL, VALUE, DERIVED(member), 0
+#define OF_ACTUAL(member, traits) \
+    NEED_ACTUAL, traits, NULL, VALUE, offsetof(flk_row, actual.member), 0
+#define OF_WANTED NEED_DERIVED | NEED_WANTED, 0, NULL, VALUE, DERIVED(structural_error), 0
+#define OF_KLEIN(member) NEED_KLEIN, 0, NULL, VALUE, offsetof(flk_row, klein.member), 0
+#define OF_ARM(member) \
+    NEED_KLEIN, 0, flk_denominator_klein, VALUE, offsetof(flk_row, klein.member), 0
 
 /* F12x, F12y; the numbers of the unknowns are ME3491's */
 #define COMPONENTS(X, F, kinds, words, nx, ny)                                         \
@@ -60,24 +73,19 @@
       #F " normal to the line of the " link ", to its left", "")
 
 /* Fi2, Fi2_dir, h2, Ci2 */
-#define INERTIA_FORCE(X, i)                                                                       \
-    X(Fi##i, FORCE, ALL, OF_INERTIA(i, POLAR_SIZE, size, direction), "inertia force of link " #i, \
-      "F_g" #i " (ME3491)")                                                                       \
-    X(Fi##i##_dir, ANGLE, ALL, OF_INERTIA(i, POLAR_DIRECTION, direction, size),                   \
-      "direction of Fi" #i, "")                                                                   \
-    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                                \
-      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")          \
-    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                          \
+#define INERTIA_FORCE(X, i)                                                                        \
+    X(Fi##i, FORCE, ALL, OF_INERTIA(POLAR_SIZE, inertia[i].size, inertia[i].direction),            \
+      "inertia force of link " #i, "F_g" #i " (ME3491)")                                           \
+    X(Fi##i##_dir, ANGLE, ALL, OF_INERTIA(POLAR_DIRECTION, inertia[i].direction, inertia[i].size), \
+      "direction of Fi" #i, "")                                                                    \
+    X(h##i, LENGTH, ALL, OF_INERTIA(VALUE, inertia[i].h, inertia[i].h),                            \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")           \
+    X(Ci##i, TORQUE, ALL, OF_INERTIA(VALUE, inertia[i].couple, inertia[i].couple),                 \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* friction_A */
 #define PIN_FRICTION(X, P, i, kinds) \
     X(friction_##P, TORQUE, kinds, OF_LOSSES(pin[i]), "moment of friction in the pin " #P, "")
-
-/* I13x, I13y */
-#define CENTRE(X, I, links)                                                                \
-    X(I##x, LENGTH, ALL, OF_MOTION(I.x), "instantaneous centre of links " links ", x", "") \
-    X(I##y, LENGTH, ALL, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
 #define TERMS(X, x, q, exact, words, source)                                     \
@@ -94,12 +102,12 @@
 
 /* name, quantity, mechanisms, where its value is from, meaning, name in the sources */
 #define COLUMN_LIST(X)                                                                             \
-    X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                             \
+    X(theta2, ANGLE, ALL | USUAL, OF_CRANK_ANGLE, "angle of the crank",                            \
       "thet (Alvi), thetaa (ME3491)")                                                              \
-    X(time, TIME, ALL | USUAL_ACTUAL, OF_ROW(time), "time since the first row", "")                \
-    X(omega2, ANGULAR_SPEED, ALL | USUAL_ACTUAL, OF_ROW(crank.omega2),                             \
+    X(time, TIME, ALL | USUAL_ACTUAL, OF_TIME, "time since the first row", "")                     \
+    X(omega2, ANGULAR_SPEED, ALL | USUAL_ACTUAL, OF_CRANK(crank.omega2),                           \
       "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
-    X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_ROW(crank.alpha2),                      \
+    X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_CRANK(crank.alpha2),                    \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
     X(theta3, ANGLE, ALL | USUAL, OF_ANGLE(link[3].theta), "angle of the coupler, rod or slide",   \
       "beta (Alvi), thetab (ME3491)")                                                              \
@@ -165,7 +173,8 @@
     INERTIA_FORCE(X, 2)                                                                            \
     INERTIA_FORCE(X, 3)                                                                            \
     INERTIA_FORCE(X, 4)                                                                            \
-    X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                          \
+    X(mechanical_advantage, NUMBER, ALL,                                                           \
+      OF_POLES(mechanical_advantage, flk_denominator_advantage),                                   \
       "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
     X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
       "A (Alvi), P (ME3491)")                                                                      \
@@ -176,14 +185,19 @@
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     X(structural_error, ANGLE, FOUR_BAR, OF_WANTED, "theta4 - wanted theta4, of --synthesis", "")  \
     X(structural_error, LENGTH, SLIDER_CRANK, OF_WANTED, "C.x - wanted C.x, of --synthesis", "")   \
-    CENTRE(X, I13, "1 and 3")                                                                      \
-    CENTRE(X, I24, "2 and 4")                                                                      \
+    X(I13x, LENGTH, ALL, OF_POLES(I13.x, flk_denominator_13),                                      \
+      "instantaneous centre of links 1 and 3, x", "")                                              \
+    X(I13y, LENGTH, ALL, OF_POLES(I13.y, flk_denominator_13),                                      \
+      "instantaneous centre of links 1 and 3, y", "")                                              \
+    X(I24x, LENGTH, ALL, OF_POLES(I24.x, flk_denominator_24),                                      \
+      "instantaneous centre of links 2 and 4, x", "")                                              \
+    X(I24y, LENGTH, ALL, OF_MOTION(I24.y), "instantaneous centre of links 2 and 4, y", "")         \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",    \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, 0), "driving torque of loads and weights alone", \
       "")                                                                                          \
-    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")        \
-    X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                         \
+    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia, 0), "driving torque of inertia alone", "")     \
+    X(superposition, NUMBER, ALL, OF_SPLIT(superposition, FOURLINK_OF_ROUNDING),                   \
       "error of the superposition, relative to the largest force", "")                             \
     X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0), "driving torque without friction", "")             \
     X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power), "power lost by friction", "")          \
@@ -199,14 +213,16 @@
       "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
     X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \
       "secondary shaking force m_rec r omega2^2 cos(2 theta2) / n, along +x", "")                  \
-    X(T_motor, TORQUE, ALL | USUAL, OF_ACTUAL(T_motor), "torque of the motor, at the crank", "")   \
-    X(J, INERTIA, ALL, OF_ACTUAL(J),                                                               \
+    X(T_motor, TORQUE, ALL | USUAL, OF_ACTUAL(T_motor, 0), "torque of the motor, at the crank",    \
+      "")                                                                                          \
+    X(J, INERTIA, ALL, OF_ACTUAL(J, 0),                                                            \
       "generalised inertia of the links: kinetic energy J omega2^2 / 2", "")                       \
-    X(energy, ENERGY, ALL, OF_ACTUAL(energy), "kinetic energy of links, flywheel and rotor", "")   \
-    X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual),                                    \
+    X(energy, ENERGY, ALL, OF_ACTUAL(energy, 0), "kinetic energy of links, flywheel and rotor",    \
+      "")                                                                                          \
+    X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual, FOURLINK_OF_ROUNDING),              \
       "energy less the work done, relative to the largest energy", "")                             \
-    X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
-      "power balance, relative to its largest term", "")                                           \
+    X(residual, NUMBER, ALL | USUAL, OF_RESIDUAL, "power balance, relative to its largest term",   \
+      "")                                                                                          \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
     TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
     TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
@@ -245,9 +261,9 @@
     KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
     KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
     KLEIN(X, ON, "a = omega2^2 ON")                                                                \
-    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_ARM(IX),                                                  \
       "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
-    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_ARM(IY),                                                  \
       "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
     X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
       "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")

@@ -42,20 +42,11 @@ static double spring_value(const flk_column *c, const fourlink_state *state)
                                : at.power;
 }
 
-static int is_of_crank(const flk_column *c)
-{
-    return !c->link && !c->spring && c->info->form == VALUE &&
-           c->info->x < offsetof(flk_row, at.branch);
-}
-
 int flk_column_is_of_motion(const flk_column *c)
 {
-    size_t x = c->info->x;
-
-    return !c->spring &&
-           (!(c->info->need &
-              ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES | NEED_WANTED)) ||
-            (x >= DERIVED(inertia) && x < DERIVED(inertia) + sizeof(((flk_derived *)0)->inertia)));
+    return (c->info->traits & OF_MOTION_ALONE) ||
+           (!c->spring && !(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN |
+                                              NEED_ANGLES | NEED_WANTED | NEED_TIME)));
 }
 
 int flk_column_has_vector(const flk_column *c)
@@ -114,7 +105,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
 {
     double x, y;
 
-    if (row->at.status != FOURLINK_OK && !is_of_crank(c))
+    if (row->at.status != FOURLINK_OK && !(c->info->traits & FOURLINK_OF_CRANK))
         return GSL_NAN;
     if (c->link)
         return point_value(c, row);
@@ -133,16 +124,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
 
 int flk_column_flags(const flk_column *c)
 {
-    size_t x = c->info->x;
-
-    if (c->link || c->spring)
-        return 0;
-    return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
-           (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
-           (x == FORCE(residual) || x == DERIVED(superposition) ||
-                    x == offsetof(flk_row, actual.energy_residual)
-                ? FOURLINK_OF_ROUNDING
-                : 0) |
+    return (c->info->traits & COLUMN_FLAGS) |
            (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
 }
 
@@ -153,25 +135,31 @@ int flk_column_need(const flk_column *c)
 
 double flk_column_bound(const flk_column *c)
 {
-    size_t x = c->info->x;
-
-    if (!c->link && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
-                     x == DERIVED(I13.y) || x == DERIVED(I24.x) ||
-                     x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY)))
-        return 1e9 * c->scale;
-    return GSL_POSINF;
+    return c->info->denominator ? 1e9 * c->scale : GSL_POSINF;
 }
 
 double flk_column_denominator(const flk_column *c, const flk_row *row)
 {
-    const fourlink_state *state = &row->at.state;
-    size_t x = c->info->x;
+    return c->info->denominator(&row->at.state);
+}
 
-    if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
-        return state->link[3].k;
-    if (x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY))
-        return state->link[2].axis.x;
-    if (x == DERIVED(I24.x))
-        return 1 - state->link[4].k;
+double flk_denominator_13(const fourlink_state *state)
+{
+    return state->link[3].k;
+}
+
+double flk_denominator_24(const fourlink_state *state)
+{
+    return 1 - state->link[4].k;
+}
+
+/* The velocity of link 4. */
+double flk_denominator_advantage(const fourlink_state *state)
+{
     return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
+}
+
+double flk_denominator_klein(const fourlink_state *state)
+{
+    return state->link[2].axis.x;
 }
