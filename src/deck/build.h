@@ -19,6 +19,9 @@ void flk_build_gas(parser *p);
 void flk_build_friction(parser *p);
 void flk_build_points(parser *p);
 
+/* The keys of the pins A, B, C, D: the coefficient of friction, the radius. */
+extern const key_code flk_friction_keys[4][2];
+
 /* `series`: the approximations of the engine method. */
 void flk_build_series(parser *p);
 

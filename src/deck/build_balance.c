@@ -21,10 +21,10 @@ static void apply(parser *p, int link, const fourlink_vector *moment, double *ma
     deck_balance *b = &p->d->balance;
     fourlink_link balanced;
 
-    if (fourlink_add_counterweight(&p->d->design.link[link], moment, b->radius, &balanced, mass) ==
-            FOURLINK_OK &&
+    if (fourlink_add_counterweight(&p->d->machine.mechanism.design.link[link], moment, b->radius,
+                                   &balanced, mass) == FOURLINK_OK &&
         flk_setting_find(p, KEY_BALANCE_APPLY)->word)
-        p->d->design.link[link] = balanced;
+        p->d->machine.mechanism.design.link[link] = balanced;
 }
 
 void flk_build_balance(parser *p)
@@ -53,10 +53,10 @@ void flk_build_balance(parser *p)
         fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
         return;
     if (flk_build_has(p, KEY_BALANCE_FRACTION))
-        b->reciprocating = flk_balance_reciprocating(&p->d->design);
+        b->reciprocating = flk_balance_reciprocating(&p->d->machine.mechanism.design);
     if (b->crank && b->radius > 0)
         apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);
     if (b->rocker && b->radius > 0)
         apply(p, FOURLINK_FOLLOWER, &b->moment.rocker, &b->mass[1]);
-    fourlink_prepare(&p->d->design, &p->d->machine.mechanism);
+    fourlink_prepare(&p->d->machine.mechanism.design, &p->d->machine.mechanism);
 }

@@ -52,19 +52,22 @@ void flk_build_expectations(parser *p)
         const section_use *use = &p->uses[named->use];
         const setting *at, *branch, *tolerance;
         deck_expectation *e;
+        int is_misprint;
 
         if (use->section == SECTION_SWEEP || use->section == SECTION_GRADING)
             continue;
-        at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
-        branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
-        tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
+        is_misprint = use->section == SECTION_MISPRINT;
+        at = flk_setting_of(use, is_misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
+        branch = flk_setting_of(use, is_misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
+        tolerance =
+            flk_setting_of(use, is_misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
         e->place = named->place;
         e->name = named->name;
         e->value = named->value;
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
-        e->misprint = use->section == SECTION_MISPRINT;
+        e->misprint = is_misprint;
         e->has_at = IS_SET(at) || d->one_instant;
         e->at_is_time = IS_SET(at) && flk_expects_at_time(use);
         e->at = e->at_is_time ? at->si[0]

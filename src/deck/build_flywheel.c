@@ -17,7 +17,7 @@
 /* 1 if anything that moves with the crank has inertia. */
 static int has_inertia(const deck *d)
 {
-    const fourlink_link *link = d->design.link, *crank = &link[FOURLINK_CRANK];
+    const fourlink_link *link = d->machine.mechanism.design.link, *crank = &link[FOURLINK_CRANK];
 
     return d->machine.flywheel > 0 || d->drive.fluctuation > 0 || d->machine.motor.inertia > 0 ||
            crank->inertia > 0 || (crank->mass > 0 && (crank->cg.x != 0 || crank->cg.y != 0)) ||

@@ -15,10 +15,16 @@
 
 /* ----------------------------------------------------------------------------------------- friction */
 
+const key_code flk_friction_keys[4][2] = {{KEY_FRICTION_A, KEY_FRICTION_RADIUS_A},
+                                          {KEY_FRICTION_B, KEY_FRICTION_RADIUS_B},
+                                          {KEY_FRICTION_C, KEY_FRICTION_RADIUS_C},
+                                          {KEY_FRICTION_D, KEY_FRICTION_RADIUS_D}};
+
 /* The friction circle of a pin, from its own values or from those of all pins; 0 and a mistake if one is
 ** missing, -1 if that is the radius of all pins. */
-static double build_circle(parser *p, const section_use *use, key_code coefficient, key_code key)
+static double build_circle(parser *p, const section_use *use, const key_code keys[2])
 {
+    key_code coefficient = keys[0], key = keys[1];
     const setting *own = flk_setting_of(use, coefficient),
                   *all = flk_setting_of(use, KEY_FRICTION_MU),
                   *own_radius = flk_setting_of(use, key),
@@ -52,9 +58,8 @@ void flk_build_friction(parser *p)
     if (!use)
         return;
     for (i = 0; i < 4; i++) {
-        has_pins |= IS_SET(flk_setting_of(use, (key_code)(KEY_FRICTION_A + i)));
-        friction->circle[i] = build_circle(p, use, (key_code)(KEY_FRICTION_A + i),
-                                           (key_code)(KEY_FRICTION_RADIUS_A + i));
+        has_pins |= IS_SET(flk_setting_of(use, flk_friction_keys[i][0]));
+        friction->circle[i] = build_circle(p, use, flk_friction_keys[i]);
         lacks_radius |= friction->circle[i] < 0;
     }
     if (lacks_radius && !use->is_mistaken)
@@ -68,6 +73,9 @@ void flk_build_friction(parser *p)
         flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
     friction->guide = guide->si[0];
     friction->guide_length = length->si[0];
-    friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
+    if (p->d->drive.mode == DRIVE_GIVEN)
+        friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
+    else /* from rest it starts towards the last row */
+        friction->direction = p->d->motion.to < p->d->motion.from ? -1 : 1;
     p->d->machine.has_friction = 1;
 }

@@ -82,7 +82,7 @@ static int read_table(parser *p, const setting *s, text name, deck_wanted *w)
     size_t i;
 
     read.n_points = 0;
-    p->argument = QUANTITY_NUMBER;
+    read.argument = QUANTITY_NUMBER;
     if (!flk_card_read(p, &read, QUANTITY_NUMBER, name) || !read.curve)
         return 0;
     x = flk_reader_keep(p, 2 * (read.n_points + 1) * sizeof *x);
@@ -254,7 +254,7 @@ static int read_points(parser *p, setting *s)
             return flk_mistake(p->mistakes, flk_task_find(p, others[i])->place,
                                "'%s' needs a 'function'", flk_key_table[others[i]].name);
     read.n_points = 0;
-    p->argument = QUANTITY_ANGLE;
+    read.argument = QUANTITY_ANGLE;
     if (!flk_curve_text_read(p, &read, t->kind->output))
         return 0;
     if (read.n_points < 3 || read.n_points > FOURLINK_PRECISION_MAX)

@@ -51,5 +51,5 @@ void flk_build_gas(parser *p)
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
     flk_build_curves(p, card, 1, FLK_THETA2, &gas->indicator);
-    flk_element_of_gas(gas, p->d->design.kind, element);
+    flk_element_of_gas(gas, p->d->machine.mechanism.design.kind, element);
 }

@@ -40,7 +40,7 @@ static void build_window(parser *p, const section_use *use, flk_given_load *give
 /* 1 if a link slides along the line of stroke: forces on it need neither a point nor a direction. */
 static int is_piston(const parser *p, int link)
 {
-    return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
+    return fourlink_slides((int)p->d->machine.mechanism.design.kind, link) == FOURLINK_GROUND;
 }
 
 /* The argument of the curves of a load. */
@@ -62,7 +62,8 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
                     "not '%t'",
                     force->value);
     else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) && link &&
-             !use->is_mistaken && flk_kind_of(p->d->design.kind)->has_length[link] != FLK_NO_LENGTH)
+             !use->is_mistaken &&
+             flk_kind_of(p->d->machine.mechanism.design.kind)->has_length[link] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
@@ -78,7 +79,7 @@ static void check_over(parser *p, const setting *over)
     static const int kinds[] = {
         ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED,
         ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED};
-    int kind = (int)p->d->design.kind;
+    int kind = (int)p->d->machine.mechanism.design.kind;
 
     if (IS_SET(over) && !(kinds[over->word] & kind))
         flk_mistake(p->mistakes, over->place, "%s %s has no %t",

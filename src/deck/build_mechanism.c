@@ -40,7 +40,7 @@ int flk_build_kind(parser *p)
     if (!s->word)
         return 0;
     kind = (fourlink_kind)s->word;
-    p->d->design.kind = kind;
+    p->d->machine.mechanism.design.kind = kind;
     words = fourlink_kind_text((int)kind);
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];
@@ -74,7 +74,8 @@ int flk_build_has(const parser *p, key_code key)
 {
     const key_info *k = &flk_key_table[key];
 
-    return (k->kinds & flk_section_table[k->section].kinds & (int)p->d->design.kind) != 0;
+    return (k->kinds & flk_section_table[k->section].kinds &
+            (int)p->d->machine.mechanism.design.kind) != 0;
 }
 
 /* Report a missing length. */
@@ -101,7 +102,7 @@ static void require_length(parser *p, section_code section)
 */
 static void build_swing(parser *p, const setting *period, const setting *pin, int number)
 {
-    fourlink_link *link = &p->d->design.link[number];
+    fourlink_link *link = &p->d->machine.mechanism.design.link[number];
     double g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
            turns = period->si[0] / (2 * M_PI);
     double h, L;
@@ -138,9 +139,9 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
 ** S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots. */
 static void build_stroke(parser *p)
 {
-    fourlink_link *link = p->d->design.link;
+    fourlink_link *link = p->d->machine.mechanism.design.link;
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
-    double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
+    double S, l = link[3].length, e = fabs(p->d->machine.mechanism.design.offset), rest;
 
     if (l <= 0 || !flk_build_has(p, KEY_CRANK_STROKE))
         return;
@@ -168,8 +169,8 @@ static int is_without_length(parser *p, const flk_kind *kind, int number)
 
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
 {
-    double length = p->d->design.link[link].length;
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+    double length = p->d->machine.mechanism.design.link[link].length;
+    const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
 
     at->x = s->si[0];
     at->y = s->si[1];
@@ -213,7 +214,7 @@ static void check_inertia(parser *p, const setting *s, const fourlink_link *link
 
 static void build_bar(parser *p, const flk_kind *kind, const body *b, int number)
 {
-    fourlink_link *link = &p->d->design.link[number];
+    fourlink_link *link = &p->d->machine.mechanism.design.link[number];
     const setting *others[5];
     int i;
 
@@ -237,7 +238,7 @@ static void build_bar(parser *p, const flk_kind *kind, const body *b, int number
 /* Note a mass with neither moment of inertia nor centre of mass. */
 static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int number)
 {
-    const fourlink_link *link = &p->d->design.link[number];
+    const fourlink_link *link = &p->d->machine.mechanism.design.link[number];
 
     if (!(link->mass > 0) || kind->has_length[number] == FLK_NO_LENGTH || IS_SET(b->cg) ||
         IS_SET(b->gyration) || IS_SET(b->inertia) || IS_SET(b->period))
@@ -254,7 +255,7 @@ static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int
 /* The moment of inertia, given in one of several ways. */
 static void build_inertia(parser *p, const body *b, int number, int is_mistaken)
 {
-    fourlink_link *link = &p->d->design.link[number];
+    fourlink_link *link = &p->d->machine.mechanism.design.link[number];
     const setting *other = IS_SET(b->gyration) ? b->gyration : b->period;
 
     link->inertia = b->inertia->si[0];
@@ -273,7 +274,7 @@ static void build_inertia(parser *p, const body *b, int number, int is_mistaken)
 
 static void build_body(parser *p, const flk_kind *kind, int number, section_code section)
 {
-    fourlink_link *link = &p->d->design.link[number];
+    fourlink_link *link = &p->d->machine.mechanism.design.link[number];
     const section_use *use = flk_section_find(p, section, NULL);
     const body b = find_body(p, section);
     const setting *other = IS_SET(b.gyration) ? b.gyration
@@ -304,7 +305,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
         build_stroke(p);
     else if (IS_SET(length))
-        p->d->design.link[number].length = length->si[0];
+        p->d->machine.mechanism.design.link[number].length = length->si[0];
     else if (kind->has_length[number] == FLK_LENGTH)
         require_length(p, section);
     build_body(p, kind, number, section);
@@ -337,8 +338,9 @@ static void build_slide(parser *p)
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
 
-    p->d->design.offset = IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
-    p->d->design.angle = angle->si[0];
+    p->d->machine.mechanism.design.offset =
+        IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
+    p->d->machine.mechanism.design.angle = angle->si[0];
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
@@ -356,7 +358,7 @@ static void build_slide(parser *p)
 ** length. */
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
-    const fourlink_design *design = &p->d->design;
+    const fourlink_design *design = &p->d->machine.mechanism.design;
     const setting *angle = flk_setting_find(p, KEY_LEVER_ANGLE),
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *offset = flk_setting_find(p, KEY_LEVER_OFFSET);
@@ -384,7 +386,7 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
 ** with a slide can be assembled if the other links reach it. */
 static void check_reach(parser *p, const flk_kind *kind)
 {
-    const fourlink_link *link = p->d->design.link;
+    const fourlink_link *link = p->d->machine.mechanism.design.link;
     const setting *s;
     int i, longest = FOURLINK_GROUND;
     char own[MESSAGE_SIZE], most[MESSAGE_SIZE];
@@ -416,7 +418,7 @@ static void check_reach(parser *p, const flk_kind *kind)
 
 void flk_build_mechanism(parser *p)
 {
-    fourlink_design *design = &p->d->design;
+    fourlink_design *design = &p->d->machine.mechanism.design;
     const flk_kind *kind = flk_kind_of(design->kind);
     double direction, g;
     int i;
@@ -451,7 +453,7 @@ void flk_build_series(parser *p)
     const setting *s = flk_setting_find(p, KEY_TOP_SERIES);
 
     p->d->approximation = (fourlink_approximation)s->word;
-    if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
+    if (p->d->approximation != FOURLINK_EXACT && p->d->machine.mechanism.design.offset != 0)
         flk_mistake(p->mistakes, s->place, "%s", fourlink_status_text(FOURLINK_NO_SERIES));
 }
 
@@ -467,7 +469,7 @@ flk_element *flk_build_element(parser *p, section_use *use)
 
 int flk_build_check_link(parser *p, const section_use *use, const setting *link)
 {
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+    const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
     const char *const *own = kind->link;
 
     if (!IS_SET(link) && !use->is_mistaken)

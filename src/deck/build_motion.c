@@ -142,7 +142,7 @@ static void build_rows_by_time(parser *p, int mode)
                         "'%s' is for rows by angle; rows by time have time_step and duration",
                         flk_key_table[of_angle[i]].name);
     }
-    if (p->d->machine.has_friction)
+    if (flk_section_find(p, SECTION_FRICTION, NULL))
         flk_mistake(p->mistakes, rows->place,
                     "rows by time allow the machine to swing back, which friction does not: rows "
                     "by angle, or no [friction]");
@@ -279,8 +279,6 @@ void flk_build_motion(parser *p)
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (IS_SET(run_up))
         build_run_up(p, run_up);
-    if (p->d->drive.mode != DRIVE_GIVEN) /* from rest it starts in this sense */
-        p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
     if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_mistakes_count(p->mistakes) == before)
         check_range(p);
 }

@@ -50,7 +50,7 @@ static void read_spring_point(parser *p, const section_use *use, key_code key, i
                               fourlink_vector *at)
 {
     const setting *place = flk_setting_of(use, key);
-    int kind = (int)p->d->design.kind;
+    int kind = (int)p->d->machine.mechanism.design.kind;
 
     if (!link)
         return;

@@ -219,9 +219,9 @@ static int build_cognate(parser *p)
     if (!at)
         return flk_mistake(p->mistakes, place,
                            "task = cognate needs a [point] of the coupler, which it traces");
-    t->design.kind = p->d->design.kind;
+    t->design.kind = p->d->machine.mechanism.design.kind;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        t->design.link[i].length = p->d->design.link[i].length = length[i];
+        t->design.link[i].length = p->d->machine.mechanism.design.link[i].length = length[i];
     flk_build_place(p, flk_setting_of(at, KEY_POINT_AT), FOURLINK_COUPLER, &t->point);
     t->branch = flk_setting_find(p, KEY_TABLE_BRANCH)->word == BRANCH_CROSSED ? FOURLINK_CROSSED
                                                                               : FOURLINK_OPEN;
@@ -233,33 +233,54 @@ static int build_cognate(parser *p)
 
 /* ------------------------------------------------------------------------------------------- all */
 
-/* The tasks by deck_task: kinds that have them, and their keys between two of the schema, but for one. */
+#define MOST_OF_TASK 10
+
+/* The tasks by deck_task: kinds that have them, and their keys, with KEY_COUNT at the end; task and mu_min
+** belong to all. */
 static const struct {
     const char *name;
     int kinds;
-    key_code first, last, other;
     int (*build)(parser *p);
+    key_code keys[MOST_OF_TASK];
 } tasks[] = {
-    {NULL, 0, KEY_COUNT, KEY_COUNT, KEY_COUNT, NULL},
-    {"function", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POINTS,
-     KEY_SYNTHESIS_PRECISION, KEY_COUNT, flk_task_function},
-    {"motion", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
-     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_TIMING, build_motion},
-    {"path", FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK, KEY_SYNTHESIS_POSITIONS,
-     KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_LEFT, build_path},
-    {"quick-return", FLK_EVERY_KIND, KEY_SYNTHESIS_TIME_RATIO, KEY_SYNTHESIS_CHOOSE, KEY_COUNT,
-     build_quick_return},
-    {"cognate", FOURLINK_FOUR_BAR, KEY_SYNTHESIS_WHICH, KEY_SYNTHESIS_WHICH, KEY_COUNT,
-     build_cognate},
+    {NULL, 0, NULL, {KEY_COUNT}},
+    {"function",
+     FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK,
+     flk_task_function,
+     {KEY_SYNTHESIS_POINTS, KEY_SYNTHESIS_WEIGHTS, KEY_SYNTHESIS_FIT, KEY_SYNTHESIS_FUNCTION,
+      KEY_SYNTHESIS_ARGUMENT, KEY_SYNTHESIS_CRANK, KEY_SYNTHESIS_ROCKER, KEY_SYNTHESIS_PISTON,
+      KEY_SYNTHESIS_PRECISION, KEY_COUNT}},
+    {"motion",
+     FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK,
+     build_motion,
+     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_LEFT, KEY_SYNTHESIS_RIGHT, KEY_COUNT}},
+    {"path",
+     FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK,
+     build_path,
+     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_TIMING, KEY_SYNTHESIS_RIGHT, KEY_COUNT}},
+    {"quick-return",
+     FLK_EVERY_KIND,
+     build_quick_return,
+     {KEY_SYNTHESIS_TIME_RATIO, KEY_SYNTHESIS_SWING, KEY_SYNTHESIS_STROKE, KEY_SYNTHESIS_SLOW,
+      KEY_SYNTHESIS_TYPE, KEY_SYNTHESIS_CHOOSE, KEY_COUNT}},
+    {"cognate", FOURLINK_FOUR_BAR, build_cognate, {KEY_SYNTHESIS_WHICH, KEY_COUNT}},
 };
+
+static int belongs(key_code key, deck_task task)
+{
+    const key_code *k = tasks[task].keys;
+
+    while (*k != KEY_COUNT && *k != key)
+        k++;
+    return *k == key || key == KEY_SYNTHESIS_TASK || key == KEY_SYNTHESIS_MU_MIN;
+}
 
 static void refuse_others(parser *p, deck_task task)
 {
-    key_code key;
+    key_code key = flk_first_key(SECTION_SYNTHESIS);
 
-    for (key = KEY_SYNTHESIS_POINTS; key <= KEY_SYNTHESIS_WHICH; key++)
-        if (IS_SET(flk_task_find(p, key)) &&
-            (key < tasks[task].first || key > tasks[task].last || key == tasks[task].other))
+    for (; key < flk_first_key(SECTION_SYNTHESIS + 1); key++)
+        if (IS_SET(flk_task_find(p, key)) && !belongs(key, task))
             flk_mistake(p->mistakes, flk_task_find(p, key)->place,
                         "'%s' does not belong to task = %s", flk_key_table[key].name,
                         tasks[task].name);
@@ -269,7 +290,7 @@ int flk_synthesis_read(parser *p)
 {
     section_use *use = flk_section_find(p, SECTION_SYNTHESIS, NULL);
     size_t before = flk_mistakes_count(p->mistakes);
-    const char *words = fourlink_kind_text((int)p->d->design.kind);
+    const char *words = fourlink_kind_text((int)p->d->machine.mechanism.design.kind);
     const setting *task;
     deck_synthesis *t;
 
@@ -289,10 +310,10 @@ int flk_synthesis_read(parser *p)
         return 0;
     t->task = (deck_task)task->word;
     t->name = tasks[t->task].name;
-    if (!(tasks[t->task].kinds & (int)p->d->design.kind))
+    if (!(tasks[t->task].kinds & (int)p->d->machine.mechanism.design.kind))
         return flk_mistake(p->mistakes, task->place, "task = %s does not exist for %s %s", t->name,
                            flk_text_article(words), words);
-    for (t->kind = kinds; t->kind->kind != p->d->design.kind; t->kind++)
+    for (t->kind = kinds; t->kind->kind != p->d->machine.mechanism.design.kind; t->kind++)
         ;
     t->place = use->place;
     t->mu_min = flk_setting_or(p, KEY_SYNTHESIS_MU_MIN, MU_MIN_USUAL * (M_PI / 180));

@@ -382,7 +382,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text whole)
     memset(&c, 0, sizeof c);
     c.p = p;
     c.row = *s;
-    c.q[0] = p->argument;
+    c.q[0] = s->argument;
     c.q[1] = q;
     cut_name(&c, whole, 0, &name, units);
     contents.start = load(p, name, &length);

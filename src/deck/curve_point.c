@@ -65,7 +65,7 @@ int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, 
     text angle;
     size_t i;
 
-    if (!flk_piece_number(p, s, &t, p->argument, &x))
+    if (!flk_piece_number(p, s, &t, s->argument, &x))
         return 0;
     i = flk_curve_point_value(t);
     if (i >= t.length && is_cut)
@@ -75,18 +75,18 @@ int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, 
                            s->value);
     if (i >= t.length)
         return flk_mistake(p->mistakes, s->place,
-                           p->argument == QUANTITY_ANGLE
+                           s->argument == QUANTITY_ANGLE
                                ? "expected an angle and a value, such as %s, not '%t'"
                                : "expected points of an argument and a value, such as %s, not '%t'",
-                           example(p->argument, q), s->value);
+                           example(s->argument, q), s->value);
     angle = t;
     angle.length = i;
     t = flk_text_from(t, i);
-    if (!flk_piece_unit(p, s, angle, p->argument, &u))
+    if (!flk_piece_unit(p, s, angle, s->argument, &u))
         return 0;
     result->x = flk_unit_to_si(x, u);
     result->place = s->place;
-    if (!flk_piece_size(p, s, p->argument, result->x))
+    if (!flk_piece_size(p, s, s->argument, result->x))
         return 0;
     return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
                                : read_point_value(p, s, t, q, result);

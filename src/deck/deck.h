@@ -116,8 +116,7 @@ typedef struct fourlink_deck deck;
 
 struct fourlink_deck {
     char title[256];
-    fourlink_design design;
-    flk_machine machine;    /* the design, prepared, with its elements, friction, motor */
+    flk_machine machine;    /* the mechanism with its design, elements, friction, motor */
     fourlink_motion motion; /* angles in the deck's unit of angle */
     int one_instant;        /* 1: motion.at */
     int one_revolution;     /* 1: from the first row to the last */

@@ -100,7 +100,7 @@ int flk_synthesis_run(parser *p)
         return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
                            (long)p->d->solution, (long)t->n);
     t->chosen = &t->solutions[p->d->solution - 1];
-    if (t->chosen->design.kind != p->d->design.kind)
+    if (t->chosen->design.kind != p->d->machine.mechanism.design.kind)
         return flk_mistake(
             p->mistakes, t->place,
             !(t->chosen->design.link[FOURLINK_GROUND].length > 0)

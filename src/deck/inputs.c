@@ -31,9 +31,9 @@ static double length_of(const deck *d, const section_use *use, key_code key)
         link = flk_setting_of(use, key == KEY_SPRING_AT ? KEY_SPRING_LINK : KEY_SPRING_TO)->word;
     else
         while (link < FOURLINK_FOLLOWER &&
-               flk_section_of_link(d->design.kind, link) != use->section)
+               flk_section_of_link(d->machine.mechanism.design.kind, link) != use->section)
             link++;
-    return d->design.link[link].length;
+    return d->machine.mechanism.design.link[link].length;
 }
 
 /* Describe the value of a target, which is set; 0 if it is not an input. */

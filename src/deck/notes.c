@@ -99,13 +99,13 @@ static double longest_link(const fourlink_design *design)
 /* Note a radius of gyration or a centre of mass that is far outside the mechanism. */
 static void check_body(parser *p, int number)
 {
-    const fourlink_link *link = &p->d->design.link[number];
-    section_code section = flk_section_of_link(p->d->design.kind, number);
+    const fourlink_link *link = &p->d->machine.mechanism.design.link[number];
+    section_code section = flk_section_of_link(p->d->machine.mechanism.design.kind, number);
     const char *name = flk_section_table[section].name;
     const setting *inertia = flk_setting_by_name(p, section, "inertia"),
                   *gyration = flk_setting_by_name(p, section, "gyration"),
                   *cg = flk_setting_by_name(p, section, "cg");
-    double longest = longest_link(&p->d->design);
+    double longest = longest_link(&p->d->machine.mechanism.design);
     double k = link->mass > 0 ? sqrt(fabs(link->inertia) / link->mass) : 0;
 
     if ((IS_SET(inertia) || IS_SET(gyration)) && k > FAR * longest)
@@ -141,20 +141,21 @@ static void check_friction(parser *p)
 {
     static const char words[] = "a coefficient of friction";
     const setting *all = flk_setting_find(p, KEY_FRICTION_RADIUS);
-    double crank = p->d->design.link[FOURLINK_CRANK].length, circle;
+    double crank = p->d->machine.mechanism.design.link[FOURLINK_CRANK].length, circle;
     int i, is_large = check_above_one(p, flk_setting_find(p, KEY_FRICTION_MU), words);
 
     for (i = 0; i < 4; i++) {
-        const setting *radius = flk_setting_find(p, (key_code)(KEY_FRICTION_RADIUS_A + i));
+        const key_code *keys = flk_friction_keys[i];
+        const setting *radius = flk_setting_find(p, keys[1]);
 
         circle = p->d->machine.friction.circle[i];
-        if (check_above_one(p, flk_setting_find(p, (key_code)(KEY_FRICTION_A + i)), words) ||
-            is_large || !(circle > crank))
+        if (check_above_one(p, flk_setting_find(p, keys[0]), words) || is_large ||
+            !(circle > crank))
             continue;
         flk_mistake(
             NOTES(p), (IS_SET(radius) ? radius : all)->place,
             "the friction circle of %s has a radius of %.4g m, the crank a length of %.4g m",
-            flk_key_table[KEY_FRICTION_A + i].name, circle, crank);
+            flk_key_table[keys[0]].name, circle, crank);
         is_large = !IS_SET(radius); /* of all pins: once */
     }
     check_above_one(p, flk_setting_find(p, KEY_FRICTION_GUIDE), words);
@@ -212,10 +213,12 @@ static void check_load(parser *p, const section_use *use, const flk_given_load *
     if ((given->over == FLK_OMEGA2 && given->load.link == FOURLINK_CRANK) ||
         (given->over == FLK_OMEGA4 && given->load.link == FOURLINK_FOLLOWER))
         if (drives(given))
-            flk_mistake(NOTES(p), flk_setting_of(use, KEY_LOAD_TORQUE)->place,
-                        "this torque has the sign of %t, so it drives the %s: that of a fan or a "
-                        "brake has the opposite sign",
-                        over->value, fourlink_link_text((int)p->d->design.kind, given->load.link));
+            flk_mistake(
+                NOTES(p), flk_setting_of(use, KEY_LOAD_TORQUE)->place,
+                "this torque has the sign of %t, so it drives the %s: that of a fan or a "
+                "brake has the opposite sign",
+                over->value,
+                fourlink_link_text((int)p->d->machine.mechanism.design.kind, given->load.link));
 }
 
 /* Note a curve at whose fast end the motor still drives: beyond it, it keeps this torque. */

@@ -43,6 +43,7 @@ typedef struct setting {
     int is_pending; /* 1: a design of the [sweep] sets it, but none has yet */
     int word;
     struct setting *parts; /* for a vector: parts set separately, by vector_part; or null */
+    quantity argument;     /* of a curve */
     struct point *curve;   /* its points, if it is a curve */
     size_t n_points;
 } setting;
@@ -114,8 +115,7 @@ typedef struct parser {
     int is_design; /* 1: built from the settings of another deck, whose notes say what is not meant */
     int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
     int has_unknown_section;
-    int not_text;      /* 1: the reading ended at a byte that is not text */
-    quantity argument; /* of the curve being read */
+    int not_text; /* 1: the reading ended at a byte that is not text */
     long last_line;
     size_t
         n_characters; /* of the text and the files that it names, without comments and blanks around

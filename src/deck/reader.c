@@ -97,6 +97,8 @@ static void build_all(parser *p)
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     p->d->drive.mode = flk_setting_find(p, KEY_MOTION_MODE)->word;
     flk_build_mechanism(p);
+    flk_build_motor(p);
+    flk_build_motion(p);
     flk_build_loads(p);
     flk_build_balance(p);
     flk_build_springs(p);
@@ -105,8 +107,6 @@ static void build_all(parser *p)
     flk_machine_finish(&p->d->machine);
     flk_build_points(p);
     flk_build_series(p);
-    flk_build_motor(p);
-    flk_build_motion(p);
     flk_build_flywheel(p);
     flk_build_table(p);
     flk_build_curve_ends(p);

@@ -101,7 +101,7 @@ int flk_task_pair(parser *p, setting *s, text t, quantity q, double *angle, doub
     point pair;
 
     memset(&pair, 0, sizeof pair);
-    p->argument = QUANTITY_ANGLE;
+    s->argument = QUANTITY_ANGLE;
     if (!flk_curve_point_read(p, s, t, q, 0, &pair))
         return 0;
     *angle = pair.x;
@@ -135,7 +135,8 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
 
 static const setting *length_of(parser *p, int link)
 {
-    return flk_setting_by_name(p, flk_section_of_link(p->d->design.kind, link), "length");
+    return flk_setting_by_name(p, flk_section_of_link(p->d->machine.mechanism.design.kind, link),
+                               "length");
 }
 
 int flk_task_lengths(parser *p, double length[5])

@@ -176,7 +176,9 @@ int flk_expects_at_time(const section_use *use)
 {
     unit u;
 
-    return unit_of_text(flk_setting_of(use, KEY_EXPECT_AT)->value, &u) &&
+    key_code at = use->section == SECTION_MISPRINT ? KEY_MISPRINT_AT : KEY_EXPECT_AT;
+
+    return unit_of_text(flk_setting_of(use, at)->value, &u) &&
            flk_dimension_equal(u.dim, flk_quantities[QUANTITY_TIME].dim);
 }
 
@@ -269,7 +271,7 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
 
     if (!is_verbatim(code, s->value))
         s->value = flk_reader_plain(p, s->value);
-    p->argument = quantity_of_argument(use);
+    s->argument = quantity_of_argument(use);
     switch (key->form) {
     case FORM_TEXT:
         s->value = flk_text_unquoted(s->value);

@@ -39,7 +39,7 @@ static int possible(const deck *d)
     if (status == FOURLINK_NOT_AN_ENGINE)
         return needs;
     needs |= d->balance.is_there ? NEED_BALANCE : 0;
-    return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
+    return needs | NEED_KLEIN | (d->machine.mechanism.design.offset == 0 ? NEED_SERIES : 0) |
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 

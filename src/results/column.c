@@ -22,7 +22,8 @@ static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
 static int has(const flk_analysis *a, const flk_column_info *info)
 {
-    return (info->kinds & (int)a->d->design.kind) != 0 && (info->need & ~a->possible) == 0;
+    return (info->kinds & (int)a->d->machine.mechanism.design.kind) != 0 &&
+           (info->need & ~a->possible) == 0;
 }
 
 /* The columns of a point. */
@@ -68,11 +69,11 @@ static int is_hidden(const deck *d, point_code code)
 /* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of link 4. */
 static const char *find_C(const deck *d, int *link, fourlink_vector *at)
 {
-    const fourlink_joint *joint = &flk_kind_of(d->design.kind)->joint[2];
+    const fourlink_joint *joint = &flk_kind_of(d->machine.mechanism.design.kind)->joint[2];
 
     *link = joint->slider ? FOURLINK_FOLLOWER : joint->at;
     if (joint->slider || joint->is_tip)
-        at->x = d->design.link[*link].length;
+        at->x = d->machine.mechanism.design.link[*link].length;
     return joint->slider && at->x <= 0 ? "needs a lever with a length" : NULL;
 }
 
@@ -87,12 +88,12 @@ static const char *find_own_point(const deck *d, point_code code, int *link, fou
         return find_C(d, link, at);
     *link = FOURLINK_CRANK;
     if (code == POINT_B) {
-        at->x = d->design.link[*link].length;
+        at->x = d->machine.mechanism.design.link[*link].length;
         return NULL;
     }
     *link += (int)code - POINT_G2;
-    *at = d->design.link[*link].cg;
-    return d->design.link[*link].mass > 0 ? NULL : "needs a mass of that link";
+    *at = d->machine.mechanism.design.link[*link].cg;
+    return d->machine.mechanism.design.link[*link].mass > 0 ? NULL : "needs a mass of that link";
 }
 
 /* The columns of the points that every deck has. */
@@ -325,7 +326,7 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
         if (flk_text_same(name, table[i].name)) {
             int kinds = table[i].kinds & ALL, first = kinds & -kinds, second = kinds & ~first;
 
-            if (kinds & (int)d->design.kind)
+            if (kinds & (int)d->machine.mechanism.design.kind)
                 flk_mistake(m, d->columns.place, "the column '%t' %s", name,
                             why_missing(d, &table[i]));
             else /* at most two of the three kinds */
@@ -455,7 +456,8 @@ static int have_same(const flk_analysis *a, const flk_analysis *b)
     for (i = 0; i < OWN_COUNT; i += DECK_POINT_COLUMNS)
         if (!make_of_own_point(a->d, i, &c) != !make_of_own_point(b->d, i, &c))
             return 0;
-    return a->possible == b->possible && a->d->design.kind == b->d->design.kind;
+    return a->possible == b->possible &&
+           a->d->machine.mechanism.design.kind == b->d->machine.mechanism.design.kind;
 }
 
 size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_column *from,

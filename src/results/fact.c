@@ -238,13 +238,15 @@ static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
 ** crank, at the angle 180 deg - theta4. */
 static void add_reach_of_rocker(listing *t, int branch)
 {
-    fourlink_design mirrored = t->d->design;
+    fourlink_design mirrored = t->d->machine.mechanism.design;
     fourlink_mechanism mechanism;
     fourlink_reach reach;
     int i;
 
-    mirrored.link[FOURLINK_CRANK].length = t->d->design.link[FOURLINK_FOLLOWER].length;
-    mirrored.link[FOURLINK_FOLLOWER].length = t->d->design.link[FOURLINK_CRANK].length;
+    mirrored.link[FOURLINK_CRANK].length =
+        t->d->machine.mechanism.design.link[FOURLINK_FOLLOWER].length;
+    mirrored.link[FOURLINK_FOLLOWER].length =
+        t->d->machine.mechanism.design.link[FOURLINK_CRANK].length;
     if (fourlink_prepare(&mirrored, &mechanism) != FOURLINK_OK)
         return;
     fourlink_reach_of(&mechanism, &reach);
@@ -268,7 +270,7 @@ static void add_rod(listing *t)
     if (fourlink_rod_masses(&t->d->machine.mechanism, &rod) != FOURLINK_OK)
         return;
     add_fact(t, FACT_ROD_RATIO, rod.n);
-    if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
+    if (t->d->machine.mechanism.design.link[FOURLINK_COUPLER].mass <= 0)
         return;
     add_fact(t, FACT_ROD_GYRATION, rod.k);
     if (rod.k1 > 0)
@@ -338,7 +340,7 @@ static void add_limits(listing *t)
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
     add_fact(t, FACT_MU_MIN, limits.mu_min);
     add_fact(t, FACT_MU_MAX, limits.mu_max);
-    if (t->d->design.kind == FOURLINK_FOUR_BAR) {
+    if (t->d->machine.mechanism.design.kind == FOURLINK_FOUR_BAR) {
         add_fact(t, FACT_GAMMA_MIN, limits.gamma_min);
         add_fact(t, FACT_GAMMA_MAX, limits.gamma_max);
     }
@@ -503,11 +505,12 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
     t.only = handle;
     t.branch = 0;
     if (groups & FOURLINK_FACTS_LIMITS) {
-        int has_slide = flk_kind_has_slide(t.d->design.kind);
+        int has_slide = flk_kind_has_slide(t.d->machine.mechanism.design.kind);
 
         add_type(&t);
         if (!has_slide)
-            add_fact(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
+            add_fact(&t, FACT_FREUDENSTEIN,
+                     flk_derive_freudenstein(&t.d->machine.mechanism.design));
         add_reach(&t);
         if (!has_slide && is_any_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING))
             add_reach_of_rocker(&t, branch);

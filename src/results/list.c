@@ -165,8 +165,8 @@ static void add_derived(listing *t, const char *section, const char *key, quanti
 /* What the section of a link leaves to the length, the stroke, the uniform bar, the pendulum, synthesis. */
 static void derive_link(listing *t, int i)
 {
-    const fourlink_link *link = &t->d->design.link[i];
-    const char *name = fourlink_link_text((int)t->d->design.kind, i);
+    const fourlink_link *link = &t->d->machine.mechanism.design.link[i];
+    const char *name = fourlink_link_text((int)t->d->machine.mechanism.design.kind, i);
 
     add_derived(t, name, "length", QUANTITY_LENGTH, link->length, "length");
     add_derived(t, name, "mass", QUANTITY_MASS, link->mass, "mass");
@@ -180,8 +180,8 @@ static void derive_link(listing *t, int i)
 /* The offset that synthesis found. */
 static void derive_offset(listing *t)
 {
-    if (!fourlink_slides((int)t->d->design.kind, FOURLINK_COUPLER))
-        add_derived(t, "ground", "offset", QUANTITY_LENGTH, t->d->design.offset,
+    if (!fourlink_slides((int)t->d->machine.mechanism.design.kind, FOURLINK_COUPLER))
+        add_derived(t, "ground", "offset", QUANTITY_LENGTH, t->d->machine.mechanism.design.offset,
                     "offset of the line of stroke");
 }
 
@@ -227,7 +227,7 @@ static void derive_gas(listing *t)
 
 static void derive_gravity(listing *t)
 {
-    const fourlink_vector *g = &t->d->design.gravity;
+    const fourlink_vector *g = &t->d->machine.mechanism.design.gravity;
     quantity q = QUANTITY_ACCELERATION;
 
     add_default(t, "gravity", "x", q, flk_unit_from_si(g->x, t->d->units[q].unit), "gravity, x");
@@ -255,7 +255,7 @@ static void add_what_follows(listing *t, section_code section)
     int link;
 
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
-        if (flk_section_of_link(t->d->design.kind, link) == section)
+        if (flk_section_of_link(t->d->machine.mechanism.design.kind, link) == section)
             derive_link(t, link);
     if (section == SECTION_GROUND)
         derive_offset(t);

@@ -41,7 +41,7 @@ static int set_machine(const fourlink_mechanism *mechanism, const fourlink_load 
         given[i].load.force.x = given[i].load.force.y = given[i].load.torque = 0;
         flk_element_of_given_load(&given[i], &machine->element[i]);
     }
-    d->design = mechanism->design;
+    d->machine.mechanism.design = mechanism->design;
     d->has_forces = 1;
     machine->mechanism = *mechanism;
     machine->n_elements = n_loads;

@@ -524,13 +524,15 @@ TEST(test_four_bar)
 
     read_good(contents, &d);
     assert_string_equal(d.title, "Every key");
-    assert_int_equal(d.design.kind, FOURLINK_FOUR_BAR);
-    assert_true(d.design.link[1].length == 0.08);
-    check_link(&d.design.link[2], 0.02, 0.1, 0.1 * 0.008 * 0.008, 0.01, 0);
-    check_link(&d.design.link[3], 0.066, 0.3, 2e-6, 0.03 * cos(10 * DEG), 0.03 * sin(10 * DEG));
-    check_link(&d.design.link[4], 0.056, 0.45359237, 0.45359237 * 0.0254 * 0.0254, 0.028, -0.005);
-    assert_true(d.design.gravity.x == -9.8); /* the line A-D points upwards */
-    assert_true(d.design.gravity.y == 0);
+    assert_int_equal(d.machine.mechanism.design.kind, FOURLINK_FOUR_BAR);
+    assert_true(d.machine.mechanism.design.link[1].length == 0.08);
+    check_link(&d.machine.mechanism.design.link[2], 0.02, 0.1, 0.1 * 0.008 * 0.008, 0.01, 0);
+    check_link(&d.machine.mechanism.design.link[3], 0.066, 0.3, 2e-6, 0.03 * cos(10 * DEG),
+               0.03 * sin(10 * DEG));
+    check_link(&d.machine.mechanism.design.link[4], 0.056, 0.45359237, 0.45359237 * 0.0254 * 0.0254,
+               0.028, -0.005);
+    assert_true(d.machine.mechanism.design.gravity.x == -9.8); /* the line A-D points upwards */
+    assert_true(d.machine.mechanism.design.gravity.y == 0);
     assert_close(d.motion.speed, 104.71975511965977, 1e-15);
     assert_close(d.motion.acceleration, -0.52359877559829887, 1e-15);
     assert_true(d.motion.from == 20 && d.motion.interval == 2.5);
@@ -569,11 +571,11 @@ TEST(test_slider_crank)
                            "force = 1 kN at 180 deg\n[load]\nlink = rod\ntorque = -3 N m\n"
                            "[motion]\nat = 1 rad\nhold = yes\nacceleration = 7 rad/s2\n",
               &d);
-    assert_int_equal(d.design.kind, FOURLINK_SLIDER_CRANK);
-    check_link(&d.design.link[2], 0.3, 4, 1.5, -0.1, 0);
-    check_link(&d.design.link[3], 1.2, 0, 0, 0, 0);
-    assert_true(d.design.link[4].mass == 50);
-    assert_true(d.design.offset == -0.05);
+    assert_int_equal(d.machine.mechanism.design.kind, FOURLINK_SLIDER_CRANK);
+    check_link(&d.machine.mechanism.design.link[2], 0.3, 4, 1.5, -0.1, 0);
+    check_link(&d.machine.mechanism.design.link[3], 1.2, 0, 0, 0, 0);
+    assert_true(d.machine.mechanism.design.link[4].mass == 50);
+    assert_true(d.machine.mechanism.design.offset == -0.05);
     assert_int_equal(given_loads(&d), 2);
     assert_int_equal(given_load(&d, 0)->load.link, 4);
     assert_true(given_load(&d, 0)->values.force.x == -1000 &&
@@ -621,8 +623,8 @@ TEST(test_engine)
 
     read_good(ENGINE, &d);
     assert_int_equal(d.approximation, FOURLINK_SERIES_PISTON);
-    assert_true(d.design.link[2].length == 0.3);
-    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    assert_true(d.machine.mechanism.design.link[2].length == 0.3);
+    assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
     assert_close(gas_of(&d)->area, 0.031415926535897932, 1e-15);
     assert_close(gas_of(&d)->back_area, 0.031415926535897932 * (1 - 0.04), 1e-15);
     assert_true(gas_of(&d)->back_pressure == 1e5);
@@ -648,20 +650,20 @@ TEST(test_engine)
     assert_int_equal(given_load(&d, 0)->values.torque_curve.n, 0);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
-    assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
+    assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=(500, -300) mm", &d);
-    assert_close(d.design.link[3].inertia, 50 * 0.3 * (L - 0.3), 1e-14);
+    assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.3 * (L - 0.3), 1e-14);
     flk_deck_free(&d);
     read_with(ENGINE, "gravity.acceleration=0", &d); /* not where the rod was swung */
-    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
     flk_deck_free(&d);
     read_with("mechanism = slider-crank\n[ground]\noffset = 300 mm\n[crank]\nstroke = 600 mm\n"
               "[rod]\nlength = 1.2 m\n[flywheel]\ninertia = 3 kg m2\n",
               "title=offset", &d);
     assert_true(d.machine.flywheel == 3);
     { /* the dead centres are the stroke apart */
-        double r = d.design.link[2].length, e = 0.3;
+        double r = d.machine.mechanism.design.link[2].length, e = 0.3;
 
         assert_close(sqrt((1.2 + r) * (1.2 + r) - e * e) - sqrt((1.2 - r) * (1.2 - r) - e * e), 0.6,
                      1e-14);
@@ -670,7 +672,8 @@ TEST(test_engine)
     read_with("mechanism = slider-crank\n[ground]\noffset = 50 mm\n[crank]\nstroke = 141.42 mm\n"
               "[rod]\nlength = 100 mm\n",
               "title=longest", &d);
-    assert_true(d.design.link[2].length < 0.05 && d.design.link[2].length > 0.0495);
+    assert_true(d.machine.mechanism.design.link[2].length < 0.05 &&
+                d.machine.mechanism.design.link[2].length > 0.0495);
     flk_deck_free(&d);
 }
 
@@ -761,7 +764,8 @@ TEST(test_defaults)
 
     read_good(FOUR_BAR, &d);
     assert_string_equal(d.title, "");
-    assert_true(d.design.gravity.x == 0 && d.design.gravity.y == -9.81);
+    assert_true(d.machine.mechanism.design.gravity.x == 0 &&
+                d.machine.mechanism.design.gravity.y == -9.81);
     assert_true(d.motion.from == 0 && d.motion.to == 360 && d.motion.interval == 10);
     assert_true(d.motion.speed == 0 && d.motion.acceleration == 0);
     assert_true(d.one_revolution == 1 && d.one_instant == 0);
@@ -801,8 +805,8 @@ TEST(test_range_of_lengths)
     deck d;
 
     read_good("mechanism = slider-crank\n[rod]\nlength = 1e15 m\n[crank]\nlength = 1e-15 m\n", &d);
-    assert_true(d.design.link[3].length == FOURLINK_LENGTH_MAX);
-    assert_true(d.design.link[2].length == FOURLINK_LENGTH_MIN);
+    assert_true(d.machine.mechanism.design.link[3].length == FOURLINK_LENGTH_MAX);
+    assert_true(d.machine.mechanism.design.link[2].length == FOURLINK_LENGTH_MIN);
     flk_deck_free(&d);
 }
 
@@ -822,9 +826,9 @@ TEST(test_units)
               "acceleration = in/s2\npressure = bar\ntime = ms\nspeed = km/h\npower = hp\n"
               "energy = kJ\n",
               &d);
-    assert_true(d.design.link[1].length == 0.08);
-    check_link(&d.design.link[2], 0.02, 0.003, 4e-7, 0.001, 0.002);
-    check_link(&d.design.link[3], 0.066, 0.001, 0.001 * 0.005 * 0.005, 0, 0);
+    assert_true(d.machine.mechanism.design.link[1].length == 0.08);
+    check_link(&d.machine.mechanism.design.link[2], 0.02, 0.003, 4e-7, 0.001, 0.002);
+    check_link(&d.machine.mechanism.design.link[3], 0.066, 0.001, 0.001 * 0.005 * 0.005, 0, 0);
     assert_close(d.motion.speed, 3.1415926535897932, 1e-15);
     assert_close(d.motion.acceleration, 2 * DEG, 1e-15);
     assert_true(d.motion.angle_unit == 1);
@@ -833,8 +837,8 @@ TEST(test_units)
     assert_close(given_load(&d, 0)->values.force.y, 2000 * sin(1), 1e-15);
     assert_true(given_load(&d, 0)->values.torque == 0.007);
     assert_true(given_load(&d, 0)->load.at.x == 0 && given_load(&d, 0)->load.at.y == 0.004);
-    assert_close(d.design.gravity.x, 386 * 0.0254, 1e-15);
-    assert_true(d.design.gravity.y == 0);
+    assert_close(d.machine.mechanism.design.gravity.x, 386 * 0.0254, 1e-15);
+    assert_true(d.machine.mechanism.design.gravity.y == 0);
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "mm");
     assert_string_equal(d.units[QUANTITY_INERTIA].name, "g.cm2");
     assert_string_equal(d.units[QUANTITY_POWER].name, "hp");
@@ -858,7 +862,7 @@ static void check_title(const char *contents, const char *title)
     print_message("----\n%s\n", contents);
     read_good(contents, &d);
     assert_string_equal(d.title, title);
-    assert_true(d.design.link[2].length == 0.02);
+    assert_true(d.machine.mechanism.design.link[2].length == 0.02);
     flk_deck_free(&d);
 }
 
@@ -928,7 +932,7 @@ static void check_vector(const char *assignment, double x, double y, double tole
 
     read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\nat = 0 mm\n", assignment, &d);
     v = strncmp(assignment, "load.force", 10) == 0 ? given_load(&d, 0)->values.force
-                                                   : d.design.link[2].cg;
+                                                   : d.machine.mechanism.design.link[2].cg;
     assert_near(v.x, x, tolerance);
     assert_near(v.y, y, tolerance);
     flk_deck_free(&d);
@@ -974,26 +978,29 @@ TEST(test_gravity)
     deck d;
 
     read_good(FOUR_BAR "[gravity]\nacceleration = 0\n", &d);
-    assert_true(d.design.gravity.x == 0 && d.design.gravity.y == 0);
+    assert_true(d.machine.mechanism.design.gravity.x == 0 &&
+                d.machine.mechanism.design.gravity.y == 0);
     flk_deck_free(&d);
     read_good(FOUR_BAR "[gravity]\ndirection = 30 deg\nacceleration = 10 m/s2\n", &d);
-    assert_near(d.design.gravity.x, 10 * cos(30 * DEG), 1e-14);
-    assert_near(d.design.gravity.y, 5, 1e-14);
+    assert_near(d.machine.mechanism.design.gravity.x, 10 * cos(30 * DEG), 1e-14);
+    assert_near(d.machine.mechanism.design.gravity.y, 5, 1e-14);
     flk_deck_free(&d);
 
     /* The inclination of the line A-D turns gravity against itself, and nothing else. */
     read_with(FOUR_BAR "[load]\nlink = crank\nforce = 2 N at 90 deg\nat = 0 mm\n",
               "ground.angle=30 deg", &d);
-    assert_near(d.design.gravity.x, -9.81 / 2, 1e-14);
-    assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
+    assert_near(d.machine.mechanism.design.gravity.x, -9.81 / 2, 1e-14);
+    assert_near(d.machine.mechanism.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
     assert_true(given_load(&d, 0)->values.force.x == 0 && given_load(&d, 0)->values.force.y == 2);
     assert_true(d.motion.from == 0 && d.motion.to == 360);
     flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=90 deg", &d); /* a vertical engine, piston on top */
-    assert_true(d.design.gravity.x == -9.81 && d.design.gravity.y == 0);
+    assert_true(d.machine.mechanism.design.gravity.x == -9.81 &&
+                d.machine.mechanism.design.gravity.y == 0);
     flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=-90 deg", &d);
-    assert_true(d.design.gravity.x == 9.81 && d.design.gravity.y == 0);
+    assert_true(d.machine.mechanism.design.gravity.x == 9.81 &&
+                d.machine.mechanism.design.gravity.y == 0);
     flk_deck_free(&d);
 }
 
@@ -1012,10 +1019,10 @@ TEST(test_changes)
     deck d;
 
     read_with(FOUR_BAR, "crank.length=30 mm", &d);
-    assert_true(d.design.link[2].length == 0.03);
+    assert_true(d.machine.mechanism.design.link[2].length == 0.03);
     flk_deck_free(&d);
     read_with(FOUR_BAR, "crank.mass=2 kg", &d);
-    assert_true(d.design.link[2].mass == 2 && d.has_forces == 1);
+    assert_true(d.machine.mechanism.design.link[2].mass == 2 && d.has_forces == 1);
     flk_deck_free(&d);
     read_with(FOUR_BAR, "motion.speed = 3 rad/s", &d); /* a section that the deck has not */
     assert_true(d.motion.speed == 3);
@@ -1027,7 +1034,7 @@ TEST(test_changes)
     assert_string_equal(d.title, "New = old");
     flk_deck_free(&d);
     read_with(FOUR_BAR "[units]\nlength = m\n", "units.length=in", &d);
-    assert_true(d.design.link[2].length == 0.02);
+    assert_true(d.machine.mechanism.design.link[2].length == 0.02);
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "in");
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "load F2.force=5 N at 90 deg", &d);
@@ -1048,7 +1055,7 @@ TEST(test_changes)
     flk_deck_free(&d);
 
     assert_int_equal(read_changed(FOUR_BAR, several, 4, &d), 1);
-    assert_true(d.design.link[2].length == 0.022); /* the last one counts */
+    assert_true(d.machine.mechanism.design.link[2].length == 0.022); /* the last one counts */
     assert_true(d.motion.interval == 5);
     assert_true(d.open == 1 && d.crossed == 0);
     flk_deck_free(&d);
@@ -1087,7 +1094,8 @@ TEST(test_changed_parts)
         flk_deck_free(&d);
     }
     read_with(FOUR_BAR, "coupler.cg.y=5 mm", &d); /* not given: the link's origin */
-    assert_true(d.design.link[3].cg.x == 0 && d.design.link[3].cg.y == 0.005);
+    assert_true(d.machine.mechanism.design.link[3].cg.x == 0 &&
+                d.machine.mechanism.design.link[3].cg.y == 0.005);
     flk_deck_free(&d);
 }
 
@@ -1180,7 +1188,7 @@ static int check_outcome(const char *contents, size_t length)
         fourlink_state state;
         fourlink_forces forces;
 
-        assert_int_equal(fourlink_prepare(&d.design, &mechanism), FOURLINK_OK);
+        assert_int_equal(fourlink_prepare(&d.machine.mechanism.design, &mechanism), FOURLINK_OK);
         assert_int_equal(fourlink_motion_range(&d.motion, &range), FOURLINK_OK);
         assert_int_equal(fourlink_motion_row(&d.motion, &range, 0, &row), FOURLINK_OK);
         assert_int_equal(fourlink_deck_loads(&d, FOURLINK_OPEN, row.crank.theta2, loads, NULL),

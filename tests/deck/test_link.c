@@ -44,10 +44,10 @@ static void check_body(const char *contents, int link, double mass, double inert
 
     print_message("%s\n", contents);
     read_accepted(contents, NULL, &d);
-    assert_close(d.design.link[link].mass, mass, 1e-15);
-    assert_close(d.design.link[link].inertia, inertia, 1e-15);
-    assert_near(d.design.link[link].cg.x, x, 1e-16);
-    assert_near(d.design.link[link].cg.y, y, 1e-16);
+    assert_close(d.machine.mechanism.design.link[link].mass, mass, 1e-15);
+    assert_close(d.machine.mechanism.design.link[link].inertia, inertia, 1e-15);
+    assert_near(d.machine.mechanism.design.link[link].cg.x, x, 1e-16);
+    assert_near(d.machine.mechanism.design.link[link].cg.y, y, 1e-16);
     assert_int_equal(d.notes.count, 0);
     flk_deck_free(&d);
 }
@@ -183,7 +183,7 @@ TEST(test_sweep)
 
     source.design = 1;
     assert_int_equal(flk_deck_read(&source, &d), 1);
-    assert_near(d.design.link[3].cg.x, 0.035, 1e-16);
+    assert_near(d.machine.mechanism.design.link[3].cg.x, 0.035, 1e-16);
     flk_deck_free(&d);
     check_mistake(FOUR_BAR "mass = 1 kg\ncg = mid\n" LENGTH "[sweep]\ncoupler.cg.y = 1 mm, 2 mm\n",
                   NULL, 13,

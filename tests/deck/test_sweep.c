@@ -140,9 +140,9 @@ TEST(test_mechanism)
                                  "motion.speed = 60 rpm, 1 rad/s\n",
                                  "", 9, &d),
                      1);
-    assert_near(d.design.link[2].length, 0.020, 1e-17);
-    assert_near(d.design.link[3].length, 0.066, 0);
-    assert_near(d.design.link[4].length, 0.056, 0);
+    assert_near(d.machine.mechanism.design.link[2].length, 0.020, 1e-17);
+    assert_near(d.machine.mechanism.design.link[3].length, 0.066, 0);
+    assert_near(d.machine.mechanism.design.link[4].length, 0.056, 0);
     assert_near(given_load(&d, 0)->values.torque, 3, 0);
     assert_near(d.motion.speed, 1, 0);
     flk_deck_free(&d);
@@ -167,7 +167,8 @@ TEST(test_order)
         assert_near(d.sweep.variables[2].value, 1 + (double)(i / 4 % 3), 0);
         assert_near(d.sweep.variables[1].value, 80, 1);
         assert_true(d.sweep.variables[1].value != last);
-        assert_near(d.design.link[1].length, d.sweep.variables[1].value / 1000, 1e-16);
+        assert_near(d.machine.mechanism.design.link[1].length, d.sweep.variables[1].value / 1000,
+                    1e-16);
         last = d.sweep.variables[1].value;
         flk_deck_free(&d);
     }
@@ -549,9 +550,11 @@ TEST(test_design_is_assignments)
                      1e-14);
         assert_close(given_load(&set, 1)->values.force.y, given_load(&swept, 1)->values.force.y,
                      1e-14);
-        assert_close(set.design.link[4].cg.x, swept.design.link[4].cg.x, 1e-14);
+        assert_close(set.machine.mechanism.design.link[4].cg.x,
+                     swept.machine.mechanism.design.link[4].cg.x, 1e-14);
         assert_close(set.motion.speed, swept.motion.speed, 1e-14);
-        assert_close(set.design.link[2].length, swept.design.link[2].length, 1e-14);
+        assert_close(set.machine.mechanism.design.link[2].length,
+                     swept.machine.mechanism.design.link[2].length, 1e-14);
         flk_deck_free(&swept);
         flk_deck_free(&set);
     }

@@ -118,16 +118,18 @@ TEST(test_written)
     assert_int_equal(chosen, 1);
     assert_true(n >= 2);
     for (i = 1; i <= 4; i++)
-        near(d.design.link[i].length, solutions[1].design.link[i].length,
-             1e-15 * d.design.link[i].length);
+        near(d.machine.mechanism.design.link[i].length, solutions[1].design.link[i].length,
+             1e-15 * d.machine.mechanism.design.link[i].length);
     assert_int_equal(fourlink_deck_write(&d, text_of_deck, sizeof text_of_deck, &length),
                      FOURLINK_OK);
     assert_true(length < sizeof text_of_deck);
     assert_int_equal(read_task(text_of_deck, 0, &again), 1);
     assert_null(again.synthesis);
     for (i = 1; i <= 4; i++)
-        near(again.design.link[i].length, d.design.link[i].length, 0);
-    near(again.design.link[2].inertia, d.design.link[2].inertia, 0);
+        near(again.machine.mechanism.design.link[i].length,
+             d.machine.mechanism.design.link[i].length, 0);
+    near(again.machine.mechanism.design.link[2].inertia, d.machine.mechanism.design.link[2].inertia,
+         0);
     near(again.points[0].at.x, d.points[0].at.x, 0);
     near(again.motion.from, d.motion.from, 0);
     assert_int_equal(again.n_expectations, 9);
@@ -151,8 +153,10 @@ TEST(test_designs)
     assert_int_equal(flk_deck_design(&d, 1, NULL, 0, &second), 1);
     assert_int_equal(flk_deck_design(&d, 2, NULL, 0, &third), 1);
     assert_int_equal(flk_deck_design(&d, 3, NULL, 0, &none), 0);
-    assert_true(first.design.link[2].length != second.design.link[2].length);
-    near(first.design.link[2].length, third.design.link[2].length, 0);
+    assert_true(first.machine.mechanism.design.link[2].length !=
+                second.machine.mechanism.design.link[2].length);
+    near(first.machine.mechanism.design.link[2].length,
+         third.machine.mechanism.design.link[2].length, 0);
     flk_deck_free(&first);
     flk_deck_free(&second);
     flk_deck_free(&third);

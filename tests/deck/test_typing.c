@@ -154,10 +154,10 @@ static const struct {
 
 static double value_of(const char *key, const deck *d)
 {
-    return strcmp(key, "crank.length") == 0    ? d->design.link[2].length
-           : strcmp(key, "crank.cg") == 0      ? d->design.link[2].cg.x
-           : strcmp(key, "crank.mass") == 0    ? d->design.link[2].mass
-           : strcmp(key, "crank.inertia") == 0 ? d->design.link[2].inertia
+    return strcmp(key, "crank.length") == 0    ? d->machine.mechanism.design.link[2].length
+           : strcmp(key, "crank.cg") == 0      ? d->machine.mechanism.design.link[2].cg.x
+           : strcmp(key, "crank.mass") == 0    ? d->machine.mechanism.design.link[2].mass
+           : strcmp(key, "crank.inertia") == 0 ? d->machine.mechanism.design.link[2].inertia
            : strcmp(key, "motion.speed") == 0  ? d->motion.speed
            : strcmp(key, "motion.at") == 0     ? d->motion.from
            : strcmp(key, "load.torque") == 0   ? given_load(d, 0)->values.torque
@@ -210,7 +210,7 @@ TEST(test_lines)
                            "[units]\nangle = " DEGREE "\ninertia = kg" DOT "m" TWO "\n",
                   NULL, &d);
     assert_string_equal(d.title, "30" DEGREE " " MINUS " K\303\266nig");
-    assert_true(d.design.link[2].length == 0.02);
+    assert_true(d.machine.mechanism.design.link[2].length == 0.02);
     assert_string_equal(flk_machine_find(&d.machine, &flk_given_load_type, 0)->name, "F" TWO);
     assert_string_equal(d.points[0].name, "P" TWO);
     assert_int_equal(d.columns.names.length, strlen("theta2," NO_BREAK "P" TWO ".x"));
