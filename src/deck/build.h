@@ -8,15 +8,24 @@
 
 #include "parser.h"
 
-/* [ground] [crank] ...: the kind of the mechanism, 0 after a mistake; its lengths and masses. */
+/* The kind of the mechanism, 0 after a mistake. */
 int flk_build_kind(parser *p);
-void flk_build_mechanism(parser *p);
 
-void flk_build_loads(parser *p);
-void flk_build_balance(parser *p);
-void flk_build_springs(parser *p);
-void flk_build_gas(parser *p);
-void flk_build_friction(parser *p);
+/* The builders of machine and motion, in this order: motor and motion before the friction, which starts in
+** the motion's sense; elements in the order of their loads. */
+#define BUILD_LIST(X) \
+    X(mechanism)      \
+    X(motor)          \
+    X(motion)         \
+    X(loads)          \
+    X(balance)        \
+    X(springs)        \
+    X(gas)            \
+    X(friction)
+
+#define BUILD_DECLARATION(name) void flk_build_##name(parser *p);
+BUILD_LIST(BUILD_DECLARATION)
+
 void flk_build_points(parser *p);
 
 /* The keys of the pins A, B, C, D: the coefficient of friction, the radius. */
@@ -25,8 +34,6 @@ extern const key_code flk_friction_keys[4][2];
 /* `series`: the approximations of the engine method. */
 void flk_build_series(parser *p);
 
-void flk_build_motor(parser *p);
-void flk_build_motion(parser *p);
 void flk_build_flywheel(parser *p);
 void flk_build_table(parser *p);
 

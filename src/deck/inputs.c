@@ -8,16 +8,6 @@
 #include "numbers.h"
 #include "settings.h"
 
-/* The word that a key is given, as the schema writes it. */
-static const char *word_of(key_code key, const setting *s)
-{
-    const word_info *w = flk_word_table;
-
-    while (w->word && (w->key != key || !flk_text_same(s->value, w->word)))
-        w++;
-    return w->word;
-}
-
 /* The length of the link that a point in a section is on: the link that the section names, or its own. */
 static double length_of(const deck *d, const section_use *use, key_code key)
 {
@@ -42,6 +32,7 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     const section_use *use = &d->settings->uses[t->use];
     const key_info *key = &flk_key_table[t->key];
     const setting *s = flk_setting_of(use, t->key);
+    const word_info *word = flk_word_find(t->key, s->value);
     int is_part = t->part != PART_NONE;
     char name[DECK_NAME_SIZE];
 
@@ -49,8 +40,8 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     x->meaning = key->meaning;
     if (s->curve)
         x->words = "a curve";
-    else if (key->form == FORM_WORD)
-        x->words = word_of(t->key, s);
+    else if (word)
+        x->words = word->word;
     else if (s->word)
         x->words = "constant"; /* the torque of a motor that balances the loads */
     else

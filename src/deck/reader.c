@@ -91,19 +91,14 @@ static parser *find_linkage(parser *p)
     return p->out_of_memory ? NULL : found;
 }
 
+#define BUILD(name) flk_build_##name(p);
+
 /* Build the deck that the settings are of. */
 static void build_all(parser *p)
 {
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     p->d->drive.mode = flk_setting_find(p, KEY_MOTION_MODE)->word;
-    flk_build_mechanism(p);
-    flk_build_motor(p);
-    flk_build_motion(p);
-    flk_build_loads(p);
-    flk_build_balance(p);
-    flk_build_springs(p);
-    flk_build_gas(p);
-    flk_build_friction(p);
+    BUILD_LIST(BUILD)
     flk_machine_finish(&p->d->machine);
     flk_build_points(p);
     flk_build_series(p);

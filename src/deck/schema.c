@@ -15,15 +15,6 @@ const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0,
     {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds, meaning},
 const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
 
-#define LINK_WORDS(X, key)              \
-    X(key, "crank", FOURLINK_CRANK)     \
-    X(key, "coupler", FOURLINK_COUPLER) \
-    X(key, "rod", FOURLINK_COUPLER)     \
-    X(key, "slider", FOURLINK_COUPLER)  \
-    X(key, "rocker", FOURLINK_FOLLOWER) \
-    X(key, "piston", FOURLINK_FOLLOWER) \
-    X(key, "lever", FOURLINK_FOLLOWER)
-
 #define YES_WORDS(X, key) \
     X(key, "no", 0)       \
     X(key, "yes", 1)
@@ -68,8 +59,6 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(SYNTHESIS_CHOOSE, "best", 1)                                            \
     X(SYNTHESIS_WHICH, "left", FOURLINK_LEFT)                                 \
     X(SYNTHESIS_WHICH, "right", FOURLINK_RIGHT)                               \
-    LINK_WORDS(X, LOAD_LINK)                                                  \
-    LINK_WORDS(X, POINT_LINK)                                                 \
     X(LOAD_OVER, "theta2", FLK_THETA2)                                        \
     X(LOAD_OVER, "theta4", FLK_THETA4)                                        \
     X(LOAD_OVER, "x", FLK_X)                                                  \
@@ -78,10 +67,6 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(LOAD_OVER, "omega4", FLK_OMEGA4)                                        \
     X(LOAD_OVER, "v", FLK_V)                                                  \
     X(LOAD_OVER, "slide_v", FLK_SLIDE_V)                                      \
-    X(SPRING_LINK, "ground", FOURLINK_GROUND)                                 \
-    LINK_WORDS(X, SPRING_LINK)                                                \
-    X(SPRING_TO, "ground", FOURLINK_GROUND)                                   \
-    LINK_WORDS(X, SPRING_TO)                                                  \
     X(SPRING_ONLY, "pushes", FOURLINK_PUSHES)                                 \
     X(SPRING_ONLY, "pulls", FOURLINK_PULLS)                                   \
     X(FRICTION_DIRECTION, "forward", 1)                                       \
@@ -97,7 +82,26 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(LOAD_FRAME, "link", FOURLINK_FRAME_LINK)
 
 #define WORD_INFO(key, word, value) {KEY_##key, word, value},
-const word_info flk_word_table[] = {WORD_LIST(WORD_INFO){KEY_COUNT, NULL, 0}};
+static const word_info words_of_keys[] = {WORD_LIST(WORD_INFO){KEY_COUNT, NULL, 0}};
+
+/* The links of all kinds of mechanism; the ground is the first. */
+static const word_info links[] = {{KEY_COUNT, "ground", FOURLINK_GROUND},
+                                  {KEY_COUNT, "crank", FOURLINK_CRANK},
+                                  {KEY_COUNT, "coupler", FOURLINK_COUPLER},
+                                  {KEY_COUNT, "rod", FOURLINK_COUPLER},
+                                  {KEY_COUNT, "slider", FOURLINK_COUPLER},
+                                  {KEY_COUNT, "rocker", FOURLINK_FOLLOWER},
+                                  {KEY_COUNT, "piston", FOURLINK_FOLLOWER},
+                                  {KEY_COUNT, "lever", FOURLINK_FOLLOWER},
+                                  {KEY_COUNT, NULL, 0}};
+
+/* The list that has the words of a key. */
+static const word_info *words_for(key_code key)
+{
+    value_form form = flk_key_table[key].form;
+
+    return form == FORM_LINK ? links + 1 : form == FORM_BODY ? links : words_of_keys;
+}
 
 key_code flk_first_key(section_code section)
 {
@@ -109,14 +113,28 @@ size_t flk_section_keys(section_code section)
     return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
 }
 
-void flk_key_words(key_code key, const char *const *links, const char *words[MOST_WORDS])
+/* 1 if a word is one of a key; those of links are in a list of their own. */
+static int is_of_key(const word_info *w, key_code key)
 {
-    int is_link = key == KEY_LOAD_LINK || key == KEY_POINT_LINK || key == KEY_SPRING_LINK ||
-                  key == KEY_SPRING_TO;
+    return w->key == key || w->key == KEY_COUNT;
+}
+
+const word_info *flk_word_find(key_code key, text t)
+{
+    const word_info *w = words_for(key);
+
+    while (w->word && !(is_of_key(w, key) && flk_text_equal(t, w->word)))
+        w++;
+    return w->word ? w : NULL;
+}
+
+void flk_key_words(key_code key, const char *const *own_links, const char *words[MOST_WORDS])
+{
     const word_info *w;
 
-    for (w = flk_word_table; w->word; w++)
-        if (w->key == key && (!links || !is_link || strcmp(w->word, links[w->value]) == 0))
+    for (w = words_for(key); w->word; w++)
+        if (is_of_key(w, key) &&
+            (!own_links || w->key == key || strcmp(w->word, own_links[w->value]) == 0))
             *words++ = w->word;
     *words = NULL;
 }

@@ -47,6 +47,8 @@
 typedef enum value_form {
     FORM_TEXT,     /* as written, or in double quotes */
     FORM_WORD,     /* one of a list of words */
+    FORM_LINK,     /* a link that moves */
+    FORM_BODY,     /* a link that moves, or the ground */
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
@@ -175,7 +177,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND,       \
       "acceleration of free fall")                                                                 \
     X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND, "direction of free fall")   \
-    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it acts on")                      \
+    X(LOAD, LINK, "link", LINK, NUMBER, ANY, ANY_KIND, "the link it acts on")                      \
     X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND, "force")                                 \
     X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "where it acts")                               \
     X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND, "torque, counter-clockwise positive")  \
@@ -187,9 +189,9 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "of the speed")            \
     X(LOAD, AT_SPEED, "at_speed", QUANTITY, SPEED, POSITIVE, ANY_KIND,                             \
       "the speed at which it has its value")                                                       \
-    X(SPRING, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it acts on")                    \
+    X(SPRING, LINK, "link", BODY, NUMBER, ANY, ANY_KIND, "the link it acts on")                    \
     X(SPRING, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                             \
-    X(SPRING, TO, "to", WORD, NUMBER, ANY, ANY_KIND, "the other link, or the ground")              \
+    X(SPRING, TO, "to", BODY, NUMBER, ANY, ANY_KIND, "the other link, or the ground")              \
     X(SPRING, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                       \
     X(SPRING, STIFFNESS, "stiffness", EITHER, STIFFNESS, ANY, ANY_KIND, "stiffness")               \
     X(SPRING, FREE_LENGTH, "free_length", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                \
@@ -230,7 +232,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "radius of the counterweights")                                                              \
     X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND,                                        \
       "the counterweights are in the results")                                                     \
-    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND, "the link it is on")                       \
+    X(POINT, LINK, "link", LINK, NUMBER, ANY, ANY_KIND, "the link it is on")                       \
     X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its place")                                  \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly modes")                  \
     X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND, "the columns")                       \
@@ -317,19 +319,19 @@ typedef enum deck_task {
     TASK_COGNATE
 } deck_task;
 
-/* The words that keys of FORM_WORD take, with their values. */
+/* A word that a key takes, and its value. */
 typedef struct word_info {
     key_code key;
     const char *word;
     int value;
 } word_info;
 
-/* With a null word at the end. */
-extern const word_info flk_word_table[];
-
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
+
+/* The word of a key that a text is, whatever its case; null if the key does not accept it. */
+const word_info *flk_word_find(key_code key, text t);
 
 /* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:
 ** other links are left out. */

@@ -14,27 +14,17 @@
 #include "values.h"
 #include "vector.h"
 
-/* Find the value of a word; 0 if the key does not accept it. */
-static int find_word(key_code key, text t, int *value)
-{
-    size_t i;
-
-    for (i = 0; flk_word_table[i].word; i++)
-        if (flk_word_table[i].key == key && flk_text_equal(t, flk_word_table[i].word)) {
-            *value = flk_word_table[i].value;
-            return 1;
-        }
-    return 0;
-}
-
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
+    const word_info *word = flk_word_find(key, s->value);
     const char *known[MOST_WORDS], *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
-    if (find_word(key, s->value, &s->word))
+    if (word) {
+        s->word = word->value;
         return;
+    }
     flk_key_words(key, NULL, known);
     flk_key_words(key, kind ? kind->link : NULL, listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
@@ -186,9 +176,10 @@ int flk_expects_at_time(const section_use *use)
 static int read_over(const section_use *use, int *over)
 {
     const setting *s = flk_setting_of(use, KEY_LOAD_OVER);
+    const word_info *word = IS_SET(s) ? flk_word_find(KEY_LOAD_OVER, s->value) : NULL;
 
-    *over = FLK_THETA2;
-    return !IS_SET(s) || find_word(KEY_LOAD_OVER, s->value, over);
+    *over = word ? word->value : FLK_THETA2;
+    return !IS_SET(s) || word;
 }
 
 quantity flk_values_quantity_over(int over)
@@ -277,6 +268,8 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         s->value = flk_text_unquoted(s->value);
         break;
     case FORM_WORD:
+    case FORM_LINK:
+    case FORM_BODY:
         read_word(p, code, s);
         break;
     case FORM_UNIT:
