@@ -55,11 +55,11 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     return key->form != FORM_TEXT && (!is_part || s->si[t->part] != 0);
 }
 
-size_t flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host)
+void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host)
 {
     const parser *p = d->settings;
     const section_use *use = NULL;
-    size_t n = 0;
+    deck_input x;
     target t;
 
     while ((use = flk_section_next(p, section, use)) != NULL)
@@ -68,17 +68,23 @@ size_t flk_inputs_walk(const deck *d, section_code section, deck_input_taker *ta
             value_form form = flk_key_table[t.key].form;
             int has_parts = (form == FORM_VECTOR || form == FORM_POINT) && !s->curve;
             int part = has_parts ? PART_X : PART_NONE, last = has_parts ? PART_Y : PART_NONE;
-            deck_input x;
 
             t.use = (size_t)(use - p->uses);
             for (; part <= last && IS_SET(s) && !s->is_pending; part++) {
                 t.part = (vector_part)part;
-                if (!describe_input(d, &t, &x))
-                    continue;
-                n++;
-                if (take)
+                if (describe_input(d, &t, &x))
                     take(host, &x);
             }
         }
+}
+
+size_t flk_inputs_limit(const deck *d)
+{
+    const parser *p = d->settings;
+    size_t i, k, n = 0;
+
+    for (i = 0; i < p->n_uses; i++)
+        for (k = 0; k < flk_section_keys(p->uses[i].section); k++)
+            n += IS_SET(&p->uses[i].settings[k]) ? 2 : 0; /* of a vector x and y */
     return n;
 }

@@ -21,7 +21,10 @@ typedef struct deck_input {
 typedef void deck_input_taker(void *host, const deck_input *input);
 
 /* Pass the inputs of all sections of this name to a function.  Titles, lists of names and a component that
-** is 0 are not among them.  Returns how many there are; `take` may be null. */
-size_t flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host);
+** is 0 are not among them. */
+void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host);
+
+/* The largest number of inputs of all sections. */
+size_t flk_inputs_limit(const deck *d);
 
 #endif

@@ -275,13 +275,7 @@ static int has_inputs(section_code section)
 
 size_t flk_list_input_limit(const deck *d)
 {
-    size_t n = MOST_DERIVED;
-    int section;
-
-    for (section = 0; section < SECTION_COUNT; section++)
-        if (has_inputs((section_code)section))
-            n += flk_inputs_walk(d, (section_code)section, NULL, NULL);
-    return n;
+    return MOST_DERIVED + flk_inputs_limit(d);
 }
 
 void flk_list_inputs(const deck *d, flk_list *inputs)
