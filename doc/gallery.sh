@@ -4,7 +4,6 @@
 # gallery.sh BUILD [FOLDER] - make the pictures of doc/gallery.md, with its own command lines and the program in
 # BUILD, in FOLDER (default: doc/gallery).  Fails if a command fails, or a picture that the page shows is not made.
 # doc/screens.js makes those of the page and of a report in README, page.png and report.png.
-# The pictures are not compared with those that are there: another gnuplot draws the same picture with other bytes.
 set -eu
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")"

@@ -73,3 +73,12 @@ finish() {
     [ "$failed" -eq 0 ]
     exit
 }
+
+# listed STATUS LISTING ARGUMENT...: a picture with these options; LISTING is what it shows, by listing.py
+listed() {
+    listed_status=$1 listing=$2
+    shift 2
+    rm -f listed.svg "$listing"
+    run "$listed_status" --plot=listed.svg "$@"
+    [ ! -s listed.svg ] || python3 -B "$(dirname "$decks")/pictures/listing.py" listed.svg >"$listing"
+}

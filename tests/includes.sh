@@ -5,7 +5,7 @@
 #
 #   base < mechanics < synthesis < deck < motion < results    the library: a folder includes from itself and from
 #                                                             those below it
-#   system < view < tables, pictures < report < command       the command: of the library, only fourlink.h and base/
+#   system < view < drawing < tables, pictures < report < command       the command: of the library, only fourlink.h and base/
 #
 # tables and pictures do not include each other, and no file includes itself by way of others, where a
 # header and its source count as one file.  Headers of an operating system are for system/system_*.c alone.
@@ -24,9 +24,10 @@ BEGIN {
   allowed["system"] = "system base"
   allowed["view"] = "view system base"
   allowed["tables"] = "tables view system base"
-  allowed["pictures"] = "pictures view system base"
-  allowed["report"] = "report tables pictures view system base"
-  allowed["command"] = "command report tables pictures view system base"
+  allowed["drawing"] = "drawing view system base"
+  allowed["pictures"] = "pictures drawing view system base"
+  allowed["report"] = "report tables pictures drawing view system base"
+  allowed["command"] = "command report tables pictures drawing view system base"
   for (i = 1; i < ARGC; i++)
     present[ARGV[i]] = 1
 }

@@ -14,6 +14,9 @@ import re
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'pictures'))
+from listing import listing as listing_of  # noqa: E402
+
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank')
 NAMES = {'four-bar': ('ground', 'crank', 'coupler', 'rocker'), 'slider-crank': ('ground', 'crank', 'rod', 'piston'),
@@ -61,17 +64,11 @@ def drawn_units(path):
 
 
 class Program:
-    """The program under test, without gnuplot."""
+    """The program under test."""
 
     def __init__(self, fourlink, folder):
         self.fourlink, self.folder = os.path.abspath(fourlink), folder
-        stand_in = os.path.join(folder, 'no-gnuplot')
-        os.makedirs(stand_in, exist_ok=True)
-        path = os.path.join(stand_in, 'gnuplot')
-        with open(path, 'w') as out:
-            out.write('#!/bin/sh\nexit 1\n')
-        os.chmod(path, 0o755)
-        self.environment = dict(os.environ, PATH=stand_in + os.pathsep + os.environ['PATH'], LC_ALL='C')
+        self.environment = dict(os.environ, LC_ALL='C')
 
     def run(self, *arguments, statuses=(0, 1)):
         """Run with arguments, the last a deck; its rows and facts have the units of pictures."""
@@ -82,16 +79,13 @@ class Program:
             raise RuntimeError('fourlink %s: %d: %s' % (' '.join(arguments), done.returncode, done.stderr))
         return done.stdout
 
-    def script(self, deck, kind, *arguments):
-        """The text of a picture's script; '' if there is none."""
-        name = os.path.join(self.folder, 'script.gp')
+    def listing(self, deck, kind, *arguments):
+        """The listing of a picture (listing.py); '' if there is none."""
+        name = os.path.join(self.folder, 'picture.svg')
         if os.path.exists(name):
             os.remove(name)
-        self.run('--plot-script=' + name, '--plot-kind=' + kind, *arguments, deck.path)
-        if not os.path.exists(name):
-            return ''
-        with open(name, encoding='utf-8') as script:
-            return script.read()
+        self.run('--plot=' + name, '--plot-kind=' + kind, *arguments, deck.path)
+        return listing_of(name) if os.path.exists(name) else ''
 
 
 class Row:

@@ -45,12 +45,12 @@ build || { tail "$work/log" && exit 1; }
 # labels FILE: of the tests that belong to it
 labels() {
     case $1 in
-    src/pictures/*) echo '^(pictures|report)$' ;;
+    src/drawing/* | src/pictures/*) echo '^(pictures|report)$' ;;
     src/report/*) echo '^report$' ;;
     src/view/*) echo '^(tables|pictures|report)$' ;;
     src/tables/*) echo '^(tables|report|command)$' ;;
     src/command/*) echo '^(command|tables|pictures)$' ;;
-    *) echo '^(base|mechanics|deck|results|tables)$' ;;
+    *) echo '^(base|mechanics|synthesis|deck|results|tables)$' ;;
     esac
 }
 # one at a time: in parallel ctest would begin with the slowest

@@ -90,7 +90,7 @@ with_c() {
     done
     check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
     check 'completion' test -s usr/share/bash-completion/completions/fourlink
-    for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x plot-script part list help \
+    for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x ascii part list help \
         version; do
         escaped=$(echo "$option" | sed 's/-/\\-/g')
         check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1

@@ -7,13 +7,11 @@
 # for a file that is shown.  A block under <!-- > NAME --> is a file for these commands; the lines of one under
 # <!-- run --> are run.  The first whole program in C of a
 # document is compiled, and is the command "example" of that document.  The tests that doc/accuracy.md names are there.
-# Lines that draw pictures need gnuplot: they are run with the argument "pictures" only, and the other lines of their
-# block before them.
+# Lines that make pictures are run with the argument "pictures" only, and the other lines of their block before them.
 set -u
 build=$1
 pictures=${2-}
 . "$(dirname "$0")/needs.sh"
-[ -z "$pictures" ] || needs gnuplot gnuplot-nox
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT

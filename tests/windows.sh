@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # windows.sh - Windows: the library and the command by MinGW-w64, run by Wine.  Compares the results of decks with
-# this machine's, tries what is different there (paths, line ends, names, gnuplot), and runs the tests.  For
+# this machine's, tries what is different there (paths, line ends, names, rsvg-convert), and runs the tests.  For
 # Debian 12 or later on amd64, as root, because it installs packages.  GSL and cmocka are compiled from
-# Debian's sources.  Debian has no gnuplot for Windows: a program that prints its input stands in.
+# Debian's sources.  Debian has no rsvg-convert for Windows: a program that prints its input stands in.
 . "$(dirname "$0")/foreign.sh"
 # These compile, take an hour when emulated, need signals, links, devices or a terminal of POSIX, names with quotes or
-# control characters, or gnuplot itself.
+# control characters, or rsvg-convert itself.
 others='install|readme|includes|fast_math|brute|interruption|missing_designs|failures|output|files|terminal|readers'
 others="$others|speed|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
 others="$others|assets|browser|characters|test_columns|test_report|sample|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
@@ -157,26 +157,26 @@ expect 'a wildcard' cmp table slashes
 run 0 '--check=many\' 'many\a.deck'
 run 0 --check=many 'many\a.deck'
 
-# gnuplot: a program that copies its input in its place
-cat >gnuplot.c <<'C'
+# rsvg-convert: a program that copies its input in its place
+cat >convert.c <<'C'
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 int main(int argc, char **argv)
 {
     int c, i;
-    char *fails = getenv("GNUPLOT_FAILS");
+    char *fails = getenv("CONVERT_FAILS");
     for (i = 1; i < argc; i++)
         printf("<%s>\n", argv[i]);
     if (fails)
-        return fprintf(stderr, "line 7: undefined\n"), atoi(fails);
+        return fprintf(stderr, "Error reading SVG\n"), atoi(fails);
     while ((c = getchar()) != EOF)
         putchar(c);
     return 0;
 }
 C
 
-# reports, without pictures, and without what may differ: the last digits of csv, the residual; not of motions that
+# reports, without what may differ: the last digits of csv, the residual; not of motions that
 # are integrated, where more is rounding
 mkdir path
 ln -s "$(command -v wine)" "$(command -v sh)" path
@@ -194,29 +194,29 @@ for deck in "$source"/data/*.deck; do
     expect "the report of ${deck##*/}" cmp other report
 done
 
-run 3 --plot=x.svg decks/x.deck
-expect 'no gnuplot' says 'gnuplot is not installed'
-expect 'no picture' test ! -e x.svg
+run 3 --plot=x.png decks/x.deck
+expect 'no rsvg-convert' says 'rsvg-convert, which makes png and pdf, is not installed'
+expect 'no picture' test ! -e x.png
 mkdir here
-$mingw-gcc gnuplot.c -o here/gnuplot.exe
+$mingw-gcc convert.c -o here/rsvg-convert.exe
 cd here
-run 3 --plot=x.svg ../decks/x.deck
-expect 'gnuplot of the working folder is not run' says 'gnuplot is not installed'
+run 3 --plot=x.png ../decks/x.deck
+expect 'rsvg-convert of the working folder is not run' says 'is not installed'
 cd ..
-mv here/gnuplot.exe bin
+mv here/rsvg-convert.exe bin
 WINEPATH="$here\\bin"
 export WINEPATH
+run 0 --plot=x.png decks/x.deck
 run 0 --plot=x.svg decks/x.deck
-run 0 --plot-script=script decks/x.deck
-expect 'a picture' grep -q '<--default-settings>' x.svg
-expect 'gnuplot reads all of the script' grep -q 'plot' x.svg
-cp x.svg old.svg
-GNUPLOT_FAILS=1
-export GNUPLOT_FAILS
-run 3 --plot=x.svg decks/x.deck
-expect 'what gnuplot complains about' says 'line 7: undefined'
-expect 'the old picture stays' cmp x.svg old.svg
-unset GNUPLOT_FAILS
+expect 'a picture' grep -q '<--format=png>' x.png
+expect 'all of the SVG is read' grep -q '</svg>' x.png
+cp x.png old.png
+CONVERT_FAILS=1
+export CONVERT_FAILS
+run 3 --plot=x.png decks/x.deck
+expect 'what it complains about' says 'Error reading SVG'
+expect 'the old picture stays' cmp x.png old.png
+unset CONVERT_FAILS
 expect 'no temporary file is left' test -z "$(find . -name '.fourlink*')"
 cd "$work"
 

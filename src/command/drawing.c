@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** drawing.c - the picture of a deck, drawn by gnuplot, or its script; its report.
+** drawing.c - the picture of a deck, and its report.
 */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "system/system.h"
 #include "command.h"
+#include "convert.h"
 #include "drawing.h"
 #include "output.h"
 #include "pictures/plot.h"
@@ -40,38 +42,53 @@ static int open_shown(const input *in, shown *x)
     return 1;
 }
 
-/* Let gnuplot draw a script; returns the exit status. */
-static int draw(const options *o, FILE *script, const plot_caption *caption)
+/* 1 if a text picture has to do without Braille. */
+static int is_ascii(const options *o)
 {
+    static const char *const variables[] = {"LC_ALL", "LC_CTYPE", "LANG"};
+    const char *locale = NULL;
+    size_t i;
+
+    for (i = 0; i < 3 && !(locale && *locale); i++)
+        locale = getenv(variables[i]);
+    return o->ascii || !(locale && (strstr(locale, "UTF-8") || strstr(locale, "utf8") ||
+                                    strstr(locale, "utf-8") || strstr(locale, "UTF8")));
+}
+
+/* Write a picture as a png or a pdf; null, or the reason why not. */
+static const char *convert(const plot *x, plot_file file, FILE *out, char reason[CONVERT_REASON])
+{
+    FILE *svg = system_scratch();
+    const char *why;
+
+    if (!svg)
+        return strerror(errno);
+    plot_write(x, 0, 0, svg);
+    why = fflush(svg) == 0 ? convert_svg(svg, file, out, reason) : strerror(errno);
+    fclose(svg);
+    return why;
+}
+
+/* Write a picture to its file; returns the exit status. */
+static int write_picture(const drawing *d, const options *o)
+{
+    plot_file kind = o->drawing.file;
+    char reason[CONVERT_REASON];
+    const char *path = o->plot, *why = NULL;
     output file;
-    const char *path = o->plot, *why;
-    char reason[GNUPLOT_REASON];
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL, reason);
+    if (kind == PLOT_PNG || kind == PLOT_PDF)
+        why = convert(&d->picture, kind, file.file, reason);
+    else if (!plot_write(&d->picture, kind == PLOT_TXT, is_ascii(o), file.file))
+        why = "not enough memory";
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
-/* Copy a script; returns the exit status. */
-static int copy(const char *path, FILE *script)
-{
-    output file;
-    int status = output_begin(&file, path), c;
-
-    if (status)
-        return status;
-    rewind(script);
-    while ((c = getc(script)) != EOF)
-        putc(c, file.file);
-    if (ferror(script))
-        status = command_complain("cannot write", path, strerror(errno));
-    return command_worse(status, output_end(&file, path, status == 0));
-}
-
-static int write_script(FILE *script, const input *in, plot_caption *caption)
+static int make_picture(plot *made, const input *in)
 {
     plot_request request = in->o->drawing;
     fourlink_mistake mistake;
@@ -79,20 +96,19 @@ static int write_script(FILE *script, const input *in, plot_caption *caption)
     shown x;
     int written = -1;
 
+    memset(made, 0, sizeof *made);
     if (in->o->no_kind &&
         fourlink_results_find(in->results, "structural_error", &error) == FOURLINK_OK)
         request.kind = PLOT_ERROR;
     if (open_shown(in, &x)) {
         request.opened = x.results;
-        written = plot_write(script, &x.source, &request, caption, &mistake);
+        written = plot_make(made, &x.source, &request, &mistake);
     }
     fourlink_results_free(x.own);
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
     if (written > 0)
-        return fflush(script) == 0 && !ferror(script)
-                   ? 0
-                   : command_complain("cannot draw", in->name, strerror(errno));
+        return 0;
     command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
@@ -130,29 +146,26 @@ int drawing_begin(drawing *d, const input *in)
     int status;
 
     d->in = in;
-    d->script = system_scratch();
-    if (!d->script)
-        return command_complain("cannot draw", in->name, strerror(errno));
-    status = write_script(d->script, in, &d->caption);
-    if (status) {
-        fclose(d->script);
-        d->script = NULL;
-    }
+    status = make_picture(&d->picture, in);
+    d->is_there = status == 0;
+    if (status)
+        plot_free(&d->picture);
     return status;
 }
 
 int drawing_end(drawing *d, int keep)
 {
+    const plot_caption *caption = &d->picture.caption;
     const options *o = d->in->o;
     int status = 0;
 
     if (keep)
-        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o, d->script, &d->caption);
-    fclose(d->script);
+        status = write_picture(d, o);
+    plot_free(&d->picture);
     if (status || !keep || options_want_table(o))
         return status;
-    if (d->caption.n_lines)
-        return tell_missing(d->in, d->caption.n_missing, d->caption.n_lines, "lines of the [sweep]",
+    if (caption->n_lines)
+        return tell_missing(d->in, caption->n_missing, caption->n_lines, "lines of the [sweep]",
                             "");
     return tell_missing_rows(d->in);
 }
@@ -187,8 +200,6 @@ int drawing_report(const input *in)
     }
     if (status)
         return status;
-    if (outcome.gnuplot[0])
-        command_say("fourlink: ", path, " has no pictures: ", outcome.gnuplot, (char *)NULL);
     if (outcome.has_failed)
         command_say("fourlink: ", path, ": rows could not be computed", (char *)NULL);
     if (outcome.differs)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** drawing.h - the picture of a deck, drawn by gnuplot, or its script.
+** drawing.h - the picture of a deck, and its report.
 */
 #ifndef FOURLINK_DRAWING_H
 #define FOURLINK_DRAWING_H
@@ -11,15 +11,15 @@
 
 typedef struct drawing {
     const input *in;
-    FILE *script; /* null: there is none to draw */
-    plot_caption caption;
+    int is_there; /* 0: there is none to write */
+    plot picture;
 } drawing;
 
-/* Write the script of a picture, before anything is printed; a picture that is refused is a mistake of the
-** options. Returns the exit status. */
+/* Draw a picture, before anything is printed; a picture that is refused is a mistake of the options.  Returns
+** the exit status. */
 int drawing_begin(drawing *d, const input *in);
 
-/* Draw a script, or give it out; or drop it.  Returns the exit status. */
+/* Write it to its file, or drop it.  Returns the exit status. */
 int drawing_end(drawing *d, int keep);
 
 /* Write the report that the options ask for. */

@@ -168,15 +168,14 @@ static int replaces(const char *output, const char *input)
                                     : system_is_same(output, input));
 }
 
-#define OUTPUTS 4
+#define OUTPUTS 3
 
 /* The files that will be written; null: none. */
 static void list_outputs(const options *o, const char *outputs[OUTPUTS])
 {
     outputs[0] = o->output;
-    outputs[1] = o->plot_script;
-    outputs[2] = o->plot;
-    outputs[3] = o->report;
+    outputs[1] = o->plot;
+    outputs[2] = o->report;
 }
 
 int files_is_output(const options *o, const char *path)

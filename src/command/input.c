@@ -110,7 +110,7 @@ static int shows_rows(const input *in)
     plot_kind kind = o->drawing.kind;
     int shows_outputs = in->problem.n_designs && in->problem.has_outputs && kind == PLOT_COLUMNS;
 
-    return o->report || ((o->plot || o->plot_script) && !shows_outputs);
+    return o->report || (o->plot && !shows_outputs);
 }
 
 /* 1 if the linkage of the deck was found by synthesis. */

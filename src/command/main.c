@@ -75,14 +75,14 @@ static int write_all(const options *o, const input *in, const grade_answers *ans
     drawing d;
     int status = 0;
 
-    d.script = NULL;
-    if ((o->plot || o->plot_script) && in->results)
+    d.is_there = 0;
+    if (o->plot && in->results)
         status = drawing_begin(&d, in);
     if (status == EXIT_USAGE)
         return status;
     if (options_want_table(o) && (in->results || (o->content == SHEET_CHECK && o->scores)))
         status = command_worse(status, write_sheet(o, in, answers));
-    if (d.script)
+    if (d.is_there)
         status = command_worse(status, drawing_end(&d, !system_caught()));
     return status;
 }

@@ -236,14 +236,12 @@ static const option_info table[] = {
     {'p', "--plot", "FILE", OWN(set_plot),
      "draw a picture: %s, or -; the table is printed too with --format or "
      "--output"},
-    {0, "--plot-kind", "KIND", OWN(set_plot_kind),
-     "what to draw (default: mechanism, for .gif animation):"},
+    {0, "--plot-kind", "KIND", OWN(set_plot_kind), "what to draw (default: mechanism):"},
     {0, "--plot-at", "ANGLE,ANGLE,...", MEMBER(drawing.at),
      "crank angles to draw, such as '40 deg'"},
     {0, "--plot-x", "NAME", MEMBER(drawing.x),
      "draw columns over this one (default: theta2 or time)"},
-    {0, "--plot-script", "FILE", MEMBER(plot_script),
-     "write the gnuplot script, to change and run"},
+    {0, "--ascii", NULL, MEMBER(ascii), "draw text pictures without Braille characters"},
     {0, "--report", "FILE", OWN(set_report),
      "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
      "tables"},
@@ -404,17 +402,18 @@ void options_put_help(FILE *out)
     for (i = 0; i < TABLE_COUNT; i++)
         put_option(&l, &table[i], width < 2 * WORDS ? WORDS_BELOW : WORDS, width);
     line_put(&l, "\n");
-    put_words(&l, "",
-              "Exit status: 0 success; 1 some rows could not be computed, or a check failed; "
-              "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
-              0, width);
+    put_words(
+        &l, "",
+        "Exit status: 0 success; 1 some rows could not be computed, or a check failed; "
+        "2 wrong usage or mistakes in a deck; 3 reading, writing, rsvg-convert or memory failed.",
+        0, width);
     line_end(&l);
 }
 
 /* 1 if a picture or a report is asked for. */
 static int has_picture(const options *o)
 {
-    return o->plot || o->plot_script || o->report;
+    return o->plot || o->report;
 }
 
 /* 1 if a deck, which is printed, is asked for together with something else. */
@@ -448,7 +447,7 @@ static const char *find_conflict(const options *o)
 /* The same of designs and of pictures. */
 static const char *find_further_conflict(const options *o)
 {
-    int is_output = is_folder(o->output), wanted = o->plot || o->plot_script;
+    int is_output = is_folder(o->output), wanted = o->plot != NULL;
 
     if (o->all_designs && !((o->print_deck || o->content == SHEET_EXPECT) && is_output) &&
         !(is_folder(o->report) && !o->output))
@@ -469,11 +468,11 @@ static const char *find_further_conflict(const options *o)
     if (o->synthesis && o->n_decks > 1)
         return "--synthesis takes one deck, not several";
     if (!wanted && o->drawing.at && !o->report)
-        return "--plot-at needs --plot, --plot-script or --report";
+        return "--plot-at needs --plot or --report";
     if (!wanted && o->drawing.x)
-        return "--plot-x needs --plot or --plot-script";
+        return "--plot-x needs --plot";
     if (!wanted && o->drawing.kind != PLOT_COUNT)
-        return "--plot-kind needs --plot or --plot-script";
+        return "--plot-kind needs --plot";
     if (o->report && o->n_decks > 1)
         return "--report takes one deck, not several";
     if (wanted && o->n_decks > 1)
@@ -503,25 +502,19 @@ static int complete_plot(options *o, char message[400])
 {
     plot_request *d = &o->drawing;
 
-    if (!o->plot && !o->plot_script)
-        return 1;
-    o->no_kind = d->kind == PLOT_COUNT && d->file != PLOT_GIF;
     if (!o->plot)
-        d->file = PLOT_SVG;
-    if (d->kind == PLOT_COUNT)
-        d->kind = d->file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
+        return 1;
+    o->no_kind = d->kind == PLOT_COUNT;
+    if (o->no_kind)
+        d->kind = PLOT_MECHANISM;
     if (d->at && !plot_is_of_position(d->kind))
         return refuse_at(plot_names[d->kind], message);
     if (d->x && d->kind != PLOT_COLUMNS)
         return say(message, "--plot-x works with --plot-kind=columns, not with ",
                    plot_names[d->kind], "");
-    if (d->kind == PLOT_ANIMATION && o->plot && d->file != PLOT_GIF)
-        return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
+    if (d->kind == PLOT_ANIMATION && d->file != PLOT_SVG)
+        return say(message, "an animation needs a file name that ends in .svg, not '", o->plot,
                    "'");
-    if (d->kind == PLOT_ANIMATION)
-        d->file = PLOT_GIF;
-    if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
-        d->picture = o->plot;
     return 1;
 }
 

@@ -38,7 +38,7 @@ typedef struct options {
     int has_format;            /* 1: --format was given */
     int no_kind;               /* 1: --plot without --plot-kind */
     const char *plot;          /* the picture's file; null: none */
-    const char *plot_script;   /* the script's file; null: none */
+    int ascii;                 /* 1: a text picture without Braille */
     const char *report;        /* the report's file; null: none */
     plot_request drawing;      /* PLOT_COUNT: no kind is given */
     fourlink_change *changes;  /* --set, and options that set a key of the deck */

@@ -14,7 +14,7 @@ typedef struct output {
 } output;
 
 /* Call this before anything is written: a signal that ends the program then leaves no temporary file and no
-** gnuplot. */
+** rsvg-convert. */
 void output_prepare(void);
 
 /* Open a path, or standard output for null and "-"; prints a failure and returns the exit status.  A regular

@@ -2,114 +2,30 @@
 **
 ** canvas.c - a picture's panels: their places, margins and titles.
 */
+#include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
+#include "base/message.h"
 #include "canvas.h"
 #include "system/format.h"
-#include "base/message.h"
 
 #define HEAD (4 * CANVAS_LINE) /* title and source */
 #define NO_HEAD (0.4 * CANVAS_LINE)
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
 #define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
-#define BELOW (4 * CANVAS_LINE)
+#define BELOW (3.2 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
-
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.
-** The name of a file is written as it is.  In a text what is not printable is shown as a question mark,
-** so that every script and picture is valid UTF-8, and ]]> gets a blank: gnuplot would copy it, and no SVG
-** may have it. */
-static void put_quoted(FILE *out, const char *words, int is_file)
-{
-    text rest = flk_text_of(words);
-
-    putc('"', out);
-    while (rest.length) {
-        size_t n = is_file ? 1 : flk_text_printable(rest);
-
-        if (!is_file && strncmp(rest.start, "]]>", 3) == 0) {
-            fputs("]] ", out);
-            n = 2;
-        } else if (n == 0) {
-            putc('?', out);
-        } else if (strchr("\"\\`", *rest.start) || (unsigned char)*rest.start < ' ') {
-            fprintf(out, "\\%03o", (unsigned)*rest.start);
-        } else {
-            fwrite(rest.start, 1, n, out);
-        }
-        rest = flk_text_from(rest, n ? n : 1);
-    }
-    putc('"', out);
-}
+#define TIC 5.0                  /* pixels */
+#define SAMPLE 26.0              /* pixels of a line in a key */
 
 /* 1 at a mark of a subscript or a superscript. */
 static int is_mark(const char *c)
 {
     return strncmp(c, NOTATION_SUB, NOTATION_MARK) == 0 ||
            strncmp(c, NOTATION_SUPER, NOTATION_MARK) == 0;
-}
-
-/* With gnuplot's own marks, a_{CB}^{n}; on a text terminal without any. */
-static void put_marked(const canvas *c, const char *words)
-{
-    char marked[CANVAS_WORDS];
-    size_t n = 0;
-    int is_in = 0;
-
-    while (*words && n + 8 < sizeof marked) {
-        if (is_in && (is_mark(words) || *words == ' ')) {
-            marked[n++] = '}';
-            is_in = 0;
-        }
-        if (!is_mark(words)) {
-            marked[n++] = *words++;
-            continue;
-        }
-        if (!c->is_text) {
-            marked[n++] = strncmp(words, NOTATION_SUB, NOTATION_MARK) == 0 ? '_' : '^';
-            marked[n++] = '{';
-            is_in = 1;
-        }
-        words += NOTATION_MARK;
-    }
-    if (is_in)
-        marked[n++] = '}';
-    marked[n] = '\0';
-    put_quoted(c->out, marked, 0);
-}
-
-const char *canvas_mode(const char *words)
-{
-    return strstr(words, NOTATION_SUB) ? "enhanced" : "noenhanced";
-}
-
-void canvas_print(const canvas *c, const char *format, ...)
-{
-    char number[FORMAT_SIZE], *end;
-    va_list arguments;
-    int digits;
-
-    va_start(arguments, format);
-    for (; *format; format++) {
-        if (*format != '%' || *++format == '%') {
-            putc(*format, c->out);
-        } else if (*format == 's') {
-            fputs(va_arg(arguments, const char *), c->out);
-        } else if (*format == 'q' || *format == 'f') {
-            put_quoted(c->out, va_arg(arguments, const char *), *format == 'f');
-        } else if (*format == 'w') {
-            put_marked(c, va_arg(arguments, const char *));
-        } else if (*format == 'd') {
-            fprintf(c->out, "%d", va_arg(arguments, int));
-        } else { /* .8g */
-            digits = (int)strtol(format + 1, &end, 10);
-            format = end;
-            fputs(format_general(va_arg(arguments, double), digits, number), c->out);
-        }
-    }
-    va_end(arguments);
 }
 
 static int begins_letter(char c)
@@ -152,40 +68,47 @@ char *canvas_shorten(const char *words, int letters, int keep_end, char *out, si
     return out;
 }
 
-void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, double width,
+void canvas_open(canvas *c, display *d, int is_text, int columns, int rows, double width,
                  double height, double below, int has_title)
 {
     memset(c, 0, sizeof *c);
     c->head = has_title ? HEAD : NO_HEAD;
-    c->out = out;
+    c->d = d;
     c->is_text = is_text;
     c->columns = is_text ? 1 : columns;
     c->rows = is_text ? rows * columns : rows;
-    c->width = is_text ? CANVAS_TEXT_WIDTH * CANVAS_LETTER : width * columns;
+    c->width = d->width = is_text ? CANVAS_TEXT_WIDTH * CANVAS_LETTER : width * columns;
     c->below = below;
-    c->height = c->head + (height + below) * c->rows;
+    c->height = d->height = c->head + (height + below) * c->rows;
+}
+
+/* Put a line of the head, of no panel. */
+static void put_head(const canvas *c, const char *words, int line)
+{
+    display_text(c->d, 0, place_at(c->width / 2, line * CANVAS_LINE), DISPLAY_MIDDLE, words);
 }
 
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest)
 {
     int letters = (int)(c->width / CANVAS_LETTER) - 2;
-    char words[CANVAS_WORDS];
+    char words[CANVAS_WORDS], all[CANVAS_WORDS + 200];
 
-    canvas_print(c, "title = %q\n", canvas_shorten(title, letters, 0, words, sizeof words));
+    if (c->head == NO_HEAD)
+        return;
+    put_head(c, canvas_shorten(title, letters, 0, words, sizeof words), 1);
     letters -= canvas_letters(rest);
-    canvas_print(c, "source = %q . %q\n", canvas_shorten(source, letters, 1, words, sizeof words),
-                 rest);
+    canvas_shorten(source, letters, 1, words, sizeof words);
+    put_head(c, flk_text_join(all, sizeof all, words, rest, (char *)NULL), 2);
 }
 
-void canvas_heading(const canvas *c)
+void canvas_begin_panel(canvas *c)
 {
-    canvas_print(c,
-                 "set label title at screen 0.5, screen %.6g center noenhanced\n"
-                 "set label source at screen 0.5, screen %.6g center noenhanced\n",
-                 1 - CANVAS_LINE / c->height, 1 - 2 * CANVAS_LINE / c->height);
+    display_begin_panel(c->d);
+    c->n_entries = 0;
+    c->has_key_below_title = 0;
 }
 
-void canvas_panel(canvas *c, int lines, double right)
+void canvas_place_panel(canvas *c, int lines, double right)
 {
     double width = c->width / c->columns, height = (c->height - c->head) / c->rows;
     double x = c->next % c->columns * width, y = c->head + c->next / c->columns % c->rows * height;
@@ -195,14 +118,18 @@ void canvas_panel(canvas *c, int lines, double right)
     c->box_width = width - c->left - c->right;
     c->box_height = height - lines * CANVAS_LINE - BELOW - c->below;
     c->lines = lines;
-    c->curves = 0;
-    canvas_print(c,
-                 "set lmargin at screen %.6g; set rmargin at screen %.6g\n"
-                 "set tmargin at screen %.6g; set bmargin at screen %.6g\n",
-                 (x + c->left) / c->width, (x + width - c->right) / c->width,
-                 1 - (y + lines * CANVAS_LINE) / c->height,
-                 1 - (y + height - BELOW - c->below) / c->height);
+    c->box.x_min = x + c->left;
+    c->box.x_max = x + width - c->right;
+    c->box.y_min = y + lines * CANVAS_LINE;
+    c->box.y_max = y + height - BELOW - c->below;
     c->next++;
+}
+
+void canvas_set_axes(canvas *c, place_box axes, double x_step, double y_step)
+{
+    c->axes = axes;
+    c->x_step = x_step;
+    c->y_step = y_step;
 }
 
 const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE])
@@ -215,12 +142,26 @@ const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZ
     return c->is_text ? unit : notation_unit(unit, out);
 }
 
-static void put_axis(const canvas *c, const char *axis, const char *name, const char *unit_name)
+/* Put a text of this name at a part of the box, so many pixels to the right and down from there. */
+static display_item *put_in_box(const canvas *c, const char *name, double x, double y, double dx,
+                                double dy, display_align align, const char *words)
 {
-    char words[200], own[NOTATION_SIZE];
+    size_t kept = display_keep(c->d, name);
+    display_item *words_at = display_text(c->d, 0, place_at(x, y), align, words);
 
-    flk_message(words, sizeof words, "%s (%s)", name, canvas_unit(c, unit_name, own));
-    canvas_print(c, "set %slabel %q\n", axis, words);
+    words_at->name = kept;
+    words_at->in_box = 1;
+    words_at->dx = dx;
+    words_at->dy = dy;
+    return words_at;
+}
+
+static const char *name_axis(const canvas *c, const char *name, const char *unit_name,
+                             char out[200])
+{
+    char own[NOTATION_SIZE];
+
+    return flk_message(out, 200, "%s (%s)", name, canvas_unit(c, unit_name, own));
 }
 
 /* A text terminal cannot turn the name of the y axis, so it goes to the title. */
@@ -228,31 +169,23 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
                    const char *y_unit, const char *format, ...)
 {
     int letters = (int)((c->left + c->box_width + c->right) / CANVAS_LETTER) - 2;
-    char words[CANVAS_WORDS], fitting[CANVAS_WORDS];
+    char words[CANVAS_WORDS], fitting[CANVAS_WORDS], axis[200];
     va_list values;
     size_t n;
 
     va_start(values, format);
     n = strlen(flk_message_list(words, sizeof words, format, values));
     va_end(values);
-    put_axis(c, "x", x, x_unit);
+    put_in_box(c, "x", 0.5, 0, 0, 2.3 * CANVAS_LINE, DISPLAY_MIDDLE, name_axis(c, x, x_unit, axis));
+    name_axis(c, y, y_unit, axis);
     if (c->is_text)
-        flk_message(words + n, sizeof words - n, "%s%s (%s)", n ? ", " : "", y, y_unit);
+        flk_message(words + n, sizeof words - n, "%s%s", n ? ", " : "", axis);
     else
-        put_axis(c, "y", y, y_unit);
+        put_in_box(c, "y", 0, 0.5, 2.2 * CANVAS_LETTER - LEFT, 0, DISPLAY_MIDDLE, axis)
+            ->is_upright = 1;
     /* in the middle of the panel */
-    canvas_print(c, "set title %q offset %.6g,%d\n",
-                 canvas_shorten(words, letters, 0, fitting, sizeof fitting),
-                 (c->right - c->left) / (2 * CANVAS_LETTER), c->lines - 2);
-}
-
-void canvas_key(const canvas *c)
-{
-    double line =
-        (c->is_text ? 0.85 : 0.5) * (c->lines - 1) * CANVAS_LINE; /* the terminal rounds down */
-
-    canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
-                 1 + line / c->box_height);
+    put_in_box(c, "title", 0.5, 1, (c->right - c->left) / 2, (0.5 - c->lines) * CANVAS_LINE,
+               DISPLAY_MIDDLE, canvas_shorten(words, letters, 0, fitting, sizeof fitting));
 }
 
 void canvas_note(const canvas *c, int line, const char *format, ...)
@@ -263,11 +196,149 @@ void canvas_note(const canvas *c, int line, const char *format, ...)
     va_start(values, format);
     flk_message_list(words, sizeof words, format, values);
     va_end(values);
-    canvas_print(c, "set label %w at graph 1.02, graph 1 offset 0,%d left %s\n", words, -line,
-                 canvas_mode(words));
+    put_in_box(c, "note", 1, 1, 0.02 * c->box_width, line * CANVAS_LINE, DISPLAY_LEFT, words);
 }
 
-void canvas_grid(const canvas *c)
+/* ----------------------------------------------------------------------------------------------- key */
+
+void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words)
 {
-    fputs(c->is_text ? "unset grid\n" : "set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n", c->out);
+    canvas_entry *new = &c->entries[c->n_entries];
+
+    if (c->n_entries == CANVAS_ENTRIES || !*words)
+        return;
+    new->sort = sort;
+    new->pen = stroke;
+    flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
+    c->n_entries++;
+}
+
+/* Put an entry, from a place in pixels right of and above the upper left corner of the box. */
+static void put_entry(const canvas *c, const canvas_entry *x, double dx, double dy)
+{
+    size_t kept = display_keep(c->d, "key");
+    display_item *sample;
+    int i;
+
+    if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) {
+        sample = display_add(c->d, x->sort, x->pen, DISPLAY_FRONT);
+        sample->is_open = 1; /* a polygon already */
+        for (i = 0; i < 4; i++)
+            display_add_place(c->d, place_at(i == 1 || i == 2 ? SAMPLE / c->box_width : 0,
+                                             1 + (i < 2 ? 1 : -1) * 5 / c->box_height));
+    } else if (x->sort == DISPLAY_MARK) {
+        sample = display_add(c->d, DISPLAY_MARK, x->pen, DISPLAY_FRONT);
+        sample->size = 3;
+        display_add_place(c->d, place_at(SAMPLE / 2 / c->box_width, 1));
+    } else {
+        sample = display_line(c->d, x->pen, DISPLAY_FRONT, place_at(0, 1),
+                              place_at(SAMPLE / c->box_width, 1));
+    }
+    sample->dx = dx;
+    sample->dy = dy;
+    sample->in_box = 1;
+    sample->name = kept;
+    put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words);
+}
+
+static double width_of_entry(const canvas_entry *x)
+{
+    return SAMPLE + 2.5 * CANVAS_LETTER + 0.85 * canvas_width_of(x->words);
+}
+
+/* The entries in lines in the middle of the box, above it. */
+static void put_key_above(const canvas *c)
+{
+    double most = c->box_width + c->left + c->right - 4 * CANVAS_LETTER, width[CANVAS_ENTRIES];
+    int row[CANVAS_ENTRIES], rows = 0, i;
+
+    for (i = 0; i < c->n_entries; i++) {
+        double own = width_of_entry(&c->entries[i]);
+
+        if (i == 0 || width[rows - 1] + own > most)
+            width[rows++] = 0;
+        width[rows - 1] += own;
+        row[i] = rows - 1;
+    }
+    for (i = 0; i < c->n_entries; i++) {
+        double x = 0, y = -0.5 * (c->lines - 1) * CANVAS_LINE;
+        int k;
+
+        for (k = 0; k < i; k++)
+            x += row[k] == row[i] ? width_of_entry(&c->entries[k]) : 0;
+        put_entry(c, &c->entries[i], (c->box_width - width[row[i]]) / 2 + x,
+                  y + (row[i] - 0.5 * (rows - 1)) * CANVAS_LINE);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------- axes */
+
+/* A line in parts of the box, with so many pixels added at its end. */
+static void put_part(const canvas *c, int stroke, int layer, double x1, double y1, double x2,
+                     double y2)
+{
+    display_line(c->d, stroke, layer, place_at(x1, y1), place_at(x2, y2))->in_box = 1;
+}
+
+#define Y_SPACING 42.0 /* pixels between two numbers of the y axis, at least */
+
+/* Put the numbers of an axis, its tics, and the lines of the grid. */
+static void put_scale(const canvas *c, double low, double high, double step, int is_y)
+{
+    double length = is_y ? c->box_height : c->box_width,
+           tic = TIC / (is_y ? c->box_width : c->box_height);
+    char number[FORMAT_SIZE];
+    double k;
+
+    if (!(step > 0))
+        step = place_round(Y_SPACING * fabs(high - low) / length);
+    for (k = ceil(GSL_MIN_DBL(low, high) / step - 1e-9);
+         k * step <= GSL_MAX_DBL(low, high) + 1e-9 * step; k++) {
+        double at = (k * step - low) / (high - low);
+
+        if (!c->is_text && at > 1e-6 && at < 1 - 1e-6)
+            put_part(c, PEN_GRID, DISPLAY_BACK, is_y ? 0 : at, is_y ? at : 0, is_y ? 1 : at,
+                     is_y ? at : 1);
+        put_part(c, PEN_AXIS, DISPLAY_BACK, is_y ? 0 : at, is_y ? at : 0, is_y ? tic : at,
+                 is_y ? at : tic);
+        put_in_box(c, is_y ? "y-number" : "x-number", is_y ? 0 : at, is_y ? at : 0,
+                   is_y ? -0.7 * CANVAS_LETTER : 0, is_y ? 0 : 0.8 * CANVAS_LINE,
+                   is_y ? DISPLAY_RIGHT : DISPLAY_MIDDLE,
+                   format_general(k == 0 ? 0 : k * step, 6, number));
+    }
+}
+
+/* Put the lines through 0. */
+static void put_zero_axes(const canvas *c)
+{
+    double x = -c->axes.x_min / (c->axes.x_max - c->axes.x_min);
+    double y = -c->axes.y_min / (c->axes.y_max - c->axes.y_min);
+
+    if (x > 0 && x < 1)
+        put_part(c, PEN_AXIS, DISPLAY_BACK, x, 0, x, 1);
+    if (y > 0 && y < 1)
+        put_part(c, PEN_AXIS, DISPLAY_BACK, 0, y, 1, y);
+}
+
+void canvas_end_panel(canvas *c)
+{
+    int i;
+
+    put_scale(c, c->axes.x_min, c->axes.x_max, c->x_step, 0);
+    put_scale(c, c->axes.y_min, c->axes.y_max, c->y_step, 1);
+    for (i = 0; i < 4; i++)
+        put_part(c, PEN_AXIS, DISPLAY_BACK, i == 2, i == 3, i != 0, i != 1);
+    if (c->has_zero_axes)
+        put_zero_axes(c);
+    if (c->has_key_below_title)
+        put_key_above(c);
+    else
+        for (i = 0; i < c->n_entries; i++)
+            put_entry(c, &c->entries[i], 1.02 * c->box_width, i * CANVAS_LINE);
+    display_end_panel(c->d, c->box, c->axes);
+}
+
+void canvas_drop_panel(canvas *c)
+{
+    display_drop_panel(c->d);
 }

@@ -6,8 +6,8 @@
 #define FOURLINK_CANVAS_H
 
 #include <stddef.h>
-#include <stdio.h>
 
+#include "drawing/display.h"
 #include "view/notation.h"
 
 /* Pixels of a letter and of a line of text.  A text terminal counts as a picture with characters of this
@@ -16,8 +16,17 @@
 #define CANVAS_LINE 18.0
 #define CANVAS_TEXT_WIDTH 79 /* characters: a terminal without its last column */
 
+/* An entry of a key: a line of a pen, a point, or an area, and its words. */
+typedef struct canvas_entry {
+    display_sort sort;
+    int pen;
+    char words[100];
+} canvas_entry;
+
+#define CANVAS_ENTRIES 48
+
 typedef struct canvas {
-    FILE *out;
+    display *d;
     int is_text;
     double turn; /* rad: drawings are turned by this angle, so that gravity acts downwards */
     int columns, rows, next;      /* of panels; the next panel */
@@ -25,46 +34,44 @@ typedef struct canvas {
     double head, below;           /* pixels above all panels, under each panel */
     double box_width, box_height; /* within the axes of the present panel */
     double left, right;           /* its margins */
+    place_box box;                /* its axes, in pixels */
+    place_box axes;               /* what they show */
+    double x_step, y_step;        /* of their numbers */
+    int has_zero_axes;            /* 1: lines through 0 in all panels */
     int lines;                    /* above it */
-    int curves;                   /* in it */
+    int has_key_below_title;      /* 1: its key is in lines above the axes; 0: at their right */
+    canvas_entry entries[CANVAS_ENTRIES];
+    int n_entries;
 } canvas;
 
 /* Begin a picture of panels of this size, with some room below each; in text they are below each other. */
-void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, double width,
+void canvas_open(canvas *c, display *d, int is_text, int columns, int rows, double width,
                  double height, double below, int has_title);
 
-/* Define title and source, shortened to fit; `rest`, the end of the source, is kept. */
+/* Put title and source above all panels, shortened to fit; `rest`, the end of the source, is kept. */
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest);
-
-/* Put title and source above the only panel. */
-void canvas_heading(const canvas *c);
 
 /* The name of a column and a unit as they are printed in a book, or plain on a text terminal. */
 const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE]);
 const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZE]);
 
-/* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
-void canvas_panel(canvas *c, int lines, double right);
+/* Begin the next panel; place its axes, with so many lines above them and so many pixels at their right; the
+** ranges of the axes and the steps of their numbers, 0: as many as fit; end it, or leave it out. */
+void canvas_begin_panel(canvas *c);
+void canvas_place_panel(canvas *c, int lines, double right);
+void canvas_set_axes(canvas *c, place_box axes, double x_step, double y_step);
+void canvas_end_panel(canvas *c);
+void canvas_drop_panel(canvas *c);
 
 /* Put the names of the axes of a panel and its title, in a format of flk_message; "" for none. */
 void canvas_titles(const canvas *c, const char *x, const char *x_unit, const char *y,
                    const char *y_unit, const char *format, ...);
 
-/* Put the key in a line above the axes. */
-void canvas_key(const canvas *c);
+/* Add to the key of the panel. */
+void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words);
 
 /* Put a line of text to the right of the axes, line 0 at their top, in such a format. */
 void canvas_note(const canvas *c, int line, const char *format, ...);
-
-/* Put grid lines, except on a text terminal, where they would hide the curves. */
-void canvas_grid(const canvas *c);
-
-/* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, %q quotes a
-** text for gnuplot, %f the name of a file, and %w a text with subscripts, as canvas_mode has it drawn. */
-void canvas_print(const canvas *c, const char *format, ...);
-
-/* gnuplot's word for a text with subscripts, or without. */
-const char *canvas_mode(const char *words);
 
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);

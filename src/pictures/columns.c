@@ -239,9 +239,12 @@ const char *picture_forces(picture *p, fourlink_branch branch)
 
     plan_columns(p, &plan, picture_over(p), branch, pins);
     plan.y = "force";
+    plan.has_zero = 1;
+    plan.n_extremes = plan.n;
     if (!panel_draw(p, &plan))
         return picture_no_rows(p, branch);
     plan_columns(p, &plan, picture_over(p), branch, torque);
+    plan.n_extremes = plan.n;
     panel_draw(p, &plan);
     return NULL;
 }

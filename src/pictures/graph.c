@@ -289,18 +289,31 @@ static void add_jump(graph_jumps *jumps, int sample, fourlink_vector from, fourl
     jumps->to[jumps->n++] = to;
 }
 
-void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
-                 fourlink_vector size, graph_jumps *jumps)
+display_item *graph_begin(const picture *p, int stroke, const char *name, const char *of)
 {
+    char both[300];
+    size_t kept =
+        display_keep(p->on.d, flk_text_join(both, sizeof both, name, "_", of, (char *)NULL));
+
+    display_item *curve = display_add(p->on.d, DISPLAY_CURVE, stroke, DISPLAY_CURVES);
+
+    curve->name = kept;
+    return curve;
+}
+
+void graph_draw(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                fourlink_vector size, graph_jumps *jumps)
+{
+    fourlink_vector gap = place_at(GSL_NAN, GSL_NAN), from, to;
+    display *d = p->on.d;
     int was_there = 0, is_there, k;
-    fourlink_vector from, to;
 
     if (jumps)
         jumps->n = 0;
     for (k = 0; k <= PICTURE_STEPS; k++, was_there = is_there) {
         is_there = !gsl_isnan(line->y[k]);
         if (!is_there) {
-            canvas_print(&p->on, "\n");
+            display_add_place(d, gap);
             continue;
         }
         to = place_at(line->x[k], line->y[k]);
@@ -308,12 +321,23 @@ void graph_write(const picture *p, fourlink_branch branch, int x, int y, const g
             from = place_at(line->x[k - 1], line->y[k - 1]);
             if (find_jump(p, branch, x, y, size, picture_angle(p, k - 1, PICTURE_STEPS),
                           picture_angle(p, k, PICTURE_STEPS), &from, &to)) {
-                canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
+                display_add_place(d, from);
+                display_add_place(d, gap);
+                display_add_place(d, to);
                 add_jump(jumps, k, from, to);
             }
         }
-        canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
+        display_add_place(d, place_at(line->x[k], line->y[k]));
     }
+}
+
+void graph_mark(const picture *p, fourlink_vector at, double radius, int is_open)
+{
+    display_item *mark = display_add(p->on.d, DISPLAY_MARK, 0, DISPLAY_FRONT);
+
+    mark->size = radius;
+    mark->is_open = is_open;
+    display_add_place(p->on.d, at);
 }
 
 void graph_widen(double *low, double *high, double part)

@@ -50,12 +50,18 @@ typedef struct graph_jumps {
     int sample[GRAPH_JUMPS], n;
 } graph_jumps;
 
-/* Write the points of a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the
-** curve is over time, at its jumps, with both ends.  `size` is that of the curve. */
-void graph_write(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
-                 fourlink_vector size, graph_jumps *jumps);
+/* Begin a curve, which is named NAME_OF. */
+display_item *graph_begin(const picture *p, int stroke, const char *name, const char *of);
 
-/* Widen a range by this part of it; an empty one, for which gnuplot would choose its own, by more. */
+/* Draw such a curve of columns x and y, with breaks at its gaps; and unless `jumps` is null or the curve is
+** over time, at its jumps, with both ends.  `size` is that of the curve. */
+void graph_draw(const picture *p, fourlink_branch branch, int x, int y, const graph_line *line,
+                fourlink_vector size, graph_jumps *jumps);
+
+/* Mark a place with a disc of this radius in pixels, black or open. */
+void graph_mark(const picture *p, fourlink_vector at, double radius, int is_open);
+
+/* Widen a range by this part of it; an empty one by more. */
 void graph_widen(double *low, double *high, double part);
 
 /* The step of the numbers on the axis of crank angles, which depends on the width of the panel. */

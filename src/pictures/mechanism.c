@@ -6,9 +6,10 @@
 #include <math.h>
 
 #include "arrow.h"
+#include "plot.h"
 
 #define GHOSTS 12
-#define FRAMES 60
+#define FRAMES PLOT_FRAMES
 
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
@@ -173,13 +174,13 @@ const char *picture_animation(picture *p, fourlink_branch branch)
         status = picture_state(p, branch, k, FRAMES, &now);
         if (status != FOURLINK_OK)
             continue;
+        picture_begin_frame(p);
         figure_open(&s, p, branch, 1);
-        canvas_heading(&p->on);
-        figure_paths(&s, p, branch, k * (PICTURE_STEPS / FRAMES));
+        figure_paths(&s, p, branch, PICTURE_STEPS);
         figure_frame(&s, p, &now.state);
         figure_draw(&s, p, &now.state, 0);
         spring_draw(&s, p, &now.state, 0);
-        figure_close(&s, p, &now, "");
+        sketch_close(&s, "%s", fourlink_branch_text((int)branch));
         drawn++;
     }
     return drawn ? NULL : fourlink_status_text(status);

@@ -34,6 +34,7 @@ static void put_instant(const picture *p, panel *q)
 {
     double from = p->v.problem.motion.from, cycle = p->v.end - from, angle = p->instant;
     char words[PICTURE_MARK + 10], number[PICTURE_MARK];
+    display_item *words_at;
     double half, x;
 
     if (!p->has_instant || cycle == 0)
@@ -43,10 +44,11 @@ static void put_instant(const picture *p, panel *q)
                 picture_mark(p, p->instant, 4, number));
     half = 0.55 * canvas_width_of(words) / q->r.x_scale;
     x = angle + (fabs(cycle) / 2 > fabs(angle - from) ? half : -half);
-    canvas_print(&p->on,
-                 "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
-                 "set label %q at %.8g,graph 0 center front boxed offset 0,0.7\n",
-                 angle, angle, PEN_CONSTRUCTION, words, x);
+    display_line(p->on.d, PEN_CONSTRUCTION, DISPLAY_LINES, place_at(angle, q->r.frame.y_min),
+                 place_at(angle, q->r.frame.y_max));
+    words_at = display_text(p->on.d, 0, place_at(x, q->r.frame.y_min), DISPLAY_MIDDLE, words);
+    words_at->is_boxed = 1;
+    words_at->dy = -0.7 * CANVAS_LINE;
     room_take(&q->r, place_at(x, q->r.frame.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
 }
 
@@ -62,14 +64,11 @@ static void put_instants(const picture *p, panel *q)
     k = (int)(PICTURE_STEPS * (part - floor(part)) + 0.5);
     for (i = 0; i < q->n; i++)
         if (!gsl_isnan(q->line[i].y[k]))
-            canvas_print(&p->on,
-                         "set label \"\" at %.8g,%.8g point pt 6 ps 1.2 lc rgb 'black' front\n",
-                         q->line[i].x[k], q->line[i].y[k]);
+            graph_mark(p, place_at(q->line[i].x[k], q->line[i].y[k]), 5, 1);
 }
 
-/* The range of y, with room for the numbers of the extremes.  An empty range is widened here; gnuplot would
-** choose its own. */
-static void find_range(const picture *p, const panel *q, double *low, double *high)
+/* The range of y, with room for the numbers of the extremes.  An empty range is widened. */
+static void find_range(const picture *p, const panel *q, int has_zero, double *low, double *high)
 {
     double size, border, part = 1.8 * CANVAS_LINE / p->on.box_height;
 
@@ -78,8 +77,8 @@ static void find_range(const picture *p, const panel *q, double *low, double *hi
     border = (*high - *low) * part / (1 - 2 * part);
     if (*high - *low <= 1e-9 * size || size == 0)
         border = size > 0 ? size : 1;
-    *low -= border;
     *high += border;
+    *low = has_zero && *low >= 0 ? 0 : *low - border;
 }
 
 /* The crank angles from the first to the last at which a curve has a point, with some room: a part of the
@@ -110,14 +109,14 @@ static const char *tell_cut(const picture *p, const panel *q)
 }
 
 /* Set the axes, and keep texts away from the curves; mark the instant of a picture of its cycle. */
-static void put_axes(const picture *p, panel *q)
+static void put_axes(const picture *p, panel *q, int has_zero)
 {
     int is_over_angle = picture_is_over_angle(p, q->x_column), i;
     place_box frame;
 
     if (q->e.low > q->e.high)
         return;
-    find_range(p, q, &frame.y_min, &frame.y_max);
+    find_range(p, q, has_zero, &frame.y_min, &frame.y_max);
     frame.x_min = p->from;
     frame.x_max = p->v.end;
     if (is_over_angle) {
@@ -128,7 +127,7 @@ static void put_axes(const picture *p, panel *q)
     }
     if (q->to_scale)
         room_to_scale(&q->r, &frame, 0);
-    room_set_axes(&q->r, frame, x_step(p, q, fabs(frame.x_max - frame.x_min)));
+    room_set_axes(&q->r, frame, x_step(p, q, fabs(frame.x_max - frame.x_min)), 0);
     q->r.rings = RINGS;
     for (i = 0; i < q->n; i++)
         room_add_curve(&q->r, q->line[i].x, q->line[i].y, PICTURE_STEPS + 1);
@@ -156,14 +155,12 @@ static double on_curve(const graph_line *line, fourlink_value value, double turn
 static void put_extreme(const picture *p, panel *q, double value, double angle, int is_minimum,
                         int line)
 {
-    char number[FORMAT_SIZE], colour[20];
+    char number[FORMAT_SIZE];
     fourlink_vector middle;
 
-    canvas_print(&p->on, "set label \"\" at %.8g,%.8g point pt 7 ps 0.6 lc rgb 'black' front\n",
-                 angle, value);
-    sprintf(colour, "tc lt %d", line);
+    graph_mark(p, place_at(angle, value), 3, 0);
     room_put(&q->r, place_at(angle, value), 0, is_minimum ? -1 : 1, 1,
-             format_general(value, 4, number), colour, &middle);
+             format_general(value, 4, number), PEN_CURVE + line - 1, &middle);
 }
 
 /* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are
@@ -238,15 +235,6 @@ static void cut(panel *q, graph_extent *e, int of_x)
     q->is_unbounded = 1;
 }
 
-#define PANEL_NAME 40
-
-/* The name of a curve's data, and of its column in the key. */
-static const char *name_of(const picture *p, const panel_plan *plan, int i, char out[PANEL_NAME])
-{
-    return plan->is_free ? flk_message(out, PANEL_NAME, "c%ld", (long)plan->column[i])
-                         : p->v.columns[plan->column[i]].name;
-}
-
 static const char *short_name(const picture *p, int column, char out[200])
 {
     char symbol[NOTATION_SIZE];
@@ -255,21 +243,40 @@ static const char *short_name(const picture *p, int column, char out[200])
                           0, out, 200);
 }
 
-/* Write a curve, with breaks at its jumps. */
+/* Draw a curve, with breaks at its jumps; one that is averaged with its points. */
 static void put_curve(const picture *p, const panel *q, const panel_plan *plan, int i)
 {
-    fourlink_branch branch = p->v.branches[plan->branch[i]];
+    int branch = plan->branch[i], stroke = PEN_CURVE + (plan->line[i] ? plan->line[i] - 1 : i), k;
+    int is_averaged = q->is_averaged && i == plan->by_turn - 1;
     double x_low, x_high, low, high;
-    char name[PANEL_NAME];
+    char title[240], words[200];
     graph_jumps jumps;
 
     graph_range(&q->x, &x_low, &x_high);
     graph_range(&q->e, &low, &high);
-    canvas_print(&p->on, "$%s_%s << EOD\n", name_of(p, plan, i, name),
-                 fourlink_branch_text((int)branch));
-    graph_write(p, branch, plan->x, plan->column[i], &q->line[i],
-                place_at(x_high - x_low, high - low), plan->is_free ? &jumps : NULL);
-    canvas_print(&p->on, "EOD\n");
+    graph_begin(p, stroke, p->v.columns[plan->column[i]].name,
+                fourlink_branch_text((int)p->v.branches[branch]));
+    graph_draw(p, p->v.branches[branch], plan->x, plan->column[i], &q->line[i],
+               place_at(x_high - x_low, high - low), plan->is_free ? &jumps : NULL);
+    for (k = 0; is_averaged && k < q->line[i].n_points; k++)
+        graph_mark(p, place_at(q->line[i].x[k], q->line[i].y[k]), 2.5, 0);
+    flk_text_join(title, sizeof title,
+                  plan->by_branch ? fourlink_branch_text((int)p->v.branches[branch])
+                                  : short_name(p, plan->column[i], words),
+                  is_averaged ? " per turn" : "", (char *)NULL);
+    if (!plan->by_branch || p->v.n_branches > 1 || p->on.next == 1) /* of one branch once */
+        canvas_add_key(q->r.on, DISPLAY_LINE, stroke, title);
+}
+
+/* Draw the line of a mean. */
+static void put_mean(const picture *p, const panel *q, double mean, const char *name)
+{
+    display *d = q->r.on->d;
+
+    graph_begin(p, PEN_CURVE + 1, "mean", "line");
+    display_add_place(d, place_at(q->r.frame.x_min, mean));
+    display_add_place(d, place_at(q->r.frame.x_max, mean));
+    canvas_add_key(q->r.on, DISPLAY_LINE, PEN_CURVE + 1, name);
 }
 
 /* Sample the curves and find their frame. */
@@ -310,45 +317,38 @@ void panel_plan_begin(panel_plan *plan, int x)
 
 int panel_draw(picture *p, const panel_plan *plan)
 {
-    char x[200], words[200], name[PANEL_NAME], title[240];
+    char x[200], words[200];
     const char *cut_words;
-    int i;
+    int i, drawn = 0;
     panel q;
 
     memset(&q, 0, sizeof q);
     q.x_column = plan->x;
     room_open(&q.r, &p->on, plan->n_key > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
-    if (plan->n == 0)
+    if (plan->n == 0) {
+        canvas_drop_panel(&p->on);
         return 0;
+    }
     sample(p, &q, plan);
-    for (i = 0; i < plan->n; i++)
-        put_curve(p, &q, plan, i);
     cut_words = tell_cut(p, &q);
     canvas_titles(&p->on, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
                   plan->y ? plan->y : short_name(p, plan->column[0], words),
                   p->v.columns[plan->column[0]].unit, "%s%s%s", plan->title,
                   plan->title[0] && cut_words[0] ? ": " : "", cut_words);
-    put_axes(p, &q);
+    put_axes(p, &q, plan->has_zero);
+    for (i = 0; i < plan->n; i++)
+        if (q.line[i].n_points) {
+            put_curve(p, &q, plan, i);
+            drawn++;
+        }
     for (i = 0; i < plan->n_extremes; i++)
         if (q.line[i].n_points)
             put_extremes(p, &q, plan->column[i], plan->branch[i], i);
-    for (i = 0; i < plan->n; i++)
-        if (q.line[i].n_points) {
-            const char *branch = fourlink_branch_text((int)p->v.branches[plan->branch[i]]);
-
-            int is_averaged = q.is_averaged && i == plan->by_turn - 1;
-
-            flk_text_join(title, sizeof title,
-                          plan->by_branch ? branch : short_name(p, plan->column[i], words),
-                          is_averaged ? " per turn" : "", (char *)NULL);
-            canvas_print(&p->on, "%s $%s_%s using 1:2 with %s lt %d%s title %q",
-                         p->on.curves++ ? "," : "plot", name_of(p, plan, i, name), branch,
-                         is_averaged ? "linespoints" : "lines",
-                         plan->line[i] ? plan->line[i] : i + 1, is_averaged ? " pt 7 ps 0.5" : "",
-                         title);
-        }
     if (!gsl_isnan(plan->mean))
-        canvas_print(&p->on, ", %.8g with lines lt 2 title '%s'", plan->mean, plan->mean_name);
-    canvas_print(&p->on, "\n");
-    return p->on.curves > 0;
+        put_mean(p, &q, plan->mean, plan->mean_name);
+    if (drawn)
+        canvas_end_panel(&p->on);
+    else
+        canvas_drop_panel(&p->on);
+    return drawn > 0;
 }

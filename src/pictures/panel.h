@@ -28,12 +28,13 @@ typedef struct panel {
 typedef struct panel_plan {
     int x; /* the column on the x axis */
     int n, column[PANEL_CURVES], branch[PANEL_CURVES];
-    int line[PANEL_CURVES]; /* their line types, of gnuplot; 0: by their numbers */
+    int line[PANEL_CURVES]; /* the numbers of their looks, from 1; 0: by their places */
     int by_branch;          /* 1: the key names branches, otherwise columns */
     int n_key;              /* so many curves are named in its key */
     const char *title,
         *y;         /* above the panel, "": nothing; beside the y axis, null: the column's name */
     int n_extremes; /* of the first so many curves */
+    int has_zero;   /* 1: magnitudes, whose axis begins at 0 */
     double mean;    /* a line; NaN: none */
     const char *mean_name;
     int by_turn; /* curve by_turn - 1 is averaged over each turn, if there are several */

@@ -157,6 +157,20 @@ static int run_out_of_memory(picture *p)
     return 0;
 }
 
+void picture_begin_frame(picture *p)
+{
+    display *d = p->on.d;
+
+    if (p->on.next) {
+        d = &p->frames[(*p->n_frames)++];
+        display_open(d);
+        d->width = p->on.width;
+        d->height = p->on.height;
+        p->on.d = d;
+    }
+    p->on.next = 0;
+}
+
 void picture_close(picture *p)
 {
     fourlink_results_free(p->own);

@@ -63,20 +63,12 @@ typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 /* The columns of each kind, as in the list; null: none. */
 extern const char *const plot_values[];
 
-/* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
-typedef enum plot_file {
-    PLOT_SVG,
-    PLOT_PNG,
-    PLOT_PDF,
-    PLOT_TXT,
-    PLOT_GIF,
-    PLOT_FILE_COUNT
-} plot_file;
+/* The kind of a file, by its name: .svg .png .pdf .txt, and - for the terminal. */
+typedef enum plot_file { PLOT_SVG, PLOT_PNG, PLOT_PDF, PLOT_TXT, PLOT_FILE_COUNT } plot_file;
 
 typedef struct plot_request {
     plot_kind kind;
     plot_file file;
-    const char *picture;      /* the file that the script writes; null: to standard output */
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
     int is_figure;            /* 1: of a page, which has the title */
@@ -110,6 +102,8 @@ typedef struct picture {
     const plot_request *request;
     const fourlink_source *source;
     canvas on;
+    display *frames; /* of the plot */
+    int *n_frames;
     fourlink_results *own; /* opened for this picture; null: none */
     view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
@@ -140,6 +134,9 @@ typedef struct picture_row {
 #define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values, shows) \
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
+
+/* Go on to the next frame of a picture that moves. */
+void picture_begin_frame(picture *p);
 
 /* Begin a picture; 0: out of memory.  Close it whatever came of it. */
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request);

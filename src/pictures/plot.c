@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** plot.c - pictures of a deck, as gnuplot scripts: the kinds of pictures and of files.
+** plot.c - pictures of a deck: the kinds of pictures and of files.
 */
 #include <math.h>
 #include <string.h>
@@ -8,6 +8,8 @@
 #include <gsl/gsl_math.h>
 
 #include "base/quantity.h"
+#include "drawing/svg.h"
+#include "drawing/terminal.h"
 #include "plot.h"
 #include "sketch.h"
 #include "view/geometry.h"
@@ -34,14 +36,7 @@ static const struct plot_info {
 #define CROWDED 1.3
 #define MANY_POINTS 4
 
-const char *const plot_endings[] = {".svg", ".png", ".pdf", ".txt", ".gif", NULL};
-
-/* By plot_file, with width and height. */
-static const char *const terminals[] = {
-    "svg size %d,%d font 'sans,14' enhanced background 'white'",
-    "pngcairo size %d,%d font 'sans,11' enhanced",
-    "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 enhanced",
-    "dumb nofeed size %d,%d noenhanced", "gif %s size %d,%d font 'sans,11' enhanced"};
+const char *const plot_endings[] = {".svg", ".png", ".pdf", ".txt", NULL};
 
 int plot_is_of_position(plot_kind kind)
 {
@@ -61,9 +56,9 @@ plot_file plot_file_of(const char *name)
     return (plot_file)i;
 }
 
-/* A figure of a page is as wide as paper at 7 pt allows, and low: two of curves are a page. */
+/* A figure of a page is as wide as paper at 7 pt allows. */
 #define FIGURE_WIDTH 1000.0
-#define FIGURE_LOW 0.68
+#define FIGURE_LOW 0.82
 
 /* Find the links that are small beside the whole: the crank, and a rocker. */
 static void find_insets(picture *p)
@@ -78,7 +73,7 @@ static void find_insets(picture *p)
         p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
 }
 
-static void lay_out(picture *p, FILE *out)
+static void lay_out(picture *p)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
@@ -131,76 +126,16 @@ static void lay_out(picture *p, FILE *out)
         height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
-    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0,
+    canvas_open(&p->on, p->frames, is_text, columns, rows, width, height, beside > 0 ? beside : 0,
                 !p->request->is_figure);
     p->on.turn = geometry_turn(&p->v);
 }
 
-static void put_terminal(const canvas *c, const plot_request *request)
-{
-    const char *terminal = terminals[request->file];
-    int width = (int)c->width, height = (int)c->height;
-
-    fputs("set terminal ", c->out);
-    if (request->file == PLOT_PDF)
-        fprintf(c->out, terminal, width / 100, width % 100, height / 100, height % 100);
-    else if (request->file == PLOT_TXT)
-        fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
-    else if (request->file == PLOT_GIF)
-        fprintf(c->out, terminal,
-                request->kind == PLOT_ANIMATION ? "animate optimize delay 6 loop 0" : "", width,
-                height);
-    else
-        fprintf(c->out, terminal, width, height);
-    putc('\n', c->out);
-    if (request->picture) /* neither a pipe nor a home folder, whatever its first letter */
-        canvas_print(c, request->picture[0] == '/' ? "set output %f\n" : "set output './' . %f\n",
-                     request->picture);
-}
-
-static void put_look(const canvas *c, const look *x, double width, const char *dashes)
-{
-    canvas_print(c, "lw %.3g dt %s%s%s lc rgb '#%s'\n", width, dashes[0] ? "(" : "1", dashes,
-                 dashes[0] ? ")" : "", x->colour);
-}
-
-/* Each path has its own colour and dashes. */
-static void put_styles(const canvas *c)
-{
-    int i;
-
-    for (i = 1; i < PEN_COUNT; i++) {
-        canvas_print(c, "set style line %d ", i);
-        put_look(c, &look_table[i], look_table[i].width, look_table[i].dashes);
-    }
-    for (i = 1; i <= PEN_PATHS - PEN_COUNT; i++) {
-        const look *own = &look_curves[i % LOOK_CURVE_COUNT];
-
-        canvas_print(c, "set style line %d ", PEN_COUNT - 1 + i);
-        put_look(c, own, look_table[PEN_PATH].width,
-                 look_curves[(i + i / LOOK_CURVE_COUNT) % LOOK_CURVE_COUNT].dashes);
-    }
-    for (i = 0; i < LOOK_CURVE_COUNT; i++) {
-        canvas_print(c, "set linetype %d ", i + 1);
-        put_look(c, &look_curves[i], look_curves[i].width, look_curves[i].dashes);
-    }
-}
-
 static void put_head(const picture *p, const char *deck_name, const char *held)
 {
-    const canvas *c = &p->on;
     char rest[200];
 
-    fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
-            plot_names[p->request->kind], fourlink_version());
-    fputs("set encoding utf8\n", c->out);
-    put_terminal(c, p->request);
-    put_styles(c);
-    fputs("set key noautotitle noenhanced; set tics noenhanced\n"
-          "set title noenhanced; set xlabel noenhanced; set ylabel noenhanced\n"
-          "set style textbox opaque margins 0.3,0.3 noborder\n",
-          c->out);
-    canvas_name(c, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
+    canvas_name(&p->on, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
                 flk_text_join(rest, sizeof rest,
                               picture_has_outputs(p)   ? ", all designs of its sweep"
                               : p->v.problem.n_designs ? ", first design of its sweep"
@@ -309,19 +244,11 @@ static const char *draw(picture *p)
     const char *why = NULL, *here;
     int i, drawn = 0;
 
-    if (p->request->kind != PLOT_ANIMATION)
-        fputs(p->request->is_figure ? "set multiplot\n"
-                                    : "set multiplot title title . \"\\n\" . source noenhanced\n",
-              p->on.out);
-    if (info->needs & PLOT_ANGLE_AXIS)
-        fputs("set format '%g'\n", p->on.out);
     for (i = 0; i < (info->rows ? 1 : p->v.n_branches); i++)
         if ((here = info->draw(p, p->v.branches[i])) != NULL)
             why = here;
         else
             drawn++;
-    if (p->request->kind != PLOT_ANIMATION)
-        fputs("unset multiplot\n", p->on.out);
     return drawn ? NULL : why;
 }
 
@@ -372,8 +299,8 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
                   all ? ": " : " branch: ", shows, over, at, (char *)NULL);
 }
 
-/* Write the script of an open deck. */
-static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
+/* Draw an open deck. */
+static int make(picture *p, fourlink_mistake *mistake)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     const char *why = missing(p), *held = "", *chosen = NULL, *steps = NULL;
@@ -406,7 +333,7 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
         return 0;
     if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))
         held = ", the last turn";
-    lay_out(p, out);
+    lay_out(p);
     put_head(p, p->source->name, held);
     if (p->request->at && !read_angles(p, mistake))
         return 0;
@@ -414,15 +341,58 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
     return why ? view_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 
-int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,
-               plot_caption *caption, fourlink_mistake *mistake)
+/* 1 if the last frame comes before the first one again. */
+static int repeats(const picture *p)
 {
-    int written;
+    return p->v.problem.one_revolution &&
+           (p->v.problem.mode == FOURLINK_MODE_GIVEN || p->v.problem.mode == FOURLINK_MODE_STEADY);
+}
+
+int plot_make(plot *x, const fourlink_source *source, const plot_request *request,
+              fourlink_mistake *mistake)
+{
+    int made, i;
     picture p;
 
-    written = picture_open(&p, source, request) && write_script(&p, out, mistake);
-    if (written)
-        write_caption(&p, source->name, caption);
+    memset(x, 0, sizeof *x);
+    display_open(&x->frames[0]);
+    x->n_frames = 1;
+    made = picture_open(&p, source, request);
+    p.frames = x->frames;
+    p.n_frames = &x->n_frames;
+    made = made && make(&p, mistake);
+    if (made)
+        write_caption(&p, source->name, &x->caption);
+    x->repeats = made && repeats(&p);
     picture_close(&p);
-    return p.out_of_memory ? -1 : written;
+    for (i = 0; i < x->n_frames; i++)
+        p.out_of_memory |= x->frames[i].out_of_memory;
+    return p.out_of_memory ? -1 : made;
+}
+
+void plot_free(plot *x)
+{
+    int i;
+
+    for (i = 0; i < x->n_frames; i++)
+        display_close(&x->frames[i]);
+}
+
+/* ----------------------------------------------------------------------------------------------- files */
+
+void plot_write_figure(const plot *x, FILE *out)
+{
+    svg_write(out, &x->frames[0], x->caption.title, x->caption.words, 1);
+}
+
+int plot_write(const plot *x, int is_text, int is_ascii, FILE *out)
+{
+    if (is_text)
+        return terminal_write(out, &x->frames[0], CANVAS_LETTER, CANVAS_LINE, is_ascii);
+    if (x->n_frames > 1)
+        svg_write_motion(out, x->frames, x->n_frames, x->repeats, x->caption.title,
+                         x->caption.words);
+    else
+        svg_write(out, &x->frames[0], x->caption.title, x->caption.words, 0);
+    return 1;
 }

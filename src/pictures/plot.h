@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** plot.h - pictures of a deck, as gnuplot scripts: the kinds of pictures and of files; and drawn by gnuplot.
+** plot.h - pictures of a deck: the kinds of pictures and of files.
 */
 #ifndef FOURLINK_PLOT_H
 #define FOURLINK_PLOT_H
+
+#include <stdio.h>
 
 #include "picture.h"
 
@@ -19,19 +21,27 @@ int plot_is_of_position(plot_kind kind);
 /* PLOT_FILE_COUNT for another name. */
 plot_file plot_file_of(const char *name);
 
-/* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
-** to draw; -1 if out of memory. */
-int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,
-               plot_caption *caption, fourlink_mistake *mistake);
+#define PLOT_FRAMES 60 /* of a picture that moves */
 
-#define GNUPLOT_REASON 400
+/* A picture that has been drawn. */
+typedef struct plot {
+    display frames[PLOT_FRAMES]; /* one, unless it moves */
+    int n_frames;
+    int repeats; /* 1: the motion ends where it begins */
+    plot_caption caption;
+} plot;
 
-/* Run gnuplot on a script, from its beginning; the picture goes to `out`, an SVG with `caption`, which is
-** null for other files.  Returns null, or the reason why there is none; `reason` has room for it. */
-const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
-                        char reason[GNUPLOT_REASON]);
+/* Draw a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing to draw; -1 if
+** out of memory.  To be freed whatever came of it. */
+int plot_make(plot *x, const fourlink_source *source, const plot_request *request,
+              fourlink_mistake *mistake);
+void plot_free(plot *x);
 
-/* Write the beginning of an SVG with this caption in place of gnuplot's <title> and <desc>. */
-void gnuplot_put_head(FILE *out, const char *head, const plot_caption *caption);
+/* Write a picture: an SVG, or with `is_text` characters; its lines are Braille or, with `is_ascii`, dots.
+** Returns 0 if out of memory. */
+int plot_write(const plot *x, int is_text, int is_ascii, FILE *out);
+
+/* Write it as a figure of a page, without a style sheet. */
+void plot_write_figure(const plot *x, FILE *out);
 
 #endif

@@ -5,6 +5,7 @@
 ** them.  Dots show the crank angle, an arrow the direction, dashes the jumps of loads.
 */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -61,36 +62,35 @@ static void put_axes(bearing *b)
     place_box frame = b->box;
 
     b->scale = room_to_scale(&b->r, &frame, BORDER);
-    room_set_axes(&b->r, frame, place_round(8 * CANVAS_LETTER * b->scale));
-    canvas_print(&b->p->on,
-                 "set ytics %.6g\nset label \"\" at 0,0 point pt 6 ps 1.2 lc rgb 'black' front\n",
-                 place_round(8 * CANVAS_LETTER * b->scale));
+    room_set_axes(&b->r, frame, place_round(8 * CANVAS_LETTER * b->scale),
+                  place_round(8 * CANVAS_LETTER * b->scale));
+    graph_mark(b->p, place_at(0, 0), 5, 1);
     b->r.rings = RINGS;
     room_add_line(&b->r, place_at(frame.x_min, 0), place_at(frame.x_max, 0));
     room_add_line(&b->r, place_at(0, frame.y_min), place_at(0, frame.y_max));
 }
 
-/* Write curve i as $NAME_TITLE, with breaks at its jumps, and these as $NAME_TITLE_jumps. */
+/* Draw curve i, with breaks at its jumps, and these as dashes. */
 static void put_curve(bearing *b, int i)
 {
     double size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
     graph_jumps *jumps = &b->jumps[i];
+    display *d = b->p->on.d;
     int k;
 
-    canvas_print(&b->p->on, "$%s_%s << EOD\n", b->name, b->of[i].title);
-    graph_write(b->of[i].p, b->of[i].branch, b->x, b->y, &b->line[i], place_at(size, size), jumps);
-    canvas_print(&b->p->on, "EOD\n");
+    graph_begin(b->p, PEN_CURVE + i, b->name, b->of[i].title);
+    graph_draw(b->of[i].p, b->of[i].branch, b->x, b->y, &b->line[i], place_at(size, size), jumps);
     room_add_curve(&b->r, b->line[i].x, b->line[i].y, PICTURE_STEPS + 1);
-    if (jumps->n == 0)
-        return;
-    canvas_print(&b->p->on, "$%s_%s_jumps << EOD\n", b->name, b->of[i].title);
-    for (k = 0; k < jumps->n; k++)
-        canvas_print(&b->p->on, "%.8g %.8g\n%.8g %.8g\n\n", jumps->from[k].x, jumps->from[k].y,
-                     jumps->to[k].x, jumps->to[k].y);
-    canvas_print(&b->p->on, "EOD\n");
+    if (jumps->n)
+        graph_begin(b->p, PEN_JUMP + i, b->name, "jumps");
+    for (k = 0; k < jumps->n; k++) {
+        display_add_place(d, jumps->from[k]);
+        display_add_place(d, jumps->to[k]);
+        display_add_place(d, place_at(GSL_NAN, GSL_NAN));
+    }
 }
 
-/* 1 if a place is within the axes: gnuplot cuts a curve there, but not an arrow. */
+/* 1 if a place is within the axes, where curves are cut, but arrows not. */
 static int is_drawn(const bearing *b, fourlink_vector F)
 {
     const place_box *frame = &b->r.frame;
@@ -116,11 +116,13 @@ static void put_arrow(const bearing *b, int i)
             head = to;
         }
     }
-    if (place_distance(tail, head) > 0)
-        canvas_print(&b->p->on,
-                     "set arrow from %.8g,%.8g to %.8g,%.8g head filled size graph 0.05,18 fixed "
-                     "front lt %d dt 1\n",
-                     tail.x, tail.y, head.x, head.y, i + 1);
+    if (place_distance(tail, head) > 0) {
+        display_item *arrow = display_line(b->p->on.d, PEN_CURVE + i, DISPLAY_FRONT, tail, head);
+
+        arrow->sort = DISPLAY_ARROW;
+        arrow->size = 0.05;
+        arrow->is_open = 1; /* its head has this length, however short it is */
+    }
 }
 
 /* The steps of the dots, in degrees. */
@@ -135,12 +137,11 @@ static int step_of_dots(const picture *p)
 static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
 {
     fourlink_vector middle;
-    char mark[PICTURE_MARK], colour[20];
+    char mark[PICTURE_MARK];
 
-    sprintf(colour, "tc lt %d", line);
     room_put(&b->r, F, F.x - (b->box.x_min + b->box.x_max) / 2,
-             F.y - (b->box.y_min + b->box.y_max) / 2, 1, picture_mark(b->p, angle, 4, mark), colour,
-             &middle);
+             F.y - (b->box.y_min + b->box.y_max) / 2, 1, picture_mark(b->p, angle, 4, mark),
+             PEN_CURVE + line - 1, &middle);
 }
 
 /* The force at a crank angle; 0 if the linkage cannot be assembled there. */
@@ -157,7 +158,7 @@ static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
     return 1;
 }
 
-/* Write the places of the dots as $NAME_TITLE_dots. */
+/* Put the dots, with their angles. */
 static void put_dots(bearing *b, int i)
 {
     const picture *p = b->p;
@@ -167,42 +168,36 @@ static void put_dots(bearing *b, int i)
     fourlink_vector F[MOST_DOTS];
     int k, n = 0, n_dots = 0;
 
-    fprintf(p->on.out, "$%s_%s_dots << EOD\n", b->name, b->of[i].title);
     for (k = 0; k < MOST_DOTS && (first + k * step - p->v.end) * sense < 1e-9 * fabs(step); k++)
         if (force_at(b, i, first + k * step, &F[n_dots])) {
-            canvas_print(&p->on, "%.8g %.8g\n", F[n_dots].x, F[n_dots].y);
+            graph_mark(p, F[n_dots], 2.5, 0);
             angles[n_dots++] = first + k * step;
         }
-    fputs("EOD\n", p->on.out);
     for (; n < n_dots; n++)
         if (n % LETTERED == 0 && !(n && place_distance(F[n], F[0]) < 1e-6 * b->scale))
             put_angle(b, angles[n], F[n], i + 1);
 }
 
-static void plot(picture *p, const bearing *b, int i, int is_last)
+/* Add a curve to the key; the last one with what is the same for all. */
+static void put_key(const bearing *b, int i, int is_last)
 {
-    const char *name = b->of[i].title;
-    FILE *out = p->on.out;
+    char words[40];
 
-    fprintf(out, "%s $%s_%s using 1:2 with lines lt %d title '%s'", p->on.curves++ ? "," : "plot",
-            b->name, name, i + 1, name);
+    canvas_add_key(b->r.on, DISPLAY_LINE, PEN_CURVE + i, b->of[i].title);
+    if (!is_last)
+        return;
     if (b->jumps[i].n)
-        fprintf(out, ", $%s_%s_jumps using 1:2 with lines lt %d lw 1 dt (3,3) title '%s'", b->name,
-                name, i + 1, is_last ? "jump" : "");
-    fprintf(out, ", $%s_%s_dots using 1:2 with points pt 7 ps 0.5 lc rgb 'black' title '", b->name,
-            name);
-    if (is_last)
-        fprintf(out, "%d\302\260 apart", step_of_dots(p));
-    fputs("'", out);
+        canvas_add_key(b->r.on, DISPLAY_LINE, PEN_JUMP + i, "jump");
+    sprintf(words, "%d\302\260 apart", step_of_dots(b->p));
+    canvas_add_key(b->r.on, DISPLAY_MARK, 0, words);
 }
 
 static int put_polar(picture *p, bearing *b, const char *title)
 {
     char x[NOTATION_SIZE], y[NOTATION_SIZE];
-    int i;
+    int drawn = 0, i;
 
     room_open(&b->r, &p->on, 4, 4 * CANVAS_LETTER); /* a key of two lines */
-    fputs("set key samplen 2 width -1\n", p->on.out);
     canvas_titles(&p->on, canvas_symbol(&p->on, p->v.columns[b->x].name, x),
                   p->v.columns[b->x].unit, canvas_symbol(&p->on, p->v.columns[b->y].name, y),
                   p->v.columns[b->y].unit, "%s", title);
@@ -214,13 +209,13 @@ static int put_polar(picture *p, bearing *b, const char *title)
         put_arrow(b, i);
     }
     for (i = 0; i < b->n; i++)
-        if (b->line[i].n_points)
+        if (b->line[i].n_points) {
             put_dots(b, i);
-    for (i = 0; i < b->n; i++)
-        if (b->line[i].n_points)
-            plot(p, b, i, i == b->n - 1 || !b->line[1].n_points);
-    putc('\n', p->on.out);
-    return p->on.curves;
+            put_key(b, i, i == b->n - 1 || !b->line[1].n_points);
+            drawn++;
+        }
+    canvas_end_panel(&p->on);
+    return drawn;
 }
 
 /* The index of a component's column; -1 if there is none. */
@@ -301,10 +296,7 @@ const char *picture_polar(picture *p, fourlink_branch branch)
     (void)branch;
     if (!p->v.problem.asks_for_both)
         p->v.n_branches = 1;
-    fprintf(p->on.out,
-            "set format '%%g'; set size ratio -1\n"
-            "set zeroaxis lt %d lw 1 lc rgb 'black'\n",
-            p->on.is_text ? -1 : 1);
+    p->on.has_zero_axes = 1;
     for (i = 0; i < sizeof joints / sizeof joints[0]; i++)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
     if (picture_has_balance(p))

@@ -23,10 +23,9 @@
 void room_open(room *r, canvas *on, int lines, double right)
 {
     r->on = on;
-    fputs("unset label; unset arrow\n", on->out);
-    canvas_panel(on, lines, right);
-    canvas_key(on);
-    canvas_grid(on);
+    canvas_begin_panel(on);
+    canvas_place_panel(on, lines, right);
+    on->has_key_below_title = 1;
 }
 
 double room_to_scale(const room *r, place_box *frame, double border)
@@ -44,10 +43,9 @@ double room_to_scale(const room *r, place_box *frame, double border)
     return scale;
 }
 
-void room_set_axes(room *r, place_box frame, double x_step)
+void room_set_axes(room *r, place_box frame, double x_step, double y_step)
 {
-    canvas_print(r->on, "set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\n",
-                 frame.x_min, frame.x_max, frame.y_min, frame.y_max, x_step);
+    canvas_set_axes(r->on, frame, x_step, y_step);
     r->frame = frame;
     r->x_scale = r->on->box_width / (frame.x_max - frame.x_min);
     r->y_scale = r->on->box_height / (frame.y_max - frame.y_min);
@@ -139,7 +137,7 @@ static int try_place(const room *r, fourlink_vector middle, const char *words, d
 }
 
 int room_put(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
-             const char *style, fourlink_vector *middle)
+             int p, fourlink_vector *middle)
 {
     double least = keeps_clear ? COST_OF_CURVE : FORBIDDEN, half = canvas_width_of(words) / 2;
     double wanted = dx == 0 && dy == 0 ? M_PI / 2 : atan2(dy * r->y_scale, dx * r->x_scale);
@@ -162,7 +160,6 @@ int room_put(room *r, fourlink_vector at, double dx, double dy, int keeps_clear,
         return 0;
     r->text[r->n_texts++] = box_of(best, words);
     *middle = place_at(r->frame.x_min + best.x / r->x_scale, r->frame.y_min + best.y / r->y_scale);
-    canvas_print(r->on, "set label %q at %.8g,%.8g center front %s\n", words, middle->x, middle->y,
-                 style);
+    display_text(r->on->d, p, *middle, DISPLAY_MIDDLE, words)->is_boxed = 1;
     return 1;
 }

@@ -29,8 +29,8 @@ void room_open(room *r, canvas *on, int lines, double right);
 ** pixel. */
 double room_to_scale(const room *r, place_box *frame, double border);
 
-/* Set the ranges of the axes, and the step of the numbers on the x axis. */
-void room_set_axes(room *r, place_box frame, double x_step);
+/* Set the ranges of the axes, and the steps of their numbers; 0: as many as fit. */
+void room_set_axes(room *r, place_box frame, double x_step, double y_step);
 
 /* Add a curve of so many points that texts should not cover; gaps are not numbers. */
 void room_add_curve(room *r, const double *x, const double *y, int n);
@@ -39,10 +39,10 @@ void room_add_line(room *r, fourlink_vector from, fourlink_vector to);
 /* Keep the box of a text whose middle is at a place of the panel. */
 void room_take(room *r, fourlink_vector middle, const char *words);
 
-/* Put a text near a place: preferably on it (dx and dy 0), or in the direction (dx, dy), with gnuplot's words
-** for its style; keep its box.  Returns 0 if there is no place inside the panel and apart from other texts,
+/* Put a text near a place: preferably on it (dx and dy 0), or in the direction (dx, dy), in the colour of a
+** pen, 0: black; keep its box.  Returns 0 if there is no place inside the panel and apart from other texts,
 ** or, with `keeps_clear`, apart from all curves; otherwise `middle` is that of the text. */
 int room_put(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
-             const char *style, fourlink_vector *middle);
+             int p, fourlink_vector *middle);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sketch.c - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
+** sketch.c - a drawing to scale: lines, arrows, circles, texts, curves.
 */
 #include <math.h>
 #include <stdarg.h>
@@ -67,7 +67,7 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     s->letter = LETTER;
     s->drawn = place_nothing;
     sketch_turn(s, 1);
-    fputs("unset arrow; unset label; unset object\n", s->c->out);
+    canvas_begin_panel(c);
 }
 
 /* A place in the drawing's unit. */
@@ -102,61 +102,58 @@ int sketch_shows(const sketch *s, fourlink_vector at)
     return !is_beyond(s, turned(s, at));
 }
 
-static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
+/* Keep room for a line, which texts should not cover. */
+static void take_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    from = turned(s, from);
-    to = turned(s, to);
-    if (is_beyond(s, to))
-        kind = "nohead";
-    if (s->is_window && !place_clip(&s->drawn, &from, &to))
-        return;
     include(s, from);
     include(s, to);
     if (p != PEN_GHOST)
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
-    from = in_unit(s, from);
-    to = in_unit(s, to);
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
-                 to.y, kind, (int)p);
 }
 
-static void add_part(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
+static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to, int has_head)
 {
-    sketch_part *new = &s->parts[s->n_parts++];
+    display_item *line;
 
-    new->p = p;
-    new->from = turned(s, from);
-    new->to = turned(s, to);
-    include(s, new->from);
-    include(s, new->to);
-    add_obstacle(s, new->from, new->to, 3);
+    from = turned(s, from);
+    to = turned(s, to);
+    has_head = has_head && !is_beyond(s, to);
+    if (s->is_window && !place_clip(&s->drawn, &from, &to))
+        return;
+    take_line(s, p, from, to);
+    line = display_line(s->c->d, p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
+    line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
 }
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    if (s->c->is_text && p >= PEN_CRANK && p <= PEN_FOLLOWER && s->n_parts < SKETCH_PARTS)
-        add_part(s, p, from, to);
-    else
-        put_arrow(s, p, from, to, "nohead");
+    put_line(s, p, from, to, 0);
 }
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    /* in a text picture, arrows in front would hide the letters */
-    put_arrow(s, p, from, to,
-              s->c->is_text ? "head filled size graph 0.025,18"
-                            : "head filled size graph 0.025,18 front");
+    put_line(s, p, from, to, 1);
 }
 
-/* Drawn as a polygon: gnuplot's circles cannot be dashed. */
+/* Drawn as a polygon; in a window each of its sides is cut. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
     fourlink_vector last = place_polar(centre, radius, from), next;
 
+    if (!s->is_window) {
+        display_add(s->c->d, DISPLAY_LINE, p, DISPLAY_LINES);
+        for (i = 0; i <= n; i++)
+            display_add_place(
+                s->c->d,
+                in_unit(s, turned(s, place_polar(centre, radius, from + (to - from) * i / n))));
+    }
     for (i = 1; i <= n; i++) {
         next = place_polar(centre, radius, from + (to - from) * i / n);
-        sketch_line(s, p, last, next);
+        if (s->is_window)
+            sketch_line(s, p, last, next);
+        else
+            take_line(s, p, turned(s, last), turned(s, next));
         last = next;
     }
 }
@@ -173,29 +170,30 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
     }
 }
 
-/* Draw a disc of this colour, as a text's obstacle. */
-static void put_disc(sketch *s, fourlink_vector at, double radius, const char *colour)
+/* Draw a disc, white or black, as a text's obstacle. */
+static void put_disc(sketch *s, fourlink_vector at, double radius, int is_open)
 {
+    display_item *disc;
+
     at = turned(s, at);
     if (is_beyond(s, at))
         return;
     include(s, at);
     add_disc(s, at, radius);
-    at = in_unit(s, at);
-    canvas_print(s->c,
-                 "set object circle at %.7g,%.7g size %.7g front fc rgb '%s' fs solid border "
-                 "lc rgb 'black' lw 1.5\n",
-                 at.x, at.y, in_unit(s, place_at(radius, 0)).x, colour);
+    disc = display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
+    disc->is_open = is_open;
+    disc->size = in_unit(s, place_at(radius, 0)).x;
+    display_add_place(s->c->d, in_unit(s, at));
 }
 
 void sketch_dot(sketch *s, fourlink_vector at)
 {
-    put_disc(s, at, DOT * s->letter * s->size, "black");
+    put_disc(s, at, DOT * s->letter * s->size, 0);
 }
 
 void sketch_pin(sketch *s, fourlink_vector at)
 {
-    put_disc(s, at, PIN * s->letter * s->size, "white");
+    put_disc(s, at, PIN * s->letter * s->size, 1);
 }
 
 #define HEAD 0.3 /* rad, of an arc with a head */
@@ -277,21 +275,16 @@ void sketch_note(sketch *s, const char *format, ...)
 void sketch_centre(sketch *s, fourlink_vector at)
 {
     double r = 0.7 * PIN * s->letter * s->size;
-    int i;
+    display_item *centre;
 
     at = turned(s, at);
     if (is_beyond(s, at))
         return;
     include(s, at);
     add_disc(s, at, r);
-    at = in_unit(s, at);
-    r = in_unit(s, place_at(r, 0)).x;
-    for (i = 0; i < 4; i++)
-        canvas_print(
-            s->c,
-            "set object circle at %.7g,%.7g size %.7g arc [%d:%d] front fc rgb '%s' fs solid "
-            "border lc rgb 'black'\n",
-            at.x, at.y, r, 90 * i, 90 * i + 90, i % 2 ? "white" : "black");
+    centre = display_add(s->c->d, DISPLAY_CENTRE, PEN_GROUND, DISPLAY_FRONT);
+    centre->size = in_unit(s, place_at(r, 0)).x;
+    display_add_place(s->c->d, in_unit(s, at));
 }
 
 void sketch_ground(sketch *s, double x1, double x2, double y, double side)
@@ -313,25 +306,24 @@ void sketch_support(sketch *s, fourlink_vector at)
     sketch_ground(s, at.x - r, at.x + r, at.y - r, -1);
 }
 
-static void add_entry(sketch *s, pen p, int is_curve, const char *title)
+static void add_entry(sketch *s, pen p, const char *title)
 {
     sketch_entry *new = &s->entries[s->n_entries++];
 
     new->p = p;
-    new->is_curve = is_curve;
     flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
 }
 
-/* gnuplot needs a word for an empty curve: it has no entry. */
 void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
+    size_t kept = display_keep(s->c->d, title);
     fourlink_vector at, last = {0, 0};
     int in_piece = 0, is_empty = 1, i;
 
-    fprintf(s->c->out, "$curve%d << EOD\n", s->n_entries);
+    display_add(s->c->d, DISPLAY_CURVE, p, DISPLAY_CURVES)->name = kept;
     for (i = 0; i < n; i++) {
         if (gsl_isnan(points[i].x)) {
-            fputs(in_piece ? "\n" : "", s->c->out);
+            display_add_place(s->c->d, points[i]);
             in_piece = 0;
             continue;
         }
@@ -344,17 +336,15 @@ void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *po
         }
         in_piece++;
         is_empty = 0;
-        at = in_unit(s, at);
-        canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
+        display_add_place(s->c->d, in_unit(s, at));
     }
-    fputs("EOD\n", s->c->out);
     if (!is_empty)
-        add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
+        add_entry(s, p, s->n_entries < MOST_TITLES ? title : "");
 }
 
 void sketch_key(sketch *s, pen p, const char *meaning)
 {
-    add_entry(s, p, 0, meaning);
+    add_entry(s, p, meaning);
 }
 
 /* Values and key are to the right of the axes. */
@@ -363,8 +353,6 @@ static double width_of_margin(const sketch *s)
     double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
     int i;
 
-    if (s->n_parts)
-        width = 13 * CANVAS_LETTER;
     for (i = 0; i < s->n_notes; i++)
         width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
     for (i = 0; i < s->n_entries; i++)
@@ -374,27 +362,17 @@ static double width_of_margin(const sketch *s)
     return width;
 }
 
-static int has_part(const sketch *s, pen p)
-{
-    int i;
-
-    for (i = 0; i < s->n_parts && s->parts[i].p != p; i++)
-        ;
-    return i < s->n_parts;
-}
-
 /* Put the key, and the notes below it. */
 static void put_margin(const sketch *s)
 {
     int in_key = 0, i;
 
-    for (i = 0; i < s->n_entries; i++)
+    for (i = 0; i < s->n_entries; i++) {
+        canvas_add_key(s->c, DISPLAY_LINE, s->entries[i].p, s->entries[i].title);
         in_key += s->entries[i].title[0] != '\0';
-    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
-        in_key += has_part(s, (pen)i);
+    }
     for (i = 0; i < s->n_notes; i++)
         canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", s->notes[i]);
-    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
 /* The end of a text that is nearest to a place, in pixels from its own place. */
@@ -432,8 +410,7 @@ static void put_leader(const sketch *s, const label *x)
         return;
     from = edge_of(x, 0, 0);
     from = in_unit(s, place_in(x->at, from, s->texts.scale, 0));
-    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g nohead ls %d front\n", from.x, from.y,
-                 to.x, to.y, PEN_LEADER);
+    display_line(s->c->d, PEN_LEADER, DISPLAY_FRONT, from, to);
 }
 
 static void put_labels(const sketch *s)
@@ -452,11 +429,12 @@ static void put_labels(const sketch *s)
             continue;
         if (one->has_leader && !s->c->is_text)
             put_leader(s, one);
-        canvas_print(s->c, "set label %w at %.7g,%.7g %s front %s\n", one->words, at.x, at.y,
-                     side > 0   ? "left"
-                     : side < 0 ? "right"
-                                : "center",
-                     canvas_mode(one->words));
+        display_text(s->c->d, 0, at,
+                     side > 0   ? DISPLAY_LEFT
+                     : side < 0 ? DISPLAY_RIGHT
+                                : DISPLAY_MIDDLE,
+                     one->words)
+            ->is_boxed = 1;
     }
 }
 
@@ -480,59 +458,15 @@ static void put_axes(const sketch *s)
     double scale = in_unit(s, place_at(s->texts.scale, 0)).x;
     double width = scale * s->c->box_width, height = scale * s->c->box_height;
     double step = place_round(TICS * CANVAS_LETTER * scale);
+    place_box axes;
     fourlink_vector middle = in_unit(
         s, place_at((s->drawn.x_min + s->drawn.x_max) / 2, (s->drawn.y_min + s->drawn.y_max) / 2));
 
-    canvas_print(s->c,
-                 "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
-                 "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
-                 step_of(step, middle.x, width), step_of(step, middle.y, height),
-                 middle.x - width / 2, middle.x + width / 2, middle.y - height / 2,
-                 middle.y + height / 2);
-}
-
-/* Write the lines of a link as $linkN, for a text terminal; 0 if there are none. */
-static int put_parts(const sketch *s, pen p)
-{
-    fourlink_vector from, to;
-    int i, n = 0;
-
-    for (i = 0; i < s->n_parts; i++)
-        if (s->parts[i].p == p) {
-            if (n++ == 0)
-                fprintf(s->c->out, "$link%d << EOD\n", (int)p);
-            from = in_unit(s, s->parts[i].from);
-            to = in_unit(s, s->parts[i].to);
-            canvas_print(s->c, "%.7g %.7g\n%.7g %.7g\n\n", from.x, from.y, to.x, to.y);
-        }
-    if (n)
-        fputs("EOD\n", s->c->out);
-    return n > 0;
-}
-
-static void put_curves(const sketch *s)
-{
-    int has_parts[PEN_FOLLOWER + 1], i;
-
-    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
-        has_parts[i] = put_parts(s, (pen)i);
-    fputs("plot ", s->c->out);
-    for (i = PEN_CRANK; i <= PEN_FOLLOWER; i++)
-        if (has_parts[i])
-            fprintf(s->c->out, "$link%d using 1:2 with lines ls %d title 'link %d', \\\n     ", i,
-                    i, i);
-    for (i = 0; i < s->n_entries; i++) {
-        const sketch_entry *x = &s->entries[i];
-
-        fputs(i ? ", \\\n     " : "", s->c->out);
-        if (x->is_curve)
-            fprintf(s->c->out, "$curve%d using 1:2", i);
-        else
-            fputs("NaN", s->c->out);
-        canvas_print(s->c, x->title[0] ? " with lines ls %d title %q" : " with lines ls %d notitle",
-                     (int)x->p, x->title);
-    }
-    fputs(s->n_entries ? "\n" : "NaN notitle\n", s->c->out);
+    axes.x_min = middle.x - width / 2;
+    axes.x_max = middle.x + width / 2;
+    axes.y_min = middle.y - height / 2;
+    axes.y_max = middle.y + height / 2;
+    canvas_set_axes(s->c, axes, step_of(step, middle.x, width), step_of(step, middle.y, height));
 }
 
 void sketch_close(sketch *s, const char *format, ...)
@@ -547,14 +481,13 @@ void sketch_close(sketch *s, const char *format, ...)
         place_grow(&s->drawn, -s->size, -s->size);
         place_grow(&s->drawn, s->size, s->size);
     }
-    canvas_panel(s->c, 2, width_of_margin(s));
+    canvas_place_panel(s->c, 2, width_of_margin(s));
     labels_place(&s->texts, s->drawn, s->is_fixed, s->size, s->c->box_width, s->c->box_height);
     s->drawn = s->texts.drawn;
     put_labels(s);
     put_margin(s);
-    fputs("set size ratio -1\n", s->c->out);
     canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
                   s->c->turn != 0 ? "vertical" : "y", s->unit->name, "%s", title);
     put_axes(s);
-    put_curves(s);
+    canvas_end_panel(s->c);
 }

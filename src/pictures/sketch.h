@@ -1,40 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sketch.h - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
+** sketch.h - a drawing to scale: lines, arrows, circles, texts, curves.
 */
 #ifndef FOURLINK_SKETCH_H
 #define FOURLINK_SKETCH_H
 
 #include "canvas.h"
 #include "labels.h"
-#include "view/look.h"
-
-/* Line styles, those of the table of looks, at the head of every script: links by their numbers, 2 to 4. */
-#define PEN_CODE(code, name, colour, width, dashes, use) PEN_##code,
-typedef enum pen {
-    PEN_OF_LINK,                   /* each link has its own */
-    LOOK_LIST(PEN_CODE) PEN_COUNT, /* from here: the paths of further points */
-    PEN_PATHS = PEN_COUNT + 23
-} pen;
-#undef PEN_CODE
 
 #define SKETCH_CURVES 32
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
-#define SKETCH_PARTS 200
 
 /* A curve, or the meaning of a line, in the key; title "": it is not there. */
 typedef struct sketch_entry {
     pen p;
-    int is_curve;
     char title[80];
 } sketch_entry;
-
-/* A line of a link in a text terminal, which tells curves apart by their letters, but no arrows. */
-typedef struct sketch_part {
-    pen p;
-    fourlink_vector from, to;
-} sketch_part;
 
 typedef struct sketch {
     canvas *c;
@@ -51,8 +33,6 @@ typedef struct sketch {
     labels texts;
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
-    sketch_part parts[SKETCH_PARTS];
-    int n_parts;
 } sketch;
 
 /* Begin a drawing of about this size in the next panel; places are in SI units, the axes in this unit. */

@@ -156,37 +156,29 @@ static int find_range(const picture *p, const designs *d, unsigned long output, 
     return *low <= *high;
 }
 
-/* Widen the range of x, and set it with the step of its numbers. */
-static void put_x_range(const canvas *on, double low, double high)
+/* Set the axes, with some room around the values. */
+static void set_axes(canvas *on, double x_low, double x_high, double y_low, double y_high)
 {
-    graph_widen(&low, &high, 0.02);
-    canvas_print(on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", low, high,
-                 place_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
+    place_box axes;
+
+    graph_widen(&x_low, &x_high, 0.02);
+    graph_widen(&y_low, &y_high, 0.08);
+    axes.x_min = x_low;
+    axes.x_max = x_high;
+    axes.y_min = y_low;
+    axes.y_max = y_high;
+    canvas_set_axes(on, axes, place_round(10 * CANVAS_LETTER * (x_high - x_low) / on->box_width),
+                    0);
 }
 
 /* Begin the next panel, of an output. */
 static void begin_panel(picture *p, const char *x, const char *x_unit, const char *y,
                         const char *y_unit)
 {
-    canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
-    canvas_key(&p->on);
-    canvas_grid(&p->on);
+    canvas_begin_panel(&p->on);
+    canvas_place_panel(&p->on, 3, 2 * CANVAS_LETTER);
+    p->on.has_key_below_title = 1;
     canvas_titles(&p->on, x, x_unit, y, y_unit, "");
-}
-
-/* Begin the data of an output on a branch. */
-static void begin_data(const picture *p, unsigned long output, int branch)
-{
-    canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
-                 fourlink_branch_text((int)p->v.branches[branch]));
-}
-
-static void plot(picture *p, unsigned long output, int branch, const char *style, int line)
-{
-    canvas_print(&p->on, "%s $o%d_%s using 1:2 with %s lt %d title '%s'",
-                 p->on.curves++ ? "," : "plot", (int)output,
-                 fourlink_branch_text((int)p->v.branches[branch]), style, line,
-                 fourlink_branch_text((int)p->v.branches[branch]));
 }
 
 /* ------------------------------------------------------------------------------------------ curves */
@@ -206,45 +198,60 @@ static int is_monotonic(const designs *d)
     return 1;
 }
 
+/* Draw an output on a branch, with lines between its points or without. */
+static void put_branch(picture *p, const designs *d, unsigned long output, int branch,
+                       int has_lines)
+{
+    int stroke = PEN_CURVE + branch;
+    double value;
+    unsigned long i;
+
+    if (has_lines) {
+        graph_begin(p, stroke, d->outputs[output].name,
+                    fourlink_branch_text((int)p->v.branches[branch]));
+        for (i = 0; i < d->n; i++) {
+            value = values_of(d, p, i, branch)[output];
+            if (begins(d, i) || gsl_isnan(value))
+                display_add_place(p->on.d, place_at(GSL_NAN, GSL_NAN));
+            if (!gsl_isnan(value))
+                display_add_place(p->on.d, place_at(inputs_of(d, i)[d->axis], value));
+        }
+    }
+    for (i = 0; i < d->n; i++) {
+        value = values_of(d, p, i, branch)[output];
+        if (gsl_isnan(value))
+            continue;
+        display_add(p->on.d, DISPLAY_MARK, stroke, DISPLAY_CURVES)->size = 2.5;
+        display_add_place(p->on.d, place_at(inputs_of(d, i)[d->axis], value));
+    }
+    canvas_add_key(&p->on, has_lines ? DISPLAY_LINE : DISPLAY_MARK, stroke,
+                   fourlink_branch_text((int)p->v.branches[branch]));
+}
+
 /* Draw an output over the varied quantity; 0 if it has no number. */
-static int put_curve(picture *p, designs *d, unsigned long output, const char *style)
+static int put_output(picture *p, designs *d, unsigned long output, int has_lines)
 {
     const fourlink_value *x = &d->variables[d->axis];
-    double low, high, value;
+    double low, high, x_low, x_high;
     char symbol[NOTATION_SIZE];
-    unsigned long i;
     int b;
 
     if (!find_range(p, d, output, &low, &high))
         return 0;
     begin_panel(p, x->name, x->unit, canvas_symbol(&p->on, d->outputs[output].name, symbol),
                 d->outputs[output].unit);
-    for (b = 0; b < p->v.n_branches; b++) {
-        begin_data(p, output, b);
-        for (i = 0; i < d->n; i++) {
-            value = values_of(d, p, i, b)[output];
-            if (begins(d, i) || gsl_isnan(value))
-                canvas_print(&p->on, "\n");
-            if (!gsl_isnan(value))
-                canvas_print(&p->on, "%.12g %.12g\n", inputs_of(d, i)[d->axis], value);
-        }
-        canvas_print(&p->on, "EOD\n");
-    }
-    graph_widen(&low, &high, 0.08);
-    canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
-    gsl_stats_minmax(&low, &high, d->inputs + d->axis, d->n_variables, d->n);
-    put_x_range(&p->on, low, high);
+    gsl_stats_minmax(&x_low, &x_high, d->inputs + d->axis, d->n_variables, d->n);
+    set_axes(&p->on, x_low, x_high, low, high);
     for (b = 0; b < p->v.n_branches; b++)
-        plot(p, output, b, style, b + 1);
-    canvas_print(&p->on, "\n");
+        put_branch(p, d, output, b, has_lines);
+    canvas_end_panel(&p->on);
     return 1;
 }
 
 const char *picture_outputs(picture *p)
 {
     unsigned long i, k;
-    const char *style;
-    int drawn = 0, enough;
+    int drawn = 0, enough, has_lines;
     designs d;
 
     if (p->v.problem.n_designs < 2)
@@ -256,9 +263,9 @@ const char *picture_outputs(picture *p)
         enough = compute(p, &d, i);
     if (enough) {
         find_axis(p, &d);
-        style = is_monotonic(&d) ? "linespoints" : "points";
+        has_lines = is_monotonic(&d);
         for (k = 0; k < d.n_outputs; k++)
-            drawn += put_curve(p, &d, k, style);
+            drawn += put_output(p, &d, k, has_lines);
     }
     p->out_of_memory = !enough;
     close_designs(&d);

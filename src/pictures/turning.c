@@ -93,8 +93,7 @@ static void put_axes(diagram *d)
     frame.x_max = d->cycle;
     frame.y_min = d->low - border;
     frame.y_max = d->high + border;
-    room_set_axes(&d->r, frame, graph_angle_step(d->p, d->cycle));
-    canvas_print(&d->p->on, "mean = %.17g\n", d->mean);
+    room_set_axes(&d->r, frame, graph_angle_step(d->p, d->cycle), 0);
     for (k = 0; k <= PICTURE_STEPS; k++)
         angles[k] = d->cycle * k / PICTURE_STEPS;
     room_add_curve(&d->r, angles, d->moment, PICTURE_STEPS + 1);
@@ -131,8 +130,7 @@ static void put_leader(const diagram *d, fourlink_vector middle, double half, fo
     double x = clamp(to.x, middle.x - w, middle.x + w), y = clamp(to.y, middle.y - h, middle.y + h);
 
     if (x != to.x || y != to.y)
-        canvas_print(&d->p->on, "set arrow from %.8g,%.8g to %.8g,%.8g nohead ls %d front\n", x, y,
-                     to.x, to.y, PEN_GROUND);
+        display_line(d->p->on.d, PEN_GROUND, DISPLAY_FRONT, place_at(x, y), to);
 }
 
 /* Put the energies of the areas on their centroids, or beside them with a line to them. */
@@ -149,7 +147,7 @@ static void put_areas(diagram *d)
             continue;
         at = centroid(d, from, to);
         picture_words(d->p, "", energy, QUANTITY_ENERGY, words);
-        if (room_put(&d->r, at, 0, 0, 0, words, "boxed", &middle))
+        if (room_put(&d->r, at, 0, 0, 0, words, 0, &middle))
             put_leader(d, middle, canvas_width_of(words) / 2, at);
     }
 }
@@ -162,11 +160,10 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
     double y = d->r.frame.y_max - CANVAS_LINE / d->r.y_scale;
     double x = clamp(angle, half, d->cycle - half);
 
-    canvas_print(&d->p->on,
-                 "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
-                 "set label \"\" at %.8g,%.8g point pt 7 ps 0.8 lc rgb 'black' front\n"
-                 "set label %q at %.8g,%.8g center front boxed\n",
-                 angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
+    display_line(d->p->on.d, PEN_CONSTRUCTION, DISPLAY_LINES, place_at(angle, d->r.frame.y_min),
+                 place_at(angle, d->r.frame.y_max));
+    graph_mark(d->p, place_at(angle, d->mean), 4, 0);
+    display_text(d->p->on.d, 0, place_at(x, y), DISPLAY_MIDDLE, name)->is_boxed = 1;
     room_take(&d->r, place_at(x, y), name);
     canvas_note(&d->p->on, line, "%s at %s", name, picture_mark(d->p, angle, 4, mark));
 }
@@ -229,31 +226,40 @@ static void put_titles(const diagram *d)
                   "%s: %s, %s", fourlink_branch_text(d->branch), mean, change);
 }
 
-/* Fill the areas, except on a text terminal. */
-static void plot_moment(const diagram *d)
+/* Draw the moment, or the area between it and the mean. */
+static void put_moment(diagram *d, display_sort sort, int stroke, const char *words)
 {
-    const char *branch = fourlink_branch_text(d->branch);
-    const canvas *on = &d->p->on;
-    char symbol[NOTATION_SIZE];
+    display *list = d->p->on.d;
+    display_item *x;
     int k;
 
-    fprintf(on->out, "$turning_%s << EOD\n", branch);
+    x = graph_begin(d->p, stroke, "turning", fourlink_branch_text((int)d->branch));
+    x->sort = sort;
+    x->layer = sort == DISPLAY_CURVE ? DISPLAY_CURVES : DISPLAY_BACK;
+    x->level = d->mean;
     for (k = 0; k <= PICTURE_STEPS; k++)
         if (!gsl_isnan(d->moment[k]))
-            canvas_print(on, "%.8g %.8g\n", d->cycle * k / PICTURE_STEPS, d->moment[k]);
-    fprintf(on->out, "EOD\nplot $turning_%s using 1:2 ", branch);
-    if (!on->is_text)
-        fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#" LOOK_ABOVE "' "
-              "title 'above', \\\n"
-              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#" LOOK_BELOW
-              "' "
-              "title 'below', \\\n"
-              "     '' using 1:2 ",
-              on->out);
-    fprintf(on->out,
-            "with lines lt %s title '%s%s', \\\n"
-            "     mean with lines lt 2 title 'mean'\n",
-            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-" : "", canvas_symbol(on, "Ts", symbol));
+            display_add_place(list, place_at(d->cycle * k / PICTURE_STEPS, d->moment[k]));
+    canvas_add_key(d->r.on, sort, stroke, words);
+}
+
+/* Fill the areas, except on a text terminal. */
+static void plot_moment(diagram *d)
+{
+    char symbol[NOTATION_SIZE], name[NOTATION_SIZE + 2];
+    display *list = d->p->on.d;
+
+    if (!d->r.on->is_text) {
+        put_moment(d, DISPLAY_ABOVE, 0, "above");
+        put_moment(d, DISPLAY_BELOW, 0, "below");
+    }
+    put_moment(d, DISPLAY_CURVE, PEN_CURVE + 3,
+               flk_text_join(name, sizeof name, d->sense > 0 ? "-" : "",
+                             canvas_symbol(d->r.on, "Ts", symbol), (char *)NULL));
+    graph_begin(d->p, PEN_CURVE + 1, "mean", "line");
+    display_add_place(list, place_at(0, d->mean));
+    display_add_place(list, place_at(d->cycle, d->mean));
+    canvas_add_key(d->r.on, DISPLAY_LINE, PEN_CURVE + 1, "mean");
 }
 
 const char *picture_turning(picture *p, fourlink_branch branch)
@@ -276,5 +282,6 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     put_extremes(&d);
     put_areas(&d);
     plot_moment(&d);
+    canvas_end_panel(&p->on);
     return NULL;
 }

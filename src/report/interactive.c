@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "drawing/svg.h"
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
@@ -32,6 +33,7 @@ void report_put_style(page *p)
 {
     page_print(p, "<style>/*<![CDATA[*/\n");
     put_lines(p, assets_style);
+    svg_put_style(p->out);
     page_print(p, "/*]]>*/</style>\n");
 }
 

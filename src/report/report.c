@@ -164,8 +164,6 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
         put_page(&r);
     if (r.out_of_memory)
         opened = -1;
-    flk_text_join(outcome->gnuplot, sizeof outcome->gnuplot, r.gnuplot ? r.gnuplot : "",
-                  (char *)NULL);
     outcome->has_failed = r.failed > 0;
     outcome->differs = r.differing > 0;
     fourlink_results_free(r.drawn);

@@ -33,8 +33,6 @@ typedef struct report {
     view v;                   /* its results are null if the deck has mistakes */
     fourlink_load *row_loads; /* room for the loads of a row */
     int out_of_memory;
-    const char *gnuplot; /* null; or the reason why there are no pictures */
-    char reason[GNUPLOT_REASON];
     unsigned long failed, differing; /* rows that could not be computed, expected values */
 
     /* the sample calculation */
@@ -48,9 +46,8 @@ typedef struct report {
 
 /* What became of a report that was written. */
 typedef struct report_outcome {
-    char gnuplot[GNUPLOT_REASON]; /* the reason why there are no pictures, or empty */
-    int has_failed;               /* 1: rows could not be computed */
-    int differs;                  /* 1: expected values differ */
+    int has_failed; /* 1: rows could not be computed */
+    int differs;    /* 1: expected values differ */
 } report_outcome;
 
 /* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the

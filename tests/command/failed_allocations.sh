@@ -25,10 +25,7 @@ if [ "$shim" = sanitizer ]; then
     shim=
 fi
 
-mkdir bin files usual
-printf '#!/bin/sh\nexec cat\n' >bin/gnuplot
-chmod +x bin/gnuplot
-PATH=$work/bin:$PATH
+mkdir files usual
 most=600 # of a run; then a search repeats itself
 tries=0
 refused=0
@@ -240,11 +237,16 @@ sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's sim
 all 0 "--best=max swing" -o files/result t.deck
 
 for kind in mechanism motion forces turning-moment polar vectors; do
-    all 0 --plot-script=files/plot.svg --plot-kind=$kind -o files/result $few single.deck
+    all 0 --plot=files/plot.svg --plot-kind=$kind -o files/result $few single.deck
 done
+picture=plot.txt
+rm files/plot.svg
+all 0 --plot=files/plot.txt --ascii -o files/result $few single.deck
+picture=plot.svg
+rm files/plot.txt
 all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-240.deck
 all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
-all 0 --plot-script=files/plot.svg --plot-kind=motion -o files/result -b open time.deck
+all 0 --plot=files/plot.svg --plot-kind=motion -o files/result -b open time.deck
 
 for kind in mechanism limits; do
     all 0 --plot=files/plot.svg --plot-kind=$kind --plot-at='40 deg' -o files/result $few single.deck

@@ -36,9 +36,9 @@ for bytes in '\0233' '\0302\0233' '\0302\0205' '\0374' '\0377\0376' '\0300\0257'
         run 0 -b open -f $format x.deck
         check "$format: C1" sh -c '! LC_ALL=C grep -q "$(printf "\302[\200-\237]")" out'
     done
-    run 0 -b open --plot-kind=mechanism --plot-script=x.gp x.deck
-    check 'the title of the script' grep -q '^title = "T?*T"' x.gp
-    printable x.gp
+    run 0 -b open --plot-kind=mechanism --plot=x.svg x.deck
+    check 'the title of the picture' grep -q '<title>T.*T</title>' x.svg
+    printable x.svg
     printf '[crank\n' >>x.deck
     printf 'x%b = 1\n' "$bytes" >>x.deck
     run 2 x.deck

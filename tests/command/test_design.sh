@@ -26,10 +26,8 @@ for option in --expect --summary --matrix --list; do
     run 0 --design=2 $option t.deck
     check "$option works with one design" test -s out
 done
-if command -v gnuplot >/dev/null; then
-    run 0 --design=2 -p p.svg t.deck
-    check 'a picture of one design' test -s p.svg
-fi
+run 0 --design=2 -p p.svg t.deck
+check 'a picture of one design' test -s p.svg
 run 0 --design=2 --report=r.html t.deck
 check 'a report of one design' test -s r.html
 

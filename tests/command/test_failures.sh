@@ -66,7 +66,7 @@ cp "$alvi" good.deck
 printf '[sweep]\ncrank.length = -1 mm, 300 mm\noutput = mu_min\n' | cat good.deck - >none.deck
 for format in table csv json paper; do
     for option in --check --expect --list --matrix --summary --best='max mu_min' --part=1/2 --plot=x.svg \
-        --plot=- --plot-script=-; do
+        --plot=-; do
         for deck in bad.deck empty.deck none.deck; do
             run 2 -f $format "$option" $deck
             nothing
@@ -77,14 +77,14 @@ for format in table csv json paper; do
     run 2 -f $format bad.deck good.deck
     check "$format: the other deck" grep -q good.deck out
     check "$format: nothing of the refused one" none 'bad.deck\|empty.deck' out
-    for option in --plot=x.svg --plot=- --plot-script=x.gp --plot-script=-; do
+    for option in --plot=x.svg --plot=-; do
         run 2 -f $format $option --plot-kind=klein good.deck
         nothing
         says '--plot-kind: error: '
         run 2 -f $format $option --plot-at='9 m' good.deck
         nothing
         says '--plot-at: error: '
-        check 'no file' test ! -e x.svg -a ! -e x.gp
+        check 'no file' test ! -e x.svg
     done
     run 2 -f $format -o x.txt --plot=x.svg --plot-kind=klein good.deck
     check 'neither file' test ! -e x.svg -a ! -e x.txt

@@ -27,9 +27,9 @@ for end in '\n' '\r\n' '\r'; do
     prints 'x.deck:18'
     run 0 --check=answers x.deck
     prints 'answers:2'
-    run 0 --plot-kind=turning-moment --plot-script=x.gp x.deck
-    [ "$end" = '\n' ] && cp x.gp script
-    same x.gp script
+    run 0 --plot-kind=turning-moment --plot=x.svg x.deck
+    [ "$end" = '\n' ] && cp x.svg picture
+    same x.svg picture
 done
 printf 'mechanism = four-bar\r[crank]\rlenght = 1 m\r' >x.deck
 run 2 x.deck

@@ -37,7 +37,7 @@ for format in table csv json; do
 done
 
 # with every content, and once for a deck
-for option in --summary --list --matrix --plot-script=script; do
+for option in --summary --list --matrix --plot=x.svg; do
     run 0 $option point.deck
     check "one note with $option: $(cat err)" test "$(cat err)" = "$note"
 done

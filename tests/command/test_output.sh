@@ -205,7 +205,7 @@ ln -s b.svg twice/c.svg
 ln -s twice folder
 for pair in 'twice/a.svg twice/a.svg' 'twice/a.svg twice/b.svg' 'twice/b.svg twice/a.svg' \
     'twice/c.svg twice/b.svg' 'folder/c.svg ./twice/../twice/a.svg'; do
-    for option in --plot --plot-script; do
+    for option in --plot; do
         run 3 -o ${pair% *} $option=${pair#* } "$alvi"
         says 'two outputs have this name'
         check 'no output' test ! -e twice/a.svg
@@ -224,7 +224,7 @@ for file in card.csv answers/mine.expect; do
     ln $file hard.svg
     cp $file keep
     for output in $file alias.svg hard.svg; do
-        for option in -o --plot-script=; do
+        for option in -o; do
             case $file in
             card.csv) run 3 $option$output card.deck ;;
             *)

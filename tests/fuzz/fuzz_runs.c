@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** fuzz_runs.c - whole runs of the command, by its own main, without gnuplot.
+** fuzz_runs.c - whole runs of the command, by its own main, without other programs.
 **
 ** Input: a line of arguments, with tabs between them; a deck, which the command finds as x.deck and on
 ** standard input; after a form feed, a file y, such as answers.  A line that begins with '>' stands for a
@@ -12,18 +12,18 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "command/convert.h"
 #include "command/output.h"
 #include "command/terminal.h"
 #include "fourlink.h"
 #include "input.h"
-#include "pictures/plot.h"
 
 int command_main(int argc, char **argv);
 int LLVMFuzzerInitialize(int *argc, char ***argv);
 /* Functions that the linker replaces: each must be one of the command's. */
 extern __typeof__(output_prepare) __wrap_output_prepare;
 extern __typeof__(terminal_width) __wrap_terminal_width;
-extern __typeof__(gnuplot_run) __wrap_gnuplot_run;
+extern __typeof__(convert_svg) __wrap_convert_svg;
 extern __typeof__(fourlink_results_open) __wrap_fourlink_results_open;
 extern __typeof__(fourlink_results_open) __real_fourlink_results_open;
 
@@ -46,19 +46,15 @@ unsigned long __wrap_terminal_width(FILE *out)
     return is_terminal ? 80 : 0;
 }
 
-/* The script as the picture, with the caption that an SVG gets. */
-const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *caption,
-                               char reason[GNUPLOT_REASON])
+/* The SVG as the picture. */
+const char *__wrap_convert_svg(FILE *svg, plot_file file, FILE *out, char reason[CONVERT_REASON])
 {
-    static const char head[] = "<svg xmlns=\"http://www.w3.org/2000/svg\">\n"
-                               "<title>Gnuplot</title>\n<desc>Produced by GNUPLOT</desc>\n";
     int c;
 
+    (void)file;
     (void)reason;
-    if (caption)
-        gnuplot_put_head(out, head, caption);
-    rewind(script);
-    while ((c = getc(script)) != EOF)
+    rewind(svg);
+    while ((c = getc(svg)) != EOF)
         putc(c, out);
     return NULL;
 }

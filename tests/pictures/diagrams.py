@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# diagrams.py FOURLINK DATA DECKS - the numbers of diagrams, from their scripts: each point of a curve is a row of the table,
+# diagrams.py FOURLINK DATA DECKS - the numbers of diagrams, from their listings: each row of the table is on its curve,
 # extremes, areas and bins are computed again from the drawn or printed numbers, and texts keep away from curves.
 import csv
 import io
@@ -12,7 +12,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, si_of  # noqa: E402
-from script import Script, axis_of, plain  # noqa: E402
+from panels import Listing, axis_of, plain  # noqa: E402
 
 checks = Checks()
 STEPS = 720
@@ -42,50 +42,60 @@ def pieces(points):
     return [piece for piece in found if piece]
 
 
-def check_curve(deck, points, rows, name, over='theta2', factor=1, size=None):
-    """Each row with a position is a point of the curve, and has no other; an angle goes on without steps."""
+def distance(at, p, q):
+    """Of a place from the line between two others."""
+    way = q - p
+    part = min(1, max(0, ((at - p) * way.conjugate()).real / abs(way) ** 2)) if way else 0
+    return abs(at - p - part * way)
+
+
+NEAR = 0.06  # pixels: a curve leaves out points that are closer to its straight lines
+
+
+def check_curve(deck, pixels, points, rows, name, over='theta2'):
+    """Each row with a position is on the curve, to NEAR pixels, and its corners are rows; an angle goes on without steps."""
     turn = turn_of(deck, name)
-    values = {}
-    for row in rows:
-        sound = row.is_ok and name in row and row['mu'] * si_of(deck.unit('angle')) >= 1e-3
-        if sound:
-            values.setdefault(round(row[over], 5), factor * row[name])
-    found = {}
-    for piece in pieces(points):
-        for p in piece:
-            found.setdefault(round(p.real, 5), p.imag)
-        for p, q in zip(piece, piece[1:]):
-            checks.that(not turn or abs(q.imag - p.imag) < 0.3 * turn, 'a step of', name, p, q)
-        begins = round(piece[0].real, 5)
-        if turn and not rows[0].is_ok and begins in values:
-            checks.near('%s begins anew behind a gap' % name, piece[0].imag, values[begins], turn, 1e-6)
-    size = size or max([abs(v) for v in values.values()] + [1e-300])
-    missing = [x for x in values if x not in found]
-    checks.that(len(missing) <= 2, 'points of', name, 'that are missing', len(missing), missing[:3])
-    beyond = [x for x in found if x not in values]
-    checks.that(len(beyond) <= 2 + 2 * len(pieces(points)), 'points of', name, 'where there is no row', len(beyond), beyond[:3])
-    worst, at = 0, None
-    for x, y in found.items():
-        if x in values:
-            off = math.remainder(y - values[x], turn) if turn else y - values[x]
-            if abs(off) > worst:
-                worst, at = abs(off), x
-    checks.that(worst <= 2e-7 * size, 'the curve of', name, 'at', at, 'is off by', worst)
+    sound = [row for row in rows if row.is_ok and name in row and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
+    lines = [(p, q) for piece in pieces(points) for p, q in zip(piece, piece[1:])]
+    for p, q in lines:
+        checks.that(not turn or abs(q.imag - p.imag) < 0.3 * turn, 'a step of', name, p, q)
+    lines.sort(key=lambda line: min(line[0].real, line[1].real))
+    missing, worst, at = 0, 0.0, None
+    for row in sound:
+        x, y = row[over], row[name]
+        if not turn and not 1 < pixels.at(complex(x, y)).imag < pixels.height - 1:
+            continue  # beyond the frame
+        slack = 0.02 / abs(pixels.kx)
+        own = [(p, q) for p, q in lines if min(p.real, q.real) - slack <= x <= max(p.real, q.real) + slack]
+        if not own:
+            missing += 1
+            continue
+        off = []
+        for p, q in own:
+            shift = turn * round((p.imag - y) / turn) if turn else 0
+            off.append(distance(pixels.at(complex(x, y + shift)), pixels.at(p), pixels.at(q)))
+        if min(off) > worst:
+            worst, at = min(off), x
+    checks.that(missing <= 2, 'rows of', name, 'without a curve', missing)
+    checks.that(worst <= NEAR, 'the curve of', name, 'at', at, 'is off by', worst, 'pixels')
+    first, last = min(row[over] for row in sound), max(row[over] for row in sound)
+    beyond = [p for p in points if p is not None and not first - 1e-3 <= p.real <= last + 1e-3]
+    checks.that(not beyond, 'points of', name, 'where there is no row', beyond[:3])
     # a gap in the rows is a gap in the curve
     gaps = sum(1 for a, b in zip(rows, rows[1:]) if a.is_ok != b.is_ok)
     checks.that(len(pieces(points)) >= (gaps + 1) // 2, 'gaps of', name, gaps, len(pieces(points)))
     if turn and rows[0].is_ok and rows[-1].is_ok and gaps and abs(rows[-1]['theta2'] - rows[0]['theta2']) * si_of(deck.unit('angle')) > 6.283:
         drawn = [p for p in points if p is not None]
-        checks.near('both ends of %s, of one position, behind a gap' % name, drawn[-1].imag, drawn[0].imag, turn, 1e-6)
+        checks.near('both ends of %s, of one position, behind a gap' % name, drawn[-1].imag, drawn[0].imag, turn, 1e-3)
 
 
 class Pixels:
     """Places of a panel in pixels."""
 
-    def __init__(self, script, panel):
+    def __init__(self, listing, panel):
         x, y = panel.range['x'], panel.range['y']
-        self.width = (panel.margin['r'] - panel.margin['l']) * script.width
-        self.height = (panel.margin['t'] - panel.margin['b']) * script.height
+        self.width = (panel.margin['r'] - panel.margin['l']) * listing.width
+        self.height = (panel.margin['t'] - panel.margin['b']) * listing.height
         self.x0, self.y0 = x[0], y[0]
         self.kx, self.ky = self.width / (x[1] - x[0]), self.height / (y[1] - y[0])
 
@@ -111,9 +121,9 @@ def crosses(box, p, q):
     return first < last
 
 
-def check_texts(script, panel, of_extremes):
+def check_texts(listing, panel, of_extremes):
     """Texts are within the axes and on no other; numbers of extremes cover no curve."""
-    pixels = Pixels(script, panel)
+    pixels = Pixels(listing, panel)
     texts = [(words, pixels.at(at), rest) for words, at, side, rest in panel.labels if at is not None and words]
     boxes = [box_of(at, words) for words, at, rest in texts]
     for k, (a, (words, at, rest)) in enumerate(zip(boxes, texts)):
@@ -139,9 +149,10 @@ def extremes_of(deck):
     return found
 
 
-def check_extremes(script, panel, deck, name, branches, extremes):
+def check_extremes(listing, panel, deck, name, branches, extremes):
     """A dot on each extreme, and its number."""
     turn = turn_of(deck, name)
+    pixels = Pixels(listing, panel)
     y = panel.range['y']
     dots = [at for at, kind in panel.dots if kind == 7]
     numbers = [words for words, at, side, rest in panel.labels if at is not None and 'tc lt' in rest]
@@ -152,17 +163,18 @@ def check_extremes(script, panel, deck, name, branches, extremes):
         for k, (extreme, angle) in enumerate(x for x in both if x):
             if not y[0] < extreme < y[1] and not turn or k and abs(extreme - both[0][0]) < 1e-8 * size:
                 continue
-            near = [at for at in dots if abs(at.real - angle) < 1e-4 * max(1, abs(angle)) or abs(at.real - angle) % 360 < 1e-4]
-            fits = [at for at in near if abs(math.remainder(at.imag - extreme, turn) if turn else at.imag - extreme) < 2e-6 * size]
+            near = [at for at in dots if abs(math.remainder(at.real - angle, 360)) < 1e-3 / abs(pixels.kx) + 1e-4]
+            fits = [at for at in near if abs(math.remainder(at.imag - extreme, turn) if turn else at.imag - extreme) < 1e-3 / pixels.ky]
             if checks.that(fits, 'the dot of an extreme of', name, branch, angle, extreme, dots):
-                shown = [words for words in numbers if abs(float(words) - fits[0].imag) <= 6e-4 * abs(fits[0].imag) + 1e-9]
+                shown = [words for words in numbers if abs(float(words) - fits[0].imag) <= 6e-4 * abs(fits[0].imag) + 1e-3 / pixels.ky]
                 checks.that(shown or len(numbers) < len(dots), 'the number of an extreme of', name, fits[0], numbers)
     for at in dots:
-        off = [min((abs(p.real - at.real), abs(p.imag - at.imag)) for p in points if p is not None)[1] for points in panel.blocks.values()]
-        checks.that(min(off) < 0.05 * (y[1] - y[0]), 'a dot on its curve', at, off)
+        off = [distance(pixels.at(at), pixels.at(p), pixels.at(q)) for points in panel.blocks.values() for piece in pieces(points)
+               for p, q in zip(piece, piece[1:])]
+        checks.that(min(off) < 5, 'a dot on its curve', at, min(off))
     for words, at, side, rest in panel.labels:
         if at is not None and 'tc lt' in rest:
-            checks.that(any(abs(float(words) - dot.imag) <= 6e-4 * abs(dot.imag) + 1e-9 for dot in dots), 'a number of a dot', words)
+            checks.that(any(abs(float(words) - dot.imag) <= 6e-4 * abs(dot.imag) + 1e-3 / pixels.ky for dot in dots), 'a number of a dot', words)
 
 
 def check_range(panel, name):
@@ -172,16 +184,16 @@ def check_range(panel, name):
     values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
     low, high = panel.range['y']
     span = max(values) - min(values)
-    checks.that(low < min(values) and max(values) < high, 'the range of', name, low, high)
+    checks.that((low < min(values) or low == 0) and max(values) < high, 'the range of', name, low, high)
     checks.that(high - low <= 1.7 * span or span <= 1e-8 * max(abs(v) for v in values) + 1e-300, 'a range of', name, 'that fits', low, high, span)
 
 
 def check_over_angle(deck, rows, kind, extremes):
-    text = deck.program.script(deck, kind, '--branch=both')
+    text = deck.program.listing(deck, kind, '--branch=both')
     if not text:
         return
-    script = Script(text)
-    for panel in script.panels:
+    listing = Listing(text)
+    for panel in listing.panels:
         names = []
         for block, words, title in panel.curves():
             match = re.fullmatch(r'(\w+)_(open|crossed)', block)
@@ -191,34 +203,34 @@ def check_over_angle(deck, rows, kind, extremes):
             names.append((name, branch))
             if name in deck.columns and branch in rows:
                 checks.where = '%s, %s of %s, %s' % (deck.name, kind, name, branch)
-                check_curve(deck, panel.blocks[block], rows[branch], name)
+                check_curve(deck, Pixels(listing, panel), panel.blocks[block], rows[branch], name)
                 checks.that(plain(title) in (branch, name), 'the title of a curve', title)
                 unit = deck.columns[name]
                 checks.that(axis_of(panel.titles['ylabel'])[1] == unit and axis_of(panel.titles['xlabel'])[0] == 'theta2', 'the axes', panel.titles)
         if names:
             check_range(panel, names[0][0])
-            check_texts(script, panel, True)
+            check_texts(listing, panel, True)
             if kind == 'motion' and extremes is not None:
-                check_extremes(script, panel, deck, names[0][0], [branch for name, branch in names], extremes)
+                check_extremes(listing, panel, deck, names[0][0], [branch for name, branch in names], extremes)
 
 
 def check_columns(deck, rows, names):
-    text = deck.program.script(deck, 'columns', '--branch=both', '--columns=' + ','.join(names))
-    script = Script(text)
-    for panel in script.panels:
+    text = deck.program.listing(deck, 'columns', '--branch=both', '--columns=' + ','.join(names))
+    listing = Listing(text)
+    for panel in listing.panels:
         for block, words, title in panel.curves():
-            number, branch = re.fullmatch(r'c(\d+)_(open|crossed)', block).groups()
-            name = names[int(number) - 1]
+            name, branch = re.fullmatch(r'(\w+)_(open|crossed)', block).groups()
+            name = [n for n in names if re.sub(r'\W', '_', n) == name][0]
             checks.where = '%s, columns, %s, %s' % (deck.name, name, branch)
-            check_curve(deck, panel.blocks[block], rows[branch], name)
-        check_texts(script, panel, True)
+            check_curve(deck, Pixels(listing, panel), panel.blocks[block], rows[branch], name)
+        check_texts(listing, panel, True)
 
 
 def check_over_column(deck, x, y, is_to_scale):
     """A column over another: both ranges fit, with a handful of numbers; two lengths have one scale."""
     checks.where = '%s, %s over %s' % (deck.name, y, x)
-    script = Script(deck.program.script(deck, 'columns', '--branch=both', '--columns=' + y, '--plot-x=' + x))
-    panel = script.panels[0]
+    listing = Listing(deck.program.listing(deck, 'columns', '--branch=both', '--columns=' + y, '--plot-x=' + x))
+    panel = listing.panels[0]
     points = [p for block in panel.blocks.values() for p in block if p is not None]
     fits = []
     for axis, values in (('x', [p.real for p in points]), ('y', [p.imag for p in points])):
@@ -228,14 +240,14 @@ def check_over_column(deck, x, y, is_to_scale):
     checks.that(min(fits) < 1.7 and (is_to_scale or max(fits) < 1.7), 'the ranges fit', fits)
     width = panel.range['x'][1] - panel.range['x'][0]
     checks.that(2 < width / panel.tics['x'] < 20, 'numbers at the x axis', width, panel.tics)
-    pixels = Pixels(script, panel)
+    pixels = Pixels(listing, panel)
     checks.that(not is_to_scale or abs(pixels.kx / pixels.ky - 1) < 1e-3, 'one scale', pixels.kx, pixels.ky)
 
 
 def check_polar(deck, rows):
-    text = deck.program.script(deck, 'polar', '--branch=both')
-    script = Script(text)
-    for panel in script.panels:
+    text = deck.program.listing(deck, 'polar', '--branch=both')
+    listing = Listing(text)
+    for panel in listing.panels:
         titles = [axis_of(panel.titles[axis])[0] for axis in ('xlabel', 'ylabel')]
         for branch in ('open', 'crossed'):
             block = '%s_%s' % (plain(panel.title.split(',')[0]), branch)
@@ -246,42 +258,47 @@ def check_polar(deck, rows):
             wanted = [row.vector('', titles[0], titles[1]) for row in rows[branch]
                       if row.is_ok and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
             size = max(abs(p) for p in wanted)
+            pixels = Pixels(listing, panel)
+            lines = [(pixels.at(p), pixels.at(q)) for piece in pieces(panel.blocks[block]) for p, q in zip(piece, piece[1:])]
+            frame = panel.range['x'] + panel.range['y']
             k = 0
             for p in wanted:  # in their order; the ends of jumps stand between them
-                while k < len(points) and abs(points[k] - p) > 3e-7 * size:
+                if not (frame[0] < p.real < frame[1] and frame[2] < p.imag < frame[3]):
+                    continue
+                while k < len(lines) and distance(pixels.at(p), *lines[k]) > NEAR:
                     k += 1
-            checks.that(k < len(points), 'points of the table in their order', titles)
-            checks.that(len(wanted) <= len(points) <= len(wanted) + 80, 'as many points', len(points), len(wanted))
-            dots = [p for p in panel.blocks.get(block + '_dots', script.blocks.get(block + '_dots', [])) if p is not None]
+            checks.that(k < len(lines), 'points of the table in their order', titles)
+            dots = [at for at, kind in panel.dots if kind == 7]
             round_ones = [row.vector('', titles[0], titles[1]) for row in rows[branch] if row.is_ok and abs(math.remainder(row['theta2'], 30)) < 1e-6]
-            checks.that(len(dots) == len(round_ones) and all(abs(a - b) < 3e-7 * size for a, b in zip(dots, round_ones)),
-                        'dots 30 deg apart', len(dots), len(round_ones))
+            checks.that(all(any(abs(a - b) < 1e-5 * size for a in dots) for b in round_ones), 'dots 30 deg apart', len(dots), len(round_ones))
+            jumps = panel.blocks.get(block.replace('_' + branch, '_jumps'), []) if branch == 'open' else []
             # a load that begins or ends is a jump: its ends are on the curve, with most of the step between two samples
-            for k in range(0, len(panel.blocks.get(block + '_jumps', [])) - 1, 3):
-                p, q = panel.blocks[block + '_jumps'][k:k + 2]
-                checks.that(p in points and q in points, 'the ends of a jump are on the curve', p, q)
+            for k in range(0, len(jumps) - 1, 3):
+                p, q = jumps[k:k + 2]
+                checks.that(all(min(abs(end - x) for x in points) < 1e-4 * size for end in (p, q)), 'the ends of a jump are on the curve', p, q)
                 before, after = min(zip(wanted, wanted[1:]), key=lambda step: abs(step[0] - p) + abs(step[1] - q))
                 checks.near('the size of a jump', q - p, after - before, abs(after - before), 0.5)
                 checks.that(abs(p - before) > 1e-7 * size or abs(q - after) > 1e-7 * size, 'a jump has its own ends', p, q)
             if 'crushing' in deck.text and block.startswith(('F34', 'F14')):
-                checks.that(len(panel.blocks.get(block + '_jumps', [])) == 6, 'two jumps of the load', block)
+                checks.that(len(jumps) == 5 or branch != 'open', 'two jumps of the load', block)
+        size = panel.range['x'][1] - panel.range['x'][0]
         for line in panel.lines:  # in the direction of the motion
             on = [points for name, points in panel.blocks.items() if not name.endswith(('_dots', '_jumps'))
-                  if any(p is not None and q is not None and abs(p - line.start) < 1e-9 + 1e-6 * abs(p) and abs(q - line.end) < 1e-9 + 1e-6 * abs(q)
-                         for p, q in zip(points, points[1:]))]
+                  if any(p is not None and q is not None and distance(line.start, p, q) + distance(line.end, p, q) < 1e-3 * abs(q - p) + 1e-3 * size
+                         and ((q - p) * line.vector.conjugate()).real > 0 for p, q in zip(points, points[1:]))]
             checks.that(on, 'an arrow from a point of the curve to the next', line.start, line.end)
         x, y = panel.range['x'], panel.range['y']
-        width = (panel.margin['r'] - panel.margin['l']) * script.width
-        height = (panel.margin['t'] - panel.margin['b']) * script.height
+        width = (panel.margin['r'] - panel.margin['l']) * listing.width
+        height = (panel.margin['t'] - panel.margin['b']) * listing.height
         checks.near('equal scales', (x[1] - x[0]) / width, (y[1] - y[0]) / height, (x[1] - x[0]) / width, 1e-3)
-        check_texts(script, panel, False)
+        check_texts(listing, panel, False)
 
 
 def check_turning(deck, rows):
     """The energies are the areas of the drawn curve above and below its mean; they add up to E max and E min."""
-    text = deck.program.script(deck, 'turning-moment', '--branch=both')
-    script = Script(text)
-    for panel in script.panels:
+    text = deck.program.listing(deck, 'turning-moment', '--branch=both')
+    listing = Listing(text)
+    for panel in listing.panels:
         block = [name for name in panel.blocks if name.startswith('turning_')][0]
         branch = block[8:]
         checks.where = '%s, turning moment, %s' % (deck.name, branch)
@@ -291,12 +308,22 @@ def check_turning(deck, rows):
         cycle = points[-1].real
         moments = {round(abs(row['theta2']), 5): -sense * row['Ts'] for row in rows[branch] if row.is_ok}
         size = max(abs(m) for m in moments.values())
-        for p in points:
-            at = round(p.real, 5)
-            if at in moments:
-                checks.near('the moment at %g' % at, p.imag, moments[at], size, 1e-6) if abs(p.imag - moments[at]) > 1e-6 * size else None
-        checks.that(len(points) == STEPS + 1 and abs(cycle * unit - 2 * math.pi * (2 if '720' in deck.text else 1)) < 1e-6, 'a whole cycle', len(points))
+        pixels = Pixels(listing, panel)
+        lines = list(zip(points, points[1:]))
+        for at, moment in moments.items():
+            off = min(distance(pixels.at(complex(at, moment)), pixels.at(p), pixels.at(q)) for p, q in lines
+                      if p.real - 0.01 <= at <= q.real + 0.01)
+            checks.that(off <= NEAR, 'the moment at', at, 'is off by', off, 'pixels')
+        checks.that(abs(cycle * unit - 2 * math.pi * (2 if '720' in deck.text else 1)) < 1e-3, 'a whole cycle', cycle)
         step = cycle / STEPS
+        points = []  # at even steps again
+        k = 0
+        for i in range(STEPS + 1):
+            while k < len(lines) - 1 and lines[k][1].real < i * step:
+                k += 1
+            p, q = lines[k]
+            part = (i * step - p.real) / (q.real - p.real)
+            points.append(complex(i * step, p.imag + part * (q.imag - p.imag)))
         mean = sum((p.imag + q.imag) / 2 for p, q in zip(points, points[1:])) / STEPS
         checks.near('the mean', panel.mean, mean, size, 2e-3)
         to_joule = unit * si_of(deck.unit('torque'))
@@ -342,23 +369,22 @@ def check_turning(deck, rows):
                 notes = [note for note in panel.notes if note.startswith(name + ' at ')]
                 checks.that(notes and abs(math.remainder(float(re.match(r'[-0-9.e+]+', notes[0][9:]).group(0).rstrip('e')) - at, cycle)) < 1.5 * step,
                             'the note of', name, notes, at)
-        check_texts(script, panel, False)
+        check_texts(listing, panel, False)
 
 
 def check_speed(deck, rows):
-    script = Script(deck.program.script(deck, 'speed', '--branch=open'))
-    for panel in script.panels:
+    listing = Listing(deck.program.listing(deck, 'speed', '--branch=open'))
+    for panel in listing.panels:
         for block, points in panel.blocks.items():
             name = block[:-5]
             over = axis_of(panel.titles['xlabel'])[0]
             checks.where = '%s, speed, %s over %s' % (deck.name, name, over)
             points = [p for p in points if p is not None]
             wanted = [complex(row[over], row[name]) for row in rows['open'] if row.is_ok]
-            size = max(abs(p.imag) for p in wanted)
-            width = max(abs(p.real) for p in wanted)
-            checks.that(len(points) == len(wanted) and
-                        all(abs(p.real - q.real) < 1e-5 * width and abs(p.imag - q.imag) < 1e-5 * size for p, q in zip(points, wanted)),
-                        'points of the table', len(points), len(wanted))
+            pixels = Pixels(listing, panel)
+            lines = [(pixels.at(p), pixels.at(q)) for p, q in zip(points, points[1:])]
+            off = [min(distance(pixels.at(p), a, b) for a, b in lines) for p in wanted]
+            checks.that(max(off) <= NEAR, 'points of the table', max(off))
 
 
 TWO_RANGES = """mechanism = four-bar

@@ -2,7 +2,7 @@
 #
 # drawn.py FOURLINK FOLDER... - the mechanics of what is drawn: of each deck, on both branches, at a dozen crank angles.
 #
-# It reads the gnuplot scripts of the pictures `mechanism`, `vectors` and `klein`.  Places come from lengths and crank
+# It reads the pictures `mechanism`, `vectors` and `klein` (listing.py).  Places come from lengths and crank
 # angle (linkage.py), forces from the table; what is drawn has to agree with them, polygons to close, and each free body
 # to be in equilibrium.
 import cmath
@@ -14,7 +14,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, cross, crossing, decks_of, dot, foot, si_of  # noqa: E402
-from script import Script, plain  # noqa: E402
+from panels import Listing, plain  # noqa: E402
 
 # Styles of lines
 GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST, LEADER, SENSE = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6, 12, 13
@@ -52,14 +52,14 @@ def extent(panel):
 
 
 def has_line(panel, what, p, q, style, size):
-    near = 2e-6 * size
+    near = 1e-5 * size
     checks.that(any(line.style == style and ((abs(line.start - p) < near and abs(line.end - q) < near) or
                                              (abs(line.start - q) < near and abs(line.end - p) < near)) for line in panel.lines),
                 what, 'from', p, 'to', q, 'in', panel.title)
 
 
 def has_disc(panel, what, at, size, colour=None, quarters=False):
-    checks.that(any(abs(disc[0] - at) < 2e-6 * size and disc[2] == quarters and colour in (None, disc[3]) for disc in panel.discs),
+    checks.that(any(abs(disc[0] - at) < 1e-5 * size and disc[2] == quarters and colour in (None, disc[3]) for disc in panel.discs),
                 what, 'at', at, 'in', panel.title)
 
 
@@ -83,8 +83,8 @@ def boxes(panel, style):
     found = []
     for k in range(len(lines) - 3):
         four = lines[k:k + 4]
-        if all(four[j].end == four[(j + 1) % 4].start for j in range(4)) and \
-                abs(four[0].vector + four[2].vector) < 1e-5 * abs(four[0].vector) + 1e-6 * abs(four[0].start):
+        if all(abs(four[j].end - four[(j + 1) % 4].start) < 1e-6 * (abs(four[0].vector) + abs(four[1].vector)) for j in range(4)) and \
+                abs(four[0].vector + four[2].vector) < 3e-5 * abs(four[0].vector) + 3e-6 * abs(four[0].start):
             found.append(((four[0].start + four[1].end) / 2, four[0].vector / 2, four[1].vector / 2))
     return found
 
@@ -94,12 +94,12 @@ def boxes(panel, style):
 
 def check_block(panel, what, style, at, axis, size):
     """A piston or a slider: a rectangle around its pin, along its axis, longer than it is wide."""
-    mine = [box for box in boxes(panel, style) if abs(box[0] - at) < 2e-6 * size]
+    mine = [box for box in boxes(panel, style) if abs(box[0] - at) < 1e-5 * size]
     if not checks.that(mine, what, 'at', at, 'in', panel.title):
         return 0
     along, across = mine[0][1:]
     checks.near('axis of the ' + what, cross(along, axis), 0, 2e-5 * abs(along) + 1e-6 * size, 1)
-    checks.near('corners of the ' + what, dot(along, across) / abs(across), 0, 2e-5 * abs(along) + 2e-6 * size, 1)
+    checks.near('corners of the ' + what, dot(along, across) / abs(across), 0, 2e-5 * abs(along) + 1e-5 * size, 1)
     checks.that(1.2 * abs(across) < abs(along) < 2 * abs(across), 'sides of the', what)
     return abs(along)
 
@@ -109,7 +109,7 @@ def check_lever(panel, deck, position, half, size):
     near, far = deck.slide_range(position.side if not deck.has_change_point() else 1)
     u = position.axis[3]
     own_foot = position.D + 1j * deck.offset_of_slide() * u  # of the perpendicular from D on the slide
-    slots = [box for box in boxes(panel, FOLLOWER) if abs(cross(box[0] - own_foot, u)) < 2e-6 * size]
+    slots = [box for box in boxes(panel, FOLLOWER) if abs(cross(box[0] - own_foot, u)) < 1e-5 * size]
     if not checks.that(slots, 'the slot in', panel.title):
         return
     middle, along, across = slots[0]
@@ -132,7 +132,7 @@ def check_guide(panel, deck, position, half, size):
     """Two lines along the stroke of a piston, which is between them; both ends of its stroke are within them."""
     e, side = 1j * deck.number('ground.offset'), position.label
     lines = [line for line in panel.lines if line.style == GROUND and abs(line.vector.imag) < 1e-6 * size and
-             abs(abs((line.start - e).imag) - 7 / 11 * half) < 2e-6 * size]
+             abs(abs((line.start - e).imag) - 7 / 11 * half) < 1e-5 * size]
     if not checks.that(len(lines) == 2, 'two lines of the guide in', panel.title, len(lines)):
         return
     far = deck.dead_centre() + 1.5 * half
@@ -148,13 +148,13 @@ def check_guide(panel, deck, position, half, size):
 
 def check_angle(panel, name, at, theta, angle_unit, size):
     """An arc from the x axis to the direction of a link, and its value beside the drawing."""
-    rays = [line for line in panel.lines if line.style == THIN and abs(line.start - at) < 2e-6 * size and
-            abs(line.vector.imag) < 2e-6 * size and line.vector.real > 0]
+    rays = [line for line in panel.lines if line.style == THIN and abs(line.start - at) < 1e-5 * size and
+            abs(line.vector.imag) < 1e-5 * size and line.vector.real > 0]
     arcs = []
     for ray in rays:
         radius = abs(ray.vector) / 1.5
         arcs += [[line for line in panel.lines if line.style == THIN and not line.is_arrow and
-                  abs(abs(line.start - at) - radius) < 2e-6 * size and abs(abs(line.end - at) - radius) < 2e-6 * size]]
+                  abs(abs(line.start - at) - radius) < 1e-5 * size and abs(abs(line.end - at) - radius) < 1e-5 * size]]
     swept = [sum(cmath.phase((line.end - at) / (line.start - at)) for line in arc) for arc in arcs]
     limits = [{0.0}.union(cmath.phase((p - at) / abs(p - at)) for line in arc for p in (line.start, line.end)) for arc in arcs]
     # an arc is drawn counter-clockwise, from 0 to theta or from theta to 0
@@ -265,14 +265,14 @@ def check_places(panel, deck, position, row, size, has_angles=True):
         if letter != 'C' or not deck.slot:
             has_label(panel, letter)
     for at in (position.A,) if deck.slides else (position.A, position.D):
-        legs = [line for line in panel.lines if line.style == GROUND and abs(line.start - at) < 2e-6 * size and
+        legs = [line for line in panel.lines if line.style == GROUND and abs(line.start - at) < 1e-5 * size and
                 line.vector.imag < 0 and line.vector.real]
         checks.that(len(legs) == 2 and abs(legs[0].vector + legs[1].vector.conjugate()) < 4e-6 * size, 'the support at', at)
     centres = {link: position.point(link, deck.cg(link)) for link in (2, 3, 4) if deck.mass(link) > 0}
     for link, at in centres.items():
         has_disc(panel, 'centre of mass of link %d' % link, at, size, quarters=True)
     for at, _, is_quarter, _ in panel.discs:
-        checks.that(not is_quarter or any(abs(at - one) < 2e-6 * size for one in centres.values()), 'no mass has its centre at', at)
+        checks.that(not is_quarter or any(abs(at - one) < 1e-5 * size for one in centres.values()), 'no mass has its centre at', at)
     for name, link in deck.points():
         has_disc(panel, 'point ' + name, row.vector(name + '.'), size, 'black')
         has_label(panel, short(name))
@@ -297,13 +297,13 @@ def check_sense(panel, A, omega, size):
         checks.that(math.copysign(1, cross(line.start - A, line.vector)) == math.copysign(1, omega), 'the sense of rotation', omega)
         has_label(panel, 'ω₂')
     for line in lines:
-        checks.near('its arc is about A', abs(line.end - A), abs(lines[0].end - A), size, 2e-6)
+        checks.near('its arc is about A', abs(line.end - A), abs(lines[0].end - A), size, 1e-5)
 
 
-def check_numbers(script, panel, deck, position, back):
+def check_numbers(listing, panel, deck, position, back):
     """The number of a link stands close to it, closer than 40 pixels."""
     ends = {'2': (position.A, position.B), '3': (position.B, position.C), '4': (position.D, position.C)}
-    scale = (panel.range['x'][1] - panel.range['x'][0]) / (panel.margin['r'] - panel.margin['l']) / script.width
+    scale = (panel.range['x'][1] - panel.range['x'][0]) / (panel.margin['r'] - panel.margin['l']) / listing.width
     found = 0
     for words, at, side, rest in panel.labels:
         if words not in ends or at is None or deck.slot or deck.slides and words == '4':
@@ -338,18 +338,18 @@ def check_inset_forces(panel, forces, deck):
 
 
 def check_labels(panel):
-    """Names stand within the axes; the script's reader does not turn them."""
+    """Names stand within the axes; the listing's reader does not turn them."""
     x, y = panel.range['x'], panel.range['y']
     for words, at, side, rest in panel.labels:
         if at is not None:
             checks.that(x[0] <= at.real <= x[1] and y[0] <= at.imag <= y[1], 'the label', words, 'is within the axes', at, x, y)
 
 
-def check_frame(script, panel, drawn=None):
+def check_frame(listing, panel, drawn=None):
     """All that is drawn is within the axes, which have one scale and as many pixels as they have room."""
     x, y = panel.range['x'], panel.range['y']
-    width = (panel.margin['r'] - panel.margin['l']) * script.width
-    height = (panel.margin['t'] - panel.margin['b']) * script.height
+    width = (panel.margin['r'] - panel.margin['l']) * listing.width
+    height = (panel.margin['t'] - panel.margin['b']) * listing.height
     slack = 1e-6 * max(map(abs, x + y))  # of seven digits
     checks.near('one scale in ' + panel.title, (x[1] - x[0]) / width, (y[1] - y[0]) / height, 1e-4 * (x[1] - x[0]) / width + slack / height, 1)
     for p in drawn:
@@ -619,7 +619,7 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     sides = check_sides(polygon, unit, [(x.name, None, x.force) for x in wanted], largest)
     checks.near('the forces close: ' + polygon.title, sum(x[1] for x in sides), 0, largest, 1e-5)
     drawn = [line for line in polygon.lines if line.style != THIN]
-    checks.that(not drawn or drawn[0].start == 0, 'the first force begins at the origin')
+    checks.that(not drawn or abs(drawn[0].start) < 1e-5 * largest, 'the first force begins at the origin')
     for line, following in zip(drawn, drawn[1:]):
         checks.near('forces in sequence', following.start, line.end, largest, 1e-5)
     for x in acting:
@@ -640,7 +640,7 @@ def check_free_body(body, polygon, deck, position, row, link, size):
         return
     length = abs(position.B - position.A) if link == 4 and deck.slides or deck.slot and link == 3 else \
         abs(position.origin[link] - (position.B if link == 2 or deck.slot else position.C))
-    checks.near('the longest arrow of the ' + where, max(abs(line.vector) for line in lines), 0.8 * length, 1e-4 * length + 2e-6 * size, 1)
+    checks.near('the longest arrow of the ' + where, max(abs(line.vector) for line in lines), 0.8 * length, 1e-4 * length + 1e-5 * size, 1)
     coarse = 1e-6 * size / (scale * largest) * 20  # seven digits of places far from the origin
     enlarged = [float(re.match(r'friction circles ([0-9.]+):1', note).group(1)) for note in body.notes if note.startswith('friction circles')]
     enlarged = enlarged[0] if enlarged else 1
@@ -712,15 +712,15 @@ def check_title(panel, row, before=''):
 
 def check_vectors(deck, text, row, position):
     back = cmath.exp(-1j * deck.turn)
-    script = Script(text, back)
+    listing = Listing(text, back)
     has_forces = 'F12x' in row
-    if not checks.that(len(script.panels) == (9 if has_forces else 3), 'panels', len(script.panels)):
+    if not checks.that(len(listing.panels) == (9 if has_forces else 3), 'panels', len(listing.panels)):
         return
-    panels = script.panels
+    panels = listing.panels
     for panel in panels:
         panel.blocks = {}
         places = [p / back for line in panel.lines for p in (line.start, line.end)] + [label[1] for label in panel.labels if label[1]]
-        check_frame(script, panel, places)
+        check_frame(listing, panel, places)
     check_title(panels[0], row)
     check_places(panels[0], deck, position, row, extent(panels[0]))
     check_velocities(panels[1], deck, position, row)
@@ -750,12 +750,10 @@ def check_paths(panel, deck, rows, size):
         own = title[8:]
         at = [row.vector(own + '.') for row in rows if row.is_ok and own + '.x' in row]
         for place in at:
-            nearest = min(points, key=lambda p: abs(p - place))
-            k = points.index(nearest)
-            around = points[max(k - 1, 0):k + 2]
-            off = min(abs(foot_between(place, p, q) - place) for p, q in zip(around, around[1:])) if len(around) > 1 else 0
+            off = min([abs(foot_between(place, p, q) - place) for p, q in zip(points, points[1:])] + [abs(points[0] - place)])
+            pixel = (panel.range['x'][1] - panel.range['x'][0]) / 400
             step = max(abs(q - p) for p, q in zip(points, points[1:]))
-            checks.that(off <= 0.3 * step ** 2 / (0.05 * size) + 1e-6 * size, 'the path passes', own, place, off)
+            checks.that(off <= 0.3 * min(step, 0.1 * size) ** 2 / (0.05 * size) + 0.08 * pixel, 'the path passes', own, place, off, pixel)
     tracers = len(deck.points())
     checks.that(count == tracers + (0 if deck.slot else 1), 'paths', count, tracers)
 
@@ -769,19 +767,19 @@ def foot_between(point, p, q):
 
 def check_mechanism(deck, text, row, position, rows):
     back = cmath.exp(-1j * deck.turn)
-    script = Script(text, back)
-    insets = [panel.title for panel in script.panels if panel.title.endswith(', enlarged')]
-    if not checks.that(len(script.panels) == 1 + len(insets), 'panels', len(script.panels)):
+    listing = Listing(text, back)
+    insets = [panel.title for panel in listing.panels if panel.title.endswith(', enlarged')]
+    if not checks.that(len(listing.panels) == 1 + len(insets), 'panels', len(listing.panels)):
         return
-    panel = script.panels[0]
+    panel = listing.panels[0]
     check_insets(insets, deck, panel, extent(panel))
     panel.blocks = {name: [p * back if p is not None else None for p in points] for name, points in panel.blocks.items()}
     size = extent(panel)
     check_title(panel, row)
     check_places(panel, deck, position, row, size)
-    check_frame(script, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
+    check_frame(listing, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
     check_labels(panel)
-    check_numbers(script, panel, deck, position, back)
+    check_numbers(listing, panel, deck, position, back)
     check_paths(panel, deck, rows, size)
     if 'F12x' not in row:
         checks.that(not any(line.style in (PIN_FORCE,) for line in panel.lines), 'no forces without loads and masses')
@@ -826,7 +824,7 @@ def check_mechanism(deck, text, row, position, rows):
         checks.near('the place of ' + x.name, line.start, x.at, size, 5e-6)
         checks.that(line.style == x.kind, 'the style of', x.name)
         has_label(panel, x.name)  # a spring has its name at its coil
-    for inset in script.panels[1:]:
+    for inset in listing.panels[1:]:
         check_inset_forces(inset, wanted + springs, deck)
     torques = [(x.name, x.origin, x.torque) for link in (2, 3, 4) for x in acting_on(deck, position, row, link) if x.torque]
     if not is_rounding(deck, row) and row['Ts']:
@@ -844,9 +842,9 @@ def check_several(deck, rows):
     picked = [row for row in rows if row.is_ok][1:5]
     if len(picked) < 2 or deck.is_single:
         return
-    text = deck.program.script(deck, 'mechanism', '--branch=' + picked[0].branch,
+    text = deck.program.listing(deck, 'mechanism', '--branch=' + picked[0].branch,
                                '--plot-at=' + ','.join(row.values['theta2'] for row in picked), *deck.options)
-    panel = Script(text, cmath.exp(-1j * deck.turn)).panels[0]
+    panel = Listing(text, cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
     for row in picked[1:]:
         position = deck.at(row)
@@ -857,7 +855,7 @@ def check_several(deck, rows):
             check_block(panel, 'piston', OTHER, position.C, 1, size)
         elif not deck.slot:
             has_line(panel, 'the rocker of another position', position.D, position.C, OTHER, size)
-    panel = Script(deck.program.script(deck, 'mechanism', '--branch=' + picked[0].branch, *deck.options),
+    panel = Listing(deck.program.listing(deck, 'mechanism', '--branch=' + picked[0].branch, *deck.options),
                    cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
     turn = 2 * math.pi / si_of(deck.unit('angle'))
@@ -881,8 +879,8 @@ def check_klein(deck, text, row, position):
        g    divides BN as G does BC;  X and Y are the feet of I on the lines of the weight and of the inertia force
     """
     back = cmath.exp(-1j * deck.turn)
-    script = Script(text, back)
-    panel = script.panels[0]
+    listing = Listing(text, back)
+    panel = listing.panels[0]
     check_title(panel, row, "Klein's construction, ")
     size = extent(panel)
     O, B, C = position.A, position.B, position.C
@@ -902,12 +900,12 @@ def check_klein(deck, text, row, position):
             checks.near('K and L lie on the circle of the rod', abs(end - (B + C) / 2), abs(C - B) / 2, size, 1e-9)
         has_line(panel, 'the chord', K, L, THIN, size)
     for centre, radius, what, steps in ((B, BM, 'about B', 60), ((B + C) / 2, abs(C - B) / 2, 'on the rod', 60)):
-        circle = [line for line in panel.lines if line.style == THIN and abs(abs(line.start - centre) - radius) < 2e-6 * size and
-                  abs(abs(line.end - centre) - radius) < 2e-6 * size]
+        circle = [line for line in panel.lines if line.style == THIN and abs(abs(line.start - centre) - radius) < 1e-5 * size and
+                  abs(abs(line.end - centre) - radius) < 1e-5 * size]
         total = sum(abs(cmath.phase((line.end - centre) / (line.start - centre))) for line in circle if radius > 1e-6 * size)
         checks.that(total > 2 * math.pi - 1e-3 or radius <= 1e-6 * size, 'the circle', what, total)
-    overhang = [line for line in panel.lines if line.style == THIN and abs(line.start.imag - C.imag) < 2e-6 * size and
-                abs(line.end.imag - C.imag) < 2e-6 * size and abs(line.vector) >= abs(C.real)]
+    overhang = [line for line in panel.lines if line.style == THIN and abs(line.start.imag - C.imag) < 1e-5 * size and
+                abs(line.end.imag - C.imag) < 1e-5 * size and abs(line.vector) >= abs(C.real)]
     checks.that(len(overhang) >= 1, 'the line of stroke')
     check_block(panel, 'piston', FOLLOWER, C, 1, size)
     for letter in 'OBCMQN' + ('KL' if meets else ''):
@@ -965,8 +963,8 @@ def check_klein(deck, text, row, position):
     if rod_mass > 0 and 'klein_FT' in row:
         checks.near('the note of FT', value_of(panel.note('FT'), deck.unit('force')), row['klein_FT'], abs(row['klein_FT']) + 1e-9, 1e-4)
     small = deck.length(2) < 0.7 * deck.length(3)
-    if checks.that(len(script.panels) == (2 if small else 1), 'the crank enlarged') and small:
-        inset = script.panels[1]
+    if checks.that(len(listing.panels) == (2 if small else 1), 'the crank enlarged') and small:
+        inset = listing.panels[1]
         for p, q, style, what in ((O, M, RESULT, 'OM'), (Q, N, RESULT, 'QN'), (N, O, FOLLOWER, 'ON'), (O, B, CRANK, 'the crank'),
                                   (B, B + 0.8 * deck.length(2) * u, COUPLER, 'the beginning of the rod')):
             has_line(inset, 'enlarged ' + what, p, q, style, size)
@@ -1028,11 +1026,11 @@ def check_deck(deck, folder):
             checks.where = '%s, %s, %s' % (own.name, branch, row.values['theta2'])
             position = own.at(row)
             at = ('--branch=' + branch, '--plot-at=' + row.values['theta2']) + own.options
-            check_vectors(own, own.program.script(own, 'vectors', *at), row, position)
+            check_vectors(own, own.program.listing(own, 'vectors', *at), row, position)
             if own.slides and k % 4 < 2 and not is_slow(own):
-                check_klein(own, own.program.script(own, 'klein', *at), row, position)
+                check_klein(own, own.program.listing(own, 'klein', *at), row, position)
             if (k % 4 == 1 or k % 8 == 2) and not is_slow(own):
-                check_mechanism(own, own.program.script(own, 'mechanism', *at), row, position, rows)
+                check_mechanism(own, own.program.listing(own, 'mechanism', *at), row, position, rows)
         checks.where = '%s, %s' % (own.name, branch)
         if not is_slow(own):
             check_several(own, rows)
@@ -1040,7 +1038,7 @@ def check_deck(deck, folder):
         for branch, rows in deck.table('--branch=both').items():
             checks.where = '%s, %s, its instant' % (deck.name, branch)
             if is_sound(deck, rows[0]):
-                check_vectors(deck, deck.program.script(deck, 'vectors', '--branch=' + branch), rows[0], deck.at(rows[0]))
+                check_vectors(deck, deck.program.listing(deck, 'vectors', '--branch=' + branch), rows[0], deck.at(rows[0]))
 
 
 def main(fourlink, folders):

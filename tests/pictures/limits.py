@@ -2,7 +2,7 @@
 #
 # limits.py FOURLINK DATA DECKS - the picture of limits: swing, stroke and dead positions against the triangles that
 # they are, the transmission angle against that of the table, instantaneous centres against the velocities of the table.
-# A script with one number changed is found wrong.
+# A listing with one number changed is found wrong.
 import cmath
 import math
 import os
@@ -12,7 +12,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from linkage import Checks, Deck, Program, cross, dot, si_of  # noqa: E402
-from script import Script  # noqa: E402
+from panels import Listing  # noqa: E402
 
 CRANK, COUPLER, FOLLOWER, RESULT = 2, 3, 4, 10
 
@@ -148,17 +148,17 @@ def check_transmission(checks, deck, panel, row, position):
 
 
 def check_deck(checks, deck, change=lambda text: text):
-    """The same of a script that was changed, which is wrong."""
+    """The same of a listing that was changed, which is wrong."""
     drawn = 0
     for branch, rows in deck.table('--branch=both').items():
         good = [row for row in rows if row.is_ok and row['mu'] * si_of(deck.unit('angle')) > 0.1]
         for row in good[1::7][:3]:
             checks.where = '%s, %s, %s' % (deck.name, branch, row.values['theta2'])
-            text = change(deck.program.script(deck, 'limits', '--branch=' + branch, '--plot-at=' + row.values['theta2'] + ' ' + deck.unit('angle')))
-            script = Script(text, cmath.exp(-1j * deck.turn))
-            if not checks.that(len(script.panels) == 2, 'panels', len(script.panels)):
+            text = change(deck.program.listing(deck, 'limits', '--branch=' + branch, '--plot-at=' + row.values['theta2'] + ' ' + deck.unit('angle')))
+            listing = Listing(text, cmath.exp(-1j * deck.turn))
+            if not checks.that(len(listing.panels) == 2, 'panels', len(listing.panels)):
                 continue
-            whole, instant = script.panels
+            whole, instant = listing.panels
             side = 1 if branch == 'open' else -1
             if whole.title.endswith(': limits of link 4') and not deck.slot:
                 check_swing(checks, deck, whole, side)
@@ -198,7 +198,7 @@ def main(fourlink, data, decks):
             wrong = Checks(most=0)
             check_deck(wrong, Deck(program, path), change)
             checks.where = os.path.basename(path)
-            checks.that(wrong.failed > 0, 'a changed script is found wrong')
+            checks.that(wrong.failed > 0, 'a changed listing is found wrong')
     return checks.finish()
 
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# look.py SCRIPT - what is wrong with the colours of a picture on white paper, in colour or in grey; nothing if all is well.
+# look.py SVG - what is wrong with the colours of a picture on white paper, in colour or in grey; nothing if all is well.
 #
 # Contrast and luminance as in the Web Content Accessibility Guidelines 2.1: L = 0.2126 R + 0.7152 G + 0.0722 B of the
 # linear components, contrast (1 + 0.05) / (L + 0.05).
 import re
 import sys
 
+NAMES = ' ground crank coupler follower path ghost force load construction result other leader sense'.split(' ')
 GROUND, CRANK, COUPLER, FOLLOWER, PATH, GHOST, FORCE, LOAD, CONSTRUCTION, RESULT, OTHER, LEADER, SENSE = range(1, 14)
 
 
@@ -25,10 +26,15 @@ def main(path):
     styles, curves = {}, {}
     with open(path, encoding='utf-8') as text:
         for line in text:
-            match = re.match(r"set (style line|linetype) (\d+) lw ([0-9.]+) dt (\S+) lc rgb '#(\w{6})'", line)
-            if match:
-                (styles if match.group(1) == 'style line' else curves)[int(match.group(2))] = \
-                    (float(match.group(3)), match.group(4), match.group(5))
+            match = re.match(r'\.(\w+)\{stroke:#(\w{6});stroke-width:([0-9.]+)(?:;stroke-dasharray:([0-9,]+))?\}', line)
+            if not match:
+                continue
+            name, colour, width, dashes = match.groups()
+            found = float(width), dashes, colour
+            if name in NAMES:
+                styles[NAMES.index(name)] = found
+            elif name.startswith('curve'):
+                curves[int(name[5:])] = found
     wrong = []
     for what, found, numbers in (('style', styles, (GROUND, CRANK, COUPLER, FOLLOWER, FORCE, LOAD, CONSTRUCTION, RESULT, SENSE)),
                                  ('curve', curves, range(1, 7))):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# pictures.sh - what the tests of pictures share besides harness.sh: reading scripts and pictures, gnuplot.
+# pictures.sh - what the tests of pictures share besides harness.sh: reading pictures and their listings.
 . "$(dirname "$0")/../harness.sh"
 fourbar=$decks/coupler-point.deck
 engine=$decks/engine.deck
@@ -9,9 +9,9 @@ kinds='mechanism motion forces turning-moment polar vectors limits klein animati
 version=$("$fourlink" --version | sed -n 's/^fourlink //p')
 not() { ! "$@"; }
 
-# ------------------------------------------------------------------------- numbers of a script, no gnuplot
+# ------------------------------------------------------------------------- numbers of a listing
 
-# arrows SCRIPT [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and
+# arrows LISTING [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and
 # "PANEL<tab>note<tab>NAME VALUE"
 arrows() {
     awk -v head="${2:-head}" '
@@ -37,17 +37,13 @@ near() { # near WHAT X Y TOLERANCE, relative to Y
 
 # --------------------------------------------------------------------------------------- pictures
 
-needs_gnuplot() {
-    needs gnuplot gnuplot-nox
-    needs python3 python3 # its parser of XML
-}
+needs_python() { needs python3 python3; } # its parser of XML
 # pictures_of DECK KIND...: such pictures, under the names that test_kinds.sh gives them
 pictures_of() {
     deck=$1
     shift
     for kind in "$@"; do
         picture=$(basename "$deck" .deck)-$kind.svg
-        [ $kind = animation ] && picture=$(basename "$deck" .deck).gif
         "$fourlink" --plot=$picture --plot-kind=$kind "$deck" >out 2>err
     done
 }
@@ -60,14 +56,14 @@ well_formed() {
     python3 -IS -c 'import sys, xml.parsers.expat as x; x.ParserCreate().ParseFile(open(sys.argv[1], "rb"))' "$1"
 }
 svg() { # svg FILE: a whole picture
-    check "$1: the head of an SVG file" test "$(head -c 14 "$1")" = '<?xml version='
-    check "$1: ends in </svg>" test "$(tail -n 3 "$1" | tr -d '\n')" = '</g></svg>'
+    check "$1: the head of an SVG file" test "$(head -c 5 "$1")" = '<svg '
+    check "$1: ends in </svg>" test "$(tail -n 1 "$1")" = '</svg>'
     check "$1: well-formed" well_formed "$1"
 }
 # words FILE: its texts, one a line, without the escapes of XML
 words() {
     sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' "$1" |
-        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&apos;/'"'"'/g; s/&#160;/ /g; s/&amp;/\&/g'
+        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&apos;/'"'"'/g; s/&#160;/ /g; s/&amp;/\&/g; s/−/-/g'
 }
 shows() { # shows FILE TEXT...: each is a text of its own in the picture
     file=$1
@@ -77,32 +73,6 @@ shows() { # shows FILE TEXT...: each is a text of its own in the picture
         check "$file: no text '$text'" grep -qxF -e "$text" "$work/texts"
     done
 }
-# same_drawing FILE FILE: two pictures; of an SVG without title and description, which a script does not have
-same_drawing() {
-    for drawing in "$1" "$2"; do
-        case $drawing in
-        *.gif | *.png) cat "$drawing" ;;
-        *) sed 's/^<title>.*//; s/^<desc>.*//' "$drawing" ;;
-        esac >"$work/drawing.$([ "$drawing" = "$1" ] && echo 1 || echo 2)"
-    done
-    check "$1 and $2 differ" cmp -s "$work/drawing.1" "$work/drawing.2"
-}
 # bytes FILE FROM COUNT: as numbers
 bytes() { od -An -v -tu1 -j "$2" -N "$3" "$1" | tr -s ' \n' '  ' | sed 's/^ //; s/ $//'; }
 magic() { check "$1: begins with $(bytes "$1" 0 8)" test "$(bytes "$1" 0 "$2")" = "$3"; }
-# The number of pictures of an animated GIF file: before each of them a graphic control extension stands.
-frames() {
-    [ "$(tail -c 1 "$1")" = ';' ] || echo 'no end of'
-    LC_ALL=C grep -a -o "$(printf '\041\371\004')" "$1" | wc -l
-}
-
-# In a locale without a degree sign gnuplot complains of that before it reads anything.
-a_gnuplot() { LC_ALL=C.UTF-8 gnuplot "$@"; }
-# draw SCRIPT: run it; what gnuplot says is in the file said, but for the number of pictures of an animation
-draw() {
-    a_gnuplot - <"$1" >drawn 2>said.all
-    drawn=$?
-    grep -v '^[0-9]* frames in animation sequence' said.all >said
-    check "gnuplot: exit status $drawn of $1" test $drawn -eq 0
-    check "gnuplot on $1: $(head -n 2 said)" test ! -s said
-}

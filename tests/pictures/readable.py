@@ -9,12 +9,15 @@ import xml.etree.ElementTree as tree
 LETTER, LINE = 6.5, 9  # pixels that a letter takes at least
 
 
+SVG = '{http://www.w3.org/2000/svg}'
+
+
 class Text:
-    def __init__(self, group, words):
-        self.words = words
-        self.x, self.y = map(float, re.match(r'translate\(([-0-9.]+),([-0-9.]+)\)', group.get('transform')).groups())
-        width = LETTER * len(words)
-        self.left = self.x - {'start': 0, 'middle': width / 2, 'end': width}[group.get('text-anchor')]
+    def __init__(self, text):
+        self.words = ''.join(text.itertext()).replace('\u2212', '-')
+        self.x, self.y = float(text.get('x')), float(text.get('y'))
+        width = LETTER * len(self.words)
+        self.left = self.x - {None: 0, 'middle': width / 2, 'end': width}[text.get('text-anchor')]
         self.right = self.left + width
 
     def is_on(self, other):
@@ -22,15 +25,9 @@ class Text:
 
 
 def texts(picture):
-    """Those that are not turned; one in a box is in the file twice."""
-    found = {}
-    for group in picture.iter('{http://www.w3.org/2000/svg}g'):
-        for text in group.findall('{http://www.w3.org/2000/svg}text'):
-            words = ''.join(text.itertext())
-            if words.strip() and 'rotate' not in group.get('transform'):
-                one = Text(group, words)
-                found[words, one.x, one.y] = one
-    return list(found.values())
+    """Those that are not turned."""
+    found = (Text(text) for text in picture.iter(SVG + 'text') if not text.get('transform'))
+    return [text for text in found if text.words.strip()]
 
 
 def main(question, path):
@@ -42,7 +39,7 @@ def main(question, path):
         if question != 'apart' and (text.left < 0 or text.right > width or not 0 < text.y < height):
             print(text.words, 'is beyond the edge')
         for other in all_texts[:i]:
-            if question != 'inside' and text.is_on(other) and text.words != other.words:
+            if question != 'inside' and text.is_on(other) and (text.words, text.x) != (other.words, other.x):
                 print(text.words, 'is on', other.words)
 
 

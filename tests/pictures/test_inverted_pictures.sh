@@ -3,7 +3,7 @@
 #
 # test_inverted_pictures.sh FOURLINK DATA - pictures of an oscillating cylinder.
 . "$(dirname "$0")/pictures.sh"
-needs_gnuplot
+needs_python
 
 cp "$data/oscillating-cylinder.deck" cylinder.deck
 for kind in mechanism motion vectors; do

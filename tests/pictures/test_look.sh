@@ -6,21 +6,21 @@
 needs python3 python3
 
 look() { python3 -B "$(dirname "$decks")/pictures/look.py" "$1" 2>&1; }
-run 0 --plot-script=x.gp "$fourbar"
-check "colours: $(look x.gp | head -n 3)" test -z "$(look x.gp)"
+run 0 --plot=x.svg "$fourbar"
+check "colours: $(look x.svg | head -n 3)" test -z "$(look x.svg)"
 # it can fail
-for change in 's/^\(set style line 3 .*\)#[0-9A-F]*/\1#0A2F7A/' 's/^\(set style line 8 .*\)#[0-9A-F]*/\1#E69F00/' \
-    's/^\(set linetype 2 .*\)#[0-9A-F]*/\1#D55E00/' 's/^\(set style line 3 lw \)[0-9.]*/\15/'; do
-    sed "$change" x.gp >wrong.gp
-    check "a wrong colour or width is seen: $change" test -n "$(look wrong.gp)"
+for change in 's/^\(.coupler{stroke:#\)[0-9A-F]*/\10A2F7A/' 's/^\(.load{stroke:#\)[0-9A-F]*/\1E69F00/' \
+    's/^\(.curve2{stroke:#\)[0-9A-F]*/\1D55E00/' 's/^\(.coupler{.*stroke-width:\)[0-9.]*/\15/'; do
+    sed "$change" x.svg >wrong.svg
+    check "a wrong colour or width is seen: $change" test -n "$(look wrong.svg)"
 done
 
 # --- the default position: most loads act, no dead position is near
-angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°, \([^"]*\)".*/\1 \2/p' x.gp | head -n 1; }
+angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°, \([^"]*\)".*/\1 \2/p' x.list | head -n 1; }
 shows_at() { # shows_at ANGLE REASON ARGUMENT...
     wanted="$1 $2"
     shift 2
-    run 0 --plot-script=x.gp --branch=open "$@"
+    listed 0 x.list --branch=open "$@"
     check "the default: $(angle), expected $wanted" test "$(angle)" = "$wanted"
 }
 cat >press.deck <<'DECK'
@@ -55,30 +55,30 @@ shows_at 150 'clear of dead positions' press.deck --set='load press.force=0 N' -
 for kind in vectors klein limits; do
     shows_at 210 'where press acts' press.deck --plot-kind=$kind
 done
-run 0 --plot-script=x.gp --plot-at='60 deg' --branch=open press.deck
-check 'no reason for what was asked for' none ' acts' x.gp
+listed 0 x.list --plot-at='60 deg' --branch=open press.deck
+check 'no reason for what was asked for' none ' acts' x.list
 run 0 --report=x.html --branch=open press.deck
 check 'the report shows the same position' grep -q '210' x.html
 
 # --- names and units of a book, but on a terminal
-run 0 --plot-script=x.gp --plot-kind=columns --columns=F12x,Ts,alpha3,F12_along,G3.y,mu --branch=open "$fourbar"
+listed 0 x.list --plot-kind=columns --columns=F12x,Ts,alpha3,F12_along,G3.y,mu --branch=open "$fourbar"
 for name in 'title "F₁₂ₓ"' '"Tₛ (N·m)"' '"α₃ (rad/s²)"' 'title "F₁₂ along"' '"G₃.y (mm)"' '"μ (°)"' '"θ₂ (°)"'; do
-    check "no $name" grep -qF "$name" x.gp
+    check "no $name" grep -qF "$name" x.list
 done
 { cat "$fourbar" && printf '[sweep]\ncrank.length = 20 mm to 24 mm step 2 mm\noutput = time_ratio, mu_min\n'; } >names.deck
-run 0 --plot-script=x.gp --plot-kind=columns --branch=open names.deck
-check 'the words of a fact' grep -qF 'set ylabel "time ratio (1)"' x.gp
-check 'its symbol' grep -qF 'set ylabel "μ min (°)"' x.gp
-run 0 --plot-script=x.gp --plot=x.txt --plot-kind=columns --columns=F12x,Ts,mu --branch=open "$fourbar"
-for name in '"F12x (N)' 'Ts (N.m)' 'mu (deg)' '"theta2 (deg)"'; do
-    check "a terminal has no $name" grep -qF "$name" x.gp
+listed 0 x.list --plot-kind=columns --branch=open names.deck
+check 'the words of a fact' grep -qF 'set ylabel "time ratio (1)"' x.list
+check 'its symbol' grep -qF 'set ylabel "μ min (°)"' x.list
+run 0 --plot=x.txt --plot-kind=columns --columns=F12x,Ts,mu --branch=open "$fourbar"
+for name in 'F12x (N)' 'Ts (N.m)' 'mu (deg)' 'theta2 (deg)'; do
+    check "a terminal has no $name" grep -qF "$name" x.txt
 done
 
 # --- sense of rotation: reversed with the speed
-sense() { awk '/ head .* ls 13( |$)/ {split($4, a, ","); split($6, b, ","); s = a[1] * b[2] - a[2] * b[1]; print (s > 0 ? 1 : -1)}' x.gp; }
-run 0 --plot-script=x.gp --branch=open "$fourbar"
+sense() { awk '/ head .* ls 13( |$)/ {split($4, a, ","); split($6, b, ","); s = a[1] * b[2] - a[2] * b[1]; print (s > 0 ? 1 : -1)}' x.list; }
+listed 0 x.list --branch=open "$fourbar"
 check "the sense: $(sense)" test "$(sense)" = 1
-run 0 --plot-script=x.gp --branch=open --set='motion.speed=-30 rad/s' "$fourbar"
+listed 0 x.list --branch=open --set='motion.speed=-30 rad/s' "$fourbar"
 check "the sense, reversed: $(sense)" test "$(sense)" = -1
 
 # --- a slotted lever is drawn to its end; the letters of an animation do not jump
@@ -102,15 +102,15 @@ force = (0, 1200) N
 speed = 40 rpm
 interval = 10 deg
 DECK
-run 0 --plot-script=x.gp --plot-at='90 deg' --branch=open lever.deck
+listed 0 x.list --plot-at='90 deg' --branch=open lever.deck
 check 'the lever ends at its load' awk '/ nohead ls 4$/ {split($6, b, ","); r = sqrt((b[1] - 300) ^ 2 + b[2] ^ 2); if (r > 899.9 && r < 900.1) n++}
-    END {exit n != 1}' x.gp
-run 0 --plot-script=x.gp --plot-kind=animation --branch=open "$fourbar"
+    END {exit n != 1}' x.list
+listed 0 x.list --plot-kind=animation --branch=open "$fourbar"
 for letter in A D; do
-    check "letter $letter stays: $(grep "^set label \"$letter\" at" x.gp | sort -u | wc -l) places" \
-        test "$(grep "^set label \"$letter\" at" x.gp | sort -u | wc -l)" -eq 1
+    check "letter $letter stays: $(grep "^set label \"$letter\" at" x.list | sort -u | wc -l) places" \
+        test "$(grep "^set label \"$letter\" at" x.list | sort -u | wc -l)" -eq 1
 done
 check 'letter B stays outward of the crank' awk '/ nohead ls 2$/ {split($6, b, ",")} /^set label "B" at / {split($5, p, ",")
-    d = (p[1] - b[1]) * b[1] + (p[2] - b[2]) * b[2]; if (d < 0) bad = 1; n++} END {exit bad || n != 60}' x.gp
+    d = (p[1] - b[1]) * b[1] + (p[2] - b[2]) * b[2]; if (d < 0) bad = 1; n++} END {exit bad || n != 60}' x.list
 
 finish

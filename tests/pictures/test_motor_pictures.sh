@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_motor_pictures.sh FOURLINK DATA - all kinds of pictures of a machine with a motor, as gnuplot draws them.
+# test_motor_pictures.sh FOURLINK DATA - all kinds of pictures of a machine with a motor.
 . "$(dirname "$0")/pictures.sh"
-needs_gnuplot
+needs_python
 
 pump=$data/../doc/motor-pump.deck
 steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'

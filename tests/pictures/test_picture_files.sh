@@ -7,7 +7,7 @@
 cp "$fourbar" input.svg
 cp "$fourbar" input.copy
 ln -s input.svg link.svg
-for option in --plot=input.svg --plot=./input.svg --plot=link.svg --plot-script=input.svg --plot-script=link.svg; do
+for option in --plot=input.svg --plot=./input.svg --plot=link.svg; do
     run 3 $option input.svg
     says 'it is also read'
     same input.svg input.copy
@@ -16,11 +16,11 @@ done
 check 'standard input is not written over' test $? -eq 3
 same input.svg input.copy
 mkdir folder.svg
-run 3 --plot-script=folder.svg "$fourbar"
+run 3 --plot=folder.svg "$fourbar"
 says 'folder.svg: Is a directory'
 nothing
-run 3 --plot-script=missing/x.gp "$fourbar"
-says 'missing/x.gp: No such file'
+run 3 --plot=missing/x.svg "$fourbar"
+says 'missing/x.svg: No such file'
 nothing
 run 3 --plot=x.svg missing.deck
 nothing
@@ -30,21 +30,16 @@ printf 'title = nothing\n' >empty.deck
 run 2 --plot=x.svg empty.deck
 check 'no picture of a wrong deck' test ! -e x.svg
 # one file is not both results and picture
-for pair in '--output=both.svg --plot=both.svg' '--output=both.svg --plot-script=both.svg' \
-    '--plot=both.svg --plot-script=both.svg' '--output=./both.svg --plot=both.svg'; do
+for pair in '--output=both.svg --plot=both.svg' '--report=both.svg --plot=both.svg' '--output=./both.svg --plot=both.svg'; do
     rm -f both.svg
     "$fourlink" $pair "$fourbar" >out 2>err
     check "one file for two: $pair" test $? -ne 0
 done
-# - is standard output, as for --output
-"$fourlink" --plot-script=- "$fourbar" >out 2>err
-check '--plot-script=- writes no file of that name' test ! -e ./-
-
 # A file that the deck names is an input, and a link to a file is that file.
 sed 's/^pressure *=.*/indicator = file card.txt/' "$engine" >card.deck
 printf '0 1e5\n90 20e5\n180 3e5\n' >card.txt
 cp card.txt before.txt
-for option in --output=card.txt --plot-script=card.txt; do
+for option in --output=card.txt --plot=card.txt; do
     run 3 "$option" card.deck
     says 'it is also read'
     same card.txt before.txt

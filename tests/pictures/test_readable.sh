@@ -4,7 +4,7 @@
 # test_readable.sh FOURLINK DATA - texts within the picture, and none on another.
 . "$(dirname "$0")/pictures.sh"
 
-needs_gnuplot
+needs_python
 for deck in "$fourbar" "$engine"; do
     pictures_of "$deck" motion forces turning-moment polar vectors mechanism
 done
@@ -16,9 +16,9 @@ sound() {
     check "$2: $found" test -z "$found"
 }
 readable() { sound both "$1"; }
-sed 's/translate(/translate(9/' engine-vectors.svg >wrong.svg
+sed 's/<text x="/&9/' engine-vectors.svg >wrong.svg
 check 'texts beyond the edge are seen' test -n "$(faults inside wrong.svg)"
-sed 's/translate([0-9.]*,[0-9.]*)/translate(100,100)/' engine-vectors.svg >wrong.svg
+sed 's/<text x="[0-9.]*" y="[0-9.]*"/<text x="100" y="100"/' engine-vectors.svg >wrong.svg
 check 'texts on each other are seen' test -n "$(faults apart wrong.svg)"
 for kind in motion forces turning-moment vectors mechanism; do
     readable coupler-point-$kind.svg

@@ -5,7 +5,7 @@
 # names of all axes.
 . "$(dirname "$0")/pictures.sh"
 
-needs_gnuplot
+needs_python
 
 for deck in "$fourbar" "$engine"; do
     for kind in mechanism motion forces turning-moment polar vectors; do
@@ -17,22 +17,23 @@ for deck in "$fourbar" "$engine"; do
         mv x.txt $kind-$(basename "$deck" .deck).txt
     done
 done
-for name in 'theta3 (deg)' 'theta4 (deg)' 'omega4 (rad/s)' 'alpha4 (rad/s2)' 'theta2 (deg)' 'open ***' 'crossed ###'; do
+for name in 'theta3 (deg)' 'theta4 (deg)' 'omega4 (rad/s)' 'alpha4 (rad/s2)' 'theta2 (deg)' 'open' 'crossed'; do
     check "a terminal's motion: $name" grep -qF -e "$name" motion-coupler-point.txt
 done
 for name in 'velocity polygon, y (m/s)' 'acceleration polygon, y (m/s2)' 'free body of the rod, y (mm)' 'forces on the piston, y (N)'; do
     check "a terminal's vectors: $name" grep -qF -e "$name" vectors-engine.txt
 done
-run 0 -b open --plot=x.txt "$data/alvi-5.1.deck"
-check 'the coupler is told from the rocker and the crank' awk '
-    {crank += gsub(/\*/, ""); coupler += gsub(/#/, ""); rocker += gsub(/\$/, "")}
-    END {exit !(crank > 5 && crank < 15 && coupler > 20 && rocker > 12)}' x.txt
-check 'moment and mean are told apart' grep -q -e '-Ts \*\**mean ##*' turning-moment-engine.txt
-for kind in motion forces turning-moment polar; do
-    run 0 --plot-script=x.gp --plot=x.txt --plot-kind=$kind "$fourbar"
-    check "$kind: a grid in a terminal" none '^set grid' x.gp
-    run 0 --plot-script=x.gp --plot=x.svg --plot-kind=$kind "$fourbar"
-    check "$kind: no grid in a picture" grep -q '^set grid' x.gp
-done
+# lines are Braille, with --ascii or without UTF-8 dots; both have the same shape and the same places
+run 0 -b open --plot=braille.txt "$data/alvi-5.1.deck"
+check 'Braille' grep -q '⠤\|⠉\|⡇' braille.txt
+run 0 -b open --plot=ascii.txt --ascii "$data/alvi-5.1.deck"
+check 'nothing but ASCII' none '[^ -~]' ascii.txt
+LC_ALL=C LANG= "$fourlink" -b open --plot=c.txt "$data/alvi-5.1.deck"
+same c.txt ascii.txt
+LC_ALL= LC_CTYPE= LANG=de_DE.utf8 "$fourlink" -b open --plot=c.txt "$data/alvi-5.1.deck"
+same c.txt braille.txt
+check 'as many lines' test "$(wc -l <ascii.txt)" -eq "$(wc -l <braille.txt)"
+check 'Greek letters in words' grep -q 'theta2 = ' ascii.txt
+check 'the pins' awk '/A/ {a = 1} /B/ {b = 1} /C/ {c = 1} /D/ {d = 1} END {exit !(a && b && c && d)}' ascii.txt
 
 finish

@@ -15,30 +15,30 @@ tics() { # tics SCRIPT: of each panel that is a drawing
 }
 for angle in 0 60 130 200 299; do
     for deck in "$fourbar" "$engine"; do
-        run 0 --plot-script=v.gp --plot-kind=vectors --plot-at="$angle deg" --branch=open "$deck"
-        check "two tics at $angle deg of $(basename "$deck")" tics v.gp
+        listed 0 v.list --plot-kind=vectors --plot-at="$angle deg" --branch=open "$deck"
+        check "two tics at $angle deg of $(basename "$deck")" tics v.list
     done
 done
-sed 's/xtics [^;]*/xtics 1e9/' v.gp >wrong.gp
-check 'too few tics are seen' not tics wrong.gp
-arrows v.gp | awk -F '\t' '/^free body/ && $2 == 9' >scales
+sed 's/xtics [^;]*/xtics 1e9/' v.list >wrong.list
+check 'too few tics are seen' not tics wrong.list
+arrows v.list | awk -F '\t' '/^free body/ && $2 == 9' >scales
 check "scales of forces: $(wc -l <scales)" test "$(wc -l <scales)" -eq 3
 
 # --- nothing moves and nothing acts
-run 0 --plot-script=v.gp --plot-kind=vectors --set=motion.speed=0 --set=gravity.acceleration=0 --set='load push.force=(0, 0) N' "$fourbar"
-check 'all forces are zero' test "$(grep -c '^set label "all forces are zero"' v.gp)" -eq 6
-check 'all velocities are zero' grep -q '^set label "all velocities are zero"' v.gp
-check 'all accelerations are zero' grep -q '^set label "all accelerations are zero"' v.gp
-run 0 --plot-script=v.gp --plot-kind=vectors "$fourbar"
-check 'not all is zero' none 'are zero' v.gp
+listed 0 v.list --plot-kind=vectors --set=motion.speed=0 --set=gravity.acceleration=0 --set='load push.force=(0, 0) N' "$fourbar"
+check 'all forces are zero' test "$(grep -c '^set label "all forces are zero"' v.list)" -eq 6
+check 'all velocities are zero' grep -q '^set label "all velocities are zero"' v.list
+check 'all accelerations are zero' grep -q '^set label "all accelerations are zero"' v.list
+listed 0 v.list --plot-kind=vectors "$fourbar"
+check 'not all is zero' none 'are zero' v.list
 
 # --- the piston's box, and the body out to a centre of mass that is off the line
-run 0 --plot-script=v.gp --plot-kind=vectors "$engine"
-arrows v.gp nohead >arrows
+listed 0 v.list --plot-kind=vectors "$engine"
+arrows v.list nohead >arrows
 check 'the box of the piston' test "$(grep -c '^free body of the piston	4	' arrows)" -eq 4
 check 'a straight rod' none '^free body of the rod	9	' arrows
-run 0 --plot-script=v.gp --plot-kind=vectors --set='rod.cg=(100, 40) mm' "$engine"
-arrows v.gp nohead >arrows
+listed 0 v.list --plot-kind=vectors --set='rod.cg=(100, 40) mm' "$engine"
+arrows v.list nohead >arrows
 check 'a rod with its centre of mass off its line' test "$(grep -c '^free body of the rod	9	' arrows)" -eq 2
 
 # --- springs and dampers
@@ -112,36 +112,36 @@ branch = open
 END
 # --- friction of a slider on its lever is in F34, and no arrow of its own
 for kind in vectors mechanism; do
-    run 0 --plot-script=v.gp --plot-kind=$kind --plot-at='140 deg' "$decks/rubbing-slide.deck"
+    listed 0 v.list --plot-kind=$kind --plot-at='140 deg' "$decks/rubbing-slide.deck"
     quiet
-    check "friction is in F34, $kind" none 'friction = ' v.gp
+    check "friction is in F34, $kind" none 'friction = ' v.list
 done
 # in the mechanism: a zigzag and a spiral in black, their names and forces; a damper has no zigzag
-run 0 --plot-script=v.gp --plot-at='20 deg' friction.deck
-check 'the name of a spring' grep -q '^set label "S" at' v.gp
-check 'the name of a torsional spring' grep -q '^set label "T" at' v.gp
-check 'the force of a spring' grep -q '^set label "S = [-0-9.]* N" at' v.gp
+listed 0 v.list --plot-at='20 deg' friction.deck
+check 'the name of a spring' grep -q '^set label "S" at' v.list
+check 'the name of a torsional spring' grep -q '^set label "T" at' v.list
+check 'the force of a spring' grep -q '^set label "S = [-0-9.]* N" at' v.list
 # heads SCRIPT PEN X Y: the number of arrows that begin so near to a place
 heads() {
     awk -v pen="$2" -v x="$3" -v y="$4" '/^set arrow .* head / && $0 ~ "ls " pen "( |$)" {split($4, a, ",")
         if ((a[1] - x) ^ 2 + (a[2] - y) ^ 2 < 10 ^ 2) n++} END {print n + 0}' "$1"
 }
-check 'the torque of a torsional spring on the ground, an arc at its pin beside that of the load' test "$(heads v.gp 8 80 0)" -eq 2
-run 0 --plot-script=w.gp --plot-at='20 deg' --set='spring T.to=crank' --set='spring T.link=coupler' friction.deck
-check 'of one between two links, an arc on each' test "$(heads w.gp 8 18.79 6.84)" -eq 2 -a "$(heads w.gp 8 80 0)" -eq 1
+check 'the torque of a torsional spring on the ground, an arc at its pin beside that of the load' test "$(heads v.list 8 80 0)" -eq 2
+listed 0 w.list --plot-at='20 deg' --set='spring T.to=crank' --set='spring T.link=coupler' friction.deck
+check 'of one between two links, an arc on each' test "$(heads w.list 8 18.79 6.84)" -eq 2 -a "$(heads w.list 8 80 0)" -eq 1
 # a crank that is small beside the rest, enlarged: its pin forces and its torque
-run 0 --plot-script=w.gp --plot-at='20 deg' --set='crank.length=4 mm' --set='crank.cg=2 mm' --set='coupler.length=60 mm' friction.deck
-sed -n '/"open, /,/"at the crank, enlarged"/p' w.gp >inset.gp
+listed 0 w.list --plot-at='20 deg' --set='crank.length=4 mm' --set='crank.cg=2 mm' --set='coupler.length=60 mm' friction.deck
+sed -n '/"open, /,/"at the crank, enlarged"/p' w.list >inset.list
 for force in F₁₂ F₂₃ Tₛ; do
-    check "$force in an inset" grep -q "^set label \"$force\" at" inset.gp
+    check "$force in an inset" grep -q "^set label \"$force\" at" inset.list
 done
-check 'no force of the rocker in it' not grep -q '^set label "F₁₄" at' inset.gp
-check 'friction of pins is no arrow' none 'label "friction' v.gp
-check "the lines of springs: $(grep -c 'nohead ls 1$' v.gp)" test "$(grep -c 'nohead ls 1$' v.gp)" -gt 75
-run 0 --plot-script=w.gp --plot-at='20 deg' guide.deck
-check 'the name of a damper' grep -q '^set label "damper" at' w.gp
-check "the lines of a damper: $(grep -c 'nohead ls 1$' w.gp)" test "$(grep -c 'nohead ls 1$' w.gp)" -lt 25
-run 0 --plot-script=v.gp --plot-kind=animation friction.deck
-check 'springs move' test "$(grep -c '^set label "S" at' v.gp)" -eq 60
+check 'no force of the rocker in it' not grep -q '^set label "F₁₄" at' inset.list
+check 'friction of pins is no arrow' none 'label "friction' v.list
+check "the lines of springs: $(grep -c 'nohead ls 1$' v.list)" test "$(grep -c 'nohead ls 1$' v.list)" -gt 75
+listed 0 w.list --plot-at='20 deg' guide.deck
+check 'the name of a damper' grep -q '^set label "damper" at' w.list
+check "the lines of a damper: $(grep -c 'nohead ls 1$' w.list)" test "$(grep -c 'nohead ls 1$' w.list)" -lt 25
+listed 0 v.list --plot-kind=animation friction.deck
+check 'springs move' test "$(grep -c '^set label "S" at' v.list)" -eq 60
 
 finish

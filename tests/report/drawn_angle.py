@@ -26,8 +26,7 @@ def check(what, ok):
 
 
 def run(*arguments):
-    # without gnuplot: its figures have the angle of the caption
-    return subprocess.run([fourlink, *arguments], capture_output=True, encoding='utf-8', errors='replace', env={'PATH': ''})
+    return subprocess.run([fourlink, *arguments], capture_output=True, encoding='utf-8', errors='replace')
 
 
 def check_page(path, what, data):

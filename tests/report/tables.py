@@ -170,9 +170,8 @@ phi = 19.47 deg
 
 def main(fourlink, expectations, *decks):
     def run(*words):
-        without_gnuplot = {'PATH': ''}  # whose pictures take most of the time
         units = [] if words[0].startswith('--report') else drawn_units(words[-1])
-        return subprocess.run([fourlink] + units + list(words), capture_output=True, encoding='utf-8', env=without_gnuplot).stdout
+        return subprocess.run([fourlink] + units + list(words), capture_output=True, encoding='utf-8').stdout
     folder = tempfile.TemporaryDirectory()
     wrong = os.path.join(folder.name, 'wrong.deck')
     with open(expectations, encoding='utf-8') as given, open(wrong, 'w', encoding='utf-8') as out:

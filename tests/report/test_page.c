@@ -8,7 +8,6 @@
 
 #include "system/xml.h"
 #include "check.h"
-#include "report/compact.h"
 #include "report/mathml.h"
 #include "report/page.h"
 
@@ -156,59 +155,6 @@ TEST(test_equations)
     /* a group is left out where its symbol is 0, with the sign that then begins */
     assert_non_null(strstr(equation("<beta b > + a", 0), "3=a\n"));
     assert_non_null(strstr(equation("<beta b > + a", 1), "3=b+a\n"));
-}
-
-/* ----------------------------------------------------------------------------------------- drawings */
-
-static const char *shortened(const char *svg)
-{
-    FILE *in = tmpfile(), *out = tmpfile();
-
-    fputs(svg, in);
-    assert_int_equal(compact_svg(in, out), 1);
-    fclose(in);
-    return take(out);
-}
-
-/* What all groups of gnuplot's say, once. */
-#define AROUND "</defs><g fill=\"none\" color=\"black\" stroke=\"currentColor\">"
-
-TEST(test_groups)
-{
-    assert_string_equal(
-        shortened(
-            "<svg>\n<g id=\"gnuplot_canvas\">\n<defs> </defs>\n"
-            "<g fill=\"none\" color=\"black\" stroke=\"currentColor\">\n</g>\n"
-            "<g fill=\"none\" color=\"black\" stroke=\"currentColor\" stroke-linecap=\"butt\" "
-            "stroke-linejoin=\"miter\"\n stroke=\"red\">\n\t<path stroke='rgb(  0, 114, "
-            "178)'/></g>\n"
-            "</g></svg>\n"),
-        "<svg><g id=\"gnuplot_canvas\"><defs>" AROUND "\n"
-        "<g\n stroke=\"red\"><path stroke='rgb(  0, 114, 178)'/></g></g></g></svg>\n");
-    /* words stay as they are, but for ]]> */
-    assert_string_equal(shortened("<defs></defs><text>rgb( d='M1,2'  fill=\"none\" ]]> </text>"),
-                        "<defs>" AROUND "<text>rgb( d='M1,2'  fill=\"none\" ]]&gt; </text>");
-}
-
-TEST(test_paths)
-{
-    /* relative, in tenths; points on a line are left out, but not where it turns back */
-    assert_string_equal(
-        shortened("<defs></defs><path d='M10.00,20.00 L11.00,20.00 L12.00,20.04 L20.00,20.00 "
-                  "L20.00,35.26  '/>"),
-        "<defs>" AROUND "<path d='M10,20l10,0 0,15.3'/>");
-    assert_string_equal(shortened("<defs></defs><path d='M0,0 L10,0 L5,0 L10,10 Z M3.5,4 L5,5'/>"),
-                        "<defs>" AROUND "<path d='M0,0l10,0 -5,0 5,10zM3.5,4l1.5,1'/>");
-    /* rounding does not add up */
-    assert_string_equal(
-        shortened("<defs></defs><path d='M0,0 L0.04,1 L1,1.04 L1.04,2 L2,2.04 L2.04,3'/>"),
-        "<defs>" AROUND "<path d='M0,0l0,1 1,0 0,1 1,0 0,1'/>");
-    assert_string_equal(shortened("<defs></defs><polygon fill = 'x' points = '1,1 2,1 2,2 '/>"),
-                        "<defs>" AROUND "<path fill = 'x' d='M1,1l1,0 0,1z'/>");
-    /* in the definitions, and with curves, as it is */
-    assert_string_equal(
-        shortened("<path d='M0,-1.33 L1,1'/><defs></defs><path d='M1.11,1 C2,2 3,3 4,4'/>"),
-        "<path d='M0,-1.33 L1,1'/><defs>" AROUND "<path d='M1.11,1 C2,2 3,3 4,4'/>");
 }
 
 int main(void)

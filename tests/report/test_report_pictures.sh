@@ -1,10 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_report_pictures.sh FOURLINK DATA - reports with the pictures of gnuplot.
+# test_report_pictures.sh FOURLINK DATA - reports with their pictures.
 . "$(dirname "$0")/../harness.sh"
 needs python3 python3
-needs gnuplot gnuplot-nox
 engine=$decks/engine.deck
 
 # the same on every run, whatever the locale; no date and no folder of this machine
@@ -21,7 +20,7 @@ for deck in "$engine" "$decks/coupler-point.deck" "$data/khurmi-5.2.deck" "$data
     run 0 --report=r.html "$deck"
     python3 "$decks/../report/page.py" r.html "$deck" >wrong 2>&1
     check "$(tail -n 5 wrong)" test ! -s wrong
-    check "pictures of $deck" grep -q '<img' r.html
+    check "pictures of $deck" grep -q '<svg[^>]* class="fourlink"' r.html
 done
 
 finish

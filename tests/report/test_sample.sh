@@ -2,21 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_sample.sh FOURLINK DATA [all] - the sample calculations of chosen decks, evaluated from their printed numbers;
-# with "all" those of every deck, and the reports are sound pages, each of both branches.  Without gnuplot,
-# whose pictures take most of the time.
+# with "all" those of every deck, and the reports are sound pages, each of both branches.
 . "$(dirname "$0")/../harness.sh"
 tests=$(dirname "$decks")/report
 needs python3 python3
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
-mkdir empty
 
 [ "${3-}" ] && angles='10 95 200 275 359' || angles=275
 # sample DECK ARGUMENT...: the report r-NUMBER.html, of all that sample.py checks
 n=0
 sample() {
     n=$((n + 1))
-    PATH=$work/empty "$fourlink" --report=r-$n.html "$@" 2>err
+    "$fourlink" --report=r-$n.html "$@" 2>err
     status=$?
     check "exit status $status: $* $(cat err)" test $status -le 1
 }

@@ -2,10 +2,10 @@
 **
 ** scenes.c - what the page draws of a deck, by its own program compiled for this machine.
 **
-**    scenes DECK
+**    scenes DECK [report]
 **
-** Prints the scene as JSON, with the crank angle where the page begins, "from".  Exit status 1: there is
-** none.
+** Prints the scene as JSON, with the crank angle where the page begins, "from"; or the report that the page
+** saves.  Exit status 1: there is none.
 */
 #include "program.c"
 
@@ -26,7 +26,7 @@ int main(int argc, char **argv)
     size_t length = 0, name = argc > 1 ? strlen(argv[1]) + 1 : 0;
     char *text, *room;
 
-    if (argc != 2)
+    if (argc < 2 || argc > 3)
         return 2;
     text = read_file(argv[1], &length);
     room = web_room(name + length);
@@ -38,6 +38,16 @@ int main(int argc, char **argv)
     if (web_open(name, length) != FOURLINK_OK || !web_scene(0, v.problem.motion.from)) {
         fprintf(stderr, "%s", web_answer() ? web_answer() : "nothing");
         return 1;
+    }
+    if (argc == 3) { /* the report that the page saves */
+        room = web_room(1);
+        if (!room)
+            return 2;
+        *room = '\0';
+        if (web_report() != 1)
+            return 1;
+        fputs(web_answer(), stdout);
+        return 0;
     }
     printf("{\"from\":%.17g,%s", v.problem.motion.from, web_answer() + 1);
     return 0;

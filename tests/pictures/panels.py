@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# script.py - reads a picture's gnuplot script: what it draws, panel by panel.  Places are complex numbers.
+# panels.py - reads the listing of a picture (listing.py): what it draws, panel by panel.  Places are complex numbers.
 import re
 
 NUMBER = r'([-+0-9.eE]+)'
@@ -84,7 +84,7 @@ class Panel:
         return None
 
 
-class Script:
+class Listing:
     def __init__(self, text, turn=1):
         """`turn`: the factor that turns drawings back."""
         self.panels, self.blocks, self.title, self.source = [], {}, '', ''

@@ -1,0 +1,589 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** svg.c - a display list as an SVG.
+**
+** A panel is a group with the class panel; data-box and data-axes say how pixels and units of the axes
+** belong together.  An item has the class of its look, and what it shows as data-name.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "system/format.h"
+#include "system/xml.h"
+#include "base/text.h"
+#include "svg.h"
+#include "view/notation.h"
+
+#define HALF_WIDE 0.32 /* of a head's length: half of its width */
+#define SECONDS 4      /* of a motion */
+
+/* Decimals of a pixel: of a curve, and of a drawing, whose lines are checked against the mechanism. */
+#define OF_CURVE 2
+#define OF_DRAWING 4
+
+#define FARTHEST 1e7 /* pixels: what lies beyond is not seen */
+
+/* Write a number of pixels with at most so many decimals. */
+static void put_rounded(FILE *out, double x, int decimals)
+{
+    double size = fabs(x) < FARTHEST ? fabs(x) : FARTHEST;
+    double unit = gsl_pow_int(10, decimals), whole = floor(unit * size + 0.5);
+    char digits[30];
+    int n = sprintf(digits, "%0*.0f", decimals + 1, whole), kept = decimals;
+
+    while (kept > 0 && digits[n - decimals + kept - 1] == '0')
+        kept--;
+    fprintf(out, "%s%.*s", x < 0 && whole > 0 ? "-" : "", n - decimals, digits);
+    if (kept)
+        fprintf(out, ".%.*s", kept, digits + n - decimals);
+}
+
+static void put_number(FILE *out, double x)
+{
+    put_rounded(out, x, OF_DRAWING);
+}
+
+static void put_place(FILE *out, char before, fourlink_vector at)
+{
+    putc(before, out);
+    put_number(out, at.x);
+    putc(',', out);
+    put_number(out, at.y);
+}
+
+/* ---------------------------------------------------------------------------------------- style sheet */
+
+static void put_rule(FILE *out, int stroke)
+{
+    look x = display_look(stroke);
+    char class_name[20];
+
+    fprintf(out, ".%s{stroke:#%s;stroke-width:%g", display_class(stroke, class_name), x.colour,
+            x.width);
+    if (x.dashes[0])
+        fprintf(out, ";stroke-dasharray:%s", x.dashes);
+    fprintf(out, "}\n.fourlink .h-%s{fill:#%s}\n", class_name, x.colour);
+}
+
+void svg_put_style(FILE *out)
+{
+    int i;
+
+    fputs("svg.fourlink{font-family:sans-serif;font-size:14px;fill:none;stroke-linejoin:round}\n"
+          ".fourlink text{fill:#000;stroke:none}\n"
+          ".fourlink .halo{stroke:#fff;stroke-width:4px;paint-order:stroke}\n"
+          ".open{fill:#fff;stroke:#000;stroke-width:1.5}\n"
+          ".solid{fill:#000;stroke:#000;stroke-width:1.5}\n"
+          ".above{fill:#" LOOK_ABOVE ";fill-opacity:.35}\n"
+          ".below{fill:#" LOOK_BELOW ";fill-opacity:.35}\n"
+          "@media (prefers-color-scheme:dark)"
+          "{svg.fourlink{filter:invert(.88) hue-rotate(180deg)}}\n"
+          "@media print{svg.fourlink{filter:none}}\n",
+          out);
+    for (i = 1; i < PEN_COUNT; i++)
+        put_rule(out, i);
+    for (i = PEN_COUNT; i < PEN_CURVE; i++)
+        put_rule(out, i);
+    for (i = 0; i < LOOK_CURVE_COUNT; i++) {
+        put_rule(out, PEN_CURVE + i);
+        put_rule(out, PEN_JUMP + i);
+    }
+    put_rule(out, PEN_GRID);
+    put_rule(out, PEN_AXIS);
+}
+
+/* --------------------------------------------------------------------------------------------- items */
+
+/* The attributes of an item: its class, and what it shows. */
+static void put_class(FILE *out, const display *d, const display_item *x, const char *class_name)
+{
+    const char *name = display_words(d, x->name);
+
+    fprintf(out, " class=\"%s\"", class_name);
+    if (*name) {
+        fputs(" data-name=\"", out);
+        xml_put(out, name, strlen(name));
+        putc('"', out);
+    }
+}
+
+/* The corners of an arrow's head: its tip, both sides, and where the line ends.  A short arrow has a short
+** head. */
+static void find_head(const display *d, const display_item *x, fourlink_vector corner[4])
+{
+    fourlink_vector from = d->places[x->first], to = d->places[x->first + 1], axis;
+    double length = place_distance(from, to), head;
+
+    head = x->is_open ? x->size : GSL_MIN_DBL(x->size, 0.8 * length);
+
+    axis =
+        length > 0 ? place_at((from.x - to.x) / length, (from.y - to.y) / length) : place_at(0, 0);
+    corner[0] = to;
+    corner[1] = place_in(to, axis, head, HALF_WIDE * head);
+    corner[2] = place_in(to, axis, head, -HALF_WIDE * head);
+    corner[3] = place_in(to, axis, 0.8 * head, 0);
+}
+
+#define STRAIGHT 0.02 /* pixels: so far from a straight line a curve may leave out its points */
+
+/* 1 if all places between two of a curve are close to the line through these. */
+static int is_straight(const fourlink_vector *at, size_t from, size_t to)
+{
+    double dx = at[to].x - at[from].x, dy = at[to].y - at[from].y, length = gsl_hypot(dx, dy);
+    size_t i;
+
+    for (i = from + 1; i < to; i++) {
+        double x = at[i].x - at[from].x, y = at[i].y - at[from].y, along = x * dx + y * dy;
+
+        if (along < 0 || along > length * length || fabs(x * dy - y * dx) > STRAIGHT * length)
+            return 0;
+    }
+    return 1;
+}
+
+static void put_curve_place(FILE *out, char before, fourlink_vector at)
+{
+    putc(before, out);
+    put_rounded(out, at.x, OF_CURVE);
+    putc(',', out);
+    put_rounded(out, at.y, OF_CURVE);
+}
+
+/* The path of a curve, with its gaps. */
+static void put_curve(FILE *out, const display *d, const display_item *x)
+{
+    const fourlink_vector *at = d->places + x->first;
+    size_t from = 0, n = 0, i, last;
+
+    while (display_next_piece(d, x, &from, &n)) {
+        put_curve_place(out, 'M', at[from]);
+        for (last = 0, i = 1; i < n; i++)
+            if (i + 1 == n || i - last > 40 || !is_straight(at + from, last, i + 1)) {
+                put_curve_place(out, 'L', at[from + i]);
+                last = i;
+            }
+    }
+}
+
+static void put_path(FILE *out, const display *d, const display_item *x)
+{
+    const fourlink_vector *at = d->places + x->first;
+    fourlink_vector corner[4];
+    size_t i;
+
+    if (x->sort == DISPLAY_CURVE) {
+        put_curve(out, d, x);
+        return;
+    }
+    if (x->sort == DISPLAY_ARROW)
+        find_head(d, x, corner);
+    for (i = 0; i < x->n; i++)
+        if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW)
+            put_curve_place(out, i ? 'L' : 'M', at[i]);
+        else
+            put_place(out, i ? 'L' : 'M', x->sort == DISPLAY_ARROW && i ? corner[3] : at[i]);
+    if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW)
+        putc('z', out);
+}
+
+static void put_head(FILE *out, const display *d, const display_item *x)
+{
+    fourlink_vector corner[4];
+
+    find_head(d, x, corner);
+    put_place(out, 'M', corner[0]);
+    put_place(out, 'L', corner[1]);
+    put_place(out, 'L', corner[2]);
+    putc('z', out);
+}
+
+/* The quarters of a centre of mass that are black. */
+static void put_quarters(FILE *out, const display *d, const display_item *x)
+{
+    fourlink_vector at = d->places[x->first];
+    double r = x->size;
+    int i;
+
+    for (i = -1; i <= 1; i += 2) {
+        put_place(out, 'M', at);
+        put_place(out, 'L', place_beside(at, -i * r, 0));
+        put_place(out, 'A', place_at(r, r));
+        fputs(" 0 0 1 ", out);
+        put_place(out, ' ', place_beside(at, 0, -i * r));
+        putc('z', out);
+    }
+}
+
+static int is_mark(const char *c, const char *mark)
+{
+    return strncmp(c, mark, NOTATION_MARK) == 0;
+}
+
+#define LOWER 4  /* pixels: a subscript below the line */
+#define HIGHER 6 /* a superscript above it */
+
+/* 1 for a hyphen that stands for a minus: before a number or a name, not within one. */
+static int is_minus(const char *words, const char *c)
+{
+    return *c == '-' && (c == words || strchr(" (,", c[-1])) && c[1] && c[1] != ' ';
+}
+
+/* Write a part of a text, which is `words` from its beginning, with true minus signs. */
+static void put_part(FILE *out, const char *words, const char *part, size_t n)
+{
+    size_t from = 0, i;
+
+    for (i = 0; i < n; i++)
+        if (is_minus(words, part + i)) {
+            xml_put(out, part + from, i - from);
+            fputs("\342\210\222", out);
+            from = i + 1;
+        }
+    xml_put(out, part + from, n - from);
+}
+
+/* Write a text with its subscripts and superscripts, each to the next mark or a blank. */
+static void put_words(FILE *out, const char *words)
+{
+    const char *all = words;
+    int at = 0, to;
+
+    while (*words) {
+        int is_sub = is_mark(words, NOTATION_SUB), is_super = is_mark(words, NOTATION_SUPER);
+        size_t n;
+
+        words += is_sub || is_super ? NOTATION_MARK : 0;
+        for (n = 0;
+             words[n] && !is_mark(words + n, NOTATION_SUB) && !is_mark(words + n, NOTATION_SUPER) &&
+             !((is_sub || is_super) && words[n] == ' ');
+             n++)
+            ;
+        to = is_sub ? LOWER : is_super ? -HIGHER : 0;
+        if (to != at || to)
+            fprintf(out, "<tspan dy=\"%d\"%s>", to - at, to ? " font-size=\"10\"" : "");
+        put_part(out, all, words, n);
+        if (to != at || to)
+            fputs("</tspan>", out);
+        at = to;
+        words += n;
+    }
+}
+
+#define BASELINE 5 /* pixels below the middle of a line */
+
+static void put_text(FILE *out, const display *d, const display_item *x)
+{
+    static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
+    fourlink_vector at = d->places[x->first];
+    char class_name[30] = "h-";
+
+    display_class(x->pen, class_name + 2);
+    fputs("<text x=\"", out);
+    put_number(out, at.x);
+    fputs("\" y=\"", out);
+    put_number(out, at.y + (x->is_upright ? 0 : BASELINE));
+    putc('"', out);
+    if (x->is_upright) {
+        fputs(" transform=\"rotate(-90 ", out);
+        put_place(out, ' ', at);
+        fputs(")\"", out);
+    }
+    if (x->pen || x->name || x->is_boxed) {
+        if (x->is_boxed)
+            strcat(class_name, " halo");
+        put_class(out, d, x, x->pen ? class_name : x->is_boxed ? "halo" : "words");
+    }
+    fputs(anchors[x->align], out);
+    putc('>', out);
+    put_words(out, display_words(d, x->words));
+    fputs("</text>\n", out);
+}
+
+static void put_circle(FILE *out, const display *d, const display_item *x)
+{
+    fourlink_vector at = d->places[x->first];
+    char class_name[30] = "h-";
+
+    fputs("<circle cx=\"", out);
+    put_number(out, at.x);
+    fputs("\" cy=\"", out);
+    put_number(out, at.y);
+    fputs("\" r=\"", out);
+    put_number(out, x->size);
+    putc('"', out);
+    display_class(x->pen, class_name + 2);
+    strcat(class_name, " mark");
+    put_class(out, d, x,
+              x->sort == DISPLAY_CENTRE           ? "open centre"
+              : x->sort == DISPLAY_MARK && x->pen ? class_name
+              : x->sort == DISPLAY_MARK           ? (x->is_open ? "open mark" : "solid mark")
+              : x->is_open                        ? "open"
+                                                  : "solid");
+    fputs("/>\n", out);
+}
+
+/* A path, of which `put` writes the way. */
+static void put_one(FILE *out, const display *d, const display_item *x, const char *class_name,
+                    void put(FILE *out, const display *d, const display_item *x))
+{
+    fputs("<path", out);
+    put_class(out, d, x, class_name);
+    fputs(" d=\"", out);
+    put(out, d, x);
+    fputs("\"/>\n", out);
+}
+
+static void put_item(FILE *out, const display *d, const display_item *x)
+{
+    char class_name[30] = "h-";
+
+    if (x->sort == DISPLAY_TEXT) {
+        put_text(out, d, x);
+    } else if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) {
+        put_one(out, d, x, x->sort == DISPLAY_ABOVE ? "above" : "below", put_path);
+    } else if (x->sort == DISPLAY_LINE || x->sort == DISPLAY_ARROW || x->sort == DISPLAY_CURVE) {
+        display_class(x->pen, class_name + 2);
+        if (x->n)
+            put_one(out, d, x, class_name + 2, put_path);
+        if (x->sort == DISPLAY_ARROW)
+            put_one(out, d, x, class_name, put_head);
+    } else {
+        put_circle(out, d, x);
+        if (x->sort == DISPLAY_CENTRE)
+            put_one(out, d, x, "solid", put_quarters);
+    }
+}
+
+static void put_items(FILE *out, const display *d, size_t from, size_t to)
+{
+    size_t i;
+    int layer;
+
+    for (layer = 0; layer < DISPLAY_LAYERS; layer++)
+        for (i = from; i < to; i++)
+            if (d->items[i].layer == layer)
+                put_item(out, d, &d->items[i]);
+}
+
+/* ------------------------------------------------------------------------------------------- picture */
+
+static void put_element(FILE *out, const char *name, const char *words)
+{
+    fprintf(out, "<%s>", name);
+    xml_put(out, words, strlen(words));
+    fprintf(out, "</%s>\n", name);
+}
+
+/* How pixels and units of the axes of a panel belong together. */
+static void put_panel_data(FILE *out, const display_panel *p)
+{
+    char number[FORMAT_SIZE];
+    double axes[4];
+    int i;
+
+    axes[0] = p->axes.x_min;
+    axes[1] = p->axes.x_max;
+    axes[2] = p->axes.y_min;
+    axes[3] = p->axes.y_max;
+    fputs("<g class=\"panel\" data-box=\"", out);
+    put_place(out, ' ', place_at(p->left, p->top));
+    put_place(out, ' ', place_at(p->width, p->height));
+    fputs("\" data-axes=\"", out);
+    for (i = 0; i < 4; i++)
+        fprintf(out, "%s%s", i ? " " : "", format_general(axes[i], 9, number));
+    fputs("\">\n", out);
+}
+
+static void put_begin(FILE *out, const display *d, const char *title, const char *description,
+                      int is_figure)
+{
+    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fourlink\" role=\"img\" "
+          "xml:space=\"preserve\" width=\"",
+          out);
+    put_number(out, d->width);
+    fputs("\" height=\"", out);
+    put_number(out, d->height);
+    fputs("\" viewBox=\"0 0 ", out);
+    put_number(out, d->width);
+    putc(' ', out);
+    put_number(out, d->height);
+    fputs("\">\n", out);
+    put_element(out, "title", title);
+    put_element(out, "desc", description);
+    if (is_figure)
+        return;
+    fputs("<style>\n", out);
+    svg_put_style(out);
+    fputs("</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", out);
+}
+
+void svg_write(FILE *out, const display *d, const char *title, const char *description,
+               int is_figure)
+{
+    size_t i, done = 0;
+
+    put_begin(out, d, title, description, is_figure);
+    for (i = 0; i < d->n_panels; i++) {
+        const display_panel *p = &d->panels[i];
+
+        put_items(out, d, done, p->first); /* of no panel */
+        put_panel_data(out, p);
+        put_items(out, d, p->first, p->first + p->n);
+        fputs("</g>\n", out);
+        done = p->first + p->n;
+    }
+    put_items(out, d, done, d->n_items);
+    fputs("</svg>\n", out);
+}
+
+/* -------------------------------------------------------------------------------------------- motion */
+
+/* 1 if all frames have the same items, at other places. */
+static int is_alike(const display *frames, int n)
+{
+    size_t i;
+    int k;
+
+    for (k = 1; k < n; k++) {
+        if (frames[k].n_items - frames[k].panels[0].first !=
+            frames[0].n_items - frames[0].panels[0].first)
+            return 0;
+        for (i = 0; i < frames[0].panels[0].n; i++) {
+            const display_item *x = &frames[0].items[frames[0].panels[0].first + i],
+                               *y = &frames[k].items[frames[k].panels[0].first + i];
+
+            if (x->sort != y->sort || x->pen != y->pen || x->n != y->n)
+                return 0;
+        }
+    }
+    return 1;
+}
+
+/* The same item in another frame. */
+static const display_item *item_of(const display *frame, size_t i)
+{
+    return &frame->items[frame->panels[0].first + i];
+}
+
+static int is_moving(const display *frames, int n, size_t i)
+{
+    const display_item *x = item_of(&frames[0], i);
+    size_t j;
+    int k;
+
+    for (k = 1; k < n; k++)
+        for (j = 0; j < x->n; j++) {
+            fourlink_vector p = frames[0].places[x->first + j],
+                            q = frames[k].places[item_of(&frames[k], i)->first + j];
+
+            if (place_distance(p, q) > 5e-4)
+                return 1;
+        }
+    return 0;
+}
+
+/* The values of an attribute in all frames, and again in the first if the motion repeats. */
+static void put_values(FILE *out, const display *frames, int n, size_t i, int repeats,
+                       const char *attribute,
+                       void put(FILE *out, const display *d, const display_item *x))
+{
+    int k;
+
+    fprintf(out, "<animate attributeName=\"%s\" dur=\"%ds\" repeatCount=\"indefinite\" values=\"",
+            attribute, SECONDS);
+    for (k = 0; k < n + repeats; k++) {
+        fputs(k ? ";" : "", out);
+        put(out, &frames[k % n], item_of(&frames[k % n], i));
+    }
+    fputs("\"/>", out);
+}
+
+static void put_x(FILE *out, const display *d, const display_item *x)
+{
+    put_number(out, d->places[x->first].x);
+}
+
+static void put_y(FILE *out, const display *d, const display_item *x)
+{
+    put_number(out, d->places[x->first].y + (x->sort == DISPLAY_TEXT ? BASELINE : 0));
+}
+
+/* Write an item that moves. */
+static void put_moving(FILE *out, const display *frames, int n, size_t i, int repeats)
+{
+    const display_item *x = item_of(&frames[0], i);
+    char class_name[30] = "h-";
+
+    display_class(x->pen, class_name + 2);
+    if (x->sort == DISPLAY_TEXT) {
+        fputs("<text class=\"halo\"", out);
+        fputs(x->align == DISPLAY_MIDDLE  ? " text-anchor=\"middle\">"
+              : x->align == DISPLAY_RIGHT ? " text-anchor=\"end\">"
+                                          : ">",
+              out);
+        put_words(out, display_words(&frames[0], x->words));
+        put_values(out, frames, n, i, repeats, "x", put_x);
+        put_values(out, frames, n, i, repeats, "y", put_y);
+        fputs("</text>\n", out);
+    } else if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_MARK || x->sort == DISPLAY_CENTRE) {
+        fputs("<circle r=\"", out);
+        put_number(out, x->size);
+        fprintf(out, "\" class=\"%s\">",
+                x->sort == DISPLAY_CENTRE ? "open centre"
+                : x->is_open              ? "open"
+                                          : "solid");
+        put_values(out, frames, n, i, repeats, "cx", put_x);
+        put_values(out, frames, n, i, repeats, "cy", put_y);
+        fputs("</circle>\n", out);
+    } else {
+        fprintf(out, "<path class=\"%s\">", class_name + 2);
+        put_values(out, frames, n, i, repeats, "d", put_path);
+        fputs("</path>\n", out);
+    }
+    if (x->sort == DISPLAY_ARROW || x->sort == DISPLAY_CENTRE) {
+        fprintf(out, "<path class=\"%s\">", x->sort == DISPLAY_CENTRE ? "solid" : class_name);
+        put_values(out, frames, n, i, repeats, "d",
+                   x->sort == DISPLAY_CENTRE ? put_quarters : put_head);
+        fputs("</path>\n", out);
+    }
+}
+
+/* Frames that have different items are shown one after the other. */
+static void put_frame(FILE *out, const display *d, int k, int n)
+{
+    fprintf(out,
+            "<g visibility=\"hidden\"><animate attributeName=\"visibility\" calcMode=\"discrete\" "
+            "dur=\"%ds\" repeatCount=\"indefinite\" keyTimes=\"0;%.4f;%.4f\" "
+            "values=\"hidden;visible;hidden\"/>\n",
+            SECONDS, (double)k / n, (k + 1.0) / n);
+    put_items(out, d, d->panels[0].first, d->n_items);
+    fputs("</g>\n", out);
+}
+
+void svg_write_motion(FILE *out, const display *frames, int n, int repeats, const char *title,
+                      const char *description)
+{
+    const display_panel *p = &frames[0].panels[0];
+    size_t i;
+    int layer, k;
+
+    put_begin(out, &frames[0], title, description, 0);
+    put_items(out, &frames[0], 0, p->first);
+    put_panel_data(out, p);
+    if (is_alike(frames, n))
+        for (layer = 0; layer < DISPLAY_LAYERS; layer++)
+            for (i = 0; i < p->n; i++) {
+                if (item_of(&frames[0], i)->layer != layer)
+                    continue;
+                if (is_moving(frames, n, i))
+                    put_moving(out, frames, n, i, repeats);
+                else
+                    put_item(out, &frames[0], item_of(&frames[0], i));
+            }
+    else
+        for (k = 0; k < n; k++)
+            put_frame(out, &frames[k], k, n);
+    fputs("</g>\n</svg>\n", out);
+}
