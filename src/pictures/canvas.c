@@ -110,7 +110,8 @@ void canvas_begin_panel(canvas *c)
 
 void canvas_place_panel(canvas *c, int lines, double right)
 {
-    double width = c->width / c->columns, height = (c->height - c->head) / c->rows;
+    int columns = c->fills_row ? c->columns : 1; /* of this panel */
+    double width = c->width / c->columns * columns, height = (c->height - c->head) / c->rows;
     double x = c->next % c->columns * width, y = c->head + c->next / c->columns % c->rows * height;
 
     c->left = LEFT;
@@ -122,7 +123,8 @@ void canvas_place_panel(canvas *c, int lines, double right)
     c->box.x_max = x + width - c->right;
     c->box.y_min = y + lines * CANVAS_LINE;
     c->box.y_max = y + height - BELOW - c->below;
-    c->next++;
+    c->next += columns;
+    c->fills_row = 0;
 }
 
 void canvas_set_axes(canvas *c, place_box axes, double x_step, double y_step)

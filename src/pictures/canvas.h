@@ -30,6 +30,7 @@ typedef struct canvas {
     int is_text;
     double turn; /* rad: drawings are turned by this angle, so that gravity acts downwards */
     int columns, rows, next;      /* of panels; the next panel */
+    int fills_row;                /* 1: the next panel has all columns of its row */
     double width, height;         /* of the picture, in pixels */
     double head, below;           /* pixels above all panels, under each panel */
     double box_width, box_height; /* within the axes of the present panel */

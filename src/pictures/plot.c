@@ -88,7 +88,7 @@ static void lay_out(picture *p)
         height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : 1.05 * width / info->width;
     }
     if (is_vectors && !p->v.problem.has_forces)
-        rows = 1;
+        rows = 2;
     if (is_vectors && !is_text &&
         (p->v.problem.has_friction || p->v.problem.n_springs ||
          p->v.problem.n_points > MANY_POINTS)) {

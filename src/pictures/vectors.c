@@ -405,22 +405,22 @@ static void put_mechanism(picture *p, const fourlink_instant *now)
 const char *picture_vectors(picture *p, fourlink_branch branch)
 {
     picture_row r;
-    free_body bodies[FOURLINK_FOLLOWER + 1];
+    free_body body;
     const scene_polygon *polygons = scene_polygons(&p->v);
     int link, status = picture_row_find(p, branch, &r);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
+    p->on.fills_row = 1;
     put_mechanism(p, &r.now);
     put_polygon(p, &r, &polygons[0]);
     put_polygon(p, &r, &polygons[1]);
     if (!p->v.problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        open_body(&bodies[link], p, &r, link);
-        put_free_body(p, &r, &bodies[link]);
+        open_body(&body, p, &r, link);
+        put_free_body(p, &r, &body);
+        put_force_polygon(p, &body);
     }
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        put_force_polygon(p, &bodies[link]);
     return NULL;
 }

@@ -83,7 +83,7 @@ check 'an offer without a length' none -e '--units' out
 for case in '::x (in)' ':--set=units.length=cm:x (cm)' ':--units=mm:x (mm)' ':--units=m:x (m)' ':--set=crank.length=0.1:x (m)'; do
     option=${case#*:}
     option=${option%:*}
-    listed 0 x.list --plot-kind=columns -c x ${option:+"$option"} drawn.deck
-    check "$option: no ${case##*:}" grep -qxF "set ylabel \"${case##*:}\"" x.list
+    run 0 --plot=x.svg --plot-kind=columns -c x ${option:+"$option"} drawn.deck
+    check "$option: no ${case##*:}" grep -qF ">${case##*:}</text>" x.svg
 done
 finish

@@ -728,7 +728,7 @@ def check_vectors(deck, text, row, position):
     if not has_forces:
         return
     for link in (2, 3, 4):
-        body, polygon = panels[link + 1], panels[link + 4]
+        body, polygon = panels[2 * link - 1], panels[2 * link]
         name = deck.links[link - 1]
         checks.that(body.title == 'free body of the ' + name and polygon.title == 'forces on the ' + name, 'titles', body.title)
         size = extent(body)

@@ -5,6 +5,7 @@
 # are called; formats.
 . "$(dirname "$0")/pictures.sh"
 needs_python
+needs rsvg-convert librsvg2-bin
 needs python3 python3
 
 run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x "$fourbar"
