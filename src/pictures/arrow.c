@@ -9,9 +9,6 @@
 
 #include "arrow.h"
 
-/* An arrow shorter than this fraction of the largest would have a head and no tail. */
-#define SMALLEST 0.02
-
 /* As fractions of the drawing: the radius of a torque, and of that of a spring around its coil. */
 #define TORQUE 0.07
 #define AROUND_COIL 0.08
@@ -70,10 +67,9 @@ double arrow_largest(const arrow_list *arrows)
     return largest;
 }
 
-void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale)
+int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest)
 {
-    double largest = arrow_largest(arrows);
-    int i;
+    int left_out = 0, i;
 
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
@@ -82,12 +78,15 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
 
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);
-        if (size < SMALLEST * largest)
+        if (size < ARROW_SMALLEST * largest) {
+            left_out++;
             continue;
+        }
         sketch_arrow(s, x->kind, x->at, end);
         if (x->name[0])
             sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
+    return left_out;
 }
 
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,

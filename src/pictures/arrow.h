@@ -37,8 +37,12 @@ void arrow_cut(arrow_list *arrows, const sketch *s);
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
 
-/* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
-void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
+/* An arrow shorter than this fraction of the largest would have a head and no tail. */
+#define ARROW_SMALLEST 0.02
+
+/* Draw the forces, with so many units of length for a newton, and put their values beside the drawing.  One
+** that is small beside `largest` has no arrow: returns how many. */
+int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest);
 
 /* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as
 ** those of springs on a link that is not free, it goes around the coil that has name and value. */

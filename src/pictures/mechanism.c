@@ -5,6 +5,8 @@
 */
 #include <math.h>
 
+#include <gsl/gsl_math.h>
+
 #include "arrow.h"
 #include "plot.h"
 
@@ -47,25 +49,65 @@ static void add_forces(arrow_list *arrows, const picture_row *r, int link)
     }
 }
 
-/* Draw loads, weights and pin forces: of an inset those that act in it, on their own scale. */
-static void draw_forces(sketch *s, const picture *p, const picture_row *r)
+/* List the forces of a position; returns 1 if springs are among them. */
+static int list_forces(arrow_list *arrows, const picture_row *r)
+{
+    int link, n;
+
+    arrows->n = 0;
+    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
+        add_forces(arrows, r, link);
+    n = arrows->n;
+    add_springs(arrows, r);
+    return arrows->n > n;
+}
+
+#define POSITIONS 72 /* of a motion, for its largest force, */
+#define CLEAR 0.2    /* rad: where the transmission angle is larger */
+
+/* The largest force of a motion on a branch, but for those near dead positions; 0: none is known. */
+static double largest_of_motion(picture *p, fourlink_branch branch)
+{
+    unsigned long n = p->v.range.n_rows;
+    double largest = 0;
+    arrow_list arrows;
+    picture_row r;
+    int status, k;
+
+    for (k = 0; k < POSITIONS && n > 1; k++) {
+        status = p->v.problem.by_time
+                     ? fourlink_results_row(p->v.results, branch, (unsigned long)k * n / POSITIONS,
+                                            NULL, &r.now, r.loads)
+                     : fourlink_results_at(p->v.results, branch, picture_angle(p, k, POSITIONS),
+                                           NULL, &r.now, r.loads);
+        if (status != FOURLINK_OK || r.now.state.mu < CLEAR)
+            continue;
+        tracks_find(&r.numbers, &p->v, &r.now, r.loads);
+        scene_find(&r.drawn, &p->v);
+        list_forces(&arrows, &r);
+        largest = GSL_MAX_DBL(largest, arrow_largest(&arrows));
+    }
+    return largest;
+}
+
+/* Draw loads, weights and pin forces on the scale of a largest force, or of their own if that is larger; of an
+** inset those that act in it. */
+static void draw_forces(sketch *s, const picture *p, const picture_row *r, double largest)
 {
     static const fourlink_vector crankshaft = {0, 0};
+    char words[PICTURE_WORDS];
     arrow_list arrows;
     double scale;
-    int has_springs, link, n, i;
+    int has_springs = list_forces(&arrows, r), link, i;
 
-    arrows.n = 0;
-    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
-        add_forces(&arrows, r, link);
-    n = arrows.n;
-    add_springs(&arrows, r);
-    has_springs = arrows.n > n;
     arrow_cut(&arrows, s);
     if (arrows.n) {
-        scale = LONGEST * s->size / arrow_largest(&arrows);
-        arrow_draw(&arrows, s, p, scale);
-        arrow_draw_scale(s, p, QUANTITY_FORCE, scale, arrow_largest(&arrows));
+        largest = GSL_MAX_DBL(largest, arrow_largest(&arrows));
+        scale = LONGEST * s->size / largest;
+        if (arrow_draw(&arrows, s, p, scale, largest) && !s->is_window)
+            sketch_note(s, "no arrow below %s",
+                        picture_words(p, "", ARROW_SMALLEST * largest, QUANTITY_FORCE, words));
+        arrow_draw_scale(s, p, QUANTITY_FORCE, scale, largest);
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
@@ -131,7 +173,7 @@ static void put_inset(picture *p, const picture_row *r, int link)
     figure_draw(&s, p, state, 1);
     spring_draw(&s, p, state, 0);
     if (p->v.problem.has_forces)
-        draw_forces(&s, p, r);
+        draw_forces(&s, p, r, 0);
     s.n_notes = 0; /* they are beside the whole */
     sketch_close(&s, "at the %s, enlarged", p->v.kind.link[link]);
 }
@@ -153,7 +195,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_draw(&s, p, &r.now.state, 1);
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
-        draw_forces(&s, p, &r);
+        draw_forces(&s, p, &r, largest_of_motion(p, branch));
     sketch_note(&s, "1 ground, 2 crank,");
     sketch_note(&s, "3 %s, 4 %s", p->v.kind.link[FOURLINK_COUPLER],
                 p->v.kind.link[FOURLINK_FOLLOWER]);

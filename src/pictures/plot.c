@@ -287,9 +287,10 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
     } else if (info->needs & PLOT_OVER) {
         over = p->v.problem.by_time ? " over time" : " over the crank angle";
     }
-    if (p->why[0])
+    if ((info->needs & PLOT_AT) && !p->n_angles)
         flk_text_join(at, sizeof at, ", at \316\270" SUB_2 " = ",
-                      picture_mark(p, p->shown, 7, number), ", ", p->why, (char *)NULL);
+                      picture_mark(p, p->shown, 7, number), p->why[0] ? ", " : "", p->why,
+                      (char *)NULL);
     caption->n_lines = p->n_lines;
     caption->n_missing = p->n_missing;
     flk_text_join(caption->title, sizeof caption->title,

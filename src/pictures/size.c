@@ -40,7 +40,7 @@ int size_lines_beside(const picture *p, int each_link)
         most = lines[link] > most ? lines[link] : most;
     }
     if (p->v.problem.has_forces)
-        sum += 7; /* pin forces, torque, and what the arrows mean */
+        sum += 8; /* pin forces, torque, what the arrows mean, and which are left out */
     if (p->request->file == PLOT_TXT)
         sum += 3; /* the links in the key */
     return each_link ? 7 + most : 10 + sum + (int)p->v.problem.n_points;

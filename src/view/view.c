@@ -288,7 +288,7 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
     off = v->problem.by_time ? now->row.time - (double)(v->range.n_rows / 6) * v->problem.time_step
                              : now->row.angle - sixth_of(v);
     if (fabs(off) <= 1e-9 * (v->problem.by_time ? v->problem.duration : fabs(v->end)))
-        return "a sixth of the way";
+        return "";
     if (n == 0)
         return "clear of dead positions";
     if (n == 1)

@@ -65,7 +65,7 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 
-/* Why it is shown, if no crank angle was asked for: "a sixth of the way", "where press acts". */
+/* Why it is shown, if no crank angle was asked for: "where press acts"; "" for a sixth of the way. */
 #define VIEW_WHY 120
 const char *view_tell_position(const view *v, const fourlink_instant *now,
                                const fourlink_load *loads, char out[VIEW_WHY]);

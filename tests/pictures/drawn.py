@@ -599,7 +599,7 @@ def check_scale(panel, deck, largest, forces):
     if not checks.that(bars and len(words) == 1, 'a scale of forces in', panel.title, len(bars), words):
         return None
     bar = min(bars, key=lambda line: (line.start * cmath.exp(1j * deck.turn)).imag)
-    checks.that(largest / 6 < words[0] <= largest * 1.01, 'a scale of a useful size', words[0], largest)
+    checks.that(largest / 6 < words[0] and (words[0] <= largest * 1.01 or not panel.title.startswith('free body')), 'a scale of a useful size', words[0], largest)
     height = (bar.start * cmath.exp(1j * deck.turn)).imag
     others = [(p * cmath.exp(1j * deck.turn)).imag for line in panel.lines if line is not bar and line.style != bar.style
               for p in (line.start, line.end)]

@@ -22,9 +22,9 @@ cp "$fourbar" four.deck
 run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x --plot-x=time four.deck
 described 'Crank-rocker with a coupler point' 'four.deck, open and crossed branches: theta4, P.x over time'
 run 0 --plot=x.svg --plot-kind=vectors four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces, at θ₂ = 60°, a sixth of the way'
+described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces, at θ₂ = 60°'
 run 0 --plot=x.svg -b crossed four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces, at θ₂ = 60°, a sixth of the way'
+described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces, at θ₂ = 60°'
 sed '/^title/d' four.deck >'a&b<c>]]>"d.deck'
 run 0 --plot=x.svg --plot-kind=motion 'a&b<c>]]>"d.deck'
 described 'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck' \

@@ -25,7 +25,7 @@ for deck in "$fourbar" "$engine"; do
         shows $picture "$(sed -n 's/^title *= *//p' "$deck")" "$deck  |  fourlink $version"
     done
 done
-shows coupler-point-mechanism.svg 'open, θ₂ = 60°, a sixth of the way' 'crossed, θ₂ = 60°, a sixth of the way' 'x (mm)' 'y (mm)' 'path of C' \
+shows coupler-point-mechanism.svg 'open, θ₂ = 60°' 'crossed, θ₂ = 60°' 'x (mm)' 'y (mm)' 'path of C' \
     'path of P' A B C D P F₁₂ F₂₃ F₃₄ F₁₄ push W₂ W₃ W₄ Tₛ g 'push = 12 N' 'W₃ = 2.943 N' 'pin force, i on j' 'load or weight' '1 ground, 2 crank,' '3 coupler, 4 rocker' 'θ₂ = 60°'
 shows coupler-point-motion.svg open crossed 'θ₂ (°)' 'θ₃ (°)' 'θ₄ (°)' 'ω₃ (rad/s)' \
     'ω₄ (rad/s)' 'α₃ (rad/s²)' 'α₄ (rad/s²)'
@@ -33,11 +33,11 @@ shows coupler-point-forces.svg open crossed F₁₂ F₂₃ F₃₄ F₁₄ Tₛ
 shows coupler-point-turning-moment.svg 'θ₂ (°)' 'turning moment -Tₛ (N·m)' -Tₛ mean above below
 shows coupler-point-polar.svg open '30° apart' 'F₁₂ along (N)' 'F₁₂ across (N)' 'F₃₂ along (N)' 'F₂₃ along (N)' \
     'F₄₃ across (N)' 'F₃₄ along (N)' 'F₁₄ along (N)' 'F₁₄ across (N)' "F₁₄ on the rocker, in its axes"
-shows coupler-point-vectors.svg 'open, θ₂ = 60°, a sixth of the way' 'velocity polygon' 'acceleration polygon' \
+shows coupler-point-vectors.svg 'open, θ₂ = 60°' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
     'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s²)' \
     'x (N)' 'x (mm)' push
-shows engine-mechanism.svg 'open, θ₂ = 60°, a sixth of the way' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Tₛ 'gas = 20774 N' 'θ₃ = -16.78°'
+shows engine-mechanism.svg 'open, θ₂ = 60°' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Tₛ 'gas = 20774 N' 'θ₃ = -16.78°'
 shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s²)' 'θ₃ (°)' 'ω₃ (rad/s)' 'α₃ (rad/s²)'
 shows engine-forces.svg F₁₂ F₂₃ F₃₄ N Tₛ 'force (N)' 'Tₛ (N·m)'
 shows engine-turning-moment.svg 'turning moment -Tₛ (N·m)' mean
@@ -79,7 +79,7 @@ check 'the force jumps by the load' awk '/^\$F14_jumps/ {on = 1; next} /^EOD/ {o
 listed 0 x.list --plot-kind=polar "$fourbar"
 check 'a steady load does not jump' none '_jumps' x.list
 shows engine-vectors.svg 'velocity polygon' 'free body of the rod' 'free body of the piston' 'forces on the piston' gas aC
-shows engine-klein.svg "Klein's construction, open, θ₂ = 60°, a sixth of the way" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
+shows engine-klein.svg "Klein's construction, open, θ₂ = 60°" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
 check 'the engine has no rocker' none rocker engine-vectors.svg
 
 # --- the other kinds of file

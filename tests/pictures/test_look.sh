@@ -16,7 +16,7 @@ for change in 's/^\(.coupler{stroke:#\)[0-9A-F]*/\10A2F7A/' 's/^\(.load{stroke:#
 done
 
 # --- the default position: most loads act, no dead position is near
-angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°, \([^"]*\)".*/\1 \2/p' x.list | head -n 1; }
+angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°\(, \)*\([^"]*\)".*/\1 \3/p' x.list | head -n 1; }
 shows_at() { # shows_at ANGLE REASON ARGUMENT...
     wanted="$1 $2"
     shift 2
@@ -42,10 +42,10 @@ to = 350 deg
 speed = 200 rpm
 interval = 10 deg
 DECK
-shows_at 60 'a sixth of the way' "$fourbar"
+shows_at 60 '' "$fourbar"
 shows_at 210 'where press acts' press.deck # at 180, 190 and 200 deg crank and rod are nearly in line
 shows_at 90 'where press acts' press.deck --set='load press.from=90 deg'
-shows_at 60 'a sixth of the way' press.deck --set='load press.from=0 deg'
+shows_at 60 '' press.deck --set='load press.from=0 deg'
 { cat press.deck && printf '[load tool]\nlink = rod\nat = mid\nforce = (0, -10) N\nfrom = 300 deg\nto = 340 deg\n'; } >two.deck
 shows_at 300 'where 2 of 2 loads act' two.deck
 shows_at 240 'where press acts' two.deck --set='load press.from=240 deg' --set='load press.to=250 deg' --set='load tool.to=280 deg' \
