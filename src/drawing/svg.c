@@ -60,8 +60,8 @@ static void put_rule(FILE *out, int stroke)
     look x = display_look(stroke);
     char class_name[20];
 
-    fprintf(out, ".%s{stroke:#%s;stroke-width:%g", display_class(stroke, class_name), x.colour,
-            x.width);
+    fprintf(out, ".fourlink .%s{stroke:#%s;stroke-width:%g", display_class(stroke, class_name),
+            x.colour, x.width);
     if (x.dashes[0])
         fprintf(out, ";stroke-dasharray:%s", x.dashes);
     fprintf(out, "}\n.fourlink .h-%s{fill:#%s}\n", class_name, x.colour);
@@ -74,10 +74,11 @@ void svg_put_style(FILE *out)
     fputs("svg.fourlink{font-family:sans-serif;font-size:14px;fill:none;stroke-linejoin:round}\n"
           ".fourlink text{fill:#000;stroke:none}\n"
           ".fourlink .halo{stroke:#fff;stroke-width:4px;paint-order:stroke}\n"
-          ".open{fill:#fff;stroke:#000;stroke-width:1.5}\n"
-          ".solid{fill:#000;stroke:#000;stroke-width:1.5}\n"
-          ".above{fill:#" LOOK_ABOVE ";fill-opacity:.35}\n"
-          ".below{fill:#" LOOK_BELOW ";fill-opacity:.35}\n"
+          ".fourlink .open{fill:#fff;stroke:#000;stroke-width:1.5}\n"
+          ".fourlink .solid{fill:#000;stroke:#000;stroke-width:1.5}\n",
+          out);
+    fputs(".fourlink .above{fill:#" LOOK_ABOVE ";fill-opacity:.35}\n"
+          ".fourlink .below{fill:#" LOOK_BELOW ";fill-opacity:.35}\n"
           "@media (prefers-color-scheme:dark)"
           "{svg.fourlink{filter:invert(.88) hue-rotate(180deg)}}\n"
           "@media print{svg.fourlink{filter:none}}\n",

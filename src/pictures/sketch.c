@@ -121,7 +121,7 @@ static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to,
     if (s->is_window && !place_clip(&s->drawn, &from, &to))
         return;
     take_line(s, p, from, to);
-    line = display_line(s->c->d, p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
+    line = display_line(s->c->d, (int)p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
     line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
 }
 
@@ -142,7 +142,7 @@ void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double 
     fourlink_vector last = place_polar(centre, radius, from), next;
 
     if (!s->is_window) {
-        display_add(s->c->d, DISPLAY_LINE, p, DISPLAY_LINES);
+        display_add(s->c->d, DISPLAY_LINE, (int)p, DISPLAY_LINES);
         for (i = 0; i <= n; i++)
             display_add_place(
                 s->c->d,
@@ -320,7 +320,7 @@ void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *po
     fourlink_vector at, last = {0, 0};
     int in_piece = 0, is_empty = 1, i;
 
-    display_add(s->c->d, DISPLAY_CURVE, p, DISPLAY_CURVES)->name = kept;
+    display_add(s->c->d, DISPLAY_CURVE, (int)p, DISPLAY_CURVES)->name = kept;
     for (i = 0; i < n; i++) {
         if (gsl_isnan(points[i].x)) {
             display_add_place(s->c->d, points[i]);
@@ -368,7 +368,7 @@ static void put_margin(const sketch *s)
     int in_key = 0, i;
 
     for (i = 0; i < s->n_entries; i++) {
-        canvas_add_key(s->c, DISPLAY_LINE, s->entries[i].p, s->entries[i].title);
+        canvas_add_key(s->c, DISPLAY_LINE, (int)s->entries[i].p, s->entries[i].title);
         in_key += s->entries[i].title[0] != '\0';
     }
     for (i = 0; i < s->n_notes; i++)

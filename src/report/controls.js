@@ -218,14 +218,15 @@ function partOf(table, columns, widths) {
 function printTables() {
     const before = [];
     window.addEventListener("beforeprint", () => {
-        for (const table of document.querySelectorAll("table.rows")) {
+        for (const table of document.querySelectorAll("table.rows, details table")) {
             const fold = table.closest("details") || {open: true}, widths = widthsOf(table);
             if (!fold.open && fold.classList.contains("long"))
                 continue;
-            const parts = divide(widths).map((columns) => partOf(table, columns, widths));
+            const columns = table.matches(".rows") ? divide(widths) : [];
+            const parts = columns.map((some) => partOf(table, some, widths));
             before.push({fold, table, parts, open: fold.open});
             table.after(...parts);
-            table.hidden = true;
+            table.hidden = parts.length > 0;
             fold.open = true;
         }
     });
@@ -286,8 +287,8 @@ function start() {
     const data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});
     if (!data.branches.length)
         return;
-    const spare = 16 - document.querySelectorAll("#results tr").length;
-    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(9, spare)));
+    const spare = 20 - document.querySelectorAll(".results tr").length;
+    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(13, spare)));
     const more = document.getElementById("fourlink-more");
     for (const part of [place, more, document.getElementById("fourlink-controls")])
         part.hidden = false;

@@ -27,7 +27,7 @@ void report_put_inputs(report *r)
     unsigned long n, i;
 
     fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
-    page_section(p, "inputs", "Inputs as understood");
+    page_fold(p, 0, "Inputs as understood", n);
     page_table(p, NULL, "Name|Value|Unit|Meaning");
     for (i = 0; i < n; i++) {
         const fourlink_value *x = &inputs[i];
@@ -40,7 +40,7 @@ void report_put_inputs(report *r)
             page_row(p, "%s|%v|%u|%s", x->name, x->value, r->v.problem.digits, x->unit, x->meaning);
     }
     page_table_end(p);
-    page_print(p, "</section>\n");
+    page_fold_end(p);
 }
 
 /* Begin a line with the name of a result. */
@@ -98,6 +98,7 @@ static void put_extremes(report *r, fourlink_branch branch)
 {
     const char *of = branch == FOURLINK_OPEN ? "open branch" : "crossed branch";
     const fourlink_value *columns = r->v.columns;
+    char caption[60];
     view_extremes extremes;
     int status = view_find_extremes(&r->v, branch, &extremes);
     unsigned long i;
@@ -108,8 +109,8 @@ static void put_extremes(report *r, fourlink_branch branch)
         r->failed++;
         return;
     }
-    page_print(&r->page, "<h3>Smallest and largest values, %s</h3>\n", of);
-    page_table(&r->page, NULL, "Column|Unit|Smallest|" PAGE_AT "|Largest|" PAGE_AT);
+    flk_text_join(caption, sizeof caption, "Smallest and largest values, ", of, (char *)NULL);
+    page_table(&r->page, caption, "Column|Unit|Smallest|" PAGE_AT "|Largest|" PAGE_AT);
     for (i = 0; i < r->v.n_columns; i++) {
         if (columns[i].flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING))
             continue;
@@ -126,13 +127,11 @@ void report_put_facts(report *r)
 {
     int i;
 
-    page_section(&r->page, "facts", "All facts and extremes");
     put_facts(r, "Type and key facts", FOURLINK_FACTS_LIMITS);
     put_facts(r, "Turning moment", FOURLINK_FACTS_TURNING);
     put_facts(r, "Actual motion", FOURLINK_FACTS_MOTION);
     for (i = 0; i < r->v.n_branches && r->v.problem.n_rows > 1; i++)
         put_extremes(r, r->v.branches[i]);
-    page_print(&r->page, "</section>\n");
 }
 
 /* ------------------------------------------------------------------------------ the box of results */
@@ -234,14 +233,12 @@ void report_put_results(report *r)
     unsigned long n;
     int i;
 
-    page_section(p, "results", "Results");
     fourlink_results_facts(r->v.results, 0, FOURLINK_FACTS_LIMITS, &facts, &n);
     if (n && facts[0].words)
         page_print(p, "<p class=\"type\">%s.</p>\n", facts[0].words);
-    page_table_of(p, "results",
+    page_table_of(p, "results", "Results",
                   r->v.n_branches > 1 ? "Result|open branch|crossed branch" : "Result|Value");
     for (i = 0; i < RESULTS; i++)
         put_results_line(r, i);
     page_table_end(p);
-    page_print(p, "</section>\n");
 }

@@ -43,16 +43,23 @@ static const char *at_angle(const report *r, const char *name, char out[320])
                          r->why, ".", (char *)NULL);
 }
 
-void report_put_mechanism(report *r, int is_drawn)
+int report_has_rows(const report *r)
+{
+    const char *why;
+    unsigned long n, missing = view_count_missing(&r->v, &n, &why);
+
+    return missing < n;
+}
+
+void report_put_mechanism(report *r)
 {
     const char *at = r->drawn_at;
     char caption[320], alt[200];
 
-    if (!is_drawn) {
+    if (!report_has_rows(r)) {
         report_put_results(r);
         return;
     }
-    page_section(&r->page, "mechanism", "Mechanism");
     at_angle(r, "The mechanism, with loads and pin forces,", caption);
     if (!r->v.problem.has_forces)
         at_angle(r, "The mechanism", caption);
@@ -68,7 +75,6 @@ void report_put_curves(report *r)
     const char *over = r->v.problem.by_time ? "over time." : "over the crank angle.";
     char caption[320];
 
-    page_section(&r->page, "curves", "Curves and diagrams");
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
                flk_text_join(caption, sizeof caption, "The motion ", over, (char *)NULL));
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
@@ -83,5 +89,4 @@ void report_put_curves(report *r)
     put_figure(r, PLOT_KLEIN, at,
                "Klein's construction: lengths that stand for velocity and acceleration",
                at_angle(r, "Klein's construction", caption));
-    page_print(&r->page, "</section>\n");
 }

@@ -275,7 +275,6 @@ void report_put_interactive(report *r)
     } else {
         report_put_results(r);
     }
-    page_print(&r->page, "</section>\n");
     r->out_of_memory |= t->out_of_memory;
     rows_close(t);
     free(t);

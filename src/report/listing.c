@@ -89,7 +89,6 @@ static void put_changes(report *r)
 
 void report_put_deck(report *r)
 {
-    page_section(&r->page, "deck", "Deck");
     if (r->v.problem.n_designs)
         page_print(&r->page,
                    "<p>The deck has a sweep of %lu designs; this report is of design %lu.</p>\n",
@@ -97,5 +96,4 @@ void report_put_deck(report *r)
     put_notes(r);
     put_text(r);
     put_changes(r);
-    page_print(&r->page, "</section>\n");
 }

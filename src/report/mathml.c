@@ -31,6 +31,13 @@ void math_close(page *p)
     page_print(p, "</mrow></math>\n");
 }
 
+void math_block(page *p, const char *name_of_class)
+{
+    p->n_equations++;
+    page_print(p, "<div class=\"%m\" id=\"equation-%d\">\n<span class=\"its-number\">(%d)</span>\n",
+               name_of_class, p->n_equations, p->n_equations);
+}
+
 /* ------------------------------------------------------------------------------ symbols and numbers */
 
 /* Symbols that are no Latin letters, or no lengths, by the beginning of their names. */
@@ -308,7 +315,7 @@ static void put_value(math *m, double value, math_unit unit)
 /* Begin the block of an equation: what it is for, or null, and the equation in symbols. */
 static void put_symbols(math *m, const char *name, const char *equation, const char *end)
 {
-    page_print(m->p, "<div class=\"equation\">\n");
+    math_block(m->p, "equation");
     math_open(m->p, "symbols");
     if (name) {
         math_symbol(m->p, name);
@@ -359,7 +366,7 @@ void math_show(math *m, const char *equation)
 
 void math_show_numbers(math *m, const char *equation)
 {
-    page_print(m->p, "<div class=\"equation\">\n");
+    math_block(m->p, "equation");
     math_open(m->p, "numbers");
     put_equation(m, equation, 1);
     end_block(m);

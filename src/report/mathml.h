@@ -69,6 +69,9 @@ void math_show_numbers(math *m, const char *equation);
 void math_number(page *p, double value);
 void math_symbol(page *p, const char *name);
 
+/* Begin the block of an equation and give it its number; a block of another class. */
+void math_block(page *p, const char *name_of_class);
+
 /* The beginning of <math> as a block of its own, with a class. */
 void math_open(page *p, const char *name_of_class);
 void math_close(page *p);

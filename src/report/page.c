@@ -107,11 +107,14 @@ void page_row(page *p, const char *format, ...)
     va_end(arguments);
 }
 
-void page_table_of(page *p, const char *name_of_class, const char *columns)
+void page_table_of(page *p, const char *name_of_class, const char *caption, const char *columns)
 {
     text rest = flk_text_of(columns), name;
 
-    page_print(p, "<div class=\"wide\"><table class=\"%s\">\n<thead><tr>", name_of_class);
+    page_print(p, "<div class=\"wide\"><table class=\"%s\">\n", name_of_class);
+    if (caption)
+        page_print(p, "<caption>Table %d. %s</caption>\n", ++p->n_tables, caption);
+    page_print(p, "<thead><tr>");
     while (flk_text_split(&rest, '|', &name)) {
         page_print(p, "<th scope=\"col\">");
         xml_put(p->out, name.start, name.length);
@@ -120,16 +123,25 @@ void page_table_of(page *p, const char *name_of_class, const char *columns)
     page_print(p, "</tr></thead>\n<tbody>\n");
 }
 
-void page_table(page *p, const char *heading, const char *columns)
+void page_table(page *p, const char *caption, const char *columns)
 {
-    if (heading)
-        page_print(p, "<h3>%s</h3>\n", heading);
-    page_table_of(p, "facts", columns);
+    page_table_of(p, "facts", caption, columns);
 }
 
 void page_table_end(page *p)
 {
     page_print(p, "</tbody>\n</table></div>\n");
+}
+
+void page_fold(page *p, int is_long, const char *title, unsigned long n_rows)
+{
+    page_print(p, "<details class=\"table%s\">\n<summary>Table %d. %s (%lu)</summary>\n",
+               is_long ? " long" : "", ++p->n_tables, title, n_rows);
+}
+
+void page_fold_end(page *p)
+{
+    page_print(p, "</details>\n");
 }
 
 /* RFC 4648, section 4 */
@@ -151,4 +163,9 @@ void page_base64(page *p, FILE *bytes)
 void page_section(page *p, const char *id, const char *heading)
 {
     page_print(p, "<section id=\"%s\">\n<h2>%d %s</h2>\n", id, ++p->n_sections, heading);
+}
+
+void page_section_end(page *p)
+{
+    page_print(p, "</section>\n");
 }

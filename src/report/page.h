@@ -10,7 +10,7 @@
 
 typedef struct page {
     FILE *out;
-    int n_figures, n_tables, n_sections; /* so far: they are numbered */
+    int n_figures, n_tables, n_equations, n_sections; /* so far: they are numbered */
 } page;
 
 /* Write markup, as printf does, with
@@ -26,11 +26,16 @@ void page_print(page *p, const char *format, ...);
 
 #define PAGE_AT "at \316\270\342\202\202" /* a heading of a column */
 
-/* Begin a table of facts with a heading h3, unless it is null; one of another class.  `columns` are the
-** headings, NAME|NAME.  End it. */
-void page_table(page *p, const char *heading, const char *columns);
-void page_table_of(page *p, const char *name_of_class, const char *columns);
+/* Begin a table of facts with its number and a caption; one of another class.  `columns` are the headings,
+** NAME|NAME.  End it. */
+void page_table(page *p, const char *caption, const char *columns);
+void page_table_of(page *p, const char *name_of_class, const char *caption, const char *columns);
 void page_table_end(page *p);
+
+/* Begin the number and the title of a table that is folded on a screen, and open on paper unless it is long; a
+** page_table of it has no caption.  End the fold. */
+void page_fold(page *p, int is_long, const char *title, unsigned long n_rows);
+void page_fold_end(page *p);
 
 /* Write a row of a table, as page_print does: its name and its cells, with | between them. */
 void page_row(page *p, const char *format, ...);
@@ -38,7 +43,8 @@ void page_row(page *p, const char *format, ...);
 /* Write bytes in base64. */
 void page_base64(page *p, FILE *bytes);
 
-/* Begin a section with a heading h2 and its number. */
+/* Begin a section with a heading h2 and its number; end it. */
 void page_section(page *p, const char *id, const char *heading);
+void page_section_end(page *p);
 
 #endif

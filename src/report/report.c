@@ -8,11 +8,28 @@
 
 #include "base/text.h"
 #include "report.h"
+#include "system/xml.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
 #include "view/notation.h"
 
 #define BLANK_LINES 12 /* for the discussion */
+
+/* At the head of each printed page, the title: a string of CSS, within an element of HTML that is XML too. */
+static void put_running_title(page *p, const char *title)
+{
+    static const char special[] = "\"\\<>&'";
+    size_t n;
+
+    page_print(p, "<style>@page {@top-left {font: 8pt serif; content: \"");
+    for (; *title; title += n) {
+        n = strcspn(title, special);
+        xml_put(p->out, title, n);
+        if (title[n])
+            fprintf(p->out, "\\%02x ", (unsigned)title[n++]);
+    }
+    page_print(p, "\"}}</style>\n");
+}
 
 static void put_head(report *r, const char *title)
 {
@@ -24,6 +41,7 @@ static void put_head(report *r, const char *title)
                "<meta name=\"generator\" content=\"fourlink %s\"/>\n<title>%s</title>\n",
                fourlink_version(), title);
     report_put_style(&r->page);
+    put_running_title(&r->page, title);
     page_print(&r->page,
                "</head>\n<body>\n<main>\n<header>\n<h1>%s</h1>\n"
                "<p class=\"lines\"><label class=\"line\">Name <input id=\"typed-name\" "
@@ -37,7 +55,6 @@ static void put_discussion(report *r)
 {
     int i;
 
-    page_section(&r->page, "discussion", "Discussion");
     page_print(&r->page,
                "<textarea id=\"typed-discussion\" rows=\"12\" aria-label=\"Discussion\">"
                "</textarea>\n<div class=\"typed\"></div>\n"
@@ -45,37 +62,62 @@ static void put_discussion(report *r)
                "Save this report</button></p>\n<div class=\"blank-lines\">");
     for (i = 0; i < BLANK_LINES; i++)
         page_print(&r->page, "<div></div>");
-    page_print(&r->page, "</div>\n</section>\n");
+    page_print(&r->page, "</div>\n");
 }
 
-/* 1 if there is a row to draw. */
-static int has_rows(const report *r)
-{
-    const char *why;
-    unsigned long n, missing = view_count_missing(&r->v, &n, &why);
+/* The sections in their order: what is given, what follows, and how it was checked. */
+typedef enum { ALWAYS, WITH_RESULTS, WITH_SOLUTION, WITH_ROWS } need;
+static const struct {
+    const char *id, *heading;
+    need when;
+    void (*put)(report *r);
+} sections[] = {{"inputs", "Given data", WITH_RESULTS, report_put_inputs},
+                {"mechanism", "Mechanism and results", WITH_RESULTS, report_put_mechanism},
+                {"synthesis", "Synthesis", WITH_SOLUTION, report_put_synthesis},
+                {"sample", "Sample calculation", WITH_RESULTS, report_put_sample},
+                {"curves", "Curves and diagrams", WITH_ROWS, report_put_curves},
+                {"facts", "All facts and extremes", WITH_RESULTS, report_put_facts},
+                {"checks", "Checks", WITH_RESULTS, report_put_checks},
+                {"discussion", "Discussion", WITH_RESULTS, put_discussion},
+                {"tables", "Tables", WITH_RESULTS, report_put_tables},
+                {"deck", "Deck", ALWAYS, report_put_deck}};
 
-    return missing < n;
+#define SECTIONS (sizeof sections / sizeof sections[0])
+
+static int has_section(const report *r, need when)
+{
+    if (when == WITH_SOLUTION)
+        return r->v.results && r->request->found;
+    return when == ALWAYS || (r->v.results && (when == WITH_RESULTS || report_has_rows(r)));
+}
+
+static void put_contents(report *r)
+{
+    size_t i;
+
+    page_print(&r->page, "<nav class=\"contents\" aria-label=\"Contents\">\n<ol>\n");
+    for (i = 0; i < SECTIONS; i++)
+        if (has_section(r, sections[i].when))
+            page_print(&r->page, "<li><a href=\"#%s\">%s</a></li>\n", sections[i].id,
+                       sections[i].heading);
+    page_print(&r->page, "</ol>\n</nav>\n");
 }
 
 static void put_page(report *r)
 {
     const char *title = r->v.problem.title[0] ? r->v.problem.title : r->source->name;
-    int is_drawn = r->v.results && has_rows(r);
+    size_t i;
 
     put_head(r, title);
-    if (r->v.results) {
-        report_put_mechanism(r, is_drawn);
-        report_put_synthesis(r);
-        report_put_sample(r);
-        if (is_drawn)
-            report_put_curves(r);
-        report_put_facts(r);
-        report_put_checks(r);
-        put_discussion(r);
-        report_put_tables(r);
-        report_put_inputs(r);
+    if (r->v.results)
+        put_contents(r);
+    for (i = 0; i < SECTIONS; i++) {
+        if (!has_section(r, sections[i].when))
+            continue;
+        page_section(&r->page, sections[i].id, sections[i].heading);
+        sections[i].put(r);
+        page_section_end(&r->page);
     }
-    report_put_deck(r);
     page_print(&r->page, "<footer><p>Made by fourlink %s.</p></footer>\n</main>\n",
                fourlink_version());
     if (r->v.results)

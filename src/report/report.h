@@ -61,11 +61,14 @@ void report_put_style(page *p);
 void report_put_interactive(report *r); /* with the results */
 void report_put_script(page *p);
 
+/* 1 if there is a row to draw. */
+int report_has_rows(const report *r);
+
 /* The sections. */
 void report_put_deck(report *r);
-void report_put_mechanism(report *r, int is_drawn); /* with the results */
+void report_put_mechanism(report *r); /* with the results */
 void report_put_results(report *r);
-void report_put_synthesis(report *r); /* if there was one */
+void report_put_synthesis(report *r);
 void report_put_facts(report *r);
 void report_put_sample(report *r);
 void report_put_curves(report *r);

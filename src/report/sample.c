@@ -37,9 +37,8 @@ void report_put_sample(report *r)
     page *p = &r->page;
     math m;
 
-    page_section(p, "sample", "Sample calculation");
     if (r->now.status != FOURLINK_OK) {
-        page_print(p, "<p>At \316\270\342\202\202 = %s there is none: %s.</p>\n</section>\n", r->at,
+        page_print(p, "<p>At \316\270\342\202\202 = %s there is none: %s.</p>\n", r->at,
                    fourlink_status_text(r->now.status));
         return;
     }
@@ -58,5 +57,4 @@ void report_put_sample(report *r)
         sample_put_forces(r, &m);
     else
         page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");
-    page_print(p, "</section>\n");
 }

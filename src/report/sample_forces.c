@@ -164,7 +164,7 @@ static void put_sides(report *r, math *m, const body bodies[5], const double b[9
                "on link j.  What is known stands on the right: mass times acceleration, less "
                "weight, less loads.</p>\n");
     page_table_of(
-        p, "facts sides",
+        p, "facts sides", "What is known of the nine equations",
         "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b (N, N\302\267m)");
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
@@ -193,7 +193,7 @@ static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
     page *p = m->p;
     int i, j;
 
-    page_print(p, "<div class=\"equation wide\">\n");
+    math_block(p, "equation wide");
     math_open(p, "matrix");
     page_print(p, "<mtable>\n");
     for (i = 0; i < 9; i++) {
@@ -217,7 +217,10 @@ static void put_solution(report *r, math *m)
     double x[9];
 
     fourlink_unknowns(&r->v.problem.mechanism, &r->now.forces, x);
-    page_print(m->p, "<p>The solution:</p>\n<ul class=\"given solution\">\n");
+    page_print(m->p,
+               "<p>The solution of (<a href=\"#equation-%d\">%d</a>):</p>\n<ul class=\"given "
+               "solution\">\n",
+               m->p->n_equations, m->p->n_equations);
     for (i = 0; i < 9; i++)
         math_given(m, fourlink_unknown_text((int)r->v.kind.kind, i), x[i]);
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
@@ -252,7 +255,7 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
                "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the "
                "sum of all forces times the velocities of their points for a unit crank speed, of "
                "all torques times the angular velocities.</p>\n");
-    page_table_of(p, "facts works",
+    page_table_of(p, "facts works", "Terms of virtual work, N\302\267m",
                   "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
                   "\342\210\222 loads\302\267v");
     for (link = 2; link <= 4; link++) {

@@ -88,7 +88,8 @@ static void put_loads(report *r)
     if (r->now.losses.guide > 0)
         page_print(p, "; the force of the guide acts at %s", r->v.kind.has_slot ? "B" : "C");
     page_print(p, ":</p>\n");
-    page_table_of(p, "facts friction", "Load|x (N)|y (N)|moment (N\302\267m)");
+    page_table_of(p, "facts friction", "Forces and moments of friction",
+                  "Load|x (N)|y (N)|moment (N\302\267m)");
     for (joint = 0; joint < PINS; joint++)
         put_loads_of_joint(r, joint);
     page_table_end(p);

@@ -21,6 +21,17 @@ static void put_words(math *m, const char *words)
     page_print(m->p, "<p>%s</p>\n", words);
 }
 
+/* What is done to the last two equations, or to two of some equations before. */
+static void put_derived(math *m, int before, const char *words)
+{
+    int second = m->p->n_equations - before, first = second - 1;
+
+    page_print(m->p,
+               "<p>Equations (<a href=\"#equation-%d\">%d</a>) and (<a href=\"#equation-%d\">"
+               "%d</a>), %s</p>\n",
+               first, first, second, second, words);
+}
+
 /* Of what is given, the crank, which all kinds have. */
 static void end_given(report *r, math *m)
 {
@@ -99,7 +110,7 @@ static void put_four_bar(report *r, math *m)
     end_given(r, m);
     put_four_bar_position(r, m);
     put_heading(m, "Velocity");
-    put_words(m, "The loop equations, differentiated by time, and solved:");
+    put_derived(m, 0, "differentiated by time, and solved:");
     math_show(m,
               "- a * omega2 * sin theta2 - b * omega3 * sin theta3 + c * omega4 * sin theta4 = 0");
     math_show(m, "a * omega2 * cos theta2 + b * omega3 * cos theta3 - c * omega4 * cos theta4 = 0");
@@ -108,7 +119,7 @@ static void put_four_bar(report *r, math *m)
     math_let(m, "omega4", "{ a * omega2 * sin ( theta3 - theta2 ) | c * sin ( theta3 - theta4 ) }",
              link[4].omega);
     put_heading(m, "Acceleration");
-    put_words(m, "Differentiated once more, and solved:");
+    put_derived(m, 2, "differentiated once more, and solved:");
     math_let(m, "alpha3",
              "{ <alpha2 a * alpha2 * sin ( theta4 - theta2 ) > - a * omega2 ^2 * cos ( theta4 - "
              "theta2 ) - b * omega3 ^2 * cos ( theta4 - theta3 ) + c * omega4 ^2 | "
@@ -156,11 +167,11 @@ static void put_slider_crank(report *r, math *m)
               "crank pin B to piston C:");
     put_slider_crank_position(r, m);
     put_heading(m, "Velocity");
-    put_words(m, "The loop equations, differentiated by time:");
+    put_derived(m, 0, "differentiated by time:");
     math_let(m, "omega3", "- { r * omega2 * cos theta2 | l * cos theta3 }", link[3].omega);
     math_let(m, "vC", "- r * omega2 * sin theta2 - l * omega3 * sin theta3", link[4].velocity.x);
     put_heading(m, "Acceleration");
-    put_words(m, "Differentiated once more:");
+    put_derived(m, 0, "differentiated once more:");
     math_let(m, "alpha3",
              "{ <alpha2 - r * alpha2 * cos theta2 > + r * omega2 ^2 * sin theta2 + l * omega3 ^2 * "
              "sin theta3 | l * cos theta3 }",
@@ -226,13 +237,13 @@ static void put_inverted(report *r, math *m)
     end_given(r, m);
     put_inverted_position(r, m);
     put_heading(m, "Velocity");
-    put_words(m,
-              "Slider and lever turn together.  The loop equations, differentiated by time, across "
-              "the slide and along it:");
+    put_words(m, "Slider and lever turn together.");
+    put_derived(m, 0, "differentiated by time, across the slide and along it:");
     math_let(m, "omega3", "{ a * omega2 * cos ( theta3 - theta2 ) | s }", now->link[3].omega);
     math_let(m, "sdot", "a * omega2 * sin ( theta3 - theta2 ) <h + h * omega3 >", now->slide_v);
     put_heading(m, "Acceleration");
-    put_words(m, "Differentiated once more; the third line is the Coriolis acceleration of B:");
+    put_derived(m, 0,
+                "differentiated once more; the third line is the Coriolis acceleration of B:");
     math_let(m, "alpha3",
              "{ <alpha2 a * alpha2 * cos ( theta3 - theta2 ) > + a * omega2 ^2 * sin ( theta3 - "
              "theta2 ) - 2 * sdot * omega3 <h + h * omega3 ^2 > | s }",

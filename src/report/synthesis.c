@@ -275,13 +275,10 @@ void report_put_synthesis(report *r)
     const fourlink_solution *s = r->request->found;
     math m;
 
-    if (!s)
-        return;
     memset(&m, 0, sizeof m);
     m.p = &r->page;
     m.size[MATH_M] = fabs(s->a) + s->design.link[FOURLINK_COUPLER].length;
     set_lengths(s, &m);
-    page_section(&r->page, "synthesis", "Synthesis");
     if (s->K[0] != 0)
         put_function(r, &m);
     else if (s->has_point)
@@ -290,5 +287,4 @@ void report_put_synthesis(report *r)
         put_quick_return(r, &m);
     put_positions(r);
     put_checks(r);
-    page_print(&r->page, "</section>\n");
 }

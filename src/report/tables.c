@@ -41,15 +41,16 @@ static void open_block(sheet *s, fourlink_branch branch)
     const style *styles = s->layout;
     page *p = page_of(s);
     unsigned long letters = 0, j;
+    char title[60];
 
     for (j = 0; j < s->v.n_columns; j++)
         letters += (unsigned long)styles[j].width;
+    flk_text_join(title, sizeof title, "Rows of the ", fourlink_branch_text((int)branch), " branch",
+                  (char *)NULL);
+    page_fold(p, s->v.problem.n_rows > MOST_ON_PAPER, title, s->v.problem.n_rows);
     page_print(p,
-               "<details class=\"table%s\">\n"
-               "<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
                "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n<thead><tr>",
-               s->v.problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
-               fourlink_branch_text((int)branch), s->v.problem.n_rows, letters);
+               letters);
     for (j = 0; j < s->v.n_columns; j++)
         page_print(p, "<th scope=\"col\" title=\"%s\" data-name=\"%s\">%n<br/>%u</th>",
                    s->v.columns[j].meaning, s->v.columns[j].name, s->v.columns[j].name,
@@ -98,7 +99,8 @@ static void put_row(sheet *s, const sheet_row *row)
 static void close_block(sheet *s, fourlink_branch branch)
 {
     (void)branch;
-    page_print(page_of(s), "</tbody>\n</table></div>\n</details>\n");
+    page_table_end(page_of(s));
+    page_fold_end(page_of(s));
 }
 
 /* ------------------------------------------------------------------------------ comparisons */
@@ -217,10 +219,8 @@ static void put_csv(report *r)
 
 void report_put_tables(report *r)
 {
-    page_section(&r->page, "tables", "Tables");
     write_sheet(r, SHEET_ROWS, &html_format, r->page.out);
     put_csv(r);
-    page_print(&r->page, "</section>\n");
 }
 
 /* The largest difference of the forces of two solutions, relative to the largest force. */
@@ -269,15 +269,14 @@ void report_put_checks(report *r)
     page *p = &r->page;
     int i;
 
-    page_section(p, "checks", "Checks");
     if (r->v.problem.has_forces) {
         page_print(p,
-                   "<h3>Balance of power, and two solutions of the nine equations</h3>\n"
                    "<p>The residual is the driving torque of the nine equations less that of "
                    "virtual work, relative to the largest term of the balance.  The nine equations "
                    "are solved as a matrix and, eliminated by hand, in closed form; the difference "
                    "of their pin forces is relative to the largest.</p>\n");
-        page_table(p, NULL, "Branch|Rows|Largest residual|Largest difference");
+        page_table(p, "Balance of power, and two solutions of the nine equations",
+                   "Branch|Rows|Largest residual|Largest difference");
         for (i = 0; i < r->v.n_branches; i++)
             put_agreement(r, r->v.branches[i]);
         page_table_end(p);
@@ -286,5 +285,4 @@ void report_put_checks(report *r)
         write_sheet(r, SHEET_CHECK, &html_format, p->out);
     else
         page_print(p, "<p>The deck has no expected values.</p>\n");
-    page_print(p, "</section>\n");
 }

@@ -26,7 +26,7 @@ def main(path):
     styles, curves = {}, {}
     with open(path, encoding='utf-8') as text:
         for line in text:
-            match = re.match(r'\.(\w+)\{stroke:#(\w{6});stroke-width:([0-9.]+)(?:;stroke-dasharray:([0-9,]+))?\}', line)
+            match = re.match(r'\.fourlink \.(\w+)\{stroke:#(\w{6});stroke-width:([0-9.]+)(?:;stroke-dasharray:([0-9,]+))?\}', line)
             if not match:
                 continue
             name, colour, width, dashes = match.groups()

@@ -9,8 +9,8 @@ look() { python3 -B "$(dirname "$decks")/pictures/look.py" "$1" 2>&1; }
 run 0 --plot=x.svg "$fourbar"
 check "colours: $(look x.svg | head -n 3)" test -z "$(look x.svg)"
 # it can fail
-for change in 's/^\(.coupler{stroke:#\)[0-9A-F]*/\10A2F7A/' 's/^\(.load{stroke:#\)[0-9A-F]*/\1E69F00/' \
-    's/^\(.curve2{stroke:#\)[0-9A-F]*/\1D55E00/' 's/^\(.coupler{.*stroke-width:\)[0-9.]*/\15/'; do
+for change in 's/^\(.fourlink .coupler{stroke:#\)[0-9A-F]*/\10A2F7A/' 's/^\(.fourlink .load{stroke:#\)[0-9A-F]*/\1E69F00/' \
+    's/^\(.fourlink .curve2{stroke:#\)[0-9A-F]*/\1D55E00/' 's/^\(.fourlink .coupler{.*stroke-width:\)[0-9.]*/\15/'; do
     sed "$change" x.svg >wrong.svg
     check "a wrong colour or width is seen: $change" test -n "$(look wrong.svg)"
 done

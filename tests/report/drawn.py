@@ -317,7 +317,7 @@ def check_printed_rows(report, table):
 def check_facts(report, deck):
     """Inputs, facts and extremes of the page are those of the summary."""
     printed, heading = {}, ''
-    for part in re.findall(r'<h[23]>([0-9]* ?)(.*?)</h[23]>|<tr>(<th scope="row".*?)</tr>', report.text, re.S):
+    for part in re.findall(r'<(?:caption|summary)>(Table [0-9]*\. )(.*?)(?: \([0-9]*\))?</(?:caption|summary)>|<tr>(<th scope="row".*?)</tr>', report.text, re.S):
         part = part[1:]
         if part[0]:
             heading = part[0]

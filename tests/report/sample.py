@@ -104,13 +104,13 @@ def check_equation(div, results):
     parts = [p for p in parts if p]
     left, right = reader.evaluate(parts[0]), reader.evaluate(parts[1])
     difference = left - right
-    first = content(div[0])[0]
+    first = content(next(m for m in div if m.tag == M + 'math'))[0]
     results[name_of(first)] = right
     if '\u00b0' in ''.join(lines[-1].itertext()):
         difference = math.remainder(difference, 2 * math.pi)
     # each side has its own numbers, so that both bounds add up
     if abs(difference) > 1.01 * (reader.bound(parts[0]) + reader.bound(parts[1])):
-        return '%s: %.9g, but %.9g is printed' % (''.join(div[0].itertext()), left, right)
+        return '%s: %.9g, but %.9g is printed' % (''.join(div.itertext()), left, right)
     return None
 
 

@@ -27,15 +27,20 @@ def body(table):
 
 
 def tables_by_heading(root):
-    """The body of each table of facts, under its heading."""
-    found, heading = {}, None
+    """The body of each table of facts, under its caption: "Table 3. Turning moment", "Table 1. Inputs as understood (12)"."""
+    found, titles, summary = {}, [], None
     for element in root.iter():
-        if element.tag == H + 'h3':
-            heading = words_of(element)
-        if element.tag == H + 'h2':
-            heading = words_of(element).partition(' ')[2]
-        if element.tag == H + 'table' and element.get('class') == 'facts':
+        if element.tag == H + 'summary':
+            summary = element
+        if element.tag != H + 'table':
+            continue
+        caption = element.find(H + 'caption')
+        title = words_of(summary if caption is None else caption)
+        number, heading = re.fullmatch(r'Table (\d+)\. (.*?)(?: \(\d+\))?', title).groups()
+        titles.append(int(number))
+        if element.get('class') == 'facts':
             found[heading] = body(element)
+    checks.that(titles == list(range(1, len(titles) + 1)), 'the numbers of tables', titles)
     return found
 
 
@@ -115,7 +120,7 @@ def check_rows(root, text, branches):
             rows.append(line.split())
     found = [table for table in root.iter(H + 'table') if table.get('class') == 'rows']
     checks.that(len(found) == len(branches), 'tables of rows', len(found))
-    titles = [words_of(title) for title in root.iter(H + 'summary')]
+    titles = [words_of(title) for title in root.iter(H + 'summary')][1:]
     checks.that(all(' %s branch ' % branch in title for branch, title in zip(branches, titles)), 'the titles of the tables', titles)
     for table, branch in zip(found, branches):
         rows = [row for row in body(table) if len(row) > 1]

@@ -78,7 +78,8 @@ END
 }
 
 # printed NAME SIZE PAGES: on this paper the report has at most so many pages, no letter is smaller than 7 pt, the
-# first page has the drawing and the results, the last the deck.
+# first page has the contents and what is given, one of the first two the drawing, the last the deck; each has its
+# number and the title.
 printed() {
     awk -v size="$2" '/<\/body>/ {print "<style>@page {size: " size "}</style>"} {print}' "$1.html" >paper.html
     browse --no-pdf-header-footer --print-to-pdf="$work/printed.pdf" "file://$work/paper.html" >/dev/null
@@ -90,8 +91,14 @@ printed() {
     check "$1 on $2: $(head -n 2 small.out)" test ! -s small.out
     pdftotext -f 1 -l 1 -layout printed.pdf first.out
     pdftotext -f "$pages" -l "$pages" -layout printed.pdf last.out
-    for words in Name Date '1 Mechanism' '2 Results' 'Figure 1'; do
+    for words in Name Date '2 Mechanism and results' '1 Given data' 'Table 1'; do
         check "$1 on $2: no '$words' on the first page" grep -q "$words" first.out
+    done
+    pdftotext -f 1 -l 2 -layout printed.pdf first.out
+    check "$1 on $2: no drawing on the first pages" grep -q 'Figure 1' first.out
+    for page in $(seq "$pages"); do
+        check "$1 on $2: no number of page $page" \
+            sh -c "pdftotext -f $page -l $page -layout printed.pdf - | grep -q ' $page / $pages\$'"
     done
     check "$1 on $2: the deck is not at the end" grep -q 'Made by fourlink' last.out
 }

@@ -135,7 +135,7 @@ static const char *equation(const char *words, double beta)
 TEST(test_equations)
 {
     /* a negative number has brackets, but not at the beginning; a power of ten; an angle in degrees */
-    assert_string_equal(equation("a * b + a", 1), "\n\xcf\x89"
+    assert_string_equal(equation("a * b + a", 1), "\n(1)\n\xcf\x89"
                                                   "3=a\xe2\x81\xa2"
                                                   "b+a\n"
                                                   "=\xe2\x88\x92"

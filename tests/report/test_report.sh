@@ -67,7 +67,7 @@ has '<th scope="row" data-name="omega4"><i>ω</i><sub>4</sub></th><td>rad/s</td>
 # the sections; one sample, of the first row that is reached if the usual angle is not; words where there are no forces
 run 1 --report=r.html -b open --set='motion.from=150 deg' --set='motion.to=350 deg' "$decks/reach.deck"
 check 'the sections' test "$(sed -n 's|.*<h2>\(.*\)</h2>|\1|p' r.html | tr '\n' ',')" = \
-    '1 Mechanism,2 Results,3 Sample calculation,4 Curves and diagrams,5 All facts and extremes,6 Checks,7 Discussion,8 Tables,9 Inputs as understood,10 Deck,'
+    '1 Given data,2 Mechanism and results,3 Sample calculation,4 Curves and diagrams,5 All facts and extremes,6 Checks,7 Discussion,8 Tables,9 Deck,'
 has 'At θ₂ = 270°, open branch'
 has 'The deck has no masses and no loads, so there are no forces.'
 run 0 --report=r.html --plot-at='50 deg' "$fourbar"
