@@ -9,6 +9,9 @@
 
 #include "arrow.h"
 
+/* An arrow shorter than this fraction of the largest would have a head and no tail. */
+#define SMALLEST 0.02
+
 /* As fractions of the drawing: the radius of a torque, and of that of a spring around its coil. */
 #define TORQUE 0.07
 #define AROUND_COIL 0.08
@@ -67,6 +70,14 @@ double arrow_largest(const arrow_list *arrows)
     return largest;
 }
 
+double arrow_longest(const arrow_list *arrows, double largest_of_motion)
+{
+    double largest = arrow_largest(arrows);
+
+    return largest < SMALLEST * largest_of_motion ? largest
+                                                  : GSL_MAX_DBL(largest, largest_of_motion);
+}
+
 int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest)
 {
     int left_out = 0, i;
@@ -78,7 +89,7 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
 
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);
-        if (size < ARROW_SMALLEST * largest) {
+        if (size < SMALLEST * largest) {
             left_out++;
             continue;
         }
@@ -87,6 +98,14 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
             sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
     return left_out;
+}
+
+void arrow_note_missing(sketch *s, const picture *p, double largest)
+{
+    char words[PICTURE_WORDS];
+
+    sketch_note(s, "no arrow below %s",
+                picture_words(p, "", SMALLEST * largest, QUANTITY_FORCE, words));
 }
 
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,

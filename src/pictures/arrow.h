@@ -37,12 +37,14 @@ void arrow_cut(arrow_list *arrows, const sketch *s);
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
 
-/* An arrow shorter than this fraction of the largest would have a head and no tail. */
-#define ARROW_SMALLEST 0.02
+/* The force that the longest arrow stands for: the largest of the motion, but that of these forces where it is larger,
+** or so small that none had an arrow. */
+double arrow_longest(const arrow_list *arrows, double largest_of_motion);
 
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing.  One
-** that is small beside `largest` has no arrow: returns how many. */
+** that is small beside `largest` has no arrow: returns how many.  Say below which size. */
 int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest);
+void arrow_note_missing(sketch *s, const picture *p, double largest);
 
 /* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as
 ** those of springs on a link that is not free, it goes around the coil that has name and value. */

@@ -62,8 +62,7 @@ static int list_forces(arrow_list *arrows, const picture_row *r)
     return arrows->n > n;
 }
 
-#define POSITIONS 72 /* of a motion, for its largest force, */
-#define CLEAR 0.2    /* rad: where the transmission angle is larger */
+#define POSITIONS 72 /* of a motion, for its largest force */
 
 /* The largest force of a motion on a branch, but for those near dead positions; 0: none is known. */
 static double largest_of_motion(picture *p, fourlink_branch branch)
@@ -80,7 +79,7 @@ static double largest_of_motion(picture *p, fourlink_branch branch)
                                             NULL, &r.now, r.loads)
                      : fourlink_results_at(p->v.results, branch, picture_angle(p, k, POSITIONS),
                                            NULL, &r.now, r.loads);
-        if (status != FOURLINK_OK || r.now.state.mu < CLEAR)
+        if (status != FOURLINK_OK || r.now.state.mu < VIEW_CLEAR)
             continue;
         tracks_find(&r.numbers, &p->v, &r.now, r.loads);
         scene_find(&r.drawn, &p->v);
@@ -90,23 +89,20 @@ static double largest_of_motion(picture *p, fourlink_branch branch)
     return largest;
 }
 
-/* Draw loads, weights and pin forces on the scale of a largest force, or of their own if that is larger; of an
-** inset those that act in it. */
+/* Draw loads, weights and pin forces on the scale of the largest of the motion; of an inset those that act in it. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r, double largest)
 {
     static const fourlink_vector crankshaft = {0, 0};
-    char words[PICTURE_WORDS];
     arrow_list arrows;
     double scale;
     int has_springs = list_forces(&arrows, r), link, i;
 
     arrow_cut(&arrows, s);
     if (arrows.n) {
-        largest = GSL_MAX_DBL(largest, arrow_largest(&arrows));
+        largest = arrow_longest(&arrows, largest);
         scale = LONGEST * s->size / largest;
         if (arrow_draw(&arrows, s, p, scale, largest) && !s->is_window)
-            sketch_note(s, "no arrow below %s",
-                        picture_words(p, "", ARROW_SMALLEST * largest, QUANTITY_FORCE, words));
+            arrow_note_missing(s, p, largest);
         arrow_draw_scale(s, p, QUANTITY_FORCE, scale, largest);
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)

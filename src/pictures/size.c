@@ -43,7 +43,7 @@ int size_lines_beside(const picture *p, int each_link)
         sum += 8; /* pin forces, torque, what the arrows mean, and which are left out */
     if (p->request->file == PLOT_TXT)
         sum += 3; /* the links in the key */
-    return each_link ? 7 + most : 10 + sum + (int)p->v.problem.n_points;
+    return each_link ? 8 + most : 10 + sum + (int)p->v.problem.n_points;
 }
 
 /* The room that the mechanism needs on a branch. */

@@ -361,7 +361,8 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     s.letter = LETTER;
     draw_body(&s, p, r, b);
     if (largest > 0) {
-        arrow_draw(&b->forces, &s, p, 0.8 * b->length / largest, largest);
+        if (arrow_draw(&b->forces, &s, p, 0.8 * b->length / largest, largest))
+            arrow_note_missing(&s, p, largest);
         arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * b->length / largest, largest);
     } else {
         sketch_note(&s, NO_FORCES);

@@ -145,20 +145,28 @@ function drawSpring(panel, spring, links, place) {
     text(panel, at(0.5, side + 1), across, spring.label, 3);
 }
 
-/* Pixels for a unit of force in row i: the longest arrow has at most `longest`, and the largest force is 1, 2 or 5
-** times a power of ten of it. */
+/* An arrow of so few pixels would have a head and no tail. */
+const isTiny = (pixels, longest) => pixels < 0.02 * longest;
+
+/* Pixels for a unit of force: `longest` stands for 1, 2 or 5 times a power of ten, at least the largest force of the
+** motion, but of row i where it has larger ones, or where all are so small that none had an arrow. */
 function forceScale(forces, tracks, i, longest) {
-    return longest / roundUp(Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0]))));
+    const largest = Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0])));
+    return longest / roundUp(isTiny(largest, roundUp(tracks.largest)) ? largest : Math.max(largest, tracks.largest));
 }
 
 /* The list of forces and torques beside a drawing; returns what puts their values of row i into it. */
 function makeForceValues(data, panel, forces, torques) {
     const entry = (unit) => (f) => ({label: f.label, unit, kind: f.pen});
     const put = makeValues(panel, forces.map(entry(data.units.force)).concat(torques.map(entry(data.units.torque))));
-    return (tracks, i) => {
+    return (tracks, i, longest) => {
+        const k = forceScale(forces, tracks, i, longest);
         const sizeOf = (v) => v && size(v), signed = (f, x) => x === null ? null : f.sign * x;
-        forces.forEach((f, k) => put[k](sizeOf(tracks.vector(f.of, i))));
-        torques.forEach((f, k) => put[forces.length + k](signed(f, tracks.number(f.of, i))));
+        forces.forEach((f, j) => {
+            const v = sizeOf(tracks.vector(f.of, i));
+            put[j](v, v > 0 && isTiny(k * v, longest));
+        });
+        torques.forEach((f, j) => put[forces.length + j](signed(f, tracks.number(f.of, i))));
     };
 }
 
@@ -319,7 +327,7 @@ function mechanism(data, panel) {
         let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
         for (const f of forces) {
             const v = tracks.vector(f.of, i), at = place(f.at, i);
-            if (!v || k * size(v) < 0.02 * view.part * longest() || (isNarrow() && isWeight(f)))
+            if (!v || isTiny(k * size(v), view.part * longest()) || (isNarrow() && isWeight(f)))
                 continue;
             arrow(panel, f.pen, at, times(k, v));
             if (!f.spring)
@@ -439,7 +447,7 @@ function mechanism(data, panel) {
                 drawNumber(panel, link, (track) => place(track, i));
         end(panel);
         drawHandle(i);
-        putValues(tracks, i);
+        putValues(tracks, i, view.part * longest());
     }
 
     /* The row whose crank points to a place of the drawing: of several, the nearest to the present row. */
@@ -639,7 +647,7 @@ function freeBody(data, panel, link) {
 
     function show(i, name) {
         begin(panel, name);
-        putValues(tracks, i);
+        putValues(tracks, i, view.part * longest());
         if (tracks.reason(i))
             return;
         const place = (track) => {
@@ -668,7 +676,7 @@ function freeBody(data, panel, link) {
         });
         for (const f of forces) {
             const v = times(f.sign * k, tracks.vector(f.of, i));
-            if (size(v) < 0.02 * view.part * longest())
+            if (isTiny(size(v), view.part * longest()))
                 continue;
             arrow(panel, f.pen, place(f.at), v);
             text(panel, add(place(f.at), v), v, f.label, 3);

@@ -171,7 +171,9 @@ static void put_reasons(line *l, const rows *t)
 
 static void put_branch(line *l, const rows *t, const style *styles)
 {
-    line_put(l, "{\"name\":\"%s\",\n", fourlink_branch_text((int)t->branch));
+    line_put(l, "{\"name\":\"%s\",\n\"largest\":", fourlink_branch_text((int)t->branch));
+    line_number(l, t->largest, STEP_DIGITS);
+    line_put(l, ",\n");
     put_reasons(l, t);
     put_tracks(l, t);
     put_table(l, t, styles);

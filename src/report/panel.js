@@ -174,7 +174,7 @@ function tracksOf(data, branch) {
         return typeof x === "number" && typeof y === "number" ? turned(x, y) : null;
     }
     return {number, vector, turned, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
-            x: [c, -s]};
+            largest: branch.largest, x: [c, -s]};
 }
 
 /* ---------------------------------------------------------------------------------------------------- panels */
@@ -395,7 +395,10 @@ function makeValues(panel, entries) {
         const value = html("span", {class: "number"});
         panel.list.append(html("li", {}, html("span", {class: "swatch " + entry.kind}), htmlLabel(entry.label),
                                " = ", value));
-        return (number) => { value.textContent = quantityText(number, entry.unit, 4); };
+        return (number, hasNoArrow) => {
+            value.textContent = quantityText(number, entry.unit, 4);
+            value.setAttribute("class", hasNoArrow ? "number no-arrow" : "number");
+        };
     });
 }
 

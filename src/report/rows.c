@@ -224,8 +224,14 @@ static void compute_row(rows *t, unsigned long i)
         t->status[i] =
             fourlink_results_at(t->v.results, t->branch, t->steps[i], values, &now, t->loads);
     tracks_find(&t->now, &t->v, &now, t->loads);
-    for (k = 0; k < t->now.n; k++)
-        put(t, i, &t->now.list[k]);
+    for (k = 0; k < t->now.n; k++) {
+        const track *x = &t->now.list[k];
+
+        put(t, i, x);
+        if (x->q == QUANTITY_FORCE && t->status[i] == FOURLINK_OK && now.state.mu > VIEW_CLEAR)
+            t->largest =
+                GSL_MAX_DBL(t->largest, view_value(&t->v, x->q, gsl_hypot(x->v.x, x->v.y)));
+    }
 }
 
 int rows_compute(rows *t, fourlink_branch branch)
@@ -234,6 +240,7 @@ int rows_compute(rows *t, fourlink_branch branch)
 
     t->n_tracks = 0;
     t->branch = branch;
+    t->largest = 0;
     for (i = 0; i < t->n; i++)
         compute_row(t, i);
     return rows_find(t, "B") != NULL;

@@ -28,7 +28,8 @@ typedef struct rows {
     /* one branch */
     fourlink_branch branch;
     int *status;
-    double *table; /* by row and column */
+    double largest; /* force of the motion, but for rows near dead positions; 0: none is known */
+    double *table;  /* by row and column */
     rows_track tracks[TRACKS_MOST];
     int n_tracks;
     fourlink_load *loads; /* at one crank angle */

@@ -591,6 +591,9 @@ def split_arrows(panel, size):
     return forces, torques
 
 
+BELOW = 'no arrow below '
+
+
 def check_scale(panel, deck, largest, forces):
     """The arrow below the drawing shows a force of the value beside it; returns length for a unit of force."""
     bars = [line for line in panel.lines if line.style == THIN and line.is_arrow]
@@ -815,12 +818,15 @@ def check_mechanism(deck, text, row, position, rows):
         checks.that(abs((line.vector / back) / abs(line.vector) - deck.vector('gravity') / back / abs(deck.vector('gravity'))) < 1e-6,
                     'the direction of gravity')
     lines = [line for line in lines if line not in g]
-    shown = [x for x in wanted + springs if abs(x.force) >= 0.02 * largest]
+    limits = [value_of(n[len(BELOW):], deck.unit('force')) for n in panel.notes if n.startswith(BELOW)]
+    least = limits[0] if limits else 0.02 * largest  # of the motion's largest force, or of this position's
+    checks.that(0.0199 * largest <= least <= largest, 'arrows of a useful size', least, largest)
+    shown = [x for x in wanted + springs if abs(x.force) >= least]
     scale = check_scale(panel, deck, largest, lines)
     if not scale or not checks.that(len(shown) == len(lines), 'arrows', len(lines), [x.name for x in shown]):
         return
     for x, line in zip(shown, lines):
-        checks.near(x.name, line.vector / scale, x.force, largest, 2e-5)
+        checks.near(x.name, line.vector / scale, x.force, 50 * least, 2e-5)
         checks.near('the place of ' + x.name, line.start, x.at, size, 5e-6)
         checks.that(line.style == x.kind, 'the style of', x.name)
         has_label(panel, x.name)  # a spring has its name at its coil

@@ -82,6 +82,15 @@ check 'the instant of a clockwise cycle' test "$(grep -c '^set arrow from 40,gra
 listed 0 x.list --plot-kind=motion "$fourbar"
 check 'no instant of a range' none 'graph 0 to' x.list
 
+# --- forces have one scale for all positions of a motion; where all are below it, a scale of their own
+bar() { sed -n 's/^set label.*"\([0-9.]* k\{0,1\}N\)".*/\1/p' x.list | tail -n 1; }
+crusher=$data/me3491-exercise-4.deck
+listed 0 x.list --plot-at='-140 deg' "$crusher"
+large=$(bar)
+listed 0 x.list --plot-at='-20 deg' "$crusher"
+check "one scale: $large, $(bar)" test -n "$large" -a "$large" = "$(bar)"
+check 'what is too small is said' grep -q 'no arrow below' x.list
+
 # --- a picture is as high as its drawing: the ends of springs are in it
 height() { sed -n 's/^set terminal .* size [0-9]*,\([0-9]*\) .*/\1/p' x.list; }
 listed 0 x.list --branch=open "$engine"
