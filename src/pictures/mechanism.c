@@ -89,7 +89,8 @@ static double largest_of_motion(picture *p, fourlink_branch branch)
     return largest;
 }
 
-/* Draw loads, weights and pin forces on the scale of the largest of the motion; of an inset those that act in it. */
+/* Draw loads, weights and pin forces on the scale of the largest of the motion; of an inset those that act
+** in it. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r, double largest)
 {
     static const fourlink_vector crankshaft = {0, 0};

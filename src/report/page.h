@@ -32,8 +32,8 @@ void page_table(page *p, const char *caption, const char *columns);
 void page_table_of(page *p, const char *name_of_class, const char *caption, const char *columns);
 void page_table_end(page *p);
 
-/* Begin the number and the title of a table that is folded on a screen, and open on paper unless it is long; a
-** page_table of it has no caption.  End the fold. */
+/* Begin the number and the title of a table that is folded on a screen, and open on paper unless it is long;
+** a page_table of it has no caption.  End the fold. */
 void page_fold(page *p, int is_long, const char *title, unsigned long n_rows);
 void page_fold_end(page *p);
 
