@@ -76,11 +76,11 @@ const char *const assets_style[] = {
     "white-space: normal;\n}\n.facts td:last-child {\nmin-width: 0;\n}\nmain,\n.on-paper main {\nwidth: auto;\nmax-width: none;\npadding: 0 1px; /* or the borders at the sides are cut */\n}\nh1 {\nfont-size: 1.5rem;\nmargin-top: 0;\n}\nh2 {",
     "margin: 1em 0 0.3em;\n}\nfooter {\nmargin-top: 0.5rem;\n}\nfooter p {\nmargin: 0;\n}\na {\ncolor: inherit;\ntext-decoration: none;\n}\n.controls,\nbutton,\n.handle,\n.save,\n.typed-status,\n.typed:empty,\n.scripted #typed-discussion {",
     "display: none !important;\n}\n#typed-discussion {\nborder: 0;\n}\n.scripted .typed {\ndisplay: block;\nwhite-space: pre-wrap;\n}\n.scripted .typed:empty ~ .blank-lines {\ndisplay: block;\n}\n.results {\nfont-size: 0.88rem;\n}\n.results th,",
-    ".results td {\npadding: 0.03rem 0.5rem;\n}\npre {\nbox-decoration-break: clone;\n-webkit-box-decoration-break: clone;\n}\nfigure,\n.panel,\n.equation,\ntr,\n.blank-lines {\nbreak-inside: avoid;\n}\nfigure {\nmargin: 0.2rem 0 0.4rem;\n}",
-    "figure svg {\nmax-height: 215mm;\nobject-fit: contain;\n}\n.panels {\ngap: 0.5rem 1rem;\n}\n.values li {\nmin-width: 0;\n}\n.wide,\n.equation {\noverflow: visible;\nbackground: none;\n}\nthead {\ndisplay: table-header-group;\n}",
-    "details.table:not(.long)::details-content {\ncontent-visibility: visible;\n}\n.facts tbody tr:first-child,\ndetails.table summary,\np:has(+ .equation) {\nbreak-after: avoid;\n}\ndetails.table summary {\nlist-style: none;\n}",
-    "details.long:not([open]) summary::after {\ncontent: \". Open it on screen if it is to be printed.\";\n}\ntable.rows {\nfont: clamp(7pt, 960pt / var(--letters, 120), 8pt) / 1.25 Arial, \"Liberation Sans\", sans-serif;\n}\ntable.rows th,",
-    "table.rows td {\npadding: 0.05em 0.5em;\n}\n.swatch {\nprint-color-adjust: exact;\n-webkit-print-color-adjust: exact;\n}\n}",
+    ".results td {\npadding: 0.03rem 0.5rem;\n}\npre {\nbox-decoration-break: clone;\n-webkit-box-decoration-break: clone;\n}\nfigure,\n.panel,\n.equation,\ntr,\n.sides,\n.works,\n.friction,\n.blank-lines {\nbreak-inside: avoid;\n}\nfigure {",
+    "margin: 0.2rem 0 0.4rem;\n}\nfigure svg {\nmax-height: 215mm;\nobject-fit: contain;\n}\n.panels {\ngap: 0.5rem 1rem;\n}\n.values li {\nmin-width: 0;\n}\n.wide,\n.equation {\noverflow: visible;\nbackground: none;\n}\nthead {",
+    "display: table-header-group;\n}\ndetails.table:not(.long)::details-content {\ncontent-visibility: visible;\n}\n.facts tbody tr:first-child,\ndetails.table summary,\np:has(+ .equation) {\nbreak-after: avoid;\n}\ndetails.table summary {",
+    "list-style: none;\n}\ndetails.long:not([open]) summary::after {\ncontent: \". Open it on screen if it is to be printed.\";\n}\ntable.rows {\nfont: clamp(7pt, 960pt / var(--letters, 120), 8pt) / 1.25 Arial, \"Liberation Sans\", sans-serif;\n}",
+    "table.rows th,\ntable.rows td {\npadding: 0.05em 0.5em;\n}\n.swatch {\nprint-color-adjust: exact;\n-webkit-print-color-adjust: exact;\n}\n}",
     NULL};
 
 const char *const assets_script[] = {
@@ -350,8 +350,8 @@ const char *const assets_script[] = {
     "x.style.fontSize = Math.max(0.7, 0.86 * widths[k]) + \"rem\";\n});\n});\nwindow.addEventListener(\"afterprint\", () => equations.forEach((x) => x.style.removeProperty(\"font-size\")));\n}\nfunction start() {",
     "const rows = document.getElementById(\"fourlink-rows\"), place = document.getElementById(\"fourlink-panels\");\nofferFiles();\nprintTables();\nfourlink.typed.start();",
     "window.addEventListener(\"beforeprint\", () => document.documentElement.classList.add(\"on-paper\"));\nwindow.addEventListener(\"afterprint\", () => document.documentElement.classList.remove(\"on-paper\"));\nprintEquations();",
-    "reachScrolling();\nif (!rows || !place)\nreturn;\nconst data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});\nif (!data.branches.length)\nreturn;\nconst spare = 20 - document.querySelectorAll(\".results tr\").length;",
-    "document.documentElement.style.setProperty(\"--spare-lines\", Math.max(0, Math.min(13, spare)));\nconst more = document.getElementById(\"fourlink-more\");\nfor (const part of [place, more, document.getElementById(\"fourlink-controls\")])",
+    "reachScrolling();\nif (!rows || !place)\nreturn;\nconst data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});\nif (!data.branches.length)\nreturn;\nconst spare = 16 - document.querySelectorAll(\".results tr\").length;",
+    "document.documentElement.style.setProperty(\"--spare-lines\", Math.max(0, Math.min(9, spare)));\nconst more = document.getElementById(\"fourlink-more\");\nfor (const part of [place, more, document.getElementById(\"fourlink-controls\")])",
     "part.hidden = false;\ncontrols((id) => document.getElementById(\"fourlink-\" + id)).take(data, fourlink.draw(data, place, more), data.start);\nconst picture = document.querySelector(\"figure.mechanism\"); /* its number goes to the drawing */",
     "if (picture) {\nconst number = picture.querySelector(\"figcaption\").textContent.split(\".\")[0];\nplace.querySelector(\"figcaption\").prepend(number + \". \");\npicture.hidden = true;\n}\n}\nreturn {controls, start};\n}()));",
     "fourlink.start();",

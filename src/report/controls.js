@@ -287,8 +287,8 @@ function start() {
     const data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});
     if (!data.branches.length)
         return;
-    const spare = 20 - document.querySelectorAll(".results tr").length;
-    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(13, spare)));
+    const spare = 16 - document.querySelectorAll(".results tr").length;
+    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(9, spare)));
     const more = document.getElementById("fourlink-more");
     for (const part of [place, more, document.getElementById("fourlink-controls")])
         part.hidden = false;
