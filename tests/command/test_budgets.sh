@@ -80,7 +80,7 @@ done
 { fourbar && printf '[motor]\nstall_torque = 1 N m\nno_load_speed = 1 rad/s\n[load L]\nlink = rocker\ntorque = -50 N m\n' &&
     printf '[motion]\nmode = steady\ninterval = 30 deg\n'; } >none.deck
 ends 20 1 --report=none.html none.deck
-check 'a report without rows has no drawing' none -e 'id="mechanism"' none.html
+check 'a report without rows has no drawing' none -e 'class="mechanism"' none.html
 check 'but the reason' grep -q 'no steady motion' none.html
 
 # What took longest or most memory of random decks: at most 5 s of processor time and 200 MB, a report twice that.  (A
