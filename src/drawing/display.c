@@ -44,12 +44,8 @@ look display_look(int stroke)
 
 const char *display_class(int stroke, char out[20])
 {
-    static const char *const names[] = {"",       "ground", "crank",  "coupler", "follower",
-                                        "path",   "ghost",  "force",  "load",    "construction",
-                                        "result", "other",  "leader", "sense"};
-
     if (stroke < PEN_COUNT)
-        strcpy(out, names[stroke]);
+        strcpy(out, stroke ? look_table[stroke].name : "");
     else if (stroke == PEN_GRID || stroke == PEN_AXIS)
         strcpy(out, stroke == PEN_GRID ? "grid" : "axis");
     else if (stroke >= PEN_JUMP)

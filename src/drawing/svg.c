@@ -83,9 +83,7 @@ void svg_put_style(FILE *out)
           "{svg.fourlink{filter:invert(.88) hue-rotate(180deg)}}\n"
           "@media print{svg.fourlink{filter:none}}\n",
           out);
-    for (i = 1; i < PEN_COUNT; i++)
-        put_rule(out, i);
-    for (i = PEN_COUNT; i < PEN_CURVE; i++)
+    for (i = 1; i < PEN_CURVE; i++)
         put_rule(out, i);
     for (i = 0; i < LOOK_CURVE_COUNT; i++) {
         put_rule(out, PEN_CURVE + i);
@@ -217,11 +215,6 @@ static void put_quarters(FILE *out, const display *d, const display_item *x)
     }
 }
 
-static int is_mark(const char *c, const char *mark)
-{
-    return strncmp(c, mark, NOTATION_MARK) == 0;
-}
-
 #define LOWER 4  /* pixels: a subscript below the line */
 #define HIGHER 6 /* a superscript above it */
 
@@ -252,16 +245,13 @@ static void put_words(FILE *out, const char *words)
     int at = 0, to;
 
     while (*words) {
-        int is_sub = is_mark(words, NOTATION_SUB), is_super = is_mark(words, NOTATION_SUPER);
-        size_t n;
+        int mark = notation_mark(words);
+        size_t n = 0;
 
-        words += is_sub || is_super ? NOTATION_MARK : 0;
-        for (n = 0;
-             words[n] && !is_mark(words + n, NOTATION_SUB) && !is_mark(words + n, NOTATION_SUPER) &&
-             !((is_sub || is_super) && words[n] == ' ');
-             n++)
-            ;
-        to = is_sub ? LOWER : is_super ? -HIGHER : 0;
+        words += mark ? NOTATION_MARK : 0;
+        while (words[n] && !notation_mark(words + n) && !(mark && words[n] == ' '))
+            n++;
+        to = mark < 0 ? LOWER : mark > 0 ? -HIGHER : 0;
         if (to != at || to)
             fprintf(out, "<tspan dy=\"%d\"%s>", to - at, to ? " font-size=\"10\"" : "");
         put_part(out, all, words, n);
@@ -274,9 +264,11 @@ static void put_words(FILE *out, const char *words)
 
 #define BASELINE 5 /* pixels below the middle of a line */
 
+/* By display_align. */
+static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
+
 static void put_text(FILE *out, const display *d, const display_item *x)
 {
-    static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
     fourlink_vector at = d->places[x->first];
     char class_name[30] = "h-";
 
@@ -302,10 +294,24 @@ static void put_text(FILE *out, const display *d, const display_item *x)
     fputs("</text>\n", out);
 }
 
+/* The class of a disc, a centre or a mark. */
+static const char *class_of_circle(const display_item *x, char out[30])
+{
+    char own[20];
+
+    if (x->sort == DISPLAY_MARK && x->pen)
+        return flk_text_join(out, 30, "h-", display_class(x->pen, own), " mark", (char *)NULL);
+    if (x->sort == DISPLAY_MARK)
+        return x->is_open ? "open mark" : "solid mark";
+    if (x->sort == DISPLAY_CENTRE)
+        return "open centre";
+    return x->is_open ? "open" : "solid";
+}
+
 static void put_circle(FILE *out, const display *d, const display_item *x)
 {
     fourlink_vector at = d->places[x->first];
-    char class_name[30] = "h-";
+    char class_name[30];
 
     fputs("<circle cx=\"", out);
     put_number(out, at.x);
@@ -314,14 +320,7 @@ static void put_circle(FILE *out, const display *d, const display_item *x)
     fputs("\" r=\"", out);
     put_number(out, x->size);
     putc('"', out);
-    display_class(x->pen, class_name + 2);
-    strcat(class_name, " mark");
-    put_class(out, d, x,
-              x->sort == DISPLAY_CENTRE           ? "open centre"
-              : x->sort == DISPLAY_MARK && x->pen ? class_name
-              : x->sort == DISPLAY_MARK           ? (x->is_open ? "open mark" : "solid mark")
-              : x->is_open                        ? "open"
-                                                  : "solid");
+    put_class(out, d, x, class_of_circle(x, class_name));
     fputs("/>\n", out);
 }
 
@@ -515,15 +514,13 @@ static void put_y(FILE *out, const display *d, const display_item *x)
 static void put_moving(FILE *out, const display *frames, int n, size_t i, int repeats)
 {
     const display_item *x = item_of(&frames[0], i);
-    char class_name[30] = "h-";
+    char class_name[30] = "h-", own[30];
 
     display_class(x->pen, class_name + 2);
     if (x->sort == DISPLAY_TEXT) {
         fputs("<text class=\"halo\"", out);
-        fputs(x->align == DISPLAY_MIDDLE  ? " text-anchor=\"middle\">"
-              : x->align == DISPLAY_RIGHT ? " text-anchor=\"end\">"
-                                          : ">",
-              out);
+        fputs(anchors[x->align], out);
+        putc('>', out);
         put_words(out, display_words(&frames[0], x->words));
         put_values(out, frames, n, i, repeats, "x", put_x);
         put_values(out, frames, n, i, repeats, "y", put_y);
@@ -531,10 +528,7 @@ static void put_moving(FILE *out, const display *frames, int n, size_t i, int re
     } else if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_MARK || x->sort == DISPLAY_CENTRE) {
         fputs("<circle r=\"", out);
         put_number(out, x->size);
-        fprintf(out, "\" class=\"%s\">",
-                x->sort == DISPLAY_CENTRE ? "open centre"
-                : x->is_open              ? "open"
-                                          : "solid");
+        fprintf(out, "\" class=\"%s\">", class_of_circle(x, own));
         put_values(out, frames, n, i, repeats, "cx", put_x);
         put_values(out, frames, n, i, repeats, "cy", put_y);
         fputs("</circle>\n", out);

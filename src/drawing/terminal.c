@@ -99,8 +99,7 @@ static void spell(const char *words, int is_ascii, char *out, size_t size)
         size_t bytes = flk_text_printable(rest);
         const char *plain = "?";
 
-        if (strncmp(words, NOTATION_SUB, NOTATION_MARK) == 0 ||
-            strncmp(words, NOTATION_SUPER, NOTATION_MARK) == 0) {
+        if (notation_mark(words)) {
             words += NOTATION_MARK;
             continue;
         }

@@ -37,8 +37,8 @@ void arrow_cut(arrow_list *arrows, const sketch *s);
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
 
-/* The force that the longest arrow stands for: the largest of the motion, but that of these forces where it is
-** larger, or so small that none had an arrow. */
+/* The force that the longest arrow stands for: the largest of the motion, but that of these forces where it
+** is larger, or so small that none had an arrow. */
 double arrow_longest(const arrow_list *arrows, double largest_of_motion);
 
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing.  One

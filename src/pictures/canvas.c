@@ -21,13 +21,6 @@
 #define TIC 5.0                  /* pixels */
 #define SAMPLE 26.0              /* pixels of a line in a key */
 
-/* 1 at a mark of a subscript or a superscript. */
-static int is_mark(const char *c)
-{
-    return strncmp(c, NOTATION_SUB, NOTATION_MARK) == 0 ||
-           strncmp(c, NOTATION_SUPER, NOTATION_MARK) == 0;
-}
-
 static int begins_letter(char c)
 {
     return ((unsigned char)c & 0xC0) != 0x80;
@@ -38,7 +31,7 @@ int canvas_letters(const char *words)
     int n = 0;
 
     for (; *words; words++)
-        n += begins_letter(*words) && !is_mark(words);
+        n += begins_letter(*words) && !notation_mark(words);
     return n;
 }
 

@@ -11,9 +11,8 @@
 #include "view/place.h"
 #include "sketch.h"
 
-/* rad, transmission angles: below the first a dead position is near, and above the second it is far. If a
-** curve is so many times higher near it, the picture cuts the curve. */
-#define NEAR 0.2
+/* rad: with a larger transmission angle a dead position is far.  If a curve is so many times higher near one,
+** the picture cuts the curve. */
 #define SOUND 0.6
 #define HIGHER 3
 
@@ -49,7 +48,7 @@ graph_extent graph_extent_of(const graph_line *lines, int n, int of_x)
 
 int graph_is_cut(const graph_extent *e)
 {
-    return e->mu < NEAR && e->sound_high > e->sound_low &&
+    return e->mu < VIEW_NEAR && e->sound_high > e->sound_low &&
            e->high - e->low > HIGHER * (e->sound_high - e->sound_low);
 }
 

@@ -79,7 +79,7 @@ static double largest_of_motion(picture *p, fourlink_branch branch)
                                             NULL, &r.now, r.loads)
                      : fourlink_results_at(p->v.results, branch, picture_angle(p, k, POSITIONS),
                                            NULL, &r.now, r.loads);
-        if (status != FOURLINK_OK || r.now.state.mu < VIEW_CLEAR)
+        if (status != FOURLINK_OK || r.now.state.mu < VIEW_NEAR)
             continue;
         tracks_find(&r.numbers, &p->v, &r.now, r.loads);
         scene_find(&r.drawn, &p->v);

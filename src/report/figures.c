@@ -43,20 +43,12 @@ static const char *at_angle(const report *r, const char *name, char out[320])
                          r->why, ".", (char *)NULL);
 }
 
-int report_has_rows(const report *r)
-{
-    const char *why;
-    unsigned long n, missing = view_count_missing(&r->v, &n, &why);
-
-    return missing < n;
-}
-
 void report_put_mechanism(report *r)
 {
     const char *at = r->drawn_at;
     char caption[320], alt[200];
 
-    if (!report_has_rows(r)) {
+    if (!r->has_rows) {
         report_put_results(r);
         return;
     }

@@ -88,7 +88,7 @@ static int has_section(const report *r, need when)
 {
     if (when == WITH_SOLUTION)
         return r->v.results && r->request->found;
-    return when == ALWAYS || (r->v.results && (when == WITH_RESULTS || report_has_rows(r)));
+    return when == ALWAYS || (r->v.results && (when == WITH_RESULTS || r->has_rows));
 }
 
 static void put_contents(report *r)
@@ -172,7 +172,11 @@ static int find_sample(report *r, fourlink_mistake *mistake)
 /* 1; 0 and the reason why not; -1 if out of memory. */
 static int open_deck(report *r, fourlink_mistake *mistake)
 {
+    const char *why;
+    unsigned long n;
+
     view_take(&r->v, r->request->opened);
+    r->has_rows = view_count_missing(&r->v, &n, &why) < n;
     fourlink_results_notes(r->v.results, REPORT_MISTAKES, r->notes, &r->n_notes);
     r->loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->loads);
     r->row_loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->row_loads);

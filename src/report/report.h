@@ -32,6 +32,7 @@ typedef struct report {
     fourlink_results *drawn;  /* for the figures; null: not opened yet */
     view v;                   /* its results are null if the deck has mistakes */
     fourlink_load *row_loads; /* room for the loads of a row */
+    int has_rows;             /* 1: there is a row to draw */
     int out_of_memory;
     unsigned long failed, differing; /* rows that could not be computed, expected values */
 
@@ -60,9 +61,6 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
 void report_put_style(page *p);
 void report_put_interactive(report *r); /* with the results */
 void report_put_script(page *p);
-
-/* 1 if there is a row to draw. */
-int report_has_rows(const report *r);
 
 /* The sections. */
 void report_put_deck(report *r);

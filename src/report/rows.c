@@ -228,7 +228,7 @@ static void compute_row(rows *t, unsigned long i)
         const track *x = &t->now.list[k];
 
         put(t, i, x);
-        if (x->q == QUANTITY_FORCE && t->status[i] == FOURLINK_OK && now.state.mu > VIEW_CLEAR)
+        if (x->q == QUANTITY_FORCE && t->status[i] == FOURLINK_OK && now.state.mu > VIEW_NEAR)
             t->largest =
                 GSL_MAX_DBL(t->largest, view_value(&t->v, x->q, gsl_hypot(x->v.x, x->v.y)));
     }

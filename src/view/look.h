@@ -8,22 +8,22 @@
 #ifndef FOURLINK_LOOK_H
 #define FOURLINK_LOOK_H
 
-/* name, colour, width in points, dashes (line and gap in turn, "": none), what it is: an arrow or a text has
+/* name, which is the class of an SVG, colour, width in points, dashes (line and gap in turn, "": none), what it is: an arrow or a text has
 ** LOOK_ARROW */
-#define LOOK_LIST(X)                                                     \
-    X(GROUND, "ground", "000000", 1.5, "", LOOK_ARROW)                   \
-    X(CRANK, "crank", "0A2F7A", 5, "", LOOK_ARROW)                       \
-    X(COUPLER, "coupler", "C25000", 4, "", LOOK_ARROW)                   \
-    X(FOLLOWER, "follower", "005A40", 3, "", LOOK_ARROW)                 \
-    X(PATH, "path", "A6447C", 1.5, "", LOOK_LINE)                        \
-    X(GHOST, "ghost", "D0D0D0", 1, "", LOOK_PALE)                        \
-    X(FORCE, "pin force", "000000", 2, "", LOOK_ARROW)                   \
-    X(LOAD, "load", "A3195B", 3, "", LOOK_ARROW)                         \
-    X(CONSTRUCTION, "construction", "666666", 1, "4,4", LOOK_ARROW)      \
-    X(RESULT, "result", "8A5A00", 3, "9,3", LOOK_ARROW)                  \
-    X(OTHER, "other position", "666666", 1.5, "", LOOK_LINE)             \
-    X(LEADER, "from a name to its point", "444444", 0.75, "", LOOK_LINE) \
-    X(SENSE, "sense of rotation", "0A2F7A", 1.5, "", LOOK_ARROW)
+#define LOOK_LIST(X)                                                \
+    X(GROUND, "ground", "000000", 1.5, "", LOOK_ARROW)              \
+    X(CRANK, "crank", "0A2F7A", 5, "", LOOK_ARROW)                  \
+    X(COUPLER, "coupler", "C25000", 4, "", LOOK_ARROW)              \
+    X(FOLLOWER, "follower", "005A40", 3, "", LOOK_ARROW)            \
+    X(PATH, "path", "A6447C", 1.5, "", LOOK_LINE)                   \
+    X(GHOST, "ghost", "D0D0D0", 1, "", LOOK_PALE)                   \
+    X(FORCE, "force", "000000", 2, "", LOOK_ARROW)                  \
+    X(LOAD, "load", "A3195B", 3, "", LOOK_ARROW)                    \
+    X(CONSTRUCTION, "construction", "666666", 1, "4,4", LOOK_ARROW) \
+    X(RESULT, "result", "8A5A00", 3, "9,3", LOOK_ARROW)             \
+    X(OTHER, "other", "666666", 1.5, "", LOOK_LINE)                 \
+    X(LEADER, "leader", "444444", 0.75, "", LOOK_LINE)              \
+    X(SENSE, "sense", "0A2F7A", 1.5, "", LOOK_ARROW)
 
 /* Curves of diagrams in turn; a number beside a curve has its colour. */
 #define LOOK_CURVES(X)         \

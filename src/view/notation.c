@@ -64,6 +64,13 @@ static size_t length_of_sub(const char *c)
     return n;
 }
 
+int notation_mark(const char *words)
+{
+    return strncmp(words, NOTATION_SUB, NOTATION_MARK) == 0     ? -1
+           : strncmp(words, NOTATION_SUPER, NOTATION_MARK) == 0 ? 1
+                                                                : 0;
+}
+
 int notation_split(const char *name, notation *n)
 {
     size_t i, plain, sub;

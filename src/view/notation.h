@@ -18,6 +18,9 @@ enum { NOTATION_SIZE = 120 };
 #define NOTATION_SUPER "\356\200\202"
 enum { NOTATION_MARK = 3 }; /* bytes */
 
+/* -1 at the mark of a subscript, 1 at that of a superscript, else 0. */
+int notation_mark(const char *words);
+
 /* A name in its parts, in UTF-8: F, 12x and "along" of F12_along; max(...) has all of it in `symbol`. */
 typedef struct notation {
     char symbol[NOTATION_SIZE];

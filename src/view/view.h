@@ -65,8 +65,8 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 
-/* rad: where the transmission angle is smaller, forces are those of a dead position, and set no scale. */
-#define VIEW_CLEAR 0.2
+/* rad: where the transmission angle is smaller, a dead position is near, whose forces set no scale. */
+#define VIEW_NEAR 0.2
 
 /* Why it is shown, if no crank angle was asked for: "where press acts"; "" for a sixth of the way. */
 #define VIEW_WHY 120
