@@ -107,13 +107,13 @@ build_page() {
         case $line in
         @REPORT_STYLE@) sh "$report/embed.sh" report.css ;;
         @STYLE@) cat "$web/page.css" ;;
-        @REPORT_SCRIPT@) sh "$report/embed.sh" panel.js drawing.js typed.js controls.js ;;
+        @REPORT_SCRIPT@) sh "$report/embed.sh" elements.js player.js cursor.js typed.js controls.js ;;
         @EXAMPLES@) cat web/examples.json ;;
         @TEMPLATES@) cat web/templates.json ;;
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;
-        @SCRIPT@) cat "$web/page/text.js" "$web/page/editor.js" "$web/page/program.js" "$web/page/handles.js" "$web/page/curve.js" \
+        @SCRIPT@) cat "$web/page/text.js" "$web/page/editor.js" "$web/page/program.js" "$web/page/handles.js" \
             "$web/page/tables.js" "$web/page/link.js" "$web/page/main.js" ;;
         *) printf '%s\n' "$line" ;;
         esac

@@ -14,6 +14,7 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "pictures/plot.h"
 #include "report/interactive.h"
 #include "report/report.h"
 #include "tables/json_text.h"
@@ -253,15 +254,20 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
 
 /* ---------------------------------------------------------------------------------- drawing, curves */
 
-/* Answer with the rows of the drawing, of all branches or of one, at `at` too, a crank angle or NaN. */
-CALLED(web_scene) int web_scene(int branch, double at)
+/* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN; while
+** something is held they keep their range. */
+CALLED(web_scene) int web_scene(int branch, double at, int is_held)
 {
+    static place_box ranges[2];
     fourlink_branch one = (fourlink_branch)branch;
     rows *t = malloc(sizeof *t);
-    int done = 0;
+    int done = 0, i;
 
     if (t && rows_open(t, &drawn_source, drawn, at) && begin_answer()) {
-        done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at);
+        for (i = 0; i < 2 && !is_held; i++)
+            ranges[i] = place_nothing;
+        done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at,
+                                 ranges);
         done &= end_answer();
     }
     if (t)
@@ -270,25 +276,51 @@ CALLED(web_scene) int web_scene(int branch, double at)
     return done;
 }
 
-static void put_curve(const rows *t, unsigned long column)
+/* Put the first column at the steps of a branch. */
+static void put_over(const rows *t)
 {
     unsigned long i;
 
     line_put(&l, "[");
     for (i = 0; i < t->n; i++) {
         line_put(&l, i ? "," : "");
-        json_text_number(&l, t->table[i * t->v.n_columns + column], CURVE_DIGITS);
+        json_text_number(&l, t->table[i * t->v.n_columns], CURVE_DIGITS);
     }
     line_put(&l, "]");
 }
 
-/* Answer with columns over the rows of the drawing; the room has "table.columns=X,Y,...". */
+/* Draw the columns over the first of them. */
+static int put_figure(const fourlink_source *chosen, const rows *t)
+{
+    plot *drawn_plot = malloc(sizeof *drawn_plot);
+    char over[40];
+    fourlink_mistake mistake;
+    plot_request request;
+    int made = -1;
+
+    memset(&request, 0, sizeof request);
+    request.kind = PLOT_COLUMNS;
+    request.x = flk_text_join(over, sizeof over, t->v.columns[0].name, (char *)NULL);
+    request.is_figure = 1;
+    request.opened = t->v.results;
+    if (drawn_plot) {
+        made = plot_make(drawn_plot, chosen, &request, &mistake);
+        line_end(&l);
+        if (made > 0)
+            plot_write_figure(drawn_plot, out);
+        plot_free(drawn_plot);
+    }
+    free(drawn_plot);
+    return made >= 0;
+}
+
+/* Answer with columns as curves; the room has "table.columns=X,Y,...", Y are drawn over X.  In the first
+** line, X at the steps of the drawing, by branch. */
 CALLED(web_curve) int web_curve(void)
 {
     fourlink_source chosen = source;
     rows *t = malloc(sizeof *t);
     fourlink_change change;
-    unsigned long j;
     int i, done = 0;
 
     change.origin = "columns";
@@ -297,19 +329,14 @@ CALLED(web_curve) int web_curve(void)
     chosen.n_changes = 1;
     if (t && rows_open(t, &chosen, NULL, v.problem.one_instant ? v.problem.motion.from : GSL_NAN) &&
         begin_answer()) {
-        done = 1;
         line_put(&l, "[");
         for (i = 0; i < v.n_branches; i++) {
-            done &= rows_compute(t, v.branches[i]);
-            line_put(&l, "%s{\"name\":\"%s\",\"columns\":[", i ? "," : "",
-                     fourlink_branch_text((int)v.branches[i]));
-            for (j = 0; j < t->v.n_columns; j++) {
-                line_put(&l, j ? ",\n" : "");
-                put_curve(t, j);
-            }
-            line_put(&l, "]}");
+            line_put(&l, i ? "," : "");
+            rows_compute(t, v.branches[i]);
+            put_over(t);
         }
         line_put(&l, "]\n");
+        done = put_figure(&chosen, t);
         done &= end_answer();
     }
     if (t)

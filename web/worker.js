@@ -55,7 +55,7 @@ function textAt(place) {
 
 const tasks = {
     /* Open a deck; with its drawing if there is one. */
-    open({name, text, at, branch}) {
+    open({name, text, at, branch, held}) {
         isOpen = false;
         const [nameLength, length] = give(name, text);
         const status = program.web_open(nameLength, length - 1);
@@ -64,14 +64,15 @@ const tasks = {
             throw new Error(textAt(program.web_status_text(status)));
         const deck = JSON.parse(answer(true));
         deck.usable = isOpen = status === 0;
-        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at);
+        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at, held ? 1 : 0);
         return {deck, scene: scene ? answer(true) : null};
     },
     curve({names}) {
         give("table.columns=" + names.join());
         if (!program.web_curve())
             throw new Error("the deck has more loads or points than a drawing shows");
-        return {curves: JSON.parse(answer(true))};
+        const text = answer(true), end = text.indexOf("\n");
+        return {over: JSON.parse(text.slice(0, end)), figure: text.slice(end + 1)};
     },
     /* Rows of the table: numbers, a row after the other, and after each row its status, "ok" if it has numbers. */
     rows({branch, first, count, width}) {

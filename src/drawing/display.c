@@ -74,6 +74,12 @@ void display_close(display *d)
     memset(d, 0, sizeof *d);
 }
 
+void display_clear(display *d)
+{
+    d->n_panels = d->n_items = d->n_places = d->n_words = 0;
+    display_keep(d, "");
+}
+
 /* A list with room for so many entries more; null if out of memory, then it is as it was. */
 static void *grow(display *d, void *list, size_t *capacity, size_t n, size_t more, size_t size)
 {
@@ -159,6 +165,16 @@ display_item *display_line(display *d, int stroke, int layer, fourlink_vector fr
     return x;
 }
 
+display_item *display_arc(display *d, int stroke, fourlink_vector centre, double from, double span)
+{
+    display_item *x = display_add(d, DISPLAY_ARC, stroke, DISPLAY_LINES);
+
+    x->from = from;
+    x->span = span;
+    display_add_place(d, centre);
+    return x;
+}
+
 display_item *display_text(display *d, int stroke, fourlink_vector at, display_align align,
                            const char *words)
 {
@@ -181,6 +197,34 @@ int display_next_piece(const display *d, const display_item *x, size_t *from, si
     for (*n = 0; *from + *n < x->n && !gsl_isnan(at[*from + *n].x); ++*n)
         ;
     return *n > 0;
+}
+
+#define STRAIGHT 0.02 /* pixels: so far from a straight line a curve may leave out its points */
+
+/* 1 if all places between two of a piece are close to the line through these. */
+static int is_straight(const fourlink_vector *at, size_t from, size_t to)
+{
+    double dx = at[to].x - at[from].x, dy = at[to].y - at[from].y, length = gsl_hypot(dx, dy);
+    size_t i;
+
+    for (i = from + 1; i < to; i++) {
+        double x = at[i].x - at[from].x, y = at[i].y - at[from].y, along = x * dx + y * dy;
+
+        if (along < 0 || along > length * length || fabs(x * dy - y * dx) > STRAIGHT * length)
+            return 0;
+    }
+    return 1;
+}
+
+#define FARTHEST 40 /* places */
+
+size_t display_next_bend(const fourlink_vector *at, size_t i, size_t n)
+{
+    size_t next = i + 1;
+
+    while (next + 1 < n && next - i <= FARTHEST && is_straight(at, i, next + 1))
+        next++;
+    return next;
 }
 
 /* -------------------------------------------------------------------------------------------- panels */
@@ -256,6 +300,23 @@ static void close_area(display *d, display_item *x, double level)
         add_place(d, x, place_at(last.x, level));
 }
 
+/* Make an arc, whose place is in pixels, a polyline. */
+static void bend(display *d, display_item *x, double scale)
+{
+    int n = 8 + (int)(fabs(x->span) / DISPLAY_ARC_STEP), i;
+
+    x->centre = d->places[x->first];
+    x->radius[0] *= scale;
+    x->radius[1] *= scale;
+    x->first = d->n_places;
+    x->n = 0;
+    for (i = 0; i <= n; i++) {
+        double part = (double)i / n, radius = x->radius[0] + part * (x->radius[1] - x->radius[0]);
+
+        add_place(d, x, place_polar(x->centre, radius, -x->from - part * x->span));
+    }
+}
+
 #define HEAD 0.025 /* of the width of the box: the head of an arrow */
 
 /* Turn the places of an item of a panel into pixels. */
@@ -279,6 +340,8 @@ static void place_item(display *d, display_item *x, const place_box *box, const 
     }
     if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_CENTRE)
         x->size *= x_scale;
+    else if (x->sort == DISPLAY_ARC)
+        bend(d, x, x_scale);
     else if (x->sort == DISPLAY_ARROW)
         x->size = (x->size > 0 ? x->size : HEAD) * width;
     else if (x->sort == DISPLAY_CURVE)

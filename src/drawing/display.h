@@ -35,6 +35,7 @@ const char *display_class(int stroke, char out[20]);
 typedef enum display_sort {
     DISPLAY_LINE,
     DISPLAY_ARROW, /* a line with a head at its end */
+    DISPLAY_ARC,   /* around its place, which becomes a polyline */
     DISPLAY_CURVE, /* any number of places, cut to the box; NaN: a gap */
     DISPLAY_ABOVE, /* the area between a curve and a level, above and below it */
     DISPLAY_BELOW,
@@ -43,6 +44,8 @@ typedef enum display_sort {
     DISPLAY_MARK,   /* a point of a curve, `size` in pixels; `is_open`: a ring */
     DISPLAY_TEXT
 } display_sort;
+
+#define DISPLAY_ARC_STEP 0.1037 /* rad, of an arc's polyline: no round angle is a multiple of it */
 
 typedef enum display_align { DISPLAY_LEFT, DISPLAY_MIDDLE, DISPLAY_RIGHT } display_align;
 
@@ -57,6 +60,10 @@ typedef struct display_item {
     double dx, dy;   /* pixels to the right and down, from the place */
     double size;  /* of a disc its radius, in units of the axes; of a head its length, in pixels */
     double level; /* of an area */
+    double from, span; /* rad, counter-clockwise: where an arc begins, and how far it goes */
+    double radius
+        [2]; /* of an arc at its beginning and end, in units of the axes; when placed, in pixels */
+    fourlink_vector centre; /* of an arc that is placed */
     int is_open; /* of a disc or a mark: white; of an arrow: its head is never shorter than this; of an
                     area: a polygon already */
     display_align align;
@@ -89,6 +96,9 @@ typedef struct display {
 void display_open(display *d);
 void display_close(display *d);
 
+/* Make it empty again. */
+void display_clear(display *d);
+
 /* Begin a panel; what follows belongs to it. */
 void display_begin_panel(display *d);
 
@@ -111,10 +121,15 @@ void display_add_place(display *d, fourlink_vector at);
 /* Add a line, an arrow, a text. */
 display_item *display_line(display *d, int stroke, int layer, fourlink_vector from,
                            fourlink_vector to);
+display_item *display_arc(display *d, int stroke, fourlink_vector centre, double from, double span);
 display_item *display_text(display *d, int stroke, fourlink_vector at, display_align align,
                            const char *words);
 
 /* The next of the polylines of an item that has been cut: 0 at the end.  `from` begins at 0. */
 int display_next_piece(const display *d, const display_item *x, size_t *from, size_t *n);
+
+/* The next place of a piece that has to be drawn, as those between are on a straight line; n behind the
+** last. */
+size_t display_next_bend(const fourlink_vector *at, size_t i, size_t n);
 
 #endif

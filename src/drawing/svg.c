@@ -125,23 +125,6 @@ static void find_head(const display *d, const display_item *x, fourlink_vector c
     corner[3] = place_in(to, axis, 0.8 * head, 0);
 }
 
-#define STRAIGHT 0.02 /* pixels: so far from a straight line a curve may leave out its points */
-
-/* 1 if all places between two of a curve are close to the line through these. */
-static int is_straight(const fourlink_vector *at, size_t from, size_t to)
-{
-    double dx = at[to].x - at[from].x, dy = at[to].y - at[from].y, length = gsl_hypot(dx, dy);
-    size_t i;
-
-    for (i = from + 1; i < to; i++) {
-        double x = at[i].x - at[from].x, y = at[i].y - at[from].y, along = x * dx + y * dy;
-
-        if (along < 0 || along > length * length || fabs(x * dy - y * dx) > STRAIGHT * length)
-            return 0;
-    }
-    return 1;
-}
-
 static void put_curve_place(FILE *out, char before, fourlink_vector at)
 {
     putc(before, out);
@@ -154,16 +137,11 @@ static void put_curve_place(FILE *out, char before, fourlink_vector at)
 static void put_curve(FILE *out, const display *d, const display_item *x)
 {
     const fourlink_vector *at = d->places + x->first;
-    size_t from = 0, n = 0, i, last;
+    size_t from = 0, n = 0, i;
 
-    while (display_next_piece(d, x, &from, &n)) {
-        put_curve_place(out, 'M', at[from]);
-        for (last = 0, i = 1; i < n; i++)
-            if (i + 1 == n || i - last > 40 || !is_straight(at + from, last, i + 1)) {
-                put_curve_place(out, 'L', at[from + i]);
-                last = i;
-            }
-    }
+    while (display_next_piece(d, x, &from, &n))
+        for (i = 0; i < n; i = display_next_bend(at + from, i, n))
+            put_curve_place(out, i ? 'L' : 'M', at[from + i]);
 }
 
 static void put_path(FILE *out, const display *d, const display_item *x)
@@ -218,47 +196,25 @@ static void put_quarters(FILE *out, const display *d, const display_item *x)
 #define LOWER 4  /* pixels: a subscript below the line */
 #define HIGHER 6 /* a superscript above it */
 
-/* 1 for a hyphen that stands for a minus: before a number or a name, not within one. */
-static int is_minus(const char *words, const char *c)
-{
-    return *c == '-' && (c == words || strchr(" (,", c[-1])) && c[1] && c[1] != ' ';
-}
-
-/* Write a part of a text, which is `words` from its beginning, with true minus signs. */
-static void put_part(FILE *out, const char *words, const char *part, size_t n)
-{
-    size_t from = 0, i;
-
-    for (i = 0; i < n; i++)
-        if (is_minus(words, part + i)) {
-            xml_put(out, part + from, i - from);
-            fputs("\342\210\222", out);
-            from = i + 1;
-        }
-    xml_put(out, part + from, n - from);
-}
-
-/* Write a text with its subscripts and superscripts, each to the next mark or a blank. */
+/* Write a text with its subscripts and superscripts. */
 static void put_words(FILE *out, const char *words)
 {
-    const char *all = words;
-    int at = 0, to;
+    notation_part x = {NULL, 0, 0, 0};
+    int at = 0;
 
-    while (*words) {
-        int mark = notation_mark(words);
-        size_t n = 0;
+    x.words = words;
+    while (notation_next(words, &x)) {
+        int to = x.level < 0 ? LOWER : x.level > 0 ? -HIGHER : 0, is_plain = to == 0 && at == 0;
 
-        words += mark ? NOTATION_MARK : 0;
-        while (words[n] && !notation_mark(words + n) && !(mark && words[n] == ' '))
-            n++;
-        to = mark < 0 ? LOWER : mark > 0 ? -HIGHER : 0;
-        if (to != at || to)
+        if (!is_plain)
             fprintf(out, "<tspan dy=\"%d\"%s>", to - at, to ? " font-size=\"10\"" : "");
-        put_part(out, all, words, n);
-        if (to != at || to)
+        if (x.is_minus)
+            fputs(NOTATION_MINUS, out);
+        else
+            xml_put(out, x.words, x.n);
+        if (!is_plain)
             fputs("</tspan>", out);
         at = to;
-        words += n;
     }
 }
 
@@ -270,9 +226,8 @@ static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anch
 static void put_text(FILE *out, const display *d, const display_item *x)
 {
     fourlink_vector at = d->places[x->first];
-    char class_name[30] = "h-";
+    char class_name[30];
 
-    display_class(x->pen, class_name + 2);
     fputs("<text x=\"", out);
     put_number(out, at.x);
     fputs("\" y=\"", out);
@@ -283,22 +238,29 @@ static void put_text(FILE *out, const display *d, const display_item *x)
         put_place(out, ' ', at);
         fputs(")\"", out);
     }
-    if (x->pen || x->name || x->is_boxed) {
-        if (x->is_boxed)
-            strcat(class_name, " halo");
-        put_class(out, d, x, x->pen ? class_name : x->is_boxed ? "halo" : "words");
-    }
+    if (x->pen || x->name || x->is_boxed)
+        put_class(out, d, x, svg_class(x, class_name));
     fputs(anchors[x->align], out);
     putc('>', out);
     put_words(out, display_words(d, x->words));
     fputs("</text>\n", out);
 }
 
-/* The class of a disc, a centre or a mark. */
-static const char *class_of_circle(const display_item *x, char out[30])
+const char *svg_class(const display_item *x, char out[30])
 {
     char own[20];
 
+    if (x->sort == DISPLAY_TEXT)
+        return flk_text_join(out, 30, x->pen ? "h-" : "", display_class(x->pen, own),
+                             x->is_boxed && x->pen ? " halo"
+                             : x->is_boxed         ? "halo"
+                             : x->pen              ? ""
+                                                   : "words",
+                             (char *)NULL);
+    if (x->sort != DISPLAY_DISC && x->sort != DISPLAY_MARK && x->sort != DISPLAY_CENTRE)
+        return x->sort == DISPLAY_ABOVE   ? "above"
+               : x->sort == DISPLAY_BELOW ? "below"
+                                          : display_class(x->pen, out);
     if (x->sort == DISPLAY_MARK && x->pen)
         return flk_text_join(out, 30, "h-", display_class(x->pen, own), " mark", (char *)NULL);
     if (x->sort == DISPLAY_MARK)
@@ -320,7 +282,7 @@ static void put_circle(FILE *out, const display *d, const display_item *x)
     fputs("\" r=\"", out);
     put_number(out, x->size);
     putc('"', out);
-    put_class(out, d, x, class_of_circle(x, class_name));
+    put_class(out, d, x, svg_class(x, class_name));
     fputs("/>\n", out);
 }
 
@@ -337,22 +299,25 @@ static void put_one(FILE *out, const display *d, const display_item *x, const ch
 
 static void put_item(FILE *out, const display *d, const display_item *x)
 {
-    char class_name[30] = "h-";
+    char own[30], head[32];
+    const char *class_name = svg_class(x, own);
 
     if (x->sort == DISPLAY_TEXT) {
         put_text(out, d, x);
-    } else if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) {
-        put_one(out, d, x, x->sort == DISPLAY_ABOVE ? "above" : "below", put_path);
-    } else if (x->sort == DISPLAY_LINE || x->sort == DISPLAY_ARROW || x->sort == DISPLAY_CURVE) {
-        display_class(x->pen, class_name + 2);
+    } else if (x->sort < DISPLAY_DISC) {
         if (x->n)
-            put_one(out, d, x, class_name + 2, put_path);
+            put_one(out, d, x, class_name, put_path);
         if (x->sort == DISPLAY_ARROW)
-            put_one(out, d, x, class_name, put_head);
+            put_one(out, d, x, flk_text_join(head, sizeof head, "h-", class_name, (char *)NULL),
+                    put_head);
     } else {
         put_circle(out, d, x);
-        if (x->sort == DISPLAY_CENTRE)
-            put_one(out, d, x, "solid", put_quarters);
+        if (x->sort == DISPLAY_CENTRE) {
+            display_item quarters = *x;
+
+            quarters.name = 0;
+            put_one(out, d, &quarters, "solid", put_quarters);
+        }
     }
 }
 
@@ -528,7 +493,7 @@ static void put_moving(FILE *out, const display *frames, int n, size_t i, int re
     } else if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_MARK || x->sort == DISPLAY_CENTRE) {
         fputs("<circle r=\"", out);
         put_number(out, x->size);
-        fprintf(out, "\" class=\"%s\">", class_of_circle(x, own));
+        fprintf(out, "\" class=\"%s\">", svg_class(x, own));
         put_values(out, frames, n, i, repeats, "cx", put_x);
         put_values(out, frames, n, i, repeats, "cy", put_y);
         fputs("</circle>\n", out);

@@ -14,6 +14,9 @@
 void svg_write(FILE *out, const display *d, const char *title, const char *description,
                int is_figure);
 
+/* The class of an item, as it stands in an SVG. */
+const char *svg_class(const display_item *x, char out[30]);
+
 /* The style sheet of all figures. */
 void svg_put_style(FILE *out);
 

@@ -70,6 +70,27 @@ double arrow_largest(const arrow_list *arrows)
     return largest;
 }
 
+#define POSITIONS 72
+
+double arrow_largest_of_motion(picture *p, fourlink_branch branch)
+{
+    fourlink_instant now;
+    double largest = 0;
+    tracks numbers;
+    int k, i;
+
+    for (k = 0; k < POSITIONS && p->v.range.n_rows > 1; k++) {
+        if (picture_sample(p, branch, k, POSITIONS, NULL, &now, p->loads) != FOURLINK_OK ||
+            now.state.mu < VIEW_NEAR)
+            continue;
+        tracks_find(&numbers, &p->v, &now, p->loads);
+        for (i = 0; i < numbers.n; i++)
+            if (numbers.list[i].q == QUANTITY_FORCE)
+                largest = GSL_MAX_DBL(largest, gsl_hypot(numbers.list[i].v.x, numbers.list[i].v.y));
+    }
+    return largest;
+}
+
 double arrow_longest(const arrow_list *arrows, double largest_of_motion)
 {
     double largest = arrow_largest(arrows);
@@ -141,13 +162,7 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = view_si(&p->v, q, place_round(view_value(&p->v, q, largest) / 2.5));
-    double below = s->is_window ? -0.06 : 0.16; /* in a window it is inside */
-    fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - below * s->size);
-    fourlink_vector to = place_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];
 
-    sketch_turn(s, 0);
-    sketch_arrow(s, PEN_CONSTRUCTION, from, to);
-    sketch_text(s, to, 0.7, 0, picture_words(p, "", bar, q, words));
-    sketch_turn(s, 1);
+    sketch_scale(s, PEN_CONSTRUCTION, scale * bar, picture_words(p, "", bar, q, words));
 }

@@ -37,6 +37,9 @@ void arrow_cut(arrow_list *arrows, const sketch *s);
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
 
+/* The largest force of the motion on a branch, N, but for those near dead positions; 0: none is known. */
+double arrow_largest_of_motion(picture *p, fourlink_branch branch);
+
 /* The force that the longest arrow stands for: the largest of the motion, but that of these forces where it
 ** is larger, or so small that none had an arrow. */
 double arrow_longest(const arrow_list *arrows, double largest_of_motion);

@@ -17,9 +17,10 @@
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
 #define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
 #define BELOW (3.2 * CANVAS_LINE)
-#define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
-#define TIC 5.0                  /* pixels */
-#define SAMPLE 26.0              /* pixels of a line in a key */
+#define SCALES (1.6 * CANVAS_LINE) /* below a bare drawing */
+#define SHORTENED "\342\200\246"   /* an ellipsis, in UTF-8 */
+#define TIC 5.0                    /* pixels */
+#define SAMPLE 26.0                /* pixels of a line in a key */
 
 static int begins_letter(char c)
 {
@@ -107,15 +108,17 @@ void canvas_place_panel(canvas *c, int lines, double right)
     double width = c->width / c->columns * columns, height = (c->height - c->head) / c->rows;
     double x = c->next % c->columns * width, y = c->head + c->next / c->columns % c->rows * height;
 
-    c->left = LEFT;
-    c->right = right < 0.5 * width ? right : 0.5 * width;
-    c->box_width = width - c->left - c->right;
-    c->box_height = height - lines * CANVAS_LINE - BELOW - c->below;
+    if (c->is_bare)
+        lines = 0;
+    c->left = c->is_bare ? 0 : LEFT;
+    c->right = c->is_bare ? 0 : right < 0.5 * width ? right : 0.5 * width;
     c->lines = lines;
     c->box.x_min = x + c->left;
     c->box.x_max = x + width - c->right;
     c->box.y_min = y + lines * CANVAS_LINE;
-    c->box.y_max = y + height - BELOW - c->below;
+    c->box.y_max = y + height - (c->is_bare ? SCALES : BELOW) - c->below;
+    c->box_width = c->box.x_max - c->box.x_min;
+    c->box_height = c->box.y_max - c->box.y_min;
     c->next += columns;
     c->fills_row = 0;
 }
@@ -168,6 +171,8 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
     va_list values;
     size_t n;
 
+    if (c->is_bare)
+        return;
     va_start(values, format);
     n = strlen(flk_message_list(words, sizeof words, format, values));
     va_end(values);
@@ -181,6 +186,27 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
     /* in the middle of the panel */
     put_in_box(c, "title", 0.5, 1, (c->right - c->left) / 2, (0.5 - c->lines) * CANVAS_LINE,
                DISPLAY_MIDDLE, canvas_shorten(words, letters, 0, fitting, sizeof fitting));
+}
+
+double canvas_scale(const canvas *c, double from, double length, int stroke, const char *words)
+{
+    double y = -0.8 * CANVAS_LINE / c->box_height, to = from + length, end = 4 / c->box_height;
+    size_t kept = display_keep(c->d, "scale");
+    int k;
+
+    for (k = stroke ? 0 : -1; k <= (stroke ? 0 : 1);
+         k++) { /* the line, or both ends and the line */
+        double x1 = k < 0 ? from : k > 0 ? to : from, x2 = k < 0 ? from : to;
+        display_item *line = display_line(c->d, stroke ? stroke : PEN_AXIS, DISPLAY_FRONT,
+                                          place_at(x1 / c->box_width, y + (k ? end : 0)),
+                                          place_at(x2 / c->box_width, y - (k ? end : 0)));
+
+        line->sort = stroke ? DISPLAY_ARROW : DISPLAY_LINE;
+        line->in_box = 1;
+        line->name = kept;
+    }
+    put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, words);
+    return to + 4 * CANVAS_LETTER + canvas_width_of(words);
 }
 
 void canvas_note(const canvas *c, int line, const char *format, ...)
@@ -319,10 +345,12 @@ void canvas_end_panel(canvas *c)
 {
     int i;
 
-    put_scale(c, c->axes.x_min, c->axes.x_max, c->x_step, 0);
-    put_scale(c, c->axes.y_min, c->axes.y_max, c->y_step, 1);
-    for (i = 0; i < 4; i++)
-        put_part(c, PEN_AXIS, DISPLAY_BACK, i == 2, i == 3, i != 0, i != 1);
+    if (!c->is_bare) {
+        put_scale(c, c->axes.x_min, c->axes.x_max, c->x_step, 0);
+        put_scale(c, c->axes.y_min, c->axes.y_max, c->y_step, 1);
+        for (i = 0; i < 4; i++)
+            put_part(c, PEN_AXIS, DISPLAY_BACK, i == 2, i == 3, i != 0, i != 1);
+    }
     if (c->has_zero_axes)
         put_zero_axes(c);
     if (c->has_key_below_title)

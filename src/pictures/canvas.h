@@ -39,10 +39,12 @@ typedef struct canvas {
     place_box axes;               /* what they show */
     double x_step, y_step;        /* of their numbers */
     int has_zero_axes;            /* 1: lines through 0 in all panels */
+    int is_bare;                  /* 1: no axes and no titles, but scales below the drawing */
     int lines;                    /* above it */
     int has_key_below_title;      /* 1: its key is in lines above the axes; 0: at their right */
     canvas_entry entries[CANVAS_ENTRIES];
     int n_entries;
+    struct labels_motion *motion; /* of a drawing that moves; null: of none */
 } canvas;
 
 /* Begin a picture of panels of this size, with some room below each; in text they are below each other. */
@@ -70,6 +72,10 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
 
 /* Add to the key of the panel. */
 void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words);
+
+/* Put a scale below a bare drawing: a length in pixels, as an arrow of this pen or, 0, as a line with ends,
+** and its words.  Returns where the next may begin. */
+double canvas_scale(const canvas *c, double from, double length, int stroke, const char *words);
 
 /* Put a line of text to the right of the axes, line 0 at their top, in such a format. */
 void canvas_note(const canvas *c, int line, const char *format, ...);

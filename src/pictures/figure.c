@@ -4,6 +4,7 @@
 */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -113,21 +114,32 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
             include_position(s, p, &now.state, margin);
 }
 
-void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
+/* The size of the drawing of a branch, which a motion needs many times. */
+static double size_of(picture *p, fourlink_branch branch)
 {
-    sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], 1);
-    include_all(s, p, branch, 0);
-    s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
+    sketch all;
+
+    if (p->size_branch != branch) {
+        memset(&all, 0, sizeof all);
+        all.drawn = place_nothing;
+        all.c = &p->on;
+        sketch_turn(&all, 1);
+        include_all(&all, p, branch, 0);
+        p->size = GSL_MAX_DBL(all.drawn.x_max - all.drawn.x_min, all.drawn.y_max - all.drawn.y_min);
+        p->size_branch = branch;
+    }
+    return p->size;
+}
+
+void figure_open(sketch *s, picture *p, fourlink_branch branch)
+{
+    sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], size_of(p, branch));
     if (p->v.kind.has_slot)
         s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
                                OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
-    if (all_of_it) {
-        if (p->v.kind.has_stroke || p->v.kind.has_slot)
-            include_all(s, p, branch, 2 * figure_block(s));
-        s->is_fixed = s->texts.is_steady = 1;
-    } else {
-        s->drawn = place_nothing;
-    }
+    if (p->on.motion && p->on.motion->phase == LABELS_MEASURE)
+        include_all(s, p, branch,
+                    p->v.kind.has_stroke || p->v.kind.has_slot ? 2 * figure_block(s) : 0);
 }
 
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
@@ -197,6 +209,8 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
     find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
     put_rectangle(s, kind, geometry_on_slide(state, 0), &state->link[FOURLINK_COUPLER].axis, from,
                   to, FIGURE_HIGH * figure_block(s));
+    sketch_mark(s, geometry_on_slide(state, from), "S1");
+    sketch_mark(s, geometry_on_slide(state, to), "S2");
     sketch_line(s, kind, D, geometry_on_slide(state, root));
     if (root < from || root > to)
         sketch_line(s, kind, geometry_on_slide(state, root),
@@ -284,7 +298,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
-    char fitting[LABELS_WORDS];
+    char fitting[LABELS_WORDS], own[TRACKS_NAME];
     unsigned long i;
     const char *name;
     int link;
@@ -295,17 +309,19 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     for (i = 0; i < p->v.problem.n_points; i++) {
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
-        sketch_dot(s, at);
+        sketch_dot(s, at, tracks_name("P", i, "", own));
         sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.has_stroke)
-        sketch_pin(s, pins.D);
+        sketch_pin(s, pins.D, "D");
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->v.design->link[link].mass > 0)
-            sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg));
-    sketch_pin(s, pins.A);
-    sketch_pin(s, pins.B);
-    sketch_pin(s, pins.C);
+            sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg),
+                          tracks_name("G", (unsigned long)link, "", own));
+    sketch_pin(s, pins.A, "A");
+    sketch_pin(s, pins.B, "B");
+    if (!p->v.kind.has_slot) /* C is B */
+        sketch_pin(s, pins.C, "C");
 }
 
 /* The unit vector from one place to another; 0 if they are the same. */
@@ -362,29 +378,36 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     }
 }
 
-/* Draw an angle: a ray along x, an arc, and the angle in the deck's unit. */
-static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
-                      const char *name)
+/* Put the angle of a link beside the drawing, in the deck's unit, and draw it: a ray along x, and an arc;
+** in a motion that of the crank alone. */
+static void put_angle(sketch *s, const picture *p, fourlink_vector at, int link, double angle,
+                      double radius, const char *name)
 {
     char mark[PICTURE_MARK];
     double half = angle / 2;
 
+    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 4, mark));
+    if (s->c->motion && link != FOURLINK_CRANK)
+        return;
     radius *= s->size;
     sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
-    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 4, mark));
-    sketch_text(s, place_polar(at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
+    if (s->c->motion)
+        sketch_text_around(s, at, radius, half, name);
+    else
+        sketch_text(s, place_polar(at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
 }
 
 static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
-    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, FIGURE_THETA SUB_2);
+    put_angle(s, p, pins.A, FOURLINK_CRANK, fmod(state->link[2].theta, 2 * M_PI), 0.09,
+              FIGURE_THETA SUB_2);
     if (!p->v.kind.has_slot || p->v.design->angle != 0)
-        put_angle(s, p, pins.B, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
+        put_angle(s, p, pins.B, FOURLINK_COUPLER, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
     if (!p->v.kind.has_stroke)
-        put_angle(s, p, pins.D, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
+        put_angle(s, p, pins.D, FOURLINK_FOLLOWER, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
 }
 
 /* Put the numbers of the links beside their middles; that of the ground below A. */
@@ -445,13 +468,19 @@ void figure_slope(sketch *s, const picture *p)
 
 void figure_gravity(sketch *s, const picture *p)
 {
-    double left = s->drawn.x_min - 0.1 * s->size, top = s->drawn.y_max;
+    double left = s->drawn.x_min - (s->c->motion ? 0 : 0.1 * s->size), top = s->drawn.y_max;
     fourlink_vector to = place_at(left, top - 0.12 * s->size), axis;
+
+    if (s->c->motion && s->c->motion->phase == LABELS_MEASURE) /* the range is not yet known */
+        return;
 
     sketch_turn(s, 0);
     if (geometry_has_weight(&p->v)) {
         sketch_arrow(s, PEN_LOAD, place_at(left, top), to);
-        sketch_text(s, to, -1, 0.5, "g");
+        if (s->c->motion)
+            sketch_text(s, place_beside(to, 0, 0.06 * s->size), 1, 0, "g");
+        else
+            sketch_text(s, to, -1, 0.5, "g");
     }
     sketch_turn(s, 1);
     if (p->on.turn == 0)
@@ -464,7 +493,7 @@ void figure_gravity(sketch *s, const picture *p)
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
 {
     put_links(s, p, state);
-    (s->texts.is_steady ? put_steady_letters : put_letters)(s, p, state);
+    (s->c->motion ? put_steady_letters : put_letters)(s, p, state);
     figure_sense(s, state, figure_place(p, state).A);
     if (has_angles)
         put_angles(s, p, state);
@@ -500,6 +529,8 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
     unsigned long i;
 
     if (p->v.range.n_rows < 2)
+        return;
+    if (p->on.is_bare && p->on.motion->phase != LABELS_KEEP && !p->on.motion->is_first)
         return;
     if (!p->v.kind.has_slot && p->request->file != PLOT_TXT) /* in letters it hides the links */
         put_path(s, p, branch, p->v.problem.n_points, until);

@@ -31,9 +31,8 @@ char *figure_angle(const picture *p, double angle, int digits, char out[PICTURE_
 /* Draw thin lines from the pins of a link to a point that is off their line. */
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at);
 
-/* Begin a drawing of the mechanism on a branch, scaled to its whole motion.  With `all_of_it` it keeps room
-** for the whole motion, and all positions have the same scale. */
-void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it);
+/* Begin a drawing of the mechanism on a branch, scaled to its whole motion. */
+void figure_open(sketch *s, picture *p, fourlink_branch branch);
 
 /* Draw the frame: supports at A and D, or the guide. */
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state);

@@ -81,7 +81,7 @@ int graph_column(const picture *p, const char *name)
 static int sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
                   fourlink_instant *now)
 {
-    return picture_sample(p, branch, k, PICTURE_STEPS, values, now) == FOURLINK_OK &&
+    return picture_sample(p, branch, k, PICTURE_STEPS, values, now, NULL) == FOURLINK_OK &&
            !(now->state.mu < 1e-3);
 }
 
@@ -127,7 +127,7 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
     int k;
 
     for (k = 0; k <= PICTURE_STEPS && p->v.problem.mode != FOURLINK_MODE_GIVEN; k++)
-        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now) == FOURLINK_OK)
+        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now, NULL) == FOURLINK_OK)
             largest = GSL_MAX_DBL(largest, view_torque_rounding(&p->v, &now.forces));
     return largest;
 }
@@ -224,7 +224,7 @@ int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_
     for (k = 0; k <= PICTURE_STEPS; k++)
         line->x[k] = line->y[k] = GSL_NAN;
     for (k = 0; k <= PICTURE_STEPS; k++) {
-        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now) != FOURLINK_OK)
+        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now, NULL) != FOURLINK_OK)
             break;
         next[0] = values[x];
         next[1] = values[y];

@@ -121,8 +121,8 @@ static void draw_crank(sketch *s, const construction *k, double rod)
     sketch_line(s, PEN_RESULT, k->B, k->Q);
     sketch_line(s, PEN_RESULT, k->Q, k->N);
     sketch_line(s, PEN_FOLLOWER, k->N, k->O);
-    sketch_pin(s, k->O);
-    sketch_pin(s, k->B);
+    sketch_pin(s, k->O, "O");
+    sketch_pin(s, k->B, "B");
     figure_letter(s, k->O, middle, k->B, "O");
     figure_letter(s, k->B, middle, k->O, "B");
     figure_letter(s, k->M, middle, k->O, "M");
@@ -149,7 +149,7 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
     draw_crank(s, k, rod);
     figure_sense(s, state, k->O);
     figure_piston(s, PEN_FOLLOWER, k->C, &state->link[FOURLINK_FOLLOWER].axis);
-    sketch_pin(s, k->C);
+    sketch_pin(s, k->C, "C");
     figure_letter(s, k->C, middle, middle, "C");
 }
 
@@ -182,7 +182,7 @@ static void draw_moments(sketch *s, const construction *k)
     sketch_line(s, PEN_FORCE, k->g, k->O);
     sketch_line(s, PEN_FORCE, k->I, k->Y);
     sketch_line(s, PEN_LOAD, k->I, k->X);
-    sketch_centre(s, k->G);
+    sketch_centre(s, k->G, "G");
     figure_letter(s, k->I, k->X, k->C, "I");
     figure_letter(s, k->X, k->I, k->G, "X");
     figure_letter(s, k->Y, k->I, k->Z, "Y");
@@ -244,7 +244,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
         return fourlink_status_text(status);
     construct(p, &now.state, &lengths, &k);
     construct_moments(p, &now.state, &lengths, &k);
-    figure_open(&s, p, branch, 0);
+    figure_open(&s, p, branch);
     draw_whole(&s, p, &now.state, &k, rod);
     if (k.is_near)
         draw_moments(&s, &k);

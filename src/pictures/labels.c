@@ -7,6 +7,7 @@
 ** depends on both drawing and texts; as texts keep their size in pixels, it takes a few rounds.
 */
 #include <math.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -53,8 +54,8 @@ static int leaves(const labels *l, const place_box *b)
 {
     place_box all = box_of_drawing(l);
 
-    return b->x_min < all.x_min - BORDER || b->x_max > all.x_max + BORDER ||
-           b->y_min < all.y_min - BORDER || b->y_max > all.y_max + BORDER;
+    return b->x_min < all.x_min - l->border || b->x_max > all.x_max + l->border ||
+           b->y_min < all.y_min - l->border || b->y_max > all.y_max + l->border;
 }
 
 /* The cost of label k at its present place. */
@@ -74,31 +75,42 @@ static double cost_of(const labels *l, int k)
     return cost + (l->is_fixed && leaves(l, &b) ? 20 : 0);
 }
 
+/* Put a text at one of its candidates, which are numbered ring by ring; returns the cost of being far from
+** its place and away from the requested direction. */
+static double put_at(label *text, int candidate)
+{
+    int ring = candidate / DIRECTIONS;
+    double off = 2 * M_PI * (candidate % DIRECTIONS) / DIRECTIONS, gap = GAP * (1 + 1.5 * ring);
+    double angle = atan2(text->dy, text->dx) + off;
+
+    text->middle.x = (gap + text->half) * cos(angle);
+    text->middle.y = (gap + HALF_LINE) * sin(angle);
+    return 2 * ring + 1.5 * (1 - cos(off));
+}
+
+static int candidates_of(const label *text)
+{
+    return text->is_close ? DIRECTIONS : RINGS * DIRECTIONS;
+}
+
 static void place(labels *l, int k)
 {
     label *text = &l->list[k];
-    double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
-    double w = text->half;
-    fourlink_vector best = text->middle;
-    int rings = text->is_close || l->is_steady ? 1 : RINGS, ring, i;
+    double least = GSL_POSINF;
+    int n = candidates_of(text), best = 0, i;
 
-    for (ring = 0; ring < rings; ring++)
-        for (i = 0; i < (l->is_steady ? 1 : DIRECTIONS); i++) {
-            double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
-            double gap = GAP * (1 + 1.5 * ring);
+    for (i = 0; i < n; i++) {
+        double cost = put_at(text, i);
 
-            if (cost >= least)
-                continue;
-            text->middle.x = (gap + w) * cos(wanted + off);
-            text->middle.y = (gap + HALF_LINE) * sin(wanted + off);
+        if (cost < least)
             cost += cost_of(l, k);
-            if (cost < least) {
-                least = cost;
-                best = text->middle;
-            }
+        if (cost < least) {
+            least = cost;
+            best = i;
         }
-    text->middle = best;
-    text->is_hidden = text->is_close && least > HIDDEN && !l->is_steady;
+    }
+    put_at(text, best);
+    text->is_hidden = text->is_close && least > HIDDEN;
 }
 
 static double scale_for(const labels *l, const place_box *b, double width, double height,
@@ -128,6 +140,7 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
     int round, i;
 
     l->drawn = drawn;
+    l->border = BORDER;
     l->is_fixed = is_fixed;
     l->scale = 1;
     b = box_of_drawing(l);
@@ -157,4 +170,141 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
     l->scale = GSL_MAX_DBL(l->scale, GSL_MIN_DBL(scale, 3 * first));
     keep_within(&l->drawn.x_min, &l->drawn.x_max, drawn.x_min, drawn.x_max, l->scale * width / 2);
     keep_within(&l->drawn.y_min, &l->drawn.y_max, drawn.y_min, drawn.y_max, l->scale * height / 2);
+}
+
+/* ------------------------------------------------------------------------------------------- motion */
+
+#define AROUND 32.0  /* pixels, from what is drawn to the edge of a drawing that moves */
+#define MOST_RINGS 2 /* its texts are nearer to their places */
+
+/* How many texts before text k have the same words. */
+static int nth_of(const labels *l, int k)
+{
+    int nth = 0, i;
+
+    for (i = 0; i < k; i++)
+        nth += strcmp(l->list[i].words, l->list[k].words) == 0;
+    return nth;
+}
+
+/* The side of text k; that of a new one if there is none. */
+static int side_of(const labels_motion *m, const labels *l, int k)
+{
+    int nth = nth_of(l, k), i;
+
+    for (i = 0; i < m->n_sides; i++)
+        if (m->sides[i].nth == nth && strcmp(m->sides[i].words, l->list[k].words) == 0)
+            break;
+    return i;
+}
+
+static void take_scale(labels *l, const labels_motion *m, double size, double width, double height)
+{
+    place_box b;
+
+    l->drawn = m->drawn;
+    l->border = AROUND;
+    l->is_fixed = 1;
+    l->scale = 1;
+    b = box_of_drawing(l);
+    l->scale = scale_for(l, &b, width, height, AROUND);
+    l->scale = l->scale > 0 ? l->scale : size / width;
+}
+
+/* Places become pixels, which are compared many times. */
+static void turn_into_pixels(labels *l)
+{
+    fourlink_vector zero = {0, 0};
+    double k = 1 / l->scale;
+    int i;
+
+    for (i = 0; i < l->n; i++)
+        l->list[i].at = place_in(zero, l->list[i].at, k, 0);
+    for (i = 0; i < l->n_obstacles; i++) {
+        l->obstacles[i].from = place_in(zero, l->obstacles[i].from, k, 0);
+        l->obstacles[i].to = place_in(zero, l->obstacles[i].to, k, 0);
+    }
+    l->drawn = box_of_drawing(l);
+    l->scale = 1;
+}
+
+void labels_keep(labels_motion *m, labels *l, double size, double width, double height)
+{
+    int k;
+
+    if (m->n_kept == LABELS_KEPT)
+        return;
+    take_scale(l, m, size, width, height);
+    for (k = 0; k < l->n; k++) {
+        label *text = &l->list[k];
+
+        text->side = side_of(m, l, k);
+        put_at(text, 0);
+        if (text->side < m->n_sides || text->side == LABELS_MOST)
+            continue;
+        strcpy(m->sides[text->side].words, text->words);
+        m->sides[m->n_sides++].nth = nth_of(l, k);
+    }
+    m->kept[m->n_kept] = *l;
+    turn_into_pixels(&m->kept[m->n_kept++]);
+}
+
+/* The number of a text with this side at a position; that of texts if there is none. */
+static int text_of(const labels *l, int side)
+{
+    int k;
+
+    for (k = 0; k < l->n && l->list[k].side != side; k++)
+        ;
+    return k;
+}
+
+/* The cost of a candidate at all positions, as far as it is below the least so far; the texts stay there. */
+static double cost_of_all(labels_motion *m, int side, int candidate, double least)
+{
+    double cost = 0;
+    int i;
+
+    for (i = 0; i < m->n_kept && cost < least; i++) {
+        labels *l = &m->kept[i];
+        int k = text_of(l, side);
+
+        if (k < l->n && candidate < candidates_of(&l->list[k])) {
+            cost += put_at(&l->list[k], candidate);
+            cost += cost < least ? cost_of(l, k) : 0;
+        } else if (k < l->n) {
+            return GSL_POSINF;
+        }
+    }
+    return cost;
+}
+
+void labels_choose_sides(labels_motion *m)
+{
+    int side, i;
+
+    for (side = 0; side < m->n_sides; side++) {
+        double least = GSL_POSINF, cost;
+
+        for (i = 0; i < MOST_RINGS * DIRECTIONS; i++) {
+            cost = cost_of_all(m, side, i, least);
+            if (cost < least) {
+                least = cost;
+                m->sides[side].candidate = i;
+            }
+        }
+        cost_of_all(m, side, m->sides[side].candidate, GSL_POSINF);
+    }
+}
+
+void labels_take_sides(labels *l, const labels_motion *m, double size, double width, double height)
+{
+    int k;
+
+    take_scale(l, m, size, width, height);
+    for (k = 0; k < l->n; k++) {
+        int side = side_of(m, l, k);
+
+        put_at(&l->list[k], side < m->n_sides ? m->sides[side].candidate : 0);
+    }
 }

@@ -42,9 +42,9 @@ static int put_position(sketch *s, const picture *p, fourlink_branch branch, dou
         return 0;
     pins = figure_place(p, state);
     figure_outline(s, p, state, PEN_OF_LINK);
-    sketch_pin(s, pins.A);
-    sketch_pin(s, pins.B);
-    sketch_pin(s, pins.C);
+    sketch_pin(s, pins.A, "A");
+    sketch_pin(s, pins.B, "B");
+    sketch_pin(s, pins.C, "C");
     figure_letter(s, pins.B, pins.A, pins.A, figure_angle(p, theta2, 4, mark));
     return 1;
 }
@@ -134,7 +134,7 @@ static void put_limits(picture *p, const fourlink_state *shown)
 
     fourlink_limits_of(p->v.mechanism, branch, &limits);
     fourlink_reach_of(p->v.mechanism, &reach);
-    figure_open(&s, p, branch, 0);
+    figure_open(&s, p, branch);
     figure_frame(&s, p, shown);
     if (limits.has_swing) {
         title = "limits of link 4";
@@ -195,7 +195,7 @@ static void put_centre(sketch *s, const picture *p, const char *name, fourlink_v
         return;
     sketch_line(s, PEN_CONSTRUCTION, first, I);
     sketch_line(s, PEN_CONSTRUCTION, second, I);
-    sketch_dot(s, I);
+    sketch_dot(s, I, "I");
     sketch_text(s, I, 1, 1, name);
 }
 
@@ -224,7 +224,7 @@ const char *picture_limits(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     put_limits(p, &now.state);
-    figure_open(&s, p, branch, 0);
+    figure_open(&s, p, branch);
     figure_frame(&s, p, &now.state);
     figure_draw(&s, p, &now.state, 0);
     put_transmission(&s, p, &now.state);

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanism.c - the mechanism with its loads and pin forces, at one or several positions; and its
-** motion from first to last.
+** mechanism.c - the mechanism with its loads and pin forces, at one or several positions.
 */
 #include <math.h>
 
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
+#include "mechanism.h"
 #include "plot.h"
+#include "wanted.h"
 
 #define GHOSTS 12
-#define FRAMES PLOT_FRAMES
 
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
@@ -60,33 +60,6 @@ static int list_forces(arrow_list *arrows, const picture_row *r)
     n = arrows->n;
     add_springs(arrows, r);
     return arrows->n > n;
-}
-
-#define POSITIONS 72 /* of a motion, for its largest force */
-
-/* The largest force of a motion on a branch, but for those near dead positions; 0: none is known. */
-static double largest_of_motion(picture *p, fourlink_branch branch)
-{
-    unsigned long n = p->v.range.n_rows;
-    double largest = 0;
-    arrow_list arrows;
-    picture_row r;
-    int status, k;
-
-    for (k = 0; k < POSITIONS && n > 1; k++) {
-        status = p->v.problem.by_time
-                     ? fourlink_results_row(p->v.results, branch, (unsigned long)k * n / POSITIONS,
-                                            NULL, &r.now, r.loads)
-                     : fourlink_results_at(p->v.results, branch, picture_angle(p, k, POSITIONS),
-                                           NULL, &r.now, r.loads);
-        if (status != FOURLINK_OK || r.now.state.mu < VIEW_NEAR)
-            continue;
-        tracks_find(&r.numbers, &p->v, &r.now, r.loads);
-        scene_find(&r.drawn, &p->v);
-        list_forces(&arrows, &r);
-        largest = GSL_MAX_DBL(largest, arrow_largest(&arrows));
-    }
-    return largest;
 }
 
 /* Draw loads, weights and pin forces on the scale of the largest of the motion; of an inset those that act
@@ -155,22 +128,21 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
         }
 }
 
-/* Draw what is around a small link, from its pin on the ground, enlarged. */
-static void put_inset(picture *p, const picture_row *r, int link)
+void mechanism_draw_inset(picture *p, const picture_row *r, int link, double largest)
 {
     const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
     double length = p->v.design->link[link].length;
     sketch s;
 
-    figure_open(&s, p, state->branch, 0);
+    figure_open(&s, p, state->branch);
     s.size = INSET * length;
     sketch_window(&s, link == FOURLINK_CRANK ? pins.A : pins.D, HALF_SIDE * length);
     figure_frame(&s, p, state);
     figure_draw(&s, p, state, 1);
     spring_draw(&s, p, state, 0);
     if (p->v.problem.has_forces)
-        draw_forces(&s, p, r, 0);
+        draw_forces(&s, p, r, largest);
     s.n_notes = 0; /* they are beside the whole */
     sketch_close(&s, "at the %s, enlarged", p->v.kind.link[link]);
 }
@@ -183,44 +155,60 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
-    figure_open(&s, p, branch, 0);
+    figure_open(&s, p, branch);
     if (p->n_angles == 0 && p->request->file != PLOT_TXT)
         draw_ghosts(&s, p, branch);
     figure_paths(&s, p, branch, PICTURE_STEPS);
+    wanted_draw(&s, p);
     figure_frame(&s, p, &r.now.state);
     draw_others(&s, p, branch);
     figure_draw(&s, p, &r.now.state, 1);
     spring_draw(&s, p, &r.now.state, 1);
     if (p->v.problem.has_forces)
-        draw_forces(&s, p, &r, largest_of_motion(p, branch));
+        draw_forces(&s, p, &r, arrow_largest_of_motion(p, branch));
     sketch_note(&s, "1 ground, 2 crank,");
     sketch_note(&s, "3 %s, 4 %s", p->v.kind.link[FOURLINK_COUPLER],
                 p->v.kind.link[FOURLINK_FOLLOWER]);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     for (i = 0; i < p->n_insets; i++)
-        put_inset(p, &r, p->insets[i]);
+        mechanism_draw_inset(p, &r, p->insets[i], 0);
     return NULL;
 }
 
-const char *picture_animation(picture *p, fourlink_branch branch)
+/* Draw the crank where the linkage cannot be assembled, and why it cannot. */
+static void draw_crank(sketch *s, const picture *p, const picture_row *r)
 {
-    int k, status = FOURLINK_OK, drawn = 0;
-    fourlink_instant now;
-    sketch s;
+    fourlink_vector A = tracks_vector(&r->numbers, "A"), B = tracks_vector(&r->numbers, "B");
 
-    for (k = 0; k < FRAMES; k++) {
-        status = picture_state(p, branch, k, FRAMES, &now);
-        if (status != FOURLINK_OK)
-            continue;
-        picture_begin_frame(p);
-        figure_open(&s, p, branch, 1);
-        figure_paths(&s, p, branch, PICTURE_STEPS);
-        figure_frame(&s, p, &now.state);
-        figure_draw(&s, p, &now.state, 0);
-        spring_draw(&s, p, &now.state, 0);
-        sketch_close(&s, "%s", fourlink_branch_text((int)branch));
-        drawn++;
+    sketch_support(s, A);
+    if (!p->v.kind.has_stroke)
+        sketch_support(s, place_at(p->v.design->link[FOURLINK_GROUND].length, 0));
+    sketch_line(s, PEN_CRANK, A, B);
+    sketch_pin(s, A, "A");
+    sketch_pin(s, B, "B");
+    sketch_note(s, "%s", fourlink_status_text(r->now.status));
+}
+
+void mechanism_draw(picture *p, const picture_row *r, double largest)
+{
+    sketch s;
+    int link;
+
+    figure_open(&s, p, r->now.branch);
+    figure_paths(&s, p, r->now.branch, PICTURE_STEPS);
+    wanted_draw(&s, p);
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        sketch_key(&s, (pen)link, p->v.kind.link[link]);
+    if (r->now.status == FOURLINK_OK) {
+        figure_frame(&s, p, &r->now.state);
+        figure_draw(&s, p, &r->now.state, 1);
+        spring_draw(&s, p, &r->now.state, 1);
+        if (p->v.problem.has_forces)
+            draw_forces(&s, p, r, largest);
+    } else {
+        draw_crank(&s, p, r);
     }
-    return drawn ? NULL : fourlink_status_text(status);
+    figure_gravity(&s, p);
+    sketch_close(&s, "");
 }

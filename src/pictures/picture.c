@@ -104,20 +104,23 @@ int picture_take_last_turn(picture *p, fourlink_branch branch)
     return 1;
 }
 
-/* A deck with rows by time is open with PICTURE_STEPS of them. */
+/* Of rows by time the nearest. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
-                   fourlink_instant *now)
+                   fourlink_instant *now, fourlink_load *loads)
 {
     if (p->v.problem.by_time)
-        return fourlink_results_row(p->v.results, branch,
-                                    (unsigned long)(k * PICTURE_STEPS / steps), values, now, NULL);
-    return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now, NULL);
+        return fourlink_results_row(
+            p->v.results, branch,
+            (unsigned long)((double)k * (double)(p->v.range.n_rows - 1) / steps + 0.5), values, now,
+            loads);
+    return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now,
+                               loads);
 }
 
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fourlink_instant *now)
 {
     if (p->v.problem.by_time)
-        return picture_sample(p, branch, k, steps, NULL, now);
+        return picture_sample(p, branch, k, steps, NULL, now, NULL);
     now->branch = branch;
     fourlink_motion_at(&p->v.problem.motion, picture_angle(p, k, steps), &now->row);
     return fourlink_analyse(p->v.mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);
@@ -147,7 +150,8 @@ int picture_row_find(picture *p, fourlink_branch branch, picture_row *r)
 
 int picture_has_outputs(const picture *p)
 {
-    return p->v.problem.has_outputs && p->v.problem.n_designs && p->request->kind == PLOT_COLUMNS;
+    return p->v.problem.has_outputs && p->v.problem.n_designs && p->request->kind == PLOT_COLUMNS &&
+           !p->request->is_figure;
 }
 
 /* Returns 0, for the caller to return. */
@@ -183,6 +187,7 @@ static int take_results(picture *p, fourlink_results *results)
 {
     view_take(&p->v, results);
     p->from = p->v.problem.motion.from;
+    p->size_branch = 0;
     free(p->loads);
     p->loads = malloc((p->v.problem.n_loads + 1) * sizeof *p->loads);
     return p->loads || run_out_of_memory(p);

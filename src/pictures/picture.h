@@ -71,7 +71,7 @@ typedef struct plot_request {
     plot_file file;
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
-    int is_figure;            /* 1: of a page, which has the title */
+    int is_figure;            /* 1: of a page, which has the title, and of one design of a sweep */
     fourlink_results *opened; /* of the deck */
     /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
     fourlink_results **kept;
@@ -117,7 +117,9 @@ typedef struct picture {
     int n_angles;
     const char *why; /* the position is shown that nobody asked for; "": it was asked for */
     char why_words[VIEW_WHY];
-    double shown; /* its crank angle, in the deck's unit */
+    double shown;    /* its crank angle, in the deck's unit */
+    double size;     /* of the drawing of a branch, m; */
+    int size_branch; /* 0: not yet known */
     int out_of_memory;
 } picture;
 
@@ -173,6 +175,12 @@ int size_lines_beside(const picture *p, int each_link);
 /* The size of the drawing of a mechanism, in m: the larger side of the room of its motion, on any branch. */
 double size_of_motion(const picture *p);
 
+/* Its width for a height of 1, with some room around it. */
+double size_aspect(const picture *p);
+
+/* Find the links that are small beside the whole: the crank, and a rocker. */
+void size_find_insets(picture *p);
+
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
@@ -218,7 +226,7 @@ double picture_angle(const picture *p, int k, int steps);
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
-                   fourlink_instant *now);
+                   fourlink_instant *now, fourlink_load *loads);
 
 /* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,

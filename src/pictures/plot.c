@@ -28,7 +28,6 @@ static const struct plot_info {
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
-#define SMALL_LINK 0.08 /* of the whole: it is drawn enlarged as well */
 #define LONE_WIDTH 760  /* of a single panel */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
@@ -59,19 +58,6 @@ plot_file plot_file_of(const char *name)
 /* A figure of a page is as wide as paper at 7 pt allows. */
 #define FIGURE_WIDTH 1000.0
 #define FIGURE_LOW 0.82
-
-/* Find the links that are small beside the whole: the crank, and a rocker. */
-static void find_insets(picture *p)
-{
-    double size = SMALL_LINK * size_of_motion(p);
-
-    p->n_insets = 0;
-    if (p->v.design->link[FOURLINK_CRANK].length < size)
-        p->insets[p->n_insets++] = FOURLINK_CRANK;
-    if (!p->v.kind.has_slot && !p->v.kind.has_stroke &&
-        p->v.design->link[FOURLINK_FOLLOWER].length < size)
-        p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
-}
 
 static void lay_out(picture *p)
 {
@@ -118,7 +104,7 @@ static void lay_out(picture *p)
                 (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
                3;
     if (p->request->kind == PLOT_MECHANISM && !is_text) {
-        find_insets(p);
+        size_find_insets(p);
         rows *= 1 + p->n_insets;
     }
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;

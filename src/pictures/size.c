@@ -17,6 +17,7 @@
 #define HIGHEST 840
 #define HIGHEST_FIGURE 600 /* two of them are a page */
 #define OUTLINE_STEPS 72
+#define PAD 0.4 /* of the larger side: room for arrows and texts around a motion */
 
 int size_lines_beside(const picture *p, int each_link)
 {
@@ -80,6 +81,39 @@ double size_of_motion(const picture *p)
         size = GSL_MAX_DBL(size, GSL_MAX_DBL(b.x_max - b.x_min, b.y_max - b.y_min));
     }
     return size;
+}
+
+double size_aspect(const picture *p)
+{
+    double x, y, pad;
+    place_box all = place_nothing, b;
+    int i;
+
+    for (i = 0; i < p->v.n_branches; i++) {
+        b = box_of_motion(p, p->v.branches[i]);
+        if (b.x_min <= b.x_max) {
+            place_grow(&all, b.x_min, b.y_min);
+            place_grow(&all, b.x_max, b.y_max);
+        }
+    }
+    x = all.x_max - all.x_min;
+    y = all.y_max - all.y_min;
+    pad = PAD * GSL_MAX_DBL(x, y);
+    return x >= 0 && pad > 0 ? (x + pad) / (y + pad) : 1;
+}
+
+#define SMALL_LINK 0.08 /* of the drawing */
+
+void size_find_insets(picture *p)
+{
+    double size = SMALL_LINK * size_of_motion(p);
+
+    p->n_insets = 0;
+    if (p->v.design->link[FOURLINK_CRANK].length < size)
+        p->insets[p->n_insets++] = FOURLINK_CRANK;
+    if (!p->v.kind.has_slot && !p->v.kind.has_stroke &&
+        p->v.design->link[FOURLINK_FOLLOWER].length < size)
+        p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
 }
 
 double size_height(const picture *p, double width)

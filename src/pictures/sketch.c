@@ -15,6 +15,7 @@
 #define LETTER 0.028
 #define PIN 0.4
 #define DOT 0.15
+#define RING 0.28
 #define SUPPORT 1.3
 #define HATCH 0.65
 
@@ -29,7 +30,14 @@
 
 static fourlink_vector turned(const sketch *s, fourlink_vector p)
 {
-    return place_at(s->cosine * p.x - s->sine * p.y, s->sine * p.x + s->cosine * p.y);
+    double x = p.x - s->held.x, y = p.y - s->held.y;
+
+    return place_at(s->cosine * x - s->sine * y, s->sine * x + s->cosine * y);
+}
+
+void sketch_hold(sketch *s, fourlink_vector at)
+{
+    s->held = at;
 }
 
 static void include(sketch *s, fourlink_vector p)
@@ -66,6 +74,11 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     s->size = size;
     s->letter = LETTER;
     s->drawn = place_nothing;
+    s->shrink = 1;
+    if (c->motion && c->motion->phase != LABELS_MEASURE) {
+        s->is_fixed = 1;
+        s->drawn = c->motion->drawn;
+    }
     sketch_turn(s, 1);
     canvas_begin_panel(c);
 }
@@ -135,27 +148,43 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
     put_line(s, p, from, to, 1);
 }
 
-/* Drawn as a polygon; in a window each of its sides is cut. */
-void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
+/* A place of an arc or a spiral, after a part of it. */
+static fourlink_vector on_arc(fourlink_vector centre, double inner, double outer, double from,
+                              double to, double part)
 {
-    int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
-    fourlink_vector last = place_polar(centre, radius, from), next;
+    return place_polar(centre, inner + part * (outer - inner), from + part * (to - from));
+}
 
-    if (!s->is_window) {
-        display_add(s->c->d, DISPLAY_LINE, (int)p, DISPLAY_LINES);
-        for (i = 0; i <= n; i++)
-            display_add_place(
-                s->c->d,
-                in_unit(s, turned(s, place_polar(centre, radius, from + (to - from) * i / n))));
+/* An arc is one line unless the window cuts it. */
+void sketch_spiral(sketch *s, pen p, fourlink_vector centre, double inner, double outer,
+                   double from, double to)
+{
+    int n = 8 + (int)(fabs(to - from) / DISPLAY_ARC_STEP), is_cut = 0, i;
+    double turn = atan2(s->sine, s->cosine);
+    fourlink_vector last = on_arc(centre, inner, outer, from, to, 0), next;
+
+    for (i = 0; i <= n; i++)
+        is_cut |= is_beyond(s, turned(s, on_arc(centre, inner, outer, from, to, (double)i / n)));
+    if (!is_cut) {
+        display_item *arc =
+            display_arc(s->c->d, (int)p, in_unit(s, turned(s, centre)), from + turn, to - from);
+
+        arc->radius[0] = in_unit(s, place_at(inner, 0)).x;
+        arc->radius[1] = in_unit(s, place_at(outer, 0)).x;
     }
     for (i = 1; i <= n; i++) {
-        next = place_polar(centre, radius, from + (to - from) * i / n);
-        if (s->is_window)
+        next = on_arc(centre, inner, outer, from, to, (double)i / n);
+        if (is_cut)
             sketch_line(s, p, last, next);
         else
             take_line(s, p, turned(s, last), turned(s, next));
         last = next;
     }
+}
+
+void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
+{
+    sketch_spiral(s, p, centre, radius, radius, from, to);
 }
 
 /* Add a disc as an obstacle, by its diameters. */
@@ -170,9 +199,12 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
     }
 }
 
-/* Draw a disc, white or black, as a text's obstacle. */
-static void put_disc(sketch *s, fourlink_vector at, double radius, int is_open)
+/* Draw a disc, which texts should not cover. */
+static void put_disc(sketch *s, display_sort sort, fourlink_vector at, double part, int is_open,
+                     const char *name)
 {
+    double radius = part * s->letter * s->size;
+    size_t kept = display_keep(s->c->d, name);
     display_item *disc;
 
     at = turned(s, at);
@@ -180,20 +212,26 @@ static void put_disc(sketch *s, fourlink_vector at, double radius, int is_open)
         return;
     include(s, at);
     add_disc(s, at, radius);
-    disc = display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
+    disc = display_add(s->c->d, sort, PEN_GROUND, DISPLAY_FRONT);
     disc->is_open = is_open;
+    disc->name = kept;
     disc->size = in_unit(s, place_at(radius, 0)).x;
     display_add_place(s->c->d, in_unit(s, at));
 }
 
-void sketch_dot(sketch *s, fourlink_vector at)
+void sketch_dot(sketch *s, fourlink_vector at, const char *name)
 {
-    put_disc(s, at, DOT * s->letter * s->size, 0);
+    put_disc(s, DISPLAY_DISC, at, DOT, 0, name);
 }
 
-void sketch_pin(sketch *s, fourlink_vector at)
+void sketch_pin(sketch *s, fourlink_vector at, const char *name)
 {
-    put_disc(s, at, PIN * s->letter * s->size, 1);
+    put_disc(s, DISPLAY_DISC, at, PIN, 1, name);
+}
+
+void sketch_centre(sketch *s, fourlink_vector at, const char *name)
+{
+    put_disc(s, DISPLAY_CENTRE, at, 0.7 * PIN, 0, name);
 }
 
 #define HEAD 0.3 /* rad, of an arc with a head */
@@ -219,7 +257,7 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     label *new = &s->texts.list[s->texts.n];
-    fourlink_vector side = turned(s, place_at(dx, dy));
+    fourlink_vector side = turned(s, place_beside(s->held, dx, dy));
 
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
@@ -272,19 +310,19 @@ void sketch_note(sketch *s, const char *format, ...)
     va_end(values);
 }
 
-void sketch_centre(sketch *s, fourlink_vector at)
+void sketch_ring(sketch *s, fourlink_vector at, const char *name)
 {
-    double r = 0.7 * PIN * s->letter * s->size;
-    display_item *centre;
+    put_disc(s, DISPLAY_DISC, at, RING, 1, name);
+}
 
-    at = turned(s, at);
-    if (is_beyond(s, at))
+void sketch_mark(sketch *s, fourlink_vector at, const char *name)
+{
+    size_t kept = display_keep(s->c->d, name);
+
+    if (!s->c->is_bare)
         return;
-    include(s, at);
-    add_disc(s, at, r);
-    centre = display_add(s->c->d, DISPLAY_CENTRE, PEN_GROUND, DISPLAY_FRONT);
-    centre->size = in_unit(s, place_at(r, 0)).x;
-    display_add_place(s->c->d, in_unit(s, at));
+    display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT)->name = kept;
+    display_add_place(s->c->d, in_unit(s, turned(s, at)));
 }
 
 void sketch_ground(sketch *s, double x1, double x2, double y, double side)
@@ -413,28 +451,30 @@ static void put_leader(const sketch *s, const label *x)
     display_line(s->c->d, PEN_LEADER, DISPLAY_FRONT, from, to);
 }
 
+/* Put a text at its side: beyond half its width it begins or ends there, in a motion its middle stays. */
+static void put_label(const sketch *s, const label *x)
+{
+    int side = s->c->motion ? 0 : x->middle.x > x->half ? 1 : x->middle.x < -x->half ? -1 : 0;
+    display_align align = side > 0 ? DISPLAY_LEFT : side < 0 ? DISPLAY_RIGHT : DISPLAY_MIDDLE;
+    display_item *put = display_text(s->c->d, 0, in_unit(s, x->at), align, x->words);
+
+    put->is_boxed = 1;
+    put->dx = x->middle.x - side * x->half;
+    put->dy = -x->middle.y;
+}
+
 static void put_labels(const sketch *s)
 {
     int i;
 
     for (i = 0; i < s->texts.n; i++) {
         const label *one = &s->texts.list[i];
-        double half = one->half;
-        int side = one->middle.x > half ? 1 : one->middle.x < -half ? -1 : 0;
-        fourlink_vector at =
-            in_unit(s, place_beside(one->at, s->texts.scale * (one->middle.x - side * half),
-                                    s->texts.scale * one->middle.y));
 
         if (one->is_hidden)
             continue;
-        if (one->has_leader && !s->c->is_text)
+        if (one->has_leader && !s->c->is_text && !s->c->motion)
             put_leader(s, one);
-        display_text(s->c->d, 0, at,
-                     side > 0   ? DISPLAY_LEFT
-                     : side < 0 ? DISPLAY_RIGHT
-                                : DISPLAY_MIDDLE,
-                     one->words)
-            ->is_boxed = 1;
+        put_label(s, one);
     }
 }
 
@@ -469,11 +509,64 @@ static void put_axes(const sketch *s)
     canvas_set_axes(s->c, axes, step_of(step, middle.x, width), step_of(step, middle.y, height));
 }
 
+void sketch_scale(sketch *s, pen p, double length, const char *words)
+{
+    double below = s->is_window ? -0.06 : 0.16; /* in a window it is inside */
+    fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - below * s->size);
+    fourlink_vector to = place_beside(from, length, 0);
+
+    if (s->c->is_bare) {
+        s->scale.p = p;
+        s->scale.length = length;
+        flk_text_join(s->scale.words, sizeof s->scale.words, words, (char *)NULL);
+        return;
+    }
+    sketch_turn(s, 0);
+    sketch_arrow(s, p, from, to);
+    sketch_text(s, to, 0.7, 0, words);
+    sketch_turn(s, 1);
+}
+
+#define BAR 0.055   /* of the width, at least: the scale of lengths */
+#define INDENT 12.0 /* of the first */
+
+static void put_scales(const sketch *s)
+{
+    double unit = in_unit(s, place_at(s->texts.scale, 0)).x / s->shrink;
+    double bar = place_round(BAR * s->c->box_width * unit), next;
+    char words[LABELS_WORDS], own[NOTATION_SIZE];
+
+    flk_message(words, sizeof words, "%.6g %s", bar, canvas_unit(s->c, s->unit->name, own));
+    next = canvas_scale(s->c, INDENT, bar / unit, 0, words);
+    if (s->scale.length > 0)
+        canvas_scale(s->c, next, s->scale.length / s->texts.scale, (int)s->scale.p, s->scale.words);
+}
+
+/* A position of a motion whose range is being found, or whose texts are kept, is not drawn; returns 1. */
+static int is_before_drawing(sketch *s)
+{
+    labels_motion *m = s->c->motion;
+
+    if (!m || m->phase == LABELS_DRAW)
+        return 0;
+    if (m->phase == LABELS_KEEP) {
+        canvas_place_panel(s->c, 2, width_of_margin(s));
+        labels_keep(m, &s->texts, s->size, s->c->box_width, s->c->box_height);
+    } else if (s->drawn.x_min <= s->drawn.x_max) {
+        place_grow(&m->drawn, s->drawn.x_min, s->drawn.y_min);
+        place_grow(&m->drawn, s->drawn.x_max, s->drawn.y_max);
+    }
+    canvas_drop_panel(s->c);
+    return 1;
+}
+
 void sketch_close(sketch *s, const char *format, ...)
 {
     char title[MESSAGE_SIZE];
     va_list values;
 
+    if (is_before_drawing(s))
+        return;
     va_start(values, format);
     flk_message_list(title, sizeof title, format, values);
     va_end(values);
@@ -482,10 +575,15 @@ void sketch_close(sketch *s, const char *format, ...)
         place_grow(&s->drawn, s->size, s->size);
     }
     canvas_place_panel(s->c, 2, width_of_margin(s));
-    labels_place(&s->texts, s->drawn, s->is_fixed, s->size, s->c->box_width, s->c->box_height);
+    if (s->c->motion)
+        labels_take_sides(&s->texts, s->c->motion, s->size, s->c->box_width, s->c->box_height);
+    else
+        labels_place(&s->texts, s->drawn, s->is_fixed, s->size, s->c->box_width, s->c->box_height);
     s->drawn = s->texts.drawn;
     put_labels(s);
     put_margin(s);
+    if (s->c->is_bare)
+        put_scales(s);
     canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
                   s->c->turn != 0 ? "vertical" : "y", s->unit->name, "%s", title);
     put_axes(s);

@@ -18,6 +18,13 @@ typedef struct sketch_entry {
     char title[80];
 } sketch_entry;
 
+/* An arrow that shows a scale, and its words. */
+typedef struct sketch_scale_bar {
+    pen p;
+    double length;
+    char words[LABELS_WORDS];
+} sketch_scale_bar;
+
 typedef struct sketch {
     canvas *c;
     const fourlink_unit *unit; /* of its axes; all else is in SI units */
@@ -28,11 +35,14 @@ typedef struct sketch {
     double block;              /* half the length of a piston or a block */
     int is_window;             /* 1: nothing beyond it is drawn */
     double cosine, sine;       /* of the angle by which it is turned */
+    fourlink_vector held;      /* the place that is its origin */
     int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
     labels texts;
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
+    sketch_scale_bar scale; /* of a bare drawing: that of its arrows; length 0: there is none */
+    double shrink; /* 1, or lengths of this drawing of a motion are so many times smaller */
 } sketch;
 
 /* Begin a drawing of about this size in the next panel; places are in SI units, the axes in this unit. */
@@ -40,6 +50,9 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
+
+/* Let this place be where the origin is, at each position of a motion. */
+void sketch_hold(sketch *s, fourlink_vector at);
 
 /* Draw only what is in a square around a place, with this half side. */
 void sketch_window(sketch *s, fourlink_vector middle, double half);
@@ -53,14 +66,20 @@ void sketch_include(sketch *s, fourlink_vector p);
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 
-/* Draw a point. */
-void sketch_dot(sketch *s, fourlink_vector at);
+/* Draw a point, a pin, a centre of mass, or a wanted place, whose radii are fractions of the drawing's
+** size; `name` is for those who read the file. */
+void sketch_dot(sketch *s, fourlink_vector at, const char *name);
+void sketch_pin(sketch *s, fourlink_vector at, const char *name);
+void sketch_centre(sketch *s, fourlink_vector at, const char *name);
+void sketch_ring(sketch *s, fourlink_vector at, const char *name);
 
-/* Draw a pin; its radius is a fraction of the drawing's size. */
-void sketch_pin(sketch *s, fourlink_vector at);
+/* Mark a place of a drawing that moves by a name alone. */
+void sketch_mark(sketch *s, fourlink_vector at, const char *name);
 
-/* Draw an arc from one angle to another, in rad, counter-clockwise. */
+/* Draw an arc from one angle to another, in rad; or a spiral, which goes from one radius to another. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
+void sketch_spiral(sketch *s, pen p, fourlink_vector centre, double inner, double outer,
+                   double from, double to);
 
 /* Draw an arc with a head at its end; from one angle to another, in either sense. */
 void sketch_turn_arrow(sketch *s, pen p, fourlink_vector centre, double radius, double from,
@@ -85,8 +104,8 @@ void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double
 /* Put a line of text beside the drawing, below the one before, in a format of flk_message. */
 void sketch_note(sketch *s, const char *format, ...);
 
-/* Draw a centre of mass. */
-void sketch_centre(sketch *s, fourlink_vector at);
+/* Draw an arrow of this length below the drawing, with words that say what it stands for. */
+void sketch_scale(sketch *s, pen p, double length, const char *words);
 
 /* Draw a support: a triangle on hatched ground below the point. */
 void sketch_support(sketch *s, fourlink_vector at);

@@ -12,7 +12,6 @@
 #define MOST_TEETH 15
 #define USUAL_TEETH 8 /* without a free length, from which their number follows */
 #define TURNS 2       /* of a spiral */
-#define SPIRAL_STEPS 60
 
 /* As fractions of the drawing: half the width of a zigzag and of a cylinder, the distance of a spring's
 ** teeth when it is free, and the radius of a spiral. */
@@ -107,7 +106,7 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
         figure_off(x->s, pins.A, pins.B, end);
     else if (!p->v.kind.slides_on[link])
         figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
-    sketch_dot(x->s, end);
+    sketch_dot(x->s, end, "");
 }
 
 static void draw_linear(sketch *s, const picture *p, const fourlink_state *state,
@@ -167,23 +166,13 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
 static void draw_torsional(sketch *s, const picture *p, const fourlink_state *state,
                            const fourlink_spring *spring, const char *name)
 {
-    fourlink_vector pin = pin_of(p, state, spring), last = pin;
+    fourlink_vector pin = pin_of(p, state, spring);
     double from = direction_from(p, state, spring->to, pin);
-    double span = direction_from(p, state, spring->link, pin) - from, angle = from;
-    int i;
+    double span = direction_from(p, state, spring->link, pin) - from;
 
     span += 2 * M_PI * (TURNS - floor(span / (2 * M_PI)));
-    for (i = 1; i <= SPIRAL_STEPS; i++) {
-        double part = (double)i / SPIRAL_STEPS;
-        fourlink_vector next;
-
-        angle = from + span * part;
-        next = place_polar(pin, (0.3 + 0.7 * part) * RADIUS * s->size, angle);
-        if (i > 1)
-            sketch_line(s, PEN_GROUND, last, next);
-        last = next;
-    }
-    sketch_text_around(s, pin, RADIUS * s->size, angle + 2, name);
+    sketch_spiral(s, PEN_GROUND, pin, 0.3 * RADIUS * s->size, RADIUS * s->size, from, from + span);
+    sketch_text_around(s, pin, RADIUS * s->size, from + span + 2, name);
 }
 
 void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values)

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
+#include "vectors.h"
 
 /* The height of a letter in these small drawings. */
 #define LETTER 0.045
@@ -34,6 +35,7 @@ typedef struct polygon {
     arrow_list sides;
     const scene_side *of[SCENE_SIDES]; /* of velocities and accelerations */
     fourlink_vector middle;
+    double largest; /* side; 1: all are 0 */
 } polygon;
 
 static void open_polygon(polygon *g, picture *p, quantity q, const char *zero_words)
@@ -55,9 +57,11 @@ static void find_size(polygon *g)
 {
     int i, n = g->sides.n;
 
-    g->s.size = arrow_largest(&g->sides);
-    if (g->s.size == 0)
-        g->s.size = 1;
+    g->largest = arrow_largest(&g->sides);
+    if (g->largest == 0)
+        g->largest = 1;
+    if (!g->p->on.motion)
+        g->s.size = g->largest;
     g->middle = zero;
     for (i = 0; i < n; i++) {
         const arrow *x = &g->sides.list[i];
@@ -67,8 +71,8 @@ static void find_size(polygon *g)
     }
 }
 
-/* Draw the sides, with their names away from the middle of the polygon.  A side too short for a head has no
-** name. */
+/* Draw the sides, with their names away from the middle of the polygon; in a motion on the same side of
+** each.  A side too short for a head has no name. */
 static void draw_sides(polygon *g)
 {
     int i;
@@ -81,17 +85,19 @@ static void draw_sides(polygon *g)
         fourlink_vector to = end_of(x);
         double dx = to.x - x->at.x, dy = to.y - x->at.y, length = gsl_hypot(dx, dy), nx, ny, out;
 
-        if (format_settled(length, g->s.size) == 0)
+        if (format_settled(length, g->largest) == 0)
             continue; /* rounding */
-        figure_note(&g->s, g->p, x->name, length, g->q);
-        if (length < SHORTEST * g->s.size) {
+        figure_note(&g->s, g->p, x->name, length / g->s.shrink, g->q);
+        if (length < SHORTEST * g->largest) {
             sketch_line(&g->s, x->kind, x->at, to);
             continue;
         }
         sketch_arrow(&g->s, x->kind, x->at, to);
         nx = -dy / length;
         ny = dx / length;
-        out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
+        out = !g->p->on.motion && nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0
+                  ? -1
+                  : 1;
         sketch_text(&g->s, place_middle(x->at, to), out * nx, out * ny, x->name);
     }
 }
@@ -107,7 +113,7 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 static void put_image(polygon *g, fourlink_vector end, const char *letter)
 {
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
-    sketch_dot(&g->s, end);
+    sketch_dot(&g->s, end, letter);
     sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
 }
 
@@ -125,7 +131,7 @@ static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
                       canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
                       x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
         flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
-        put_image(g, tracks_vector(&r->numbers, of), letter);
+        put_image(g, place_in(zero, tracks_vector(&r->numbers, of), g->s.shrink, 0), letter);
     }
 }
 
@@ -153,20 +159,64 @@ static const char *name_of(const scene_side *x, char out[40])
                          x->super, (char *)NULL);
 }
 
-static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
+/* Find the sides, so many times smaller than they are. */
+static void find_sides(polygon *g, const picture_row *r, const scene_polygon *d, double shrink)
 {
     const scene_side *x;
     char name[40];
+
+    g->s.shrink = shrink;
+    for (x = d->sides; x->name; x++)
+        if (tracks_get(&r->numbers, x->of)) {
+            g->of[g->sides.n] = x;
+            arrow_put(&g->sides, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
+                      name_of(x, name), corner_at(g, x->from),
+                      place_in(zero, tracks_vector(&r->numbers, x->of), shrink, 0));
+        }
+}
+
+/* In a motion the middle of a polygon stays where it is. */
+static void hold_middle(polygon *g)
+{
+    place_box b = place_nothing;
+    int i;
+
+    for (i = 0; i < g->sides.n; i++) {
+        place_grow(&b, g->sides.list[i].at.x, g->sides.list[i].at.y);
+        place_grow(&b, end_of(&g->sides.list[i]).x, end_of(&g->sides.list[i]).y);
+    }
+    if (g->p->on.motion && g->sides.n)
+        sketch_hold(&g->s, place_at((b.x_min + b.x_max) / 2, (b.y_min + b.y_max) / 2));
+}
+
+double vectors_size(const picture_row *r, const scene_polygon *d)
+{
+    double size = 0;
+    const scene_side *x;
+
+    for (x = d->sides; x->name; x++) {
+        fourlink_vector v = tracks_vector(&r->numbers, x->of);
+
+        size = GSL_MAX_DBL(size, gsl_hypot(v.x, v.y));
+    }
+    return size;
+}
+
+/* The part of its size at which a polygon of a motion is drawn: 1, 1/2, 1/5, 1/10 ... */
+static double shrink_of(double size, double most)
+{
+    return most > 0 && size > most * (1 + 1e-9) ? 1 / place_round(size / most) : 1;
+}
+
+void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon *d, double most)
+{
     polygon g;
     int i;
 
     open_polygon(&g, p, d->q, d->zero);
-    for (x = d->sides; x->name; x++)
-        if (tracks_get(&r->numbers, x->of)) {
-            g.of[g.sides.n] = x;
-            arrow_put(&g.sides, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
-                      name_of(x, name), corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
-        }
+    g.s.size = most > 0 ? most : 1;
+    find_sides(&g, r, d, shrink_of(vectors_size(r, d), most));
+    hold_middle(&g);
     draw_sides(&g);
     for (i = 0; i < 2 && d->lines[i][0]; i++)
         sketch_line(&g.s, PEN_CONSTRUCTION, corner_at(&g, d->lines[i][0]),
@@ -274,6 +324,19 @@ static void touch(free_body *b, int pin)
             touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
 }
 
+/* The distance of its pins; of a block the length of the crank; of a lever in a motion, whose pins move
+** apart, how far its slider goes. */
+static double length_of(const picture *p, const picture_row *r, const free_body *b)
+{
+    double length = place_distance(b->first, b->second), near, far;
+
+    if (p->on.motion && p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER) {
+        geometry_find_way(&p->v, r->now.branch, &near, &far);
+        length = GSL_MAX_DBL(fabs(near), fabs(far));
+    }
+    return length > 0 ? length : p->v.design->link[FOURLINK_CRANK].length;
+}
+
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
     const fourlink_joint *ends = &p->v.kind.joint[link - FOURLINK_CRANK];
@@ -283,9 +346,7 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     b->first = tracks_vector(&r->numbers, ends[0].letter);
     b->second = tracks_vector(&r->numbers, ends[1].letter);
     b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
-    b->length = place_distance(b->first, b->second);
-    if (b->length == 0)
-        b->length = p->v.design->link[FOURLINK_CRANK].length;
+    b->length = length_of(p, r, b);
     b->forces.n = 0;
     add_forces(b, p, r, SCENE_PIN);
     b->circle_scale = scale_of_circles(b->length, &b->circle[0], &b->circle[1]);
@@ -299,14 +360,15 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
 static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
 {
     fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
+    const char *letter = p->v.kind.joint[b->link - FOURLINK_CRANK + pin].letter;
 
     if (b->circle[pin].radius > 0) {
         sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
-        sketch_dot(s, at);
+        sketch_dot(s, at, letter);
     } else {
-        sketch_pin(s, at);
+        sketch_pin(s, at, letter);
     }
-    figure_letter(s, at, other, other, p->v.kind.joint[b->link - FOURLINK_CRANK + pin].letter);
+    figure_letter(s, at, other, other, letter);
 }
 
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
@@ -326,7 +388,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
                        geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
     if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
-        sketch_centre(s, b->G);
+        sketch_centre(s, b->G, "G");
     }
     draw_pin(s, p, b, 0);
     if (!b->is_slider)
@@ -351,13 +413,24 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
     }
 }
 
-/* Draw the body with forces and torques. */
-static void put_free_body(picture *p, const picture_row *r, const free_body *b)
+/* In a motion a body turns about its middle, a lever about its pin. */
+static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    double largest = arrow_largest(&b->forces);
+    if (p->on.motion && p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
+        sketch_hold(s, tracks_vector(&r->numbers, "D"));
+    else if (p->on.motion)
+        sketch_hold(s, place_middle(b->first, b->second));
+}
+
+/* Draw the body with forces and torques; in a motion one scale is that of all positions. */
+static void put_free_body(picture *p, const picture_row *r, const free_body *b,
+                          double largest_of_motion)
+{
+    double largest = arrow_longest(&b->forces, largest_of_motion);
     sketch s;
 
     sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
+    hold_body(&s, p, r, b);
     s.letter = LETTER;
     draw_body(&s, p, r, b);
     if (largest > 0) {
@@ -395,12 +468,20 @@ static void put_mechanism(picture *p, const fourlink_instant *now)
 {
     sketch s;
 
-    figure_open(&s, p, now->branch, 0);
+    figure_open(&s, p, now->branch);
     s.letter = LETTER;
     figure_frame(&s, p, &now->state);
     figure_draw(&s, p, &now->state, 1);
     spring_draw(&s, p, &now->state, 0);
     figure_close(&s, p, now, "");
+}
+
+void vectors_draw_body(picture *p, const picture_row *r, int link, double largest)
+{
+    free_body body;
+
+    open_body(&body, p, r, link);
+    put_free_body(p, r, &body, largest);
 }
 
 const char *picture_vectors(picture *p, fourlink_branch branch)
@@ -414,13 +495,13 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
         return fourlink_status_text(status);
     p->on.fills_row = 1;
     put_mechanism(p, &r.now);
-    put_polygon(p, &r, &polygons[0]);
-    put_polygon(p, &r, &polygons[1]);
+    vectors_draw_polygon(p, &r, &polygons[0], 0);
+    vectors_draw_polygon(p, &r, &polygons[1], 0);
     if (!p->v.problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         open_body(&body, p, &r, link);
-        put_free_body(p, &r, &body);
+        put_free_body(p, &r, &body, 0);
         put_force_polygon(p, &body);
     }
     return NULL;

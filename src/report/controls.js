@@ -133,7 +133,7 @@ function controls(find, seen) {
     window.addEventListener("beforeprint", () => {
         stop();
         if (drawing)
-            drawing.layOut(true);
+            drawing.layOut();
     });
     window.addEventListener("afterprint", () => {
         if (drawing)
@@ -287,12 +287,14 @@ function start() {
     const data = Object.assign(JSON.parse(rows.textContent), {why: place.dataset.why});
     if (!data.branches.length)
         return;
-    const spare = 16 - document.querySelectorAll(".results tr").length;
-    document.documentElement.style.setProperty("--spare-lines", Math.max(0, Math.min(9, spare)));
     const more = document.getElementById("fourlink-more");
     for (const part of [place, more, document.getElementById("fourlink-controls")])
         part.hidden = false;
-    controls((id) => document.getElementById("fourlink-" + id)).take(data, fourlink.draw(data, place, more), data.start);
+    const cursors = [...document.querySelectorAll("figure.motion, figure.forces")].map((figure) => (
+        fourlink.cursor(figure, data.branches.map(() => data.steps), (i) => made.go(i))));
+    const drawing = fourlink.draw(data, place, more);
+    const made = controls((id) => document.getElementById("fourlink-" + id), (i) => cursors.forEach((show) => show(i, drawing.branch())));
+    made.take(data, drawing, data.start);
     const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
     if (picture) {
         const number = picture.querySelector("figcaption").textContent.split(".")[0];

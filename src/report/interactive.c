@@ -3,7 +3,7 @@
 ** interactive.c - the interactive drawing of a report: its controls, its rows as JSON, its style and
 ** its script.
 **
-** The script computes nothing: it draws rows that are computed here.  See drawing.js.
+** The script computes nothing: it moves what is drawn here.  See moving_json.c and player.js.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -19,9 +19,8 @@
 #include "tables/style.h"
 #include "view/notation.h"
 
-#define DIGITS 5       /* of what is drawn: a tenth of a pixel in 2000 */
+#define DIGITS 5       /* of a number that is undefined or unbounded */
 #define STEP_DIGITS 10 /* of a crank angle or a time */
-#define ROUNDING 1e-9  /* of the largest value: 0 */
 
 static void put_lines(page *p, const char *const *lines)
 {
@@ -111,50 +110,7 @@ static void put_table(line *l, const rows *t, const style *styles)
     line_put(l, "]");
 }
 
-/* ------------------------------------------------------------------------------------------ the tracks */
-
-static void put_value(line *l, double value, double size)
-{
-    json_text_number(l, fabs(value) <= ROUNDING * size ? 0 : value, DIGITS);
-}
-
-/* Write the values of a track; one number if it is the same in every row. */
-static void put_values(line *l, const rows *t, const double *values, double size)
-{
-    unsigned long i;
-
-    for (i = 1; i < t->n && values[i] == values[0]; i++)
-        ;
-    if (i >= t->n) {
-        put_value(l, values[0], size);
-        return;
-    }
-    line_put(l, "[");
-    for (i = 0; i < t->n; i++) {
-        line_put(l, i ? "," : "");
-        put_value(l, values[i], size);
-    }
-    line_put(l, "]");
-}
-
-static void put_tracks(line *l, const rows *t)
-{
-    int i;
-
-    line_put(l, "\"tracks\":{");
-    for (i = 0; i < t->n_tracks; i++) {
-        const rows_track *x = &t->tracks[i];
-
-        line_put(l, "%s\n\"%s\":[", i ? "," : "", x->name);
-        put_values(l, t, x->x, x->size);
-        if (!x->is_number) {
-            line_put(l, ",");
-            put_values(l, t, x->y, x->size);
-        }
-        line_put(l, "]");
-    }
-    line_put(l, "},\n");
-}
+/* -------------------------------------------------------------------------------------------- branches */
 
 /* Write why the linkage cannot be assembled, by row; "" where it can. */
 static void put_reasons(line *l, const rows *t)
@@ -169,15 +125,48 @@ static void put_reasons(line *l, const rows *t)
     line_put(l, "},\n");
 }
 
-static void put_branch(line *l, const rows *t, const style *styles)
+/* Write the drawings of a branch; 0 without memory. */
+static int put_panels(line *l, const rows *t, place_box *range)
 {
-    line_put(l, "{\"name\":\"%s\",\n\"largest\":", fourlink_branch_text((int)t->branch));
-    line_number(l, t->largest, STEP_DIGITS);
-    line_put(l, ",\n");
+    moving *x = calloc(1, sizeof *x);
+    moving_panel *panel = malloc(sizeof *panel);
+    moving_steps steps;
+    int done, n = 0, k;
+
+    steps.at = t->steps;
+    steps.n = t->n;
+    done = x && panel && moving_open(x, t->source, t->v.results, t->branch, &steps);
+    line_put(l, "\"panels\":[");
+    if (done && range)
+        x->range = *range;
+    for (k = 0; done && k < moving_count(x); k++) {
+        if (moving_draw(x, k, panel)) {
+            interactive_put_comma(l, &n);
+            done = moving_json_put(l, panel);
+        }
+        motion_close(&panel->list);
+        done = done && !x->out_of_memory;
+    }
+    line_put(l, "],\n");
+    if (done && range)
+        *range = x->range;
+    if (x)
+        moving_close(x);
+    free(x);
+    free(panel);
+    return done;
+}
+
+static int put_branch(line *l, const rows *t, const style *styles, place_box *range)
+{
+    int done;
+
+    line_put(l, "{\"name\":\"%s\",\n", fourlink_branch_text((int)t->branch));
     put_reasons(l, t);
-    put_tracks(l, t);
+    done = put_panels(l, t, range);
     put_table(l, t, styles);
     line_put(l, "}");
+    return done;
 }
 
 static void put_steps(line *l, const rows *t, double start)
@@ -194,39 +183,29 @@ static void put_steps(line *l, const rows *t, double start)
     line_put(l, "],\n\"start\":%lu,\n", first);
 }
 
-/* Write the rows of branches; 0 without memory. */
-static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, double start)
+int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start,
+                      place_box *ranges)
 {
     style *styles = malloc((t->v.n_columns + 1) * sizeof *styles);
     int i, done = styles != NULL;
-
-    if (done)
-        put_columns(l, t, styles);
-    for (i = 0; done && i < n; i++) {
-        done = rows_compute(t, branches[i]);
-        if (done && i == 0) {
-            put_steps(l, t, start);
-            interactive_put_scene(l, t);
-            line_put(l, "\"branches\":[\n");
-        }
-        line_put(l, i ? ",\n" : "");
-        if (done)
-            put_branch(l, t, styles);
-    }
-    free(styles);
-    return done;
-}
-
-int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start)
-{
-    int done;
     line l;
 
     line_start(&l, out);
     line_put(&l, "{\n");
-    done = put_rows(&l, t, branches, n, start);
+    if (styles) {
+        put_columns(&l, t, styles);
+        put_steps(&l, t, start);
+        interactive_put_scene(&l, t);
+    }
+    line_put(&l, "\"branches\":[\n");
+    for (i = 0; done && i < n; i++) {
+        rows_compute(t, branches[i]);
+        line_put(&l, i ? ",\n" : "");
+        done = put_branch(&l, t, styles, ranges ? &ranges[i] : NULL);
+    }
     line_put(&l, "]}\n");
     line_end(&l);
+    free(styles);
     return done;
 }
 
@@ -257,7 +236,7 @@ static void put_drawing(report *r, rows *t, double start)
     page_print(p, "<div id=\"fourlink-more\" hidden=\"hidden\"></div>\n"
                   "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
                   "<script type=\"application/json\" id=\"fourlink-rows\">");
-    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start);
+    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start, NULL);
     page_print(p, "</script>\n");
 }
 

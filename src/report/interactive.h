@@ -1,22 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** interactive.h - the rows of the interactive drawing as JSON, for drawing.js.
+** interactive.h - the moving drawings and the rows of the table as JSON, for player.js.
 */
 #ifndef FOURLINK_INTERACTIVE_H
 #define FOURLINK_INTERACTIVE_H
 
 #include <stdio.h>
 
+#include "pictures/moving.h"
 #include "rows.h"
 #include "tables/line.h"
 
-/* Write the rows of branches; the drawing begins at the step nearest to `start`, a crank angle or a time
-** in the deck's unit.  Returns 0 without memory. */
-int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start);
+/* Write drawings and rows of branches, beginning at the step nearest to `start`, a crank angle or a time in
+** the deck's unit. `ranges` are those of the mechanism by branch, and empty ones are found; null: all are.
+** Returns 0 without memory. */
+int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start,
+                      place_box *ranges);
 
-/* What it consists of, in scene_json.c: links, polygons, forces by the names of their tracks.  Members of an
-** object with a comma after the last. */
+/* What can be dragged, in scene_json.c: links and tracer points, by the names of their pins and discs.
+** Members of an object with a comma after the last. */
 void interactive_put_scene(line *l, const rows *t);
+
+/* One of the drawings, in moving_json.c; 0 without memory. */
+int moving_json_put(line *l, const moving_panel *panel);
+
+/* Write what stands before an entry of a list; `n` counts them. */
+void interactive_put_comma(line *l, int *n);
 
 /* Write JSON into an element <script>: %s a text as it is, %q a string, %lu a whole number. */
 void interactive_put(line *l, const char *format, ...);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rows.c - the numbers of the interactive drawing.
+** rows.c - the steps of the moving drawing.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -14,23 +14,6 @@
 
 #define MOST_ROWS 361
 #define FEWEST_STEPS 120 /* in a revolution */
-
-/* The number of a track; that of tracks if there is none of this name. */
-static int number_of(const rows *t, const char *name)
-{
-    int i;
-
-    for (i = 0; i < t->n_tracks && strcmp(t->tracks[i].name, name) != 0; i++)
-        ;
-    return i;
-}
-
-const rows_track *rows_find(const rows *t, const char *name)
-{
-    int i = number_of(t, name);
-
-    return i < t->n_tracks ? &t->tracks[i] : NULL;
-}
 
 /* ------------------------------------------------------------------------------------------- the steps */
 
@@ -123,29 +106,6 @@ double rows_step_of(const rows *t, const fourlink_instant *now)
     return t->v.problem.by_time ? view_value(&t->v, QUANTITY_TIME, now->row.time) : now->row.angle;
 }
 
-/* ----------------------------------------------------------------------------------------------- tracks */
-
-/* Put a number of row i into its track, which is made if there is none. */
-static void put(rows *t, unsigned long i, const track *now)
-{
-    int number = number_of(t, now->name);
-    rows_track *x = &t->tracks[number];
-    unsigned long k;
-
-    if (number == t->n_tracks) {
-        x->x = t->values + 2 * t->n * (unsigned long)t->n_tracks++;
-        x->y = x->x + t->n;
-        strcpy(x->name, now->name);
-        x->is_number = now->is_number;
-        x->size = 0;
-        for (k = 0; k < 2 * t->n; k++)
-            x->x[k] = GSL_NAN;
-    }
-    x->x[i] = view_value(&t->v, now->q, now->v.x);
-    x->y[i] = view_value(&t->v, now->q, now->v.y);
-    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->x[i]), fabs(x->y[i])));
-}
-
 /* -------------------------------------------------------------------------------------------- all of them */
 
 static int draws_all(const rows *t)
@@ -183,6 +143,7 @@ static int reopen(rows *t, const fourlink_source *source)
 int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at)
 {
     memset(t, 0, sizeof *t);
+    t->source = source;
     if (opened)
         view_take(&t->v, opened);
     if ((!opened || t->v.problem.one_instant) && !open_deck(t, source, NULL))
@@ -190,15 +151,13 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
     if (!draws_all(t) || (t->v.problem.by_time && !reopen(t, source)))
         return 0;
     t->steps = malloc((MOST_ROWS * 2 + 2) * sizeof *t->steps);
-    t->loads = malloc((t->v.problem.n_loads + 1) * sizeof *t->loads);
     if (t->steps && t->v.problem.by_time)
         choose_times(t);
     else if (t->steps)
         choose_angles(t, at);
     t->status = malloc((t->n + 1) * sizeof *t->status);
-    t->values = malloc((t->n + 1) * 2 * TRACKS_MOST * sizeof *t->values);
     t->table = malloc((t->n * t->v.n_columns + 1) * sizeof *t->table);
-    t->out_of_memory |= !t->steps || !t->status || !t->values || !t->table || !t->loads;
+    t->out_of_memory |= !t->steps || !t->status || !t->table;
     return !t->out_of_memory;
 }
 
@@ -206,42 +165,21 @@ void rows_close(rows *t)
 {
     fourlink_results_free(t->own);
     free(t->steps);
-    free(t->values);
     free(t->status);
     free(t->table);
-    free(t->loads);
 }
 
-static void compute_row(rows *t, unsigned long i)
-{
-    double *values = t->table + i * t->v.n_columns;
-    fourlink_instant now;
-    int k;
-
-    if (t->v.problem.by_time)
-        t->status[i] = fourlink_results_row(t->v.results, t->branch, i, values, &now, t->loads);
-    else
-        t->status[i] =
-            fourlink_results_at(t->v.results, t->branch, t->steps[i], values, &now, t->loads);
-    tracks_find(&t->now, &t->v, &now, t->loads);
-    for (k = 0; k < t->now.n; k++) {
-        const track *x = &t->now.list[k];
-
-        put(t, i, x);
-        if (x->q == QUANTITY_FORCE && t->status[i] == FOURLINK_OK && now.state.mu > VIEW_NEAR)
-            t->largest =
-                GSL_MAX_DBL(t->largest, view_value(&t->v, x->q, gsl_hypot(x->v.x, x->v.y)));
-    }
-}
-
-int rows_compute(rows *t, fourlink_branch branch)
+void rows_compute(rows *t, fourlink_branch branch)
 {
     unsigned long i;
+    double *values;
 
-    t->n_tracks = 0;
     t->branch = branch;
-    t->largest = 0;
-    for (i = 0; i < t->n; i++)
-        compute_row(t, i);
-    return rows_find(t, "B") != NULL;
+    for (i = 0; i < t->n; i++) {
+        values = t->table + i * t->v.n_columns;
+        t->status[i] =
+            t->v.problem.by_time
+                ? fourlink_results_row(t->v.results, branch, i, values, NULL, NULL)
+                : fourlink_results_at(t->v.results, branch, t->steps[i], values, NULL, NULL);
+    }
 }

@@ -8,8 +8,8 @@
 #ifndef FOURLINK_LOOK_H
 #define FOURLINK_LOOK_H
 
-/* name, which is the class of an SVG, colour, width in points, dashes (line and gap in turn, "": none), what it is: an arrow or a text has
-** LOOK_ARROW */
+/* name, which is the class of an SVG, colour, width in points, dashes (line and gap in turn, "": none),
+** what it is: an arrow or a text has LOOK_ARROW */
 #define LOOK_LIST(X)                                                \
     X(GROUND, "ground", "000000", 1.5, "", LOOK_ARROW)              \
     X(CRANK, "crank", "0A2F7A", 5, "", LOOK_ARROW)                  \
@@ -23,7 +23,8 @@
     X(RESULT, "result", "8A5A00", 3, "9,3", LOOK_ARROW)             \
     X(OTHER, "other", "666666", 1.5, "", LOOK_LINE)                 \
     X(LEADER, "leader", "444444", 0.75, "", LOOK_LINE)              \
-    X(SENSE, "sense", "0A2F7A", 1.5, "", LOOK_ARROW)
+    X(SENSE, "sense", "0A2F7A", 1.5, "", LOOK_ARROW)                \
+    X(WANTED, "wanted", "A6447C", 1, "2,3", LOOK_LINE)
 
 /* Curves of diagrams in turn; a number beside a curve has its colour. */
 #define LOOK_CURVES(X)         \

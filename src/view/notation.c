@@ -98,6 +98,29 @@ int notation_split(const char *name, notation *n)
     return 0;
 }
 
+/* 1 for a hyphen that stands for a minus: before a number or a name, not within one. */
+static int is_minus(const char *all, const char *c)
+{
+    return *c == '-' && (c == all || strchr(" (,", c[-1])) && c[1] && c[1] != ' ';
+}
+
+int notation_next(const char *all, notation_part *x)
+{
+    x->words += x->n;
+    if (notation_mark(x->words)) {
+        x->level = notation_mark(x->words);
+        x->words += NOTATION_MARK;
+    } else if (*x->words == ' ') {
+        x->level = 0;
+    }
+    x->is_minus = is_minus(all, x->words);
+    for (x->n = (size_t)x->is_minus; !x->is_minus && x->words[x->n]; x->n++)
+        if (notation_mark(x->words + x->n) || (x->level && x->words[x->n] == ' ') ||
+            is_minus(all, x->words + x->n))
+            break;
+    return x->n > 0 || notation_mark(x->words) != 0;
+}
+
 char *notation_below(const notation *n, char out[NOTATION_SIZE])
 {
     return flk_text_join(out, NOTATION_SIZE, n->sub, *n->sub && *n->rest ? " " : "", n->rest,

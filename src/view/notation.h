@@ -21,6 +21,19 @@ enum { NOTATION_MARK = 3 }; /* bytes */
 /* -1 at the mark of a subscript, 1 at that of a superscript, else 0. */
 int notation_mark(const char *words);
 
+/* A part of a text: `level` -1 a subscript, 1 a superscript, 0 neither.  A hyphen that stands for a minus,
+** before a number or a name, is a part of its own. */
+typedef struct notation_part {
+    const char *words;
+    size_t n;
+    int level, is_minus;
+} notation_part;
+
+#define NOTATION_MINUS "\342\210\222" /* in UTF-8 */
+
+/* The next part of a text: `x` begins as {words, 0, 0, 0}; 0 at the end. */
+int notation_next(const char *all, notation_part *x);
+
 /* A name in its parts, in UTF-8: F, 12x and "along" of F12_along; max(...) has all of it in `symbol`. */
 typedef struct notation {
     char symbol[NOTATION_SIZE];

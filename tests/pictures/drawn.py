@@ -197,8 +197,8 @@ def check_springs(panel, deck, position, size):
             outer = spiral[-1].end - pin
             turns = sum(cmath.phase((line.end - pin) / (line.start - pin)) for line in spiral)
             checks.near('the outer end of ' + name, outer / abs(outer), ends[0], 1, 1e-4)
-            checks.near('the turns of ' + name, cmath.rect(1, turns * 60 / 59), ends[0] / ends[1], 1, 1e-3)
-            checks.that(4 * math.pi - 0.3 < turns * 60 / 59 < 6 * math.pi + 0.3, 'two turns of', name, turns)
+            checks.near('the turns of ' + name, cmath.rect(1, turns), ends[0] / ends[1], 1, 1e-3)
+            checks.that(4 * math.pi - 0.3 < turns < 6 * math.pi + 0.3, 'two turns of', name, turns)
         else:
             P, Q = (position.point(link, deck.vector('spring %s.%s' % (name, at))) for link, at in zip(links, ('at', 'to_at')))
             has_line(panel, 'the first end of ' + name, P, P + 0.2 * (Q - P), GROUND, size)

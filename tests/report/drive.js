@@ -17,6 +17,13 @@
     const sheet = document.querySelector(".panel.whole svg");
     const check = (what, is) => lines.push((is ? "ok " : "failed ") + what);
     const circle = (name) => sheet.querySelector("circle[data-name='" + name + "']");
+    const scale = () => Number(/scale\((.*)\)/.exec(sheet.querySelector("g").getAttribute("transform"))[1]);
+    const placeOf = (circle) => ["cx", "cy"].map((name) => Number(circle.getAttribute(name)) * scale());
+    /* Pixels for a unit, and where the origin is: from the box and the axes of the sheet. */
+    const view = () => {
+        const [left, top, width, height] = sheet.dataset.box.split(" ").map(Number), [x0, x1, y0, y1] = sheet.dataset.axes.split(" ").map(Number);
+        return [width / (x1 - x0), left - x0 * width / (x1 - x0), top + y1 * height / (y1 - y0)];
+    };
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     const move = (row) => {
         slider.value = row;
@@ -34,10 +41,8 @@
             if (/NaN|undefined|Infinity/.test(drawn()))
                 broken.push(i);
             for (const name of ["A", "B", "C", "D"].concat(data.points.map((p) => p.of)))
-                if (circle(name))
-                    lines.push(["place", branch, data.steps[i], name, circle(name).getAttribute("cx"),
-                                circle(name).getAttribute("cy"), sheet.dataset.scale, sheet.dataset.x,
-                                sheet.dataset.y].join(" "));
+                if (circle(name) && circle(name).getAttribute("display") !== "none")
+                    lines.push(["place", branch, data.steps[i], name, ...placeOf(circle(name)), ...view()].join(" "));
             for (const cell of document.querySelectorAll("[data-column]"))
                 lines.push(["cell", branch, data.steps[i], cell.dataset.column, cell.textContent].join(" "));
         }
@@ -47,7 +52,7 @@
     /* The crank is dragged to where a row has its crank pin. */
     function dragTo(from, to) {
         move(to);
-        const goal = [circle("B").getAttribute("cx"), circle("B").getAttribute("cy")].map(Number);
+        const goal = placeOf(circle("B"));
         move(from);
         const handle = sheet.querySelector(".handle circle"), box = sheet.getBoundingClientRect();
         const ratio = box.width / sheet.viewBox.baseVal.width;
@@ -130,7 +135,7 @@
                 wrong.push(...[...x.attributes].map((a) => a.name + "=" + a.value).concat(x.children.length ? [] : x.textContent)
                     .filter((words) => /NaN|Infinity|undefined/.test(words)));
         }
-        window.parent.postMessage((wrong.length || sheet.clientHeight < 250 ? "failed" : "ok") + " drawn, " + sheet.clientHeight +
+        window.parent.postMessage((wrong.length || sheet.clientHeight < 100 ? "failed" : "ok") + " drawn, " + sheet.clientHeight +
                                   " pixels high: " + wrong.slice(0, 3), "*");
         window.parent.postMessage((wide <= window.innerWidth ? "ok" : "failed") + " width " + window.innerWidth + ": " + wide, "*");
         return;

@@ -10,43 +10,24 @@ check 'src/report/assets.c is old: run sh src/report/embed.sh >src/report/assets
 check 'strings of 509 characters at most' awk 'length > 509 {exit 1}' assets.c
 
 # They stand in a page that is XML too, and reach for nothing outside it.
-for file in report.css panel.js drawing.js typed.js controls.js; do
+for file in report.css elements.js player.js cursor.js typed.js controls.js; do
     check "$file ends a CDATA section" none -F ']]>' "$report/$file"
     check "$file ends an element" none -i -E '</(script|style)' "$report/$file"
     check "$file names an address" sh -c "! sed 's|http://www.w3.org/[a-z0-9/]*||g; s|url(#[a-z-]*)||g' '$report/$file' | grep -E 'https?:|//[a-z]+\\.|import |url\\(|fetch\\('"
 done
 
-# The colours of the light page are those of the pictures, and its widths: look.h has them.
-colour() {
-    check "$2 is not the colour of $1 in look.h" grep -qi "^    --$1: #$2;" "$report/report.css"
-}
-table=$report/../view/look.h
-for name in crank coupler follower load result path; do
-    colour $name "$(sed -n "s/^    X([A-Z]*, \"$name\", \"\([0-9A-F]*\)\".*/\1/p" "$table")"
-done
-sed -n '/define LOOK_CURVES/,/^$/s/^    X("\([0-9A-F]*\)".*/\1/p' "$table" >curves
-check 'six curves' test "$(wc -l <curves)" -eq 6
-k=0
-while read -r hex; do
-    colour curve$k "$hex"
-    k=$((k + 1))
-done <curves
-width() {
-    wide=$(sed -n "s/^    X($2, [^,]*, [^,]*, \([0-9.]*\),.*/\1/p" "$table")
-    check "$1 is not $wide wide, as in look.h" grep -qE "^\.$1 \{ .*stroke-width: $wide;" "$report/report.css"
-}
-width link2 CRANK
-width link3 COUPLER
-width link4 FOLLOWER
-width load LOAD
-width inertia RESULT
+# The colours of drawings stand in look.h alone.
+sed -n 's/^    X([^"]*"[a-z]*", "\([0-9A-F]\{6\}\)".*/\1/p; s/^    X("\([0-9A-F]\{6\}\)".*/\1/p' "$report/../view/look.h" | grep -v '^\(000000\|666666\)$' >colours
+check "colours in look.h: $(wc -l <colours)" test "$(wc -l <colours)" -ge 14
+check 'a colour of a drawing in report.css' none -i -F -f colours "$report/report.css"
 
 # A quote, a backslash and a trigraph come through; a line that is too long is refused.
 mkdir copy
 cp "$report/embed.sh" copy
 printf 'a "b" \\d ??/ c\n' >copy/report.css
-: >copy/panel.js
-: >copy/drawing.js
+: >copy/elements.js
+: >copy/player.js
+: >copy/cursor.js
 : >copy/typed.js
 awk 'BEGIN {for (i = 0; i < 401; i++) printf "x"; print ""}' >copy/controls.js
 check 'a line of 401 bytes is refused' sh -c '! sh copy/embed.sh >/dev/null 2>err'

@@ -281,10 +281,10 @@ for deck in "$tests"/look/*.deck; do
     prepare "$name"
     narrow "$name"
 done
-printed inverted A4 16
+printed inverted A4 17
 printed inverted Letter 17
 printed friction A4 15
-printed runuptime A4 21
+printed runuptime A4 23
 printed tracers Letter 10
 
 # What is typed in survives a reload, is in the file that is saved, and on paper.

@@ -7,7 +7,9 @@
 */
 web.handles = function (editor, ask) {
 
-const {svg, add, minus, times, size, digits} = fourlink;
+const {svg} = fourlink;
+const add = (p, q) => [p[0] + q[0], p[1] + q[1]], minus = (p, q) => [p[0] - q[0], p[1] - q[1]];
+const times = (k, p) => [k * p[0], k * p[1]], size = (p) => Math.hypot(p[0], p[1]);
 const group = svg("g", {class: "handles"});
 let on = false, data = null, drawing = null, factors = {lengths: new Map(), angles: new Map()}, handles = [], held = null;
 
@@ -146,8 +148,8 @@ function place(handle) {
     handle.mark.style.display = at ? "" : "none";
     if (at)
         for (const part of handle.mark.children) {
-            part.setAttribute("cx", digits(at[0]));
-            part.setAttribute("cy", digits(at[1]));
+            part.setAttribute("cx", at[0]);
+            part.setAttribute("cy", at[1]);
         }
 }
 

@@ -21,7 +21,7 @@ const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
     evaluate();
 });
 const handles = web.handles(editor, program.ask);
-const curve = web.curve(find("curve-place"), (i) => controls.go(i));
+let curve = null; /* the cursor of the curves */
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
 
 function fail(error) {
@@ -86,7 +86,7 @@ function take(answer) {
     if (next && next.branches.length) {
         const row = fresh || (deck.instant && deck.from !== instant) ? next.start : sameRow(next);
         instant = deck.instant ? deck.from : null;
-        if (drawing && drawing.update(next, handles.isHeld())) {
+        if (drawing && drawing.update(next)) {
             controls.renew(row);
         } else {
             data = next;
@@ -120,7 +120,7 @@ async function evaluate() {
     working = true;
     again = false;
     try {
-        const answer = await program.ask("open", {name, text});
+        const answer = await program.ask("open", {name, text, held: handles.isHeld()});
         take(answer);
         fresh = false;
     } catch (error) {
@@ -183,8 +183,8 @@ const branchNumber = () => data && data.branches[branchNow()] && data.branches[b
 
 function seen(i) {
     handles.show();
-    if (!find("view-curve").hidden)
-        curve.show(i, branchNow());
+    if (!find("view-curve").hidden && curve)
+        curve(i, branchNow());
     if (!find("view-table").hidden && shown.table !== branchNumber() + ":" + first)
         fill();
 }
@@ -208,11 +208,10 @@ function offer() {
 const views = {
     async curve() {
         const x = find("curve-x").value, names = [...new Set(CURVES.map((id) => find(id).value).filter((name) => name))];
-        const asked = [x].concat(names.filter((name) => name !== x)), column = (name) => deck.all.find((c) => c.name === name);
-        const {curves} = await program.ask("curve", {names: asked});
-        curve.take(curves.map((c) => ({...c, columns: [x, ...names].map((name) => c.columns[asked.indexOf(name)])})),
-                   column(x), names.map(column));
-        curve.show(drawing ? drawing.row() : 0, branchNow());
+        const {over, figure} = await program.ask("curve", {names: [x, ...names]});
+        find("curve-place").innerHTML = figure;
+        curve = fourlink.cursor(find("curve-place"), over, (i) => controls.go(i));
+        curve(drawing ? drawing.row() : 0, branchNow());
     },
     async table() {
         const branch = branchNumber(), count = Math.min(PAGE, deck.rows - first), width = deck.columns.length;
@@ -422,14 +421,8 @@ for (const [id, way] of [["rows-before", -PAGE], ["rows-after", PAGE]])
     });
 window.addEventListener("beforeprint", () => {
     find("printed").textContent = editor.text();
-    curve.draw();
 });
-window.addEventListener("afterprint", () => curve.draw());
-window.addEventListener("resize", () => {
-    if (!find("view-curve").hidden)
-        curve.draw();
-    handles.show(); /* the drawing has found its new scale */
-});
+window.addEventListener("resize", () => handles.show()); /* the drawing has found its new scale */
 
 /* For the tests: whether all is answered and drawn, and how long that took, in ms. */
 window.fourlinkPage = {isIdle: () => !working && !again && filling === 0, firstDrawing: 0, times: []};

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** moving.c - drawings over a motion.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+
+#include "arrow.h"
+#include "mechanism.h"
+#include "moving.h"
+#include "vectors.h"
+#include "view/geometry.h"
+
+#define MEASURED 90 /* positions, at least, whose range is found */
+
+/* ---------------------------------------------------------------------------------------- positions */
+
+/* Call `draw` for about so many of n positions, the last among them. */
+static void draw_some(picture *p, int n, int wanted, void draw(picture *p, const void *what, int k),
+                      const void *what)
+{
+    int stride = 1 + (n - 1) / wanted, k;
+
+    for (k = 0; k < n; k += stride)
+        draw(p, what, k);
+    if ((n - 1) % stride)
+        draw(p, what, n - 1);
+}
+
+void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const void *what, int k),
+                const void *what)
+{
+    labels_motion *m = calloc(1, sizeof *m);
+    int k;
+
+    if (m)
+        m->kept = malloc(LABELS_KEPT * sizeof *m->kept);
+    if (m && m->kept) {
+        p->on.motion = m;
+        m->drawn = *range;
+        m->phase = LABELS_MEASURE;
+        if (range->x_min > range->x_max)
+            draw_some(p, n, MEASURED, draw, what);
+        *range = m->drawn;
+        m->phase = LABELS_KEEP;
+        draw_some(p, n, LABELS_KEPT - 1, draw, what);
+        labels_choose_sides(m);
+        m->phase = LABELS_DRAW;
+        p->on.next = 0;
+        for (k = 0; k < n; k++)
+            draw(p, what, k);
+        p->on.motion = NULL;
+        free(m->kept);
+    } else {
+        p->out_of_memory = 1;
+    }
+    free(m);
+}
+
+/* ----------------------------------------------------------------------------------------- drawings */
+
+/* What one of the drawings shows. */
+typedef enum subject { MECHANISM, INSET, POLYGON, BODY, NOTHING } subject;
+
+typedef struct drawn {
+    moving *of;
+    subject subject;
+    int which;   /* link, or number of a polygon */
+    double most; /* of a polygon: a larger one is drawn smaller */
+    display *step;
+    moving_panel *panel;
+} drawn;
+
+/* Find what drawing k shows. */
+static subject subject_of(const moving *x, int k, int *which)
+{
+    int polygons = view_is_still(&x->p.v) ? 0 : 2;
+    int bodies = x->p.v.problem.has_forces ? FOURLINK_FOLLOWER - FOURLINK_CRANK + 1 : 0;
+
+    *which = 0;
+    if (k == 0)
+        return MECHANISM;
+    *which = k -= 1;
+    if (k < polygons)
+        return POLYGON;
+    k -= polygons;
+    *which = FOURLINK_CRANK + k;
+    if (k < bodies)
+        return BODY;
+    k -= bodies;
+    *which = k < x->p.n_insets ? x->p.insets[k] : 0;
+    return k < x->p.n_insets ? INSET : NOTHING;
+}
+
+int moving_count(const moving *x)
+{
+    int n = 0, which;
+
+    while (subject_of(x, n, &which) != NOTHING)
+        n++;
+    return n;
+}
+
+static void find_row(picture *p, const moving *x, int step, picture_row *r)
+{
+    if (p->v.problem.by_time)
+        fourlink_results_row(p->v.results, x->branch, (unsigned long)step, NULL, &r->now, r->loads);
+    else
+        fourlink_results_at(p->v.results, x->branch, x->steps.at[step], NULL, &r->now, r->loads);
+    tracks_find(&r->numbers, &p->v, &r->now, r->loads);
+    scene_find(&r->drawn, &p->v);
+}
+
+/* Draw a step; at last, add it to the list. */
+static void draw_step(picture *p, const void *what, int step)
+{
+    const drawn *x = what;
+    const scene_polygon *polygon = &scene_polygons(&p->v)[x->subject == POLYGON ? x->which : 0];
+    picture_row r;
+
+    find_row(p, x->of, step, &r);
+    display_clear(x->step);
+    p->on.next = 0;
+    p->on.motion->is_first = step == 0;
+    if (x->subject == MECHANISM)
+        mechanism_draw(p, &r, x->of->largest);
+    else if (r.now.status != FOURLINK_OK)
+        return;
+    else if (x->subject == INSET)
+        mechanism_draw_inset(p, &r, x->which, x->of->largest);
+    else if (x->subject == POLYGON)
+        vectors_draw_polygon(p, &r, polygon, x->most);
+    else
+        vectors_draw_body(p, &r, x->which, x->of->largest);
+    if (p->on.motion->phase != LABELS_DRAW)
+        return;
+    motion_add(&x->panel->list, (size_t)step, x->step);
+    if (x->step->n_panels) {
+        const display_panel *panel = &x->step->panels[0];
+
+        x->panel->axes = panel->axes;
+        x->panel->box = place_nothing;
+        place_grow(&x->panel->box, panel->left, panel->top);
+        place_grow(&x->panel->box, panel->left + panel->width, panel->top + panel->height);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------- panels */
+
+/* The largest size of a polygon that is not out of proportion to the others, as those near dead positions
+** are. */
+static double usual_size(moving *x, int which)
+{
+    double *sizes = malloc(x->steps.n * sizeof *sizes), usual = 0;
+    size_t n = 0;
+    picture_row r;
+    unsigned long i;
+
+    if (!sizes) {
+        x->out_of_memory = 1;
+        return 1;
+    }
+    for (i = 0; i < x->steps.n; i++) {
+        find_row(&x->p, x, (int)i, &r);
+        sizes[n] = vectors_size(&r, &scene_polygons(&x->p.v)[which]);
+        n += sizes[n] > 0;
+    }
+    gsl_sort(sizes, 1, n);
+    if (n)
+        usual = GSL_MIN_DBL(sizes[n - 1], 3 * sizes[n / 2]);
+    free(sizes);
+    return usual;
+}
+
+/* In pixels, by moving_size; the mechanism is as high as it needs, between these ratios. */
+static const double widths[] = {760, 500, 340}, heights[] = {0, 320, 250};
+#define LOWEST 2.2
+#define HIGHEST 1.25
+
+static double height_of_mechanism(const picture *p)
+{
+    return floor(widths[MOVING_WHOLE] / GSL_MIN_DBL(LOWEST, GSL_MAX_DBL(HIGHEST, size_aspect(p))));
+}
+
+static void name(const picture *p, const drawn *x, char out[80])
+{
+    if (x->subject == MECHANISM)
+        strcpy(out, "Mechanism");
+    else if (x->subject == INSET)
+        flk_text_join(out, 80, "The ", p->v.kind.link[x->which], " enlarged", (char *)NULL);
+    else if (x->subject == POLYGON)
+        flk_text_join(out, 80, scene_polygons(&p->v)[x->which].title, " polygon", (char *)NULL);
+    else
+        flk_text_join(out, 80, "Free body of the ", p->v.kind.link[x->which], (char *)NULL);
+}
+
+int moving_open(moving *x, const fourlink_source *source, fourlink_results *results,
+                fourlink_branch branch, const moving_steps *steps)
+{
+    memset(x, 0, sizeof *x);
+    x->request.kind = PLOT_MECHANISM;
+    x->request.is_figure = 1;
+    x->request.opened = results;
+    x->branch = branch;
+    x->range = place_nothing;
+    x->steps = *steps;
+    x->out_of_memory = !picture_open(&x->p, source, &x->request);
+    if (x->out_of_memory)
+        return 0;
+    size_find_insets(&x->p);
+    x->largest = x->p.v.problem.has_forces ? arrow_largest_of_motion(&x->p, branch) : 0;
+    return 1;
+}
+
+void moving_close(moving *x)
+{
+    picture_close(&x->p);
+}
+
+int moving_draw(moving *x, int k, moving_panel *panel)
+{
+    place_box found = place_nothing;
+    display step;
+    drawn what;
+
+    what.of = x;
+    what.subject = subject_of(x, k, &what.which);
+    what.step = &step;
+    what.panel = panel;
+    what.most = what.subject == POLYGON ? usual_size(x, what.which) : 0;
+    panel->size = what.subject == MECHANISM ? MOVING_WHOLE
+                  : what.subject == BODY    ? MOVING_THIRD
+                                            : MOVING_HALF;
+    panel->width = widths[panel->size];
+    panel->height = panel->size == MOVING_WHOLE ? height_of_mechanism(&x->p) : heights[panel->size];
+    name(&x->p, &what, panel->title);
+    motion_open(&panel->list, x->steps.n);
+    display_open(&step);
+    canvas_open(&x->p.on, &step, 0, 1, 1, panel->width, panel->height, 0, 0);
+    x->p.on.is_bare = 1;
+    x->p.on.head = 0;
+    x->p.on.turn = geometry_turn(&x->p.v);
+    moving_run(&x->p, what.subject == MECHANISM ? &x->range : &found, (int)x->steps.n, draw_step,
+               &what);
+    x->out_of_memory |= x->p.out_of_memory | step.out_of_memory | panel->list.out_of_memory;
+    display_close(&step);
+    return !x->out_of_memory && panel->list.n_items > 0;
+}

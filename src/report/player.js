@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** player.js - moves the drawings of a report or of the page.
+**
+** The program has drawn them at all steps and placed all texts; see moving_json.c.  This script says where each place is at a
+** step and puts it there.  A sheet has the width that the page gives it: what is drawn is scaled with it, texts keep their
+** size.
+*/
+fourlink.draw = (function () {
+
+const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 20;
+const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c and display.h */
+const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
+
+/* ---------------------------------------------------------------------------------------------------- places */
+
+/* The numbers of a track: each differs by so much from where the two before lead to. */
+function numbersOf(words) {
+    const list = [];
+    for (let k = 0, last = 0, before = 0; k < words.length; k++) {
+        let small = smallOf.get(words[k]);
+        if (small === undefined) {
+            const end = words.indexOf(")", k);
+            small = Number(words.slice(k + 1, end));
+            k = end;
+        }
+        const here = small + 2 * last - before;
+        before = list.length ? last : here;
+        last = here;
+        list.push(here / PER_PIXEL);
+    }
+    return list;
+}
+
+/* Where all places of a panel are at step i. */
+function placesAt(tracks, i) {
+    const list = [];
+    for (const [p, q, a, b, c] of tracks) {
+        if (typeof p === "object") {
+            list.push([p[i], q[i]]);
+        } else if (a === undefined) {
+            list.push([p, q]);
+        } else if (b === undefined) {
+            list.push([list[p][0] + q, list[p][1] + a]);
+        } else {
+            const from = list[p], way = [list[q][0] - from[0], list[q][1] - from[1]], length = Math.hypot(...way) || 1;
+            const along = a + b / length, left = c / length;
+            list.push([from[0] + along * way[0] - left * way[1], from[1] + along * way[1] + left * way[0]]);
+        }
+    }
+    return list;
+}
+
+/* ----------------------------------------------------------------------------------------------------- items */
+
+const digits = (x) => Math.round(x * 100) / 100;
+const wayOf = (places) => places.map((p, k) => (k ? "L" : "M") + digits(p[0]) + "," + digits(p[1])).join("");
+
+/* Words with their subscripts and superscripts, as tspans. */
+function svgWords(words) {
+    let at = 0;
+    return words.map((part) => {
+        const [text, level] = [].concat(part), to = level < 0 ? LOWER : level > 0 ? -HIGHER : 0;
+        const made = svg("tspan", {dy: to - at || null, class: to ? "script" : null}, text);
+        at = to;
+        return made;
+    });
+}
+
+function htmlWords(words) {
+    return words.map((part) => typeof part === "string" ? part : html(part[1] < 0 ? "sub" : "sup", {}, part[0]));
+}
+
+/* The words of an item that change: of step i. */
+function valuesOf(item) {
+    let last = "";
+    const list = item.values && item.values.split("|").map((words) => last = words || last);
+    return (i) => list ? [list[i]] : [];
+}
+
+/* Of an arrow, its line and its head. */
+function arrowWays([from, to], most) {
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1, head = Math.min(most, SHORTER * length);
+    const u = [(from[0] - to[0]) / length, (from[1] - to[1]) / length];
+    const at = (along, across) => [to[0] + along * u[0] - across * u[1], to[1] + along * u[1] + across * u[0]];
+    return [wayOf([from, at(SHORTER * head, 0)]), wayOf([to, at(head, HALF_WIDE * head), at(head, -HALF_WIDE * head)]) + "z"];
+}
+
+function arcWay([centre, turns], [first, last]) {
+    const [from, span] = turns.map((x) => x / 100), count = 8 + Math.floor(Math.abs(span) / ARC_STEP);
+    return wayOf(Array.from({length: count + 1}, (_, k) => {
+        const radius = first + k / count * (last - first), angle = from + k / count * span;
+        return [centre[0] + radius * Math.cos(angle), centre[1] - radius * Math.sin(angle)];
+    }));
+}
+
+const quarters = ([x, y], r) => [1, -1].map((s) => wayOf([[x, y], [x + s * r, y]]) + "A" + r + "," + r + " 0 0 1 " + digits(x) + "," +
+                                                   digits(y + s * r) + "z").join("");
+
+/* What is drawn for an item, and how its elements are set from its places: {elements, set}. */
+const makers = {
+    path: (item, kind) => ({elements: [svg("path", {...kind, d: item.d})], set() {}}),
+    line: (item, kind) => {
+        const way = svg("path", kind);
+        return {elements: [way], set: (places) => way.setAttribute("d", wayOf(places))};
+    },
+    arc: (item, kind) => {
+        const way = svg("path", kind);
+        return {elements: [way], set: (places) => way.setAttribute("d", arcWay(places, item.radius))};
+    },
+    arrow: (item, kind) => {
+        const parts = [svg("path", kind), svg("path", {class: "h-" + item.look})];
+        return {elements: parts, set: (places) => arrowWays(places, item.size).forEach((way, k) => parts[k].setAttribute("d", way))};
+    },
+    disc: (item, kind) => {
+        const circle = svg("circle", {...kind, r: item.size || 0});
+        return {elements: [circle], set: ([at]) => ["cx", "cy"].forEach((name, k) => circle.setAttribute(name, digits(at[k])))};
+    },
+    centre: (item, kind) => {
+        const {elements, set} = makers.disc(item, kind), black = svg("path", {class: "solid"});
+        return {elements: [...elements, black], set: (places) => {
+            set(places);
+            black.setAttribute("d", quarters(places[0], item.size));
+        }};
+    },
+    text: (item, kind) => {
+        const made = svg("text", {...kind, "text-anchor": item.anchor || "middle"}, ...svgWords(item.words)), values = valuesOf(item);
+        return {elements: [made], isText: true, set: ([at, off], i, k) => {
+            made.setAttribute("x", digits(k * at[0] + off[0]));
+            made.setAttribute("y", digits(k * at[1] + off[1] + BASELINE));
+            if (item.values)
+                made.replaceChildren(...svgWords([...item.words, ...values(i), ...item.unit]));
+        }};
+    }
+};
+
+const isGone = (item, i) => item.gone !== undefined && item.gone.filter((step) => step <= i).length % 2 === 1;
+
+/* ---------------------------------------------------------------------------------------------------- panels */
+
+/* A figure with one drawing, its caption, what its lines mean, and its values. */
+function makePanel(title, size) {
+    const ink = svg("g", {}), texts = svg("g", {}), handle = svg("g", {class: "handle"});
+    const drawing = svg("svg", {class: "fourlink sheet", role: "img"}, ink, texts, handle);
+    const caption = html("span", {}, title), key = html("p", {class: "key"}), list = html("ul", {class: "values"});
+    const figure = html("figure", {class: "panel " + size}, drawing, html("figcaption", {}, caption), key, list);
+    let data = null, tracks = [], parts = [], notes = [], now = 0, scale = 1, cranks = null;
+
+    /* Take the drawing of a branch. */
+    function take(newData) {
+        data = newData;
+        cranks = null;
+        tracks = data.places.map((place) => typeof place[0] === "string" ? place.map(numbersOf) : place);
+        parts = data.items.map((item) => ({item, ...makers[item.as](item, {class: item.look || null, "data-name": item.name || null})}));
+        ink.replaceChildren(...parts.filter((part) => !part.isText).flatMap((part) => part.elements));
+        texts.replaceChildren(...parts.filter((part) => part.isText).flatMap((part) => part.elements));
+        key.replaceChildren(...data.key.flatMap(({look, words}) => [html("span", {}, svg("svg", {class: "fourlink sample", viewBox: "0 0 26 8"},
+            svg("path", {class: look, d: "M0,4H26"})), ...htmlWords(words)), " "]));
+        notes = data.notes.map((item) => ({item, made: html("li", {}), values: valuesOf(item)}));
+        list.replaceChildren(...notes.map((note) => note.made));
+        layOut();
+    }
+    /* Take the width that the page gives the sheet. */
+    function layOut() {
+        const width = drawing.clientWidth || data.sheet[2];
+        scale = width / data.sheet[2];
+        const height = scale * data.sheet[3] + LINE * Math.max(0, 1 - scale); /* the scale below has its words in full */
+        drawing.setAttribute("viewBox", "0 0 " + width + " " + height);
+        drawing.style.aspectRatio = width / height;
+        drawing.setAttribute("data-box", data.box.map((x) => x * scale).join(" "));
+        drawing.setAttribute("data-axes", data.axes.join(" "));
+        ink.setAttribute("transform", "scale(" + scale + ")");
+    }
+    function show(i, name) {
+        const places = placesAt(tracks, i);
+        now = i;
+        drawing.setAttribute("aria-label", title + ": " + name);
+        for (const {item, elements, set} of parts) {
+            const gone = isGone(item, i);
+            if (item.gone)
+                elements.forEach((x) => { x.setAttribute("display", gone ? "none" : "inline"); });
+            if (!gone)
+                set((item.at || []).map((k) => places[k]), i, scale);
+        }
+        for (const {item, made, values} of notes) {
+            made.hidden = isGone(item, i);
+            made.replaceChildren(...htmlWords([...item.words, ...values(i), ...(item.unit || [])]));
+        }
+    }
+    /* Of a pin or a point at step i, in pixels of the sheet; null where it is not there. */
+    function place(name, i = now) {
+        const item = data.items.find((x) => x.name === name && (x.as === "disc" || x.as === "centre"));
+        return item && !isGone(item, i) ? placesAt(tracks, i)[item.at[0]].map((x) => scale * x) : null;
+    }
+    /* The step whose crank points to a place: of several, the nearest to the present one. */
+    function rowAt([x, y], count) {
+        let best = now, least = Infinity;
+        cranks = cranks || Array.from({length: count}, (_, i) => [place("A", i), place("B", i)]);
+        cranks.forEach(([A, B], i) => {
+            const off = Math.atan2(B[1] - A[1], B[0] - A[0]) - Math.atan2(y - A[1], x - A[0]), steps = Math.abs(i - now);
+            const cost = 1 - Math.cos(off) + 1e-9 * Math.min(steps, count - 1 - steps);
+            if (cost < least)
+                [best, least] = [i, cost];
+        });
+        return best;
+    }
+    /* Of a place in the sheet, in the unit of the axes, turned to and fro by the angle by which the x axis rises. */
+    function planeOf(at, turn) {
+        const [left, top, width, height] = data.box, [x0, x1, y0, y1] = data.axes, c = Math.cos(turn), s = Math.sin(turn);
+        const x = x0 + (at[0] / scale - left) / width * (x1 - x0), y = y1 - (at[1] / scale - top) / height * (y1 - y0);
+        return [c * x + s * y, c * y - s * x];
+    }
+    return {title, figure, drawing, caption, handle, take, layOut, show, place, rowAt, planeOf,
+            pixel: () => (data.axes[1] - data.axes[0]) / data.box[2] / scale};
+}
+
+/* Where the crank can be held. */
+function putHandle(panel) {
+    const [A, B] = [panel.place("A"), panel.place("B")];
+    panel.handle.replaceChildren(svg("path", {d: wayOf([A, B]), "stroke-width": 26}), svg("circle", {cx: B[0], cy: B[1], r: 22}));
+}
+
+/* ------------------------------------------------------------------------------------------ the row of the table */
+
+function tableRow(data, place) {
+    const list = html("dl", {class: "cells"}), columns = (of) => of.columns.filter((c) => !c.rounding);
+    const cells = columns(data).map((column) => {
+        const cell = html("dd", {"data-column": column.name});
+        list.append(html("div", {title: column.meaning}, html("dt", {}, htmlLabel(column.label)), cell));
+        return cell;
+    });
+    place.append(html("section", {class: "panel whole", "aria-label": "Row of the table"},
+                      html("p", {class: "caption"}, "Row of the table"), list));
+    return (branch, i) => columns(data).forEach((column, j) => {
+        const value = branch.table[i][data.columns.indexOf(column)];
+        cells[j].textContent = withUnit(cellText(column, value), column.unit);
+    });
+}
+
+/* ------------------------------------------------------------------------------------------------------ the page */
+
+/* What the drawings consist of, whatever their numbers. */
+function structure(data) {
+    return JSON.stringify([data.over, data.units, data.columns.map((c) => [c.name, c.unit]),
+                           data.branches.map((b) => [b.name, b.panels.map((panel) => panel.title)])]);
+}
+
+/* Make the drawings in `place`, an element, from `data`, all but the mechanism in `more` if it is given; returns their
+** functions. */
+function draw(data, place, more) {
+    const panels = data.branches[0].panels.map(({title, size}) => makePanel(title, size)), main = panels[0];
+    const grid = html("div", {class: "panels"}, ...panels.slice(more ? 1 : 0).map((panel) => panel.figure));
+    const showRow = tableRow(data, grid);
+    let branch = data.branches[0], now = data.start;
+    place.replaceChildren(more ? html("div", {class: "panels"}, main.figure) : grid);
+    if (more)
+        more.replaceChildren(grid);
+
+    const name = () => (data.branches.length > 1 ? branch.name + ", " : "") +
+        (data.over === "time" ? "t = " : "θ₂ = ") + stepText(data, now);
+    function show(i) {
+        now = Math.max(0, Math.min(data.steps.length - 1, i));
+        for (const panel of panels)
+            panel.show(now, name());
+        main.caption.textContent = main.title + " at " + name() +
+            (data.why && now === data.start && branch === data.branches[0] ? ", " + data.why : "");
+        putHandle(main);
+        showRow(branch, now);
+    }
+    function layOut() {
+        for (const panel of panels)
+            panel.layOut();
+        show(now);
+    }
+    function choose(k) {
+        branch = data.branches[k];
+        panels.forEach((panel, j) => panel.take(branch.panels[j]));
+        show(now);
+    }
+    /* Take other numbers of the same mechanism; false if it is another one. */
+    function update(next) {
+        const k = data.branches.indexOf(branch);
+        if (structure(next) !== structure(data))
+            return false;
+        Object.assign(data, next);
+        choose(k);
+        return true;
+    }
+    choose(0);
+    return {panels, show, choose, layOut, update, name, row: () => now, branch: () => data.branches.indexOf(branch),
+            reason: (i) => branch.reasons[i] || "",
+            main: {panel: main, handle: main.handle, place: (name) => main.place(name), pixel: main.pixel,
+                   rowAt: (at) => main.rowAt(at, data.steps.length), planeOf: (at) => main.planeOf(at, data.turn)}};
+}
+
+return draw;
+}());

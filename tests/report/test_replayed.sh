@@ -1,0 +1,38 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_replayed.sh FOURLINK DATA SCENES [DECKS] - the script of a report draws at each step what the program drew, by replay.js,
+# of chosen decks; with DECKS, of so many random ones.
+. "$(dirname "$0")/../harness.sh"
+tests=$(dirname "$decks")
+scenes=$3
+needs node nodejs
+
+# replay DECK EVERY: so many of its steps
+replay() {
+    name=$(basename "$1" .deck)
+    "$scenes" "$1" "$name.frames" "$2" >"$name.json" 2>err || return 0 # no drawing
+    node "$tests/report/replay.js" "$data/../src/report" "$name.json" "$name.frames" >out 2>&1
+    check "$name: $(head -n 3 out)" grep -q ' drawings, 0 wrong, ' out
+    tail -n 1 out >>all
+    rm -f "$name.json" "$name.frames"
+}
+
+: >all
+if [ "${4-}" ]; then
+    needs python3 python3
+    mkdir random
+    python3 -B "$tests/random_decks.py" "$4" random
+    for deck in random/*.deck; do
+        replay "$deck" 17
+    done
+else
+    for deck in "$tests"/report/look/*.deck "$data"/alvi-5.1.deck "$data"/me3491-exercise-4.deck "$data"/me3491-example-2.deck \
+        "$data"/oscillating-cylinder.deck "$data"/synthesis/three-positions.deck "$data"/synthesis/log10.deck; do
+        replay "$deck" 13
+    done
+fi
+awk '{drawings += $1; texts += $5; if ($7 > most) most = $7}
+    END {printf "%d decks, %d drawings compared, %d texts, %s pixels at most\n", NR, drawings, texts, most}' all
+check "drawings: $(wc -l <all)" test "$(awk '{n += $1} END {print n + 0}' all)" -gt 500
+finish
