@@ -218,6 +218,8 @@ class Deck:
 
     def offset_of_slide(self):
         """h: the slide passes D at this distance, on the left of its axis."""
+        if 'lever.offset' in self.inputs:
+            return self.number('lever.offset')
         gamma = self.number('lever.angle') * si_of(self.units.get('lever.angle', 'deg'))
         return -self.length(4) * math.sin(gamma)
 

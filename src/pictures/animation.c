@@ -21,7 +21,7 @@ static void draw_frame(picture *p, const void *what, int k)
     if (p->on.motion->phase == LABELS_DRAW)
         picture_begin_frame(p);
     figure_open(&s, p, *branch);
-    figure_paths(&s, p, *branch, PICTURE_STEPS);
+    figure_paths(&s, p, *branch);
     wanted_draw(&s, p);
     figure_frame(&s, p, &now.state);
     figure_draw(&s, p, &now.state, 0);

@@ -13,6 +13,7 @@
 #define CORNERS (PICTURE_POINTS + 2) /* of a link: its points and pins */
 
 #define STEPS 180 /* of a path */
+#define HALVINGS 20
 
 /* Half the length of a block is at most this fraction of its crank. */
 #define OF_CRANK 0.35
@@ -501,30 +502,67 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
     figure_slope(s, p);
 }
 
-/* Draw the path of tracer point i over the motion; C comes after the last of them. */
-static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsigned long i,
-                     int until)
+/* Where tracer point i, or behind the last of them C, is after k of STEPS; not a number where it is not. */
+static fourlink_vector on_path(const picture *p, fourlink_branch branch, unsigned long i, double k)
 {
-    int is_tracer = i < p->v.problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
-    const char *name = "C";
-    fourlink_vector at, points[STEPS + 1];
-    char title[80];
-    int p_of = !is_tracer ? PEN_CONSTRUCTION : i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
+    const char *name;
+    int link;
 
-    if (is_tracer)
-        fourlink_deck_point(p->v.deck, i, &name, &link, &at);
-    flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
-    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++)
-        if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
-            points[k] =
-                is_tracer ? tracer(p, &now.state, i, &name, &link) : figure_place(p, &now.state).C;
-        else
-            points[k].x = GSL_NAN;
-    sketch_curve(s, (pen)p_of, title, points, k);
+    if (picture_state(p, branch, k, STEPS, &now) != FOURLINK_OK)
+        return place_at(GSL_NAN, GSL_NAN);
+    return i < p->v.problem.n_points ? tracer(p, &now.state, i, &name, &link)
+                                     : figure_place(p, &now.state).C;
 }
 
-void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until)
+/* Its last place between a step that the linkage reaches and one that it does not: near a dead position it goes
+** far in one step. */
+static fourlink_vector end_of_path(const picture *p, fourlink_branch branch, unsigned long i,
+                                   double reached, double beyond)
+{
+    fourlink_vector last = on_path(p, branch, i, reached), at;
+    int n;
+
+    for (n = 0; n < HALVINGS; n++) {
+        double k = (reached + beyond) / 2;
+
+        at = on_path(p, branch, i, k);
+        if (gsl_isnan(at.x)) {
+            beyond = k;
+        } else {
+            reached = k;
+            last = at;
+        }
+    }
+    return last;
+}
+
+static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsigned long i)
+{
+    fourlink_vector points[2 * STEPS + 2], next;
+    int is_tracer = i < p->v.problem.n_points, pen_of = PEN_CONSTRUCTION, link, n = 0, k;
+    const char *name = "C";
+    fourlink_vector at;
+    char title[80];
+
+    if (is_tracer) {
+        fourlink_deck_point(p->v.deck, i, &name, &link, &at);
+        pen_of = i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
+    }
+    for (k = 0; k <= STEPS; k++) {
+        next = on_path(p, branch, i, k);
+        if (n && gsl_isnan(next.x) != gsl_isnan(points[n - 1].x)) {
+            points[n] = gsl_isnan(next.x) ? end_of_path(p, branch, i, k - 1, k)
+                                          : end_of_path(p, branch, i, k, k - 1);
+            n++;
+        }
+        points[n++] = next;
+    }
+    sketch_curve(s, (pen)pen_of, flk_text_join(title, sizeof title, "path of ", name, (char *)NULL),
+                 points, n);
+}
+
+void figure_paths(sketch *s, const picture *p, fourlink_branch branch)
 {
     unsigned long i;
 
@@ -533,9 +571,9 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
     if (p->on.is_bare && p->on.motion->phase != LABELS_KEEP && !p->on.motion->is_first)
         return;
     if (!p->v.kind.has_slot && p->request->file != PLOT_TXT) /* in letters it hides the links */
-        put_path(s, p, branch, p->v.problem.n_points, until);
+        put_path(s, p, branch, p->v.problem.n_points);
     for (i = 0; i < p->v.problem.n_points; i++)
-        put_path(s, p, branch, i, until);
+        put_path(s, p, branch, i);
 }
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)

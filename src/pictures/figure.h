@@ -68,8 +68,8 @@ void figure_gravity(sketch *s, const picture *p);
 ** drawing. */
 void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values);
 
-/* Draw the paths of C and of the tracer points over the motion, up to sample `until` of PICTURE_STEPS. */
-void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until);
+/* Draw the paths of C and of the tracer points over the motion. */
+void figure_paths(sketch *s, const picture *p, fourlink_branch branch);
 
 /* End a drawing, with a title for its position: "open, theta2 = 40 deg" after some words. */
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before);

@@ -158,7 +158,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_open(&s, p, branch);
     if (p->n_angles == 0 && p->request->file != PLOT_TXT)
         draw_ghosts(&s, p, branch);
-    figure_paths(&s, p, branch, PICTURE_STEPS);
+    figure_paths(&s, p, branch);
     wanted_draw(&s, p);
     figure_frame(&s, p, &r.now.state);
     draw_others(&s, p, branch);
@@ -196,7 +196,7 @@ void mechanism_draw(picture *p, const picture_row *r, double largest)
     int link;
 
     figure_open(&s, p, r->now.branch);
-    figure_paths(&s, p, r->now.branch, PICTURE_STEPS);
+    figure_paths(&s, p, r->now.branch);
     wanted_draw(&s, p);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         sketch_key(&s, (pen)link, p->v.kind.link[link]);

@@ -84,7 +84,7 @@ int picture_is_over_angle(const picture *p, int column)
     return !p->v.problem.by_time && (p->v.columns[column].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
-double picture_angle(const picture *p, int k, int steps)
+double picture_angle(const picture *p, double k, int steps)
 {
     return p->from + (p->v.end - p->from) * k / steps;
 }
@@ -105,19 +105,19 @@ int picture_take_last_turn(picture *p, fourlink_branch branch)
 }
 
 /* Of rows by time the nearest. */
-int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
+int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads)
 {
     if (p->v.problem.by_time)
         return fourlink_results_row(
             p->v.results, branch,
-            (unsigned long)((double)k * (double)(p->v.range.n_rows - 1) / steps + 0.5), values, now,
-            loads);
+            (unsigned long)(k * (double)(p->v.range.n_rows - 1) / steps + 0.5), values, now, loads);
     return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now,
                                loads);
 }
 
-int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fourlink_instant *now)
+int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
+                  fourlink_instant *now)
 {
     if (p->v.problem.by_time)
         return picture_sample(p, branch, k, steps, NULL, now, NULL);

@@ -221,15 +221,15 @@ int picture_is_over_angle(const picture *p, int column);
 int picture_take_last_turn(picture *p, fourlink_branch branch);
 
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
-double picture_angle(const picture *p, int k, int steps);
+double picture_angle(const picture *p, double k, int steps);
 
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
-int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
+int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads);
 
 /* The position there, without forces; returns a status. */
-int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
+int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
                   fourlink_instant *now);
 
 /* The position to draw on a branch: the first of the request, otherwise as view_find_position has it, and

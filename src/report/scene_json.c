@@ -13,7 +13,7 @@
 #include "interactive.h"
 #include "tables/json_text.h"
 #include "view/geometry.h"
-#include "view/scene.h"
+#include "view/tracks.h"
 
 /* What a string in an element <script> must not have as it is, in HTML or in XML. */
 #define ESCAPED "<>&"
@@ -87,18 +87,21 @@ static void put_links(line *l, const rows *t)
     line_put(l, "],\n");
 }
 
-/* The tracer points, which are the images without a subscript: the track of each and its name. */
-static void put_tracers(line *l, const scene *s)
+/* The tracer points: the name of each, and that of its disc. */
+static void put_tracers(line *l, const rows *t)
 {
-    int i, n = 0;
+    char disc[TRACKS_NAME];
+    const char *name;
+    fourlink_vector at;
+    unsigned long i;
+    int on, n = 0;
 
     line_put(l, "\"points\":[");
-    for (i = 0; i < s->n_images; i++) {
-        if (s->images[i].sub[0])
-            continue;
+    for (i = 0; i < t->v.problem.n_points; i++) {
+        fourlink_deck_point(t->v.deck, i, &name, &on, &at);
         interactive_put_comma(l, &n);
-        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", s->images[i].name,
-                        s->images[i].of);
+        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", name,
+                        tracks_name("P", i, "", disc));
     }
     line_put(l, "],\n");
 }
@@ -121,13 +124,10 @@ static void put_units(line *l, const rows *t)
 
 void interactive_put_scene(line *l, const rows *t)
 {
-    scene s;
-
-    scene_find(&s, &t->v);
     put_units(l, t);
     line_put(l, "\"turn\":");
     json_text_number(l, geometry_turn(&t->v), 17);
     line_put(l, ",\n");
     put_links(l, t);
-    put_tracers(l, &s);
+    put_tracers(l, t);
 }

@@ -3,7 +3,7 @@
 ** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the names of their
 ** tracks.
 **
-** Pictures draw it at one instant, the script of a report over the motion.
+** Pictures draw it at one instant, those of a report at each step of a motion.
 */
 #ifndef FOURLINK_SCENE_H
 #define FOURLINK_SCENE_H

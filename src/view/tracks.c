@@ -76,21 +76,11 @@ static void put_place(tracks *t, const char *name, fourlink_vector place)
     put(t, name, QUANTITY_LENGTH, place);
 }
 
-/* Put the ends of the way of a piston, or of a slider; where the lever meets its slide, and its ends. */
-static void put_way(tracks *t, const fourlink_state *state)
+/* Put the ends of a lever. */
+static void put_lever(tracks *t, const fourlink_state *state)
 {
     const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
-    double e = t->v->design->offset, near, far;
 
-    geometry_find_way(t->v, state->branch, &near, &far);
-    if (!t->v->kind.has_slot) {
-        put_place(t, "S1", place_at(near, e));
-        put_place(t, "S2", place_at(far, e));
-        return;
-    }
-    put_place(t, "S1", geometry_on_slide(state, near));
-    put_place(t, "S2", geometry_on_slide(state, far));
-    put_place(t, "R", geometry_on_slide(state, geometry_root(t->v)));
     put_place(t, "E1", place_in(lever->origin, lever->axis, t->v->lever_low, 0));
     put_place(t, "E2", place_in(lever->origin, lever->axis, t->v->lever_high, 0));
 }
@@ -126,8 +116,8 @@ static void put_points(tracks *t, const fourlink_state *state)
         put_place(t, "C", geometry_end(t->v, state, FOURLINK_COUPLER));
     if (!t->v->kind.has_stroke)
         put_place(t, "D", state->link[FOURLINK_FOLLOWER].origin);
-    if (t->v->kind.has_slot || t->v->kind.has_stroke)
-        put_way(t, state);
+    if (t->v->kind.has_slot)
+        put_lever(t, state);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (t->v->design->link[link].mass > 0)
             put_point(t, tracks_name("G", (unsigned long)link, "", name), state, link,
