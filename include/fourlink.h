@@ -691,6 +691,7 @@ typedef struct fourlink_problem {
     unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
     unsigned long design;     /* number of this design, from 0 */
     int has_outputs;          /* 1: the [sweep] names outputs: one line for each design */
+    int has_values;           /* 1: the columns are values of the deck, which are its outputs */
     int is_graded;            /* 1: [grading] has tolerances for all values */
     int mode;         /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */

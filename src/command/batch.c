@@ -28,6 +28,7 @@ typedef struct batch {
     input_text *texts; /* of decks that can be read only once; else null texts */
     fourlink_value *header;
     unsigned long n_header;
+    int has_values; /* 1: a deck has values instead of rows: a line for each branch */
     marks m;
     sheet s;
 } batch;
@@ -57,14 +58,34 @@ static int add_column(batch *b, const fourlink_value *column)
     return 1;
 }
 
-/* Add the columns of a deck, each name with each unit once; 0 if out of memory. */
+/* 1 if a deck's columns are values of the deck. */
+static int has_values(const input *in)
+{
+    return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
+}
+
+/* 1 if the command line names columns. */
+static int names_columns(const options *o)
+{
+    static const char key[] = "table.columns=";
+    size_t i;
+
+    for (i = 0; i < o->n_changes; i++)
+        if (strncmp(o->changes[i].assignment, key, sizeof key - 1) == 0)
+            return 1;
+    return 0;
+}
+
+/* Add the columns of a deck, or its values, each name with each unit once; 0 if out of memory. */
 static int add_columns(batch *b, const input *in)
 {
     const fourlink_value *list;
     unsigned long count = 0, k, j;
 
+    b->has_values |= has_values(in);
     if (in->results)
-        fourlink_results_list(in->results, FOURLINK_COLUMNS, &list, &count);
+        fourlink_results_list(in->results, has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
+                              &list, &count);
     for (k = 0; k < count; k++) {
         for (j = 0; j < b->n_header; j++)
             if (strcmp(b->header[j].name, list[k].name) == 0 &&
@@ -120,6 +141,8 @@ static int write_input(batch *b, const input *in)
     s->mark = in->deck ? &mark : NULL;
     if (s->content == SHEET_SCORES)
         content_write_mark(s, &mark);
+    else if (b->has_values && in->results && !has_values(in))
+        content_write(s, NULL, in->name, "its columns are of rows, not values of the deck");
     else
         content_write(s, in->results, in->name, in->refusal);
     status = status_of(s, in);
@@ -136,7 +159,7 @@ static void begin_sheet(batch *b, FILE *out)
 
     memset(s, 0, sizeof *s);
     s->format = o->format;
-    s->content = o->scores ? SHEET_SCORES : o->content;
+    s->content = o->scores ? SHEET_SCORES : b->has_values ? SHEET_VALUES : o->content;
     s->wrong_first = s->format == &table_format;
     s->at = o->at;
     s->n_decks = (int)o->n_decks;
@@ -218,7 +241,7 @@ static int scan(batch *b)
 /* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
 static int is_shown(const batch *b, const input *in)
 {
-    return in->results || b->o->content == SHEET_CHECK;
+    return in->results || b->o->content == SHEET_CHECK || b->has_values;
 }
 
 /* Read and write each; returns the exit status.  Nothing is written if there is nothing to show. */
@@ -232,6 +255,10 @@ static int write_all(batch *b)
     for (i = 0; i < b->n && !system_caught(); i++) {
         status = command_worse(status, read_input(b, i, &in));
         if (is_shown(b, &in) && !begun) {
+            if (!b->n_header && !add_columns(b, &in)) {
+                input_close(&in);
+                return complain_of_memory();
+            }
             opened = output_begin(&out, b->o->output);
             if (opened) {
                 input_close(&in);
@@ -262,7 +289,8 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.n = deck ? answers->n_files : o->n_decks;
     b.texts = calloc(b.n + 1, sizeof *b.texts);
     status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
-    if (!status && (b.m.list || (o->format == &csv_format && o->content == SHEET_ROWS)))
+    if (!status &&
+        (b.m.list || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
         status = scan(&b);
     if (!status)
         status = write_all(&b);

@@ -74,6 +74,23 @@ void command_tell(const char *what, const char *file, long line, const char *mes
                 (char *)NULL);
 }
 
+#define MOST_TOLD 64
+
+void command_tell_once(const char *what, const char *option, const char *message,
+                       const char *deck_name)
+{
+    static char told[MOST_TOLD][MESSAGE_SIZE];
+    static int n_told;
+    int i;
+
+    for (i = 0; i < n_told; i++)
+        if (strcmp(told[i], message) == 0)
+            return;
+    if (n_told < MOST_TOLD && !silent)
+        flk_message(told[n_told++], MESSAGE_SIZE, "%s", message);
+    command_tell(what, option, 0, message, deck_name);
+}
+
 void command_tell_more(unsigned long n, const char *what)
 {
     char number[40];

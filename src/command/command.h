@@ -26,6 +26,10 @@ void command_tell(const char *what, const char *file, long line, const char *mes
                   const char *deck_name);
 
 /* After the first MOST_MISTAKES of `n` mistakes or notes, print how many more there are. */
+/* The same of an option, of many decks, which is told for the first of them alone. */
+void command_tell_once(const char *what, const char *option, const char *message,
+                       const char *deck_name);
+
 void command_tell_more(unsigned long n, const char *what);
 
 #endif

@@ -166,6 +166,7 @@ static int serves_options(input *in)
     const char *why = NULL, *name = in->name;
     char message[400], names[FORMATS_NAMES], words[FORMATS_NAMES + 40];
     int is_sweep = p->n_designs > 0;
+    int has_values = p->has_values && o->content == SHEET_ROWS;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
         why = in->deck ? "nothing to check: no values in [expect]"
@@ -193,6 +194,11 @@ static int serves_options(input *in)
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
                             formats_of(SHEET_DESIGNS, ", ", " or ", names), " only", (char *)NULL);
+    } else if (has_values && !(o->format->writes & 1 << SHEET_VALUES)) {
+        why = flk_text_join(words, sizeof words, "values of the deck can be printed as ",
+                            formats_of(SHEET_VALUES, ", ", " or ", names), " only", (char *)NULL);
+    } else if (has_values && o->at) {
+        why = "--at shows rows; the columns are values of the deck";
     } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
@@ -215,7 +221,11 @@ static void tell_all(const input *in, const fourlink_mistake *list, unsigned lon
     unsigned long i;
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
-        if (!in->deck || strcmp(list[i].file, in->source.answers_name) == 0)
+        if (in->deck && strcmp(list[i].file, in->source.answers_name) != 0)
+            continue;
+        else if (list[i].line == 0 && strncmp(list[i].file, "--", 2) == 0)
+            command_tell_once(what, list[i].file, list[i].message, name);
+        else
             command_tell(what, list[i].file, list[i].line, list[i].message, name);
     command_tell_more(n, noun);
 }

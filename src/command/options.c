@@ -53,7 +53,7 @@ static int set_format(options *o, const char *value, char message[400])
 
 /* By sheet_content. */
 static const char *const content_options[] = {"",         "--summary", "--check", "--list",
-                                              "--matrix", "",          "--expect"};
+                                              "--matrix", "",          "",        "--expect"};
 
 /* 1 if a text is a whole number from 1. */
 static int is_whole(text words, double most, unsigned long *number)
@@ -209,7 +209,8 @@ static const option_info table[] = {
     {'i', "--interval", "QUANTITY", KEY("motion.interval="),
      "interval of the crank angle, such as '10 deg'"},
     {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
-     "columns to print; --list shows their names"},
+     "columns to print, or values such as 'max(Ts), mu_min', one line for each deck; --list shows "
+     "their names"},
     {0, "--units", "UNIT,UNIT,...", MEMBER(units),
      "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs"},
     {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side"},

@@ -125,6 +125,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->is_graded = d->n_rules > 0 && !d->rules[d->n_rules - 1].name.length;
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
+    problem->has_values = d->has_values && !d->sweep.n_designs;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->drive.mode;
     problem->by_time = d->drive.by_time;

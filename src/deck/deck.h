@@ -139,6 +139,7 @@ struct fourlink_deck {
     int open, crossed;
     int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;
+    int has_values; /* 1: they were values of the deck, which are its outputs */
     int digits;
     deck_unit units[QUANTITY_COUNT]; /* of results */
     deck_unit bare[QUANTITY_COUNT];  /* of bare numbers in the text */

@@ -413,15 +413,16 @@ static int is_known(text name)
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_equal(name, table[i].name))
             return 1;
-    return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL;
+    return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL ||
+           flk_column_statistic_of(name, &name);
 }
 
-void flk_column_check(deck *d)
+void flk_column_check(deck *d, int is_value(text name))
 {
     text rest = d->columns.names, name;
 
     while (rest.start && flk_column_next_name(&rest, &name))
-        if (!is_known(name))
+        if (!is_known(name) && !is_value(name))
             note_missing(NULL, d, name, &d->mistakes);
 }
 

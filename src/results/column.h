@@ -39,7 +39,7 @@ size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c);
 
 /* For a deck with other mistakes: report columns that no deck has. */
-void flk_column_check(deck *d);
+void flk_column_check(deck *d, int is_value(text name));
 
 /* Find the column of a name; 0 if the deck has none. */
 int flk_column_find(const flk_analysis *a, text name, flk_column *c);

@@ -15,8 +15,8 @@
 #include "turning.h"
 #include "deck/reader.h"
 
-/* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one
-** instant. */
+/* Check a name in the [sweep] output: a fact, a statistic of a column, or an input; a column only if the deck has
+** one instant. */
 static void check_output(flk_opened *o, text name, const flk_name *n, text_place place)
 {
     mistakes *m = &o->d.mistakes;
@@ -25,7 +25,7 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
 
     if (o->d.drive.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
-    if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT ||
+    if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT || n->kind == FLK_NAME_GIVEN ||
         (n->kind == FLK_NAME_COLUMN && o->d.one_instant))
         return;
     nearest = n->statistic ? flk_column_nearest(&o->a, n->of) : flk_fact_nearest(name);
@@ -111,6 +111,41 @@ static int copy_outputs(flk_opened *o, const flk_opened *from)
     o->lists[FOURLINK_OUTPUTS].n = outputs->n;
     o->lists[FOURLINK_CONDITIONS].n = conditions->n;
     return 1;
+}
+
+/* Find, of the columns that the deck names, the first that has a value in each row, and the first that has one for the
+** deck, such as a fact; null: there is none. */
+static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
+{
+    text rest = o->d.columns.names, name;
+    flk_name n;
+
+    of_rows->start = of_deck->start = NULL;
+    while (rest.start && flk_column_next_name(&rest, &name)) {
+        flk_name_find(o, name, &n);
+        if (!of_rows->start && (n.kind == FLK_NAME_COLUMN || flk_text_equal(name, "all")))
+            *of_rows = name;
+        else if (!of_deck->start && (n.statistic || n.kind > FLK_NAME_COLUMN))
+            *of_deck = name;
+    }
+}
+
+/* Columns of which each is one value of the deck are its outputs; then its table has the usual columns. */
+static void take_values(flk_opened *o)
+{
+    text of_rows, of_deck;
+
+    sort_columns(o, &of_rows, &of_deck);
+    if (!of_deck.start)
+        return;
+    if (of_rows.start)
+        flk_mistake(&o->d.mistakes, o->d.columns.place,
+                    "'%t' is one value of the deck, '%t' has one in each row: ask for them apart",
+                    of_deck, of_rows);
+    else
+        o->d.sweep.output = o->d.columns;
+    o->d.has_values = !of_rows.start;
+    o->d.columns.names.start = NULL;
 }
 
 static void list_outputs(flk_opened *o)
@@ -238,8 +273,10 @@ static int open_deck(flk_opened *o, const flk_opened *from)
         return 0;
     if (from)
         o->n_columns = flk_column_copy(&o->a, &from->a, from->columns, from->n_columns, o->columns);
-    if (!o->n_columns)
+    if (!o->n_columns) {
+        take_values(o);
         o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
+    }
     for (i = 0; i < o->n_columns; i++)
         o->needs |= flk_column_need(&o->columns[i]);
     if (!from || !copy_outputs(o, from)) {
@@ -301,6 +338,11 @@ static void hold_instant(deck *d)
     d->one_instant = 0;
 }
 
+static int is_fact(text name)
+{
+    return flk_fact_find(name) != 0;
+}
+
 /* Open results of their deck, with the status of flk_deck_read; `from` as in open_deck. */
 static int open_results(flk_opened *o, const flk_opened *from, int status,
                         const flk_mistake_list *list, flk_opened **opened)
@@ -310,7 +352,7 @@ static int open_results(flk_opened *o, const flk_opened *from, int status,
     if (status > 0 && !open_deck(o, from))
         status = -1;
     else if (status == 0)
-        flk_column_check(&o->d);
+        flk_column_check(&o->d, is_fact);
     if (status < 0 || o->d.mistakes.out_of_memory) {
         flk_opened_free(o);
         return FOURLINK_NO_MEMORY;

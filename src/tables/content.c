@@ -369,8 +369,55 @@ static void close_results(sheet *s)
     line_end(&s->l);
 }
 
+/* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
+** have needs no reason. */
+static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
+{
+    int status =
+        fourlink_results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
+
+    output->has_value = status == FOURLINK_OK;
+    return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
+           : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
+                                             : fourlink_status_text(status);
+}
+
+/* Write the values of a deck, a line for each branch. */
+static void write_values(sheet *s)
+{
+    sheet_output outputs[SHEET_OUTPUTS];
+    const fourlink_value *own;
+    unsigned long n, k;
+    int i;
+
+    fourlink_results_list(s->v.results, FOURLINK_OUTPUTS, &own, &n);
+    for (i = 0; i < s->v.n_branches; i++) {
+        const char *why = NULL, *reason;
+
+        for (k = 0; k < s->n_header; k++) {
+            long at = sheet_column_under(s, k);
+
+            outputs[k].has_value = 0;
+            if (at < 0)
+                continue; /* of another deck */
+            reason = find_output(s, s->v.branches[i], own[at].handle, &outputs[k]);
+            if (outputs[k].has_value && gsl_isinf(outputs[k].v.value))
+                reason = "a value is unbounded";
+            else if (!outputs[k].has_value && !reason)
+                reason = fourlink_status_text(FOURLINK_NO_SUCH_FACT);
+            why = why ? why : reason;
+        }
+        s->failed += why != NULL;
+        s->format->design(s, s->v.branches[i], outputs, why);
+    }
+}
+
 static void write_content(sheet *s)
 {
+    if (s->content == SHEET_VALUES) {
+        write_values(s);
+        return;
+    }
     if (s->format->open)
         s->format->open(s);
     switch (s->content) {
@@ -405,7 +452,7 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
 {
     s->deck_name = s->n_decks > 1 ? deck_name : NULL;
     if (!results) {
-        if (s->content == SHEET_CHECK && (s->deck_name || s->mark))
+        if (s->content == SHEET_VALUES || (s->content == SHEET_CHECK && (s->deck_name || s->mark)))
             s->format->refuse(s, why);
         line_end(&s->l);
         return;
@@ -453,19 +500,6 @@ static void find_yield(const sheet *s, sheet_output *outputs)
             if (s->header[k].handle == s->conditions[i].handle &&
                 !(outputs[k].has_value && sheet_meets(&s->conditions[i], &outputs[k].v)))
                 yield->v.value = 0;
-}
-
-/* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
-** have needs no reason. */
-static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
-{
-    int status =
-        fourlink_results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
-
-    output->has_value = status == FOURLINK_OK;
-    return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
-           : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
-                                             : fourlink_status_text(status);
 }
 
 /* 1 if crank angles from `from` to `to`, in rad, are within a range, or whole turns from it. */

@@ -63,6 +63,7 @@ static const char *const heads[SHEET_CONTENT_COUNT] = {
     NULL,
     NULL,
     NULL,
+    NULL,
     "name,right,of,percent,note"};
 
 static void begin(sheet *s)
@@ -178,7 +179,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     unsigned long i;
 
     put_labels(s);
-    line_put(&s->l, "%s,", fourlink_branch_text((int)branch));
+    line_put(&s->l, "%s,", branch ? fourlink_branch_text((int)branch) : "");
     for (i = 0; i < s->n_header; i++) {
         if (outputs && outputs[i].has_value && outputs[i].v.words)
             put_words(&s->l, outputs[i].v.words);
@@ -214,7 +215,9 @@ static void refuse(sheet *s, const char *why)
 {
     int n = s->design ? s->v.n_branches : 0, i;
 
-    if (!s->design)
+    if (s->content == SHEET_VALUES)
+        put_design(s, (fourlink_branch)0, NULL, why);
+    else if (!s->design)
         put_score(s, s->mark ? "bad answers" : "bad deck", 0, s->mark ? s->mark->of : GSL_NAN, why);
     for (i = 0; i < n; i++)
         put_design(s, s->v.branches[i], NULL, why);
@@ -235,21 +238,21 @@ static void put_mark(sheet *s, const sheet_mark *m)
 const sheet_format csv_format = {
     "csv", /* name */
     1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
-        1 << SHEET_SCORES, /* writes */
-    begin,                 /* begin */
-    open_deck,             /* open */
-    NULL,                  /* column */
-    put_fact,              /* fact */
-    NULL,                  /* block */
-    put_row,               /* row */
-    NULL,                  /* end_block */
-    put_check,             /* check */
-    put_design,            /* design */
-    refuse,                /* refuse */
-    close_deck,            /* close */
-    sizeof(long),          /* layout_size */
-    0,                     /* is_by_angle */
-    0,                     /* is_brief */
-    put_mark,              /* mark */
-    NULL                   /* extremes */
+        1 << SHEET_VALUES | 1 << SHEET_SCORES, /* writes */
+    begin,                                     /* begin */
+    open_deck,                                 /* open */
+    NULL,                                      /* column */
+    put_fact,                                  /* fact */
+    NULL,                                      /* block */
+    put_row,                                   /* row */
+    NULL,                                      /* end_block */
+    put_check,                                 /* check */
+    put_design,                                /* design */
+    refuse,                                    /* refuse */
+    close_deck,                                /* close */
+    sizeof(long),                              /* layout_size */
+    0,                                         /* is_by_angle */
+    0,                                         /* is_brief */
+    put_mark,                                  /* mark */
+    NULL                                       /* extremes */
 };

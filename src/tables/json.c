@@ -234,10 +234,13 @@ static void begin(sheet *s)
 {
     unsigned long i;
 
-    if (s->content != SHEET_DESIGNS)
+    if (s->content != SHEET_DESIGNS && s->content != SHEET_VALUES)
         return;
-    begin_object(&s->l, "title", s->v.problem.title);
-    s->design = 1; /* one line */
+    if (s->content == SHEET_VALUES)
+        begin_object(&s->l, "fourlink", fourlink_version());
+    else
+        begin_object(&s->l, "title", s->v.problem.title);
+    s->design = s->content == SHEET_DESIGNS; /* one line */
     for (i = 0; i < s->n_variables; i++)
         put_column(s, &s->variables[i]);
     for (i = 0; i < s->n_header; i++)
@@ -252,8 +255,11 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     unsigned long i;
 
     put_labels(s);
-    put_text(&s->l, "branch", fourlink_branch_text((int)branch));
+    if (branch)
+        put_text(&s->l, "branch", fourlink_branch_text((int)branch));
     for (i = 0; i < s->n_header; i++) {
+        if (s->content == SHEET_VALUES && outputs && sheet_column_under(s, i) < 0)
+            continue; /* it is there in another unit */
         put_name(&s->l, s->header[i].name, 0);
         if (outputs && outputs[i].has_value)
             put_value(&s->l, &outputs[i].v);
@@ -269,6 +275,10 @@ static void refuse(sheet *s, const char *why)
 {
     int n = s->content == SHEET_DESIGNS ? s->v.n_branches : 0, i;
 
+    if (s->content == SHEET_VALUES) {
+        put_design(s, (fourlink_branch)0, NULL, why);
+        return;
+    }
     for (i = 0; i < n; i++)
         put_design(s, s->v.branches[i], NULL, why);
     if (n)

@@ -17,11 +17,14 @@ const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "no
 
 long sheet_column_under(const sheet *s, unsigned long i)
 {
-    unsigned long j;
+    const fourlink_value *list = s->v.columns;
+    unsigned long n = s->v.n_columns, j;
 
-    for (j = 0; j < s->v.n_columns; j++)
-        if (strcmp(s->header[i].name, s->v.columns[j].name) == 0 &&
-            strcmp(s->header[i].unit, s->v.columns[j].unit) == 0)
+    if (s->content == SHEET_VALUES)
+        fourlink_results_list(s->v.results, FOURLINK_OUTPUTS, &list, &n);
+    for (j = 0; j < n; j++)
+        if (strcmp(s->header[i].name, list[j].name) == 0 &&
+            strcmp(s->header[i].unit, list[j].unit) == 0)
             return (long)j;
     return -1;
 }

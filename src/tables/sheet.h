@@ -21,6 +21,7 @@ typedef enum sheet_content {
     SHEET_LIST,
     SHEET_MATRIX,
     SHEET_DESIGNS, /* a line for each design of a sweep */
+    SHEET_VALUES,  /* values of decks: a line for each branch */
     SHEET_EXPECT,  /* values for --check */
     SHEET_SCORES,  /* a line for each file of answers */
     SHEET_CONTENT_COUNT
@@ -129,7 +130,7 @@ typedef struct sheet_format {
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* The deck's column that belongs under column i of the header; -1 if there is none. */
+/* The deck's column that belongs under column i of the header; -1 if there is none.  Of values, its output. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
 /* Write the blank lines between decks or designs, and the deck's name. */

@@ -197,8 +197,44 @@ static void put_legend(sheet *s)
             put_defects(s);
 }
 
+/* The line of names, or of units, of values of decks. */
+static void put_value_heading(sheet *s, int units)
+{
+    unsigned long i;
+
+    line_put(&s->l, units ? "#        " : "# branch ");
+    for (i = 0; i < s->n_header; i++)
+        line_field(&s->l, units ? s->header[i].unit : s->header[i].name, WIDTH);
+    line_put(&s->l, s->n_decks > 1 && !units ? "  deck\n" : "\n");
+}
+
+/* A line of values; what a deck does not have is nan, or in another unit. */
+static void put_values(sheet *s, fourlink_branch branch, const sheet_output *outputs)
+{
+    unsigned long i;
+
+    line_put(&s->l, " %-8s", branch ? fourlink_branch_text((int)branch) : "");
+    for (i = 0; i < s->n_header; i++)
+        if (outputs && outputs[i].has_value && outputs[i].v.words)
+            line_field(&s->l, outputs[i].v.words, WIDTH);
+        else if (outputs && sheet_column_under(s, i) < 0)
+            line_field(&s->l, "", WIDTH);
+        else
+            line_value(&s->l, outputs && outputs[i].has_value ? outputs[i].v.value : GSL_NAN,
+                       outputs ? s->v.problem.digits : 1, WIDTH);
+    if (s->deck_name) {
+        line_put(&s->l, "  ");
+        line_words(&s->l, s->deck_name, strlen(s->deck_name));
+    }
+    line_put(&s->l, "\n");
+}
+
 void table_begin(sheet *s)
 {
+    if (s->content == SHEET_VALUES) {
+        put_value_heading(s, 0);
+        put_value_heading(s, 1);
+    }
     if (s->content == SHEET_SCORES)
         line_put(&s->l, "# %-28s  right     of  per cent  note\n", "name");
     if (s->content != SHEET_DESIGNS)
@@ -227,6 +263,10 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     unsigned long i;
 
     (void)why; /* an output without a value is nan */
+    if (s->content == SHEET_VALUES) {
+        put_values(s, branch, outputs);
+        return;
+    }
     line_value(&s->l, (double)s->design, ALL, 10);
     for (i = 0; i < s->n_variables; i++)
         line_value(&s->l, s->varied[i], digits, WIDTH);
@@ -239,6 +279,10 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
 
 void table_refuse(sheet *s, const char *why)
 {
+    if (s->content == SHEET_VALUES) {
+        put_values(s, (fourlink_branch)0, NULL);
+        return;
+    }
     if (!s->design) {
         sheet_write_gap(s);
         if (s->mark)

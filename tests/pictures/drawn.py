@@ -868,7 +868,7 @@ def check_several(deck, rows):
                    cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
     turn = 2 * math.pi / si_of(deck.unit('angle'))
-    first = [row for row in rows if abs(row['theta2'] - rows[0]['theta2']) <= turn * (1 + 1e-9)] if rows[0].is_ok else rows
+    first = [row for row in rows if row.values['theta2'] and abs(row['theta2'] - rows[0]['theta2']) <= turn * (1 + 1e-9)] if rows[0].is_ok else rows
     for k in range(GHOSTS):
         row = first[(len(first) - 1) * k // GHOSTS]
         if row.is_ok:
@@ -1018,8 +1018,11 @@ def chosen_rows(deck):
 
 
 def is_sound(deck, row):
-    """Away from dead positions, where numbers are limited by rounding."""
-    return row.is_ok and row['mu'] * si_of(deck.unit('angle')) > 0.02
+    """Away from dead positions, where numbers are limited by rounding, and from where friction in a guide changes its sign."""
+    if not row.is_ok or row['mu'] * si_of(deck.unit('angle')) <= 0.02:
+        return False
+    speed = row['v'] if 'v' in row.values else row['slide_v'] if 'slide_v' in row.values else 1
+    return abs(speed) * si_of(deck.unit('speed')) > 1e-9 or 'friction.guide' not in deck.inputs
 
 
 def check_deck(deck, folder):

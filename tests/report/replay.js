@@ -26,9 +26,16 @@ function fail(where, what) {
         console.log("FAILED: " + where + ": " + what);
 }
 
+/* An arc by its ends and its middle, in however many parts it is drawn. */
+function arcOf(look, places) {
+    const count = places.length / 2, at = (k) => [places[2 * k], places[2 * k + 1]];
+    const [p, q] = [at(Math.floor((count - 1) / 2)), at(Math.ceil((count - 1) / 2))];
+    return ["arc " + look, [...at(0), (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, ...at(count - 1)]];
+}
+
 /* Pieces of a path, each [name, numbers]. */
 function piecesOf(look, d, name) {
-    return d.split(/(?=M)/).filter((x) => x).map((x) => ["path " + look + " " + x.replace(/[-\d.e]+/g, "#").replace(/ +/g, " "), numbers(x), name]);
+    return d.split(/(?=M)/).filter((x) => x).map((x) => !name && x.split("L").length > 8 ? arcOf(look, numbers(x)) : ["path " + look + " " + x.replace(/[-\d.e]+/g, "#").replace(/ +/g, " "), numbers(x), name]);
 }
 
 /* What an SVG of the program shows: items of the drawing, keys, values. */
