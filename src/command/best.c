@@ -256,6 +256,26 @@ static void write_deck(FILE *out, const char *contents, unsigned long length)
     }
 }
 
+#define AT_END 1e-6 /* of the way between two values of the grid */
+
+/* Say which values stand at the end of their range, where better ones may be beyond. */
+static void put_ends(line *l, const search *s)
+{
+    unsigned long i, k;
+
+    for (k = 0; k < s->n_free; k++) {
+        double near = AT_END * (s->high[k] - s->low[k]);
+
+        if (!(s->best[k] == s->low[k] && s->refined[k] - s->low[k] <= near) &&
+            !(s->best[k] == s->high[k] && s->high[k] - s->refined[k] <= near))
+            continue;
+        for (i = 0; s->variables[i].handle != s->handles[k]; i++)
+            ;
+        line_put(l, "# %s = %12g %s is at the end of its range.\n", s->variables[i].name,
+                 s->refined[k], s->variables[i].unit);
+    }
+}
+
 static int write_result(FILE *out, const search *s)
 {
     fourlink_value v;
@@ -270,6 +290,7 @@ static int write_result(FILE *out, const search *s)
     line_put(&l, "# The best design of %s: %s %s = %6g%s%s, %s branch.\n", s->in->name,
              s->sign > 0 ? "min" : "max", s->name, v.value, strcmp(v.unit, "1") ? " " : "",
              strcmp(v.unit, "1") ? v.unit : "", fourlink_branch_text((int)s->branch));
+    put_ends(&l, s);
     line_end(&l);
     write_deck(out, deck, length);
     free(deck);

@@ -405,7 +405,7 @@ void options_put_help(FILE *out)
     line_put(&l, "\n");
     put_words(
         &l, "",
-        "Exit status: 0 success; 1 some rows could not be computed, or a check failed; "
+        "Exit status: 0 success; 1 some rows or values could not be computed, or a check failed; "
         "2 wrong usage or mistakes in a deck; 3 reading, writing, rsvg-convert or memory failed.",
         0, width);
     line_end(&l);

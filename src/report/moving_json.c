@@ -27,7 +27,7 @@
 #include "interactive.h"
 #include "view/notation.h"
 
-#define PER_PIXEL 20 /* of numbers of a track */
+#define PER_PIXEL 40 /* of numbers of a track */
 #define DIGITS 6     /* of a place */
 
 /* ---------------------------------------------------------------------------------------------- places */
@@ -50,7 +50,7 @@ static void put_small(line *l, long n)
     }
 }
 
-/* Write a coordinate of a track, in twentieths of a pixel: the first, and how each differs from where the
+/* Write a coordinate of a track, in fortieths of a pixel: the first, and how each differs from where the
 ** two before lead to.  Where the track is not there, it stands still. */
 static void put_track(line *l, const motion *m, size_t number, int is_y)
 {

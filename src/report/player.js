@@ -9,7 +9,7 @@
 fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
-const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 20;
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
 const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c and display.h */
 const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
 

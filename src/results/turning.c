@@ -264,6 +264,7 @@ static double speed_of(const flk_analysis *a, fourlink_branch branch)
 const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch)
 {
     flk_turning *t = &a->turning[branch == FOURLINK_OPEN ? 0 : 1];
+    int was_fast = a->is_fast;
     double scale;
     moment m;
 
@@ -281,6 +282,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     t->is_known = 1;
     if (!gsl_finite(m.crank.omega2))
         return NULL;
+    a->is_fast = 1;
     cut(&m);
     m.mean = mean_of(&m, &scale);
     t->is_there = !gsl_isnan(m.mean);
@@ -288,5 +290,6 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
         find_turning(&m, scale, &t->t);
     if (t->is_there && a->d->machine.has_friction)
         t->efficiency = efficiency_of(&m);
+    a->is_fast = was_fast;
     return t->is_there ? &t->t : NULL;
 }

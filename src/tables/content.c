@@ -382,6 +382,14 @@ static const char *find_output(sheet *s, fourlink_branch branch, int handle, she
                                              : fourlink_status_text(status);
 }
 
+/* Why an output is not a finite value, though it could be computed; null: it is one. */
+static const char *why_incomplete(const sheet_output *x)
+{
+    return !x->has_value           ? fourlink_status_text(FOURLINK_NO_SUCH_FACT)
+           : gsl_isinf(x->v.value) ? "a value is unbounded"
+                                   : NULL;
+}
+
 /* Write the values of a deck, a line for each branch. */
 static void write_values(sheet *s)
 {
@@ -401,10 +409,7 @@ static void write_values(sheet *s)
             if (at < 0)
                 continue; /* of another deck */
             reason = find_output(s, s->v.branches[i], own[at].handle, &outputs[k]);
-            if (outputs[k].has_value && gsl_isinf(outputs[k].v.value))
-                reason = "a value is unbounded";
-            else if (!outputs[k].has_value && !reason)
-                reason = fourlink_status_text(FOURLINK_NO_SUCH_FACT);
+            reason = reason ? reason : why_incomplete(&outputs[k]);
             why = why ? why : reason;
         }
         s->failed += why != NULL;
@@ -545,17 +550,18 @@ static void write_lines(sheet *s)
     const char *gap = find_gap(s, words);
 
     for (i = 0; i < s->v.n_branches; i++) {
-        const char *why = NULL;
+        const char *why = NULL, *incomplete = NULL;
 
         for (k = 0; k < s->n_header - (s->n_conditions > 0); k++) {
             const char *reason = find_output(s, s->v.branches[i], s->header[k].handle, &outputs[k]);
 
             why = why ? why : reason;
+            incomplete = incomplete ? incomplete : why_incomplete(&outputs[k]);
         }
         if (s->n_conditions)
             find_yield(s, outputs);
-        s->failed += why != NULL;
-        s->format->design(s, s->v.branches[i], outputs, why ? why : gap);
+        s->failed += why || incomplete;
+        s->format->design(s, s->v.branches[i], outputs, why ? why : gap ? gap : incomplete);
     }
 }
 

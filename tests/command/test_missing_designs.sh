@@ -53,10 +53,10 @@ same together whole
 
 # an output that a design does not have
 sweep 'crank.length = 20 mm, 100 mm' 'output = swing, mu_max'
-run 0 -f csv t.deck
+run 1 -f csv t.deck
 quiet
 check 'an empty cell' grep -q "^2,0.1[0-9]*,open,,[0-9].*,assembled only from [-0-9.]* to [-0-9.]* deg\$" out
-run 0 t.deck
+run 1 t.deck
 check 'nan in the table' grep -Eq '^ +2 +0\.1 +1 +nan +[0-9]' out
 check 'no legend of what is not there' none '^# type:' out
 
@@ -77,7 +77,7 @@ check 'the third design' grep -q '^3,0\.1.*,ok' out
 
 # beyond all bounds: infinite; no position at all: a reason
 sweep 'rocker.length = 10 mm, 56 mm' 'output = max(omega4), min(omega4)'
-run 0 -f csv t.deck
+run 1 -f csv t.deck
 check 'infinite, both ways' grep -q "^1,0.01[0-9]*,open,inf,-inf,assembled only from [-0-9.]* to [-0-9.]* deg" out
 check 'finite' grep -Eq '^2,0.056[0-9]*,open,[0-9.]+,-[0-9.]+,ok' out
 
