@@ -183,6 +183,8 @@ static int serves_options(input *in)
                           (long)o->design, (long)p->n_designs);
     } else if (o->synthesis && !in->is_design && !has_task(in)) {
         why = "--synthesis needs a [synthesis]; the deck has none";
+    } else if (is_sweep && o->solve) {
+        why = "--solve works for one design of a [sweep], with --design=N";
     } else if (is_sweep && o->print_deck && !o->all_designs) {
         why = "--print-deck prints one design of a [sweep], with --design=N, or all, with "
               "--design=all";

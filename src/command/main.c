@@ -19,6 +19,7 @@
 #include "catalogue.h"
 #include "solutions.h"
 #include "best.h"
+#include "solve.h"
 #include "designs.h"
 #include "tables/content.h"
 
@@ -48,14 +49,18 @@ static int prints_found(const options *o, const input *in)
 }
 
 /* Write what the options ask for; returns the exit status. */
-static int write_sheet(const options *o, const input *in, const grade_answers *answers)
+static int write_sheet(const options *o, input *in, const grade_answers *answers)
 {
     output out;
     int status = output_begin(&out, o->output), written;
 
     if (status)
         return status;
-    if (o->print_deck || (prints_found(o, in) && !o->has_format))
+    if (o->solve) {
+        written = solve_write(out.file, in);
+        if (!written && o->print_deck)
+            written = write_deck(out.file, in);
+    } else if (o->print_deck || (prints_found(o, in) && !o->has_format))
         written = write_deck(out.file, in);
     else if (o->best)
         written = best_write(out.file, in);
@@ -70,7 +75,7 @@ static int write_sheet(const options *o, const input *in, const grade_answers *a
 }
 
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
-static int write_all(const options *o, const input *in, const grade_answers *answers)
+static int write_all(const options *o, input *in, const grade_answers *answers)
 {
     drawing d;
     int status = 0;

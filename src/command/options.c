@@ -251,6 +251,9 @@ static const option_info table[] = {
     {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]"},
     {0, "--design", "N|all", OWN(set_design),
      "take design N of the deck's [sweep], from 1, as a deck"},
+    {0, "--solve", "'KEY = LOW .. HIGH where NAME = VALUE'", MEMBER(solve),
+     "the values of an input at which a fact, an extreme, or a column at an angle (NAME at ANGLE) "
+     "has a value"},
     {0, "--print-deck", NULL, MEMBER(print_deck),
      "print the deck as it is computed: with other values, of one design; of all: into "
      "--output=FOLDER/"},
@@ -440,6 +443,9 @@ static const char *find_conflict(const options *o)
         return "--expect takes one deck, not several";
     if (o->best && has_other_output(o))
         return "--best prints a deck: it takes one deck and no other output";
+    if (o->solve && (o->content != SHEET_ROWS || o->parts || has_picture(o) || o->n_decks > 1 ||
+                     o->best || o->at || (o->format != &table_format && o->format != &csv_format)))
+        return "--solve prints a table or csv of one deck, and no other output";
     if (o->print_deck && (has_other_output(o) || o->best || o->at))
         return "--print-deck prints a deck: it takes one deck and no other output";
     return NULL;

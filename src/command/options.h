@@ -25,6 +25,7 @@ typedef struct options {
     const char *units;      /* of results; null: those of the deck */
     const char *best;       /* the name that --best asks for; null: it was not given */
     int best_is_largest;
+    const char *solve;         /* what --solve asks for; null: it was not given */
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     unsigned long design;      /* --design=N, from 1; 0: not given */
     int all_designs;           /* 1: --design=all */

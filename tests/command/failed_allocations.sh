@@ -235,6 +235,8 @@ all 1 -f csv -s 'sweep.yield=mu_min > 40 deg' -o files/result t.deck
 all 1 --plot=files/plot.svg --plot-kind=columns -o files/result t.deck
 sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's simplex
 all 0 "--best=max swing" -o files/result t.deck
+all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o files/result alvi-5.1.deck
+all 0 -f csv -c "mu_min, max(omega4), crank.length" -o files/result alvi-5.1.deck
 
 for kind in mechanism motion forces turning-moment polar vectors; do
     all 0 --plot=files/plot.svg --plot-kind=$kind -o files/result $few single.deck

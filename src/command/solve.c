@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** solve.c - questions answered backwards: KEY = LOW .. HIGH where NAME = VALUE, or NAME at ANGLE = VALUE.
+**
+** The range is walked in equal steps on each branch.  A solution is a zero of NAME - VALUE between two steps, or a place
+** where it touches 0; a jump, a pole and the end of what can be assembled are none.  What is between two steps and back
+** again is not found.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/message.h"
+#include "base/solve.h"
+#include "command.h"
+#include "solve.h"
+#include "tables/sheet.h"
+#include "view/view.h"
+
+#define STEPS 240
+#define HALVINGS 50
+#define CLOSE \
+    1e-9 /* of the value wanted, or of the nearer one of a step: a zero, no jump and no pole */
+
+/* The question, in the units of the input and of the result. */
+typedef struct question {
+    input *in;
+    view v;
+    char key[MESSAGE_SIZE], name[MESSAGE_SIZE];
+    char unit[MESSAGE_SIZE],
+        result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
+    fourlink_value of, result;     /* what is sought, and what is to have a value */
+    double low, high, wanted, angle;
+    double turn; /* of a result that is an angle in a row; 0: none */
+    fourlink_branch branch;
+    double least, most; /* of the results found */
+    line *l;
+    unsigned long n;
+    double first;
+    int out_of_memory;
+    int is_flat; /* 1: the result is the value wanted in a part of the range */
+} question;
+
+/* ------------------------------------------------------------------------------------------- reading */
+
+static int refuse(const char *message)
+{
+    command_tell("error", "--solve", 0, message, NULL);
+    return 0;
+}
+
+/* Read a quantity as a value of this kind; 0 and a message if it is none. */
+static int read_value(const question *q, text words, const fourlink_value *as, double *value)
+{
+    quantity kind = flk_quantity_find(as->quantity);
+    char message[MESSAGE_SIZE];
+    double number;
+
+    if (!view_read(&q->v, kind, words, words, &number, message))
+        return refuse(message);
+    *value = view_si(&q->v, kind, number) / as->to_si;
+    return 1;
+}
+
+/* Find a name; 0 and a message if the deck has none. */
+static int find(const question *q, const char *name, fourlink_value *found)
+{
+    char message[MESSAGE_SIZE];
+
+    if (fourlink_results_find(q->in->results, name, found) == FOURLINK_OK)
+        return 1;
+    return refuse(flk_message(message, sizeof message,
+                              "'%t' is no column, fact, extreme or input of this deck",
+                              flk_text_of(name)));
+}
+
+/* Read where the result is taken, if it is a column. */
+static int read_angle(question *q, text at)
+{
+    char message[MESSAGE_SIZE];
+
+    q->angle = q->v.problem.motion.from;
+    if (!q->result.has_angle && !at.start)
+        return 1;
+    if (!q->result.has_angle || !at.start)
+        return refuse(flk_message(message, sizeof message,
+                                  q->result.has_angle
+                                      ? "'%t' has a value in each row: ask for it at a crank "
+                                        "angle, '%t at 60 deg', or for "
+                                        "its max() or min()"
+                                      : "'%t' is one value of the deck: it has none at an angle",
+                                  flk_text_of(q->name), flk_text_of(q->name)));
+    if (strcmp(q->result.quantity, "angle") == 0)
+        q->turn = 2 * M_PI / q->result.to_si;
+    return view_read(&q->v, QUANTITY_ANGLE, at, at, &q->angle, message) || refuse(message);
+}
+
+#define FORM                                                                       \
+    "expected 'KEY = LOW .. HIGH where NAME = VALUE', such as 'crank.length = 15 " \
+    "mm .. 25 mm where swing = 50 deg'"
+
+/* Read the question; 0 if it is none. */
+static int read_question(question *q)
+{
+    text left, right, key, range, low, high, name, value, at;
+
+    if (!flk_text_cut(flk_text_of(q->in->o->solve), " where ", &left, &right) ||
+        !flk_text_cut(left, "=", &key, &range) || !flk_text_cut(range, "..", &low, &high) ||
+        !flk_text_cut_last(right, "=", &name, &value))
+        return refuse(FORM);
+    at.start = NULL;
+    flk_text_cut(name, " at ", &name, &at);
+    flk_text_copy(key, q->key, sizeof q->key);
+    flk_text_copy(name, q->name, sizeof q->name);
+    if (!find(q, q->key, &q->of) || !find(q, q->name, &q->result) ||
+        !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
+        !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
+        return 0;
+    flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
+    flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
+    return q->low < q->high || refuse("the range has to rise: LOW .. HIGH");
+}
+
+/* ------------------------------------------------------------------------------------------- solving */
+
+/* NAME - VALUE with KEY set to x; NaN where it cannot be computed, or is unbounded. */
+static double excess(double x, void *data)
+{
+    question *q = data;
+    fourlink_value v;
+    double f;
+    int status = q->out_of_memory ? FOURLINK_NO_MEMORY
+                                  : fourlink_results_set(q->in->results, q->key, x, NULL);
+
+    if (status == FOURLINK_OK)
+        status = fourlink_results_value(q->in->results, q->name, q->branch, q->angle, &v);
+    q->out_of_memory |= status == FOURLINK_NO_MEMORY;
+    if (status != FOURLINK_OK || v.words || !gsl_finite(v.value))
+        return GSL_NAN;
+    q->least = GSL_MIN_DBL(q->least, v.value);
+    q->most = GSL_MAX_DBL(q->most, v.value);
+    f = v.value - q->wanted;
+    return q->turn > 0 ? f - q->turn * floor(f / q->turn + 0.5) : f;
+}
+
+static double nearness(double x, void *data)
+{
+    return -fabs(excess(x, data));
+}
+
+/* Write a solution. */
+static void put(question *q, double x)
+{
+    int is_csv = q->in->o->format == &csv_format;
+    double value = excess(x, q) + q->wanted;
+
+    if (!q->n++)
+        q->first = x;
+    if (q->in->o->print_deck)
+        return;
+    if (is_csv)
+        line_put(q->l, "%s,%17g,%17g\n", fourlink_branch_text((int)q->branch), x, value);
+    else
+        line_put(q->l, "%-9s %12g %s, %s = %12g %s\n", fourlink_branch_text((int)q->branch), x,
+                 q->unit, q->name, value, q->result_unit);
+}
+
+/* The last place where there is a value, between one that has it and one that has not. */
+static flk_sample end_of_values(question *q, flk_sample has, double has_not)
+{
+    int i;
+
+    for (i = 0; i < HALVINGS; i++) {
+        flk_sample middle;
+
+        middle.x = (has.x + has_not) / 2;
+        middle.value = excess(middle.x, q);
+        if (gsl_isnan(middle.value))
+            has_not = middle.x;
+        else
+            has = middle;
+    }
+    return has;
+}
+
+/* Find a zero between two places with values of opposite signs. */
+static void try_between(question *q, flk_sample from, flk_sample to)
+{
+    flk_bracket b = flk_bracket_of(from.x, to.x, from.value, to.value);
+    double size = fabs(q->wanted) + GSL_MIN_DBL(fabs(from.value), fabs(to.value)), x;
+
+    if (!(from.value * to.value < 0))
+        return;
+    x = flk_find_zero(excess, q, &b, 0);
+    if (fabs(excess(x, q)) <= CLOSE * size)
+        put(q, x);
+}
+
+/* Find where three values of one sign touch 0 at the middle one. */
+static void try_touching(question *q, const flk_sample p[3])
+{
+    flk_sample sides[3], best;
+    double size = fabs(p[0].value) + fabs(p[2].value);
+    int i;
+
+    if (!(p[0].value * p[1].value > 0 && p[1].value * p[2].value > 0) ||
+        fabs(p[1].value) > fabs(p[0].value) || fabs(p[1].value) > fabs(p[2].value))
+        return;
+    for (i = 0; i < 3; i++) {
+        sides[i].x = p[i].x;
+        sides[i].value = -fabs(p[i].value);
+    }
+    best = flk_find_peak(nearness, q, sides, 0);
+    if (-best.value <= CLOSE * size)
+        put(q, best.x);
+}
+
+/* Take the next place with a value; `p` are the last three, n of them in this piece. */
+static void take(question *q, flk_sample p[3], int *n, flk_sample next)
+{
+    p[0] = p[1];
+    p[1] = p[2];
+    p[2] = next;
+    ++*n;
+    if (next.value == 0 && !(*n >= 2 && p[1].value == 0))
+        put(q, next.x);
+    else if (next.value == 0)
+        q->is_flat = 1;
+    if (*n >= 2)
+        try_between(q, p[1], p[2]);
+    if (*n >= 3)
+        try_touching(q, p);
+}
+
+/* Walk through the range on a branch. */
+static void walk(question *q)
+{
+    flk_sample p[3], next;
+    double before = q->low;
+    int n = 0, k;
+
+    for (k = 0; k <= STEPS; k++) {
+        next.x = q->low + (q->high - q->low) * k / STEPS;
+        next.value = excess(next.x, q);
+        if (gsl_isnan(next.value)) {
+            if (n)
+                take(q, p, &n, end_of_values(q, p[2], next.x));
+            n = 0;
+        } else {
+            if (!n && k)
+                take(q, p, &n, end_of_values(q, next, before));
+            take(q, p, &n, next);
+        }
+        before = next.x;
+    }
+}
+
+static int tell_none(const question *q)
+{
+    char message[MESSAGE_SIZE];
+
+    if (q->least > q->most)
+        flk_message(message, sizeof message, "%s has no value in this range of %s", q->name,
+                    q->key);
+    else
+        flk_message(message, sizeof message,
+                    "%s is not %.6g %s in this range of %s: it goes from %.6g to %.6g", q->name,
+                    q->wanted, q->result_unit, q->key, q->least, q->most);
+    command_tell("error", "--solve", 0, message, NULL);
+    return EXIT_ROWS;
+}
+
+int solve_write(FILE *out, input *in)
+{
+    question q;
+    line l;
+    int i;
+
+    memset(&q, 0, sizeof q);
+    q.in = in;
+    q.l = &l;
+    q.least = GSL_POSINF;
+    q.most = GSL_NEGINF;
+    view_take(&q.v, in->results);
+    if (!read_question(&q))
+        return EXIT_USAGE;
+    line_start(&l, out);
+    if (in->o->format == &csv_format && !in->o->print_deck)
+        line_put(&l, "branch,%s (%s),%s (%s)\n", q.key, q.unit, q.name, q.result_unit);
+    for (i = 0; i < q.v.n_branches; i++) {
+        q.branch = q.v.branches[i];
+        walk(&q);
+    }
+    line_end(&l);
+    if (q.out_of_memory)
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    if (q.is_flat)
+        command_tell("note", "--solve", 0,
+                     "the result has this value in a part of the range, or in all of it", NULL);
+    if (q.n && in->o->print_deck)
+        fourlink_results_set(in->results, q.key, q.first, NULL);
+    return q.n ? 0 : tell_none(&q);
+}
