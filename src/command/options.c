@@ -194,6 +194,7 @@ typedef struct option_info {
     sheet_content content; /* SHEET_ROWS: any */
     size_t member;         /* 0: none */
     const char *words;     /* of the help */
+    const char *group;     /* of which it is the first; null: it is not the first */
 } option_info;
 
 #define KEY(key) key, NULL, SHEET_ROWS, 0
@@ -202,70 +203,80 @@ typedef struct option_info {
 #define MEMBER(member) NULL, NULL, SHEET_ROWS, offsetof(options, member)
 
 static const option_info table[] = {
-    {'f', "--format", "", OWN(set_format), "format of the output (default: table)"},
-    {'o', "--output", "FILE", OWN(set_output), "write to FILE, replaced only when complete"},
-    {'b', "--branch", "open|crossed|both", KEY("table.branch="),
-     "assembly mode (default: both; with gas: open)"},
-    {'i', "--interval", "QUANTITY", KEY("motion.interval="),
-     "interval of the crank angle, such as '10 deg'"},
-    {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
-     "columns to print, or values such as 'max(Ts), mu_min', one line for each deck; --list shows "
-     "their names"},
-    {0, "--units", "UNIT,UNIT,...", MEMBER(units),
-     "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs"},
-    {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side"},
     {'s', "--set", "[SECTION[ NAME].]KEY=VALUE", KEY(""),
-     "change the deck: --set 'motion.speed=100 rpm'"},
-    {'C', "--check", "[=FILE]", NULL, set_check, SHEET_CHECK, 0,
-     "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck"},
-    {0, "--answers", "FOLDER", NULL, set_answers, SHEET_CHECK, 0,
-     "compare one deck with each file of answers in FOLDER"},
-    {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
-     "print a score for each deck or file, not each value"},
-    {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
-     "how far values may differ, such as '1 %, 0.5 deg'"},
-    {0, "--expect", NULL, CONTENT(SHEET_EXPECT),
-     "print the values of the deck as answers for --check=FILE"},
-    {0, "--at", "ANGLE,COLUMN=VALUE,...", MEMBER(at),
-     "the rows at these crank angles, and where columns have these values, such as "
-     "--at='theta4 = 120 deg'"},
-    {0, "--allow-files", NULL, MEMBER(allow_files), "let a deck name files outside its folder"},
-    {'m', "--matrix", NULL, CONTENT(SHEET_MATRIX),
-     "print the nine equations, A x = b, for each row"},
-    {'S', "--summary", NULL, CONTENT(SHEET_SUMMARY),
-     "print facts, turning moment, extremes instead of rows"},
-    {'p', "--plot", "FILE", OWN(set_plot),
-     "draw a picture: %s, or -; the table is printed too with --format or "
-     "--output"},
-    {0, "--plot-kind", "KIND", OWN(set_plot_kind), "what to draw (default: mechanism):"},
-    {0, "--plot-at", "ANGLE,ANGLE,...", MEMBER(drawing.at),
-     "crank angles to draw, such as '40 deg'"},
-    {0, "--plot-x", "NAME", MEMBER(drawing.x),
-     "draw columns over this one (default: theta2 or time)"},
-    {0, "--ascii", NULL, MEMBER(ascii), "draw text pictures without Braille characters"},
-    {0, "--report", "FILE", OWN(set_report),
-     "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
-     "tables"},
-    {0, "--best", "'max|min NAME'", OWN(set_best),
-     "print the best design of the deck's [sweep], refined, as a deck"},
-    {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]"},
-    {0, "--design", "N|all", OWN(set_design),
-     "take design N of the deck's [sweep], from 1, as a deck"},
-    {0, "--solve", "'KEY = LOW .. HIGH where NAME = VALUE'", MEMBER(solve),
-     "the values of an input at which a fact, an extreme, or a column at an angle (NAME at ANGLE) "
-     "has a value"},
+     "change the deck: --set 'motion.speed=100 rpm'", "Deck:"},
+    {'b', "--branch", "open|crossed|both", KEY("table.branch="),
+     "assembly mode (default: both; with gas: open)", NULL},
+    {'i', "--interval", "QUANTITY", KEY("motion.interval="),
+     "interval of the crank angle, such as '10 deg'", NULL},
+    {0, "--allow-files", NULL, MEMBER(allow_files), "let a deck name files outside its folder",
+     NULL},
     {0, "--print-deck", NULL, MEMBER(print_deck),
      "print the deck as it is computed: with other values, of one design; of all: into "
-     "--output=FOLDER/"},
+     "--output=FOLDER/",
+     NULL},
+    {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
+     "columns to print, or values such as 'max(Ts), mu_min', one line for each deck; --list shows "
+     "their names",
+     "Output:"},
+    {0, "--at", "ANGLE,COLUMN=VALUE,...", MEMBER(at),
+     "the rows at these crank angles, and where columns have these values, such as "
+     "--at='theta4 = 120 deg'",
+     NULL},
+    {'S', "--summary", NULL, CONTENT(SHEET_SUMMARY),
+     "print facts, turning moment, extremes instead of rows", NULL},
+    {'m', "--matrix", NULL, CONTENT(SHEET_MATRIX),
+     "print the nine equations, A x = b, for each row", NULL},
+    {'l', "--list", NULL, CONTENT(SHEET_LIST),
+     "list columns and facts, with meanings: of the deck or, without a deck, all", NULL},
+    {'f', "--format", "", OWN(set_format), "format of the output (default: table)", NULL},
+    {'o', "--output", "FILE", OWN(set_output), "write to FILE, replaced only when complete", NULL},
+    {0, "--units", "UNIT,UNIT,...", MEMBER(units),
+     "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs", NULL},
+    {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side", NULL},
+    {'C', "--check", "[=FILE]", NULL, set_check, SHEET_CHECK, 0,
+     "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck",
+     "Checks and classes:"},
+    {0, "--answers", "FOLDER", NULL, set_answers, SHEET_CHECK, 0,
+     "compare one deck with each file of answers in FOLDER", NULL},
+    {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
+     "print a score for each deck or file, not each value", NULL},
+    {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
+     "how far values may differ, such as '1 %, 0.5 deg'", NULL},
+    {0, "--expect", NULL, CONTENT(SHEET_EXPECT),
+     "print the values of the deck as answers for --check=FILE", NULL},
+    {'p', "--plot", "FILE", OWN(set_plot),
+     "draw a picture: %s, or -; the table is printed too with --format or "
+     "--output",
+     "Pictures and reports:"},
+    {0, "--plot-kind", "KIND", OWN(set_plot_kind), "what to draw (default: mechanism):", NULL},
+    {0, "--plot-at", "ANGLE,ANGLE,...", MEMBER(drawing.at),
+     "crank angles to draw, such as '40 deg'", NULL},
+    {0, "--plot-x", "NAME", MEMBER(drawing.x),
+     "draw columns over this one (default: theta2 or time)", NULL},
+    {0, "--ascii", NULL, MEMBER(ascii), "draw text pictures without Braille characters", NULL},
+    {0, "--report", "FILE", OWN(set_report),
+     "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
+     "tables",
+     NULL},
+    {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]",
+     "Designs:"},
+    {0, "--design", "N|all", OWN(set_design),
+     "take design N of the deck's [sweep], from 1, as a deck", NULL},
+    {0, "--names", "FILE", MEMBER(names), "names for the files of --design=all, one a line", NULL},
+    {0, "--best", "'max|min NAME'", OWN(set_best),
+     "print the best design of the deck's [sweep], refined, as a deck", NULL},
+    {0, "--solve", "'KEY = LOW .. HIGH where NAME = VALUE'", MEMBER(solve),
+     "the values of an input at which a fact, an extreme, or a column at an angle (NAME at ANGLE) "
+     "has a value",
+     NULL},
     {0, "--synthesis", NULL, MEMBER(synthesis),
      "find the linkage of the deck's [synthesis] and print its deck; with --format, a list of all "
-     "solutions"},
-    {0, "--solution", "K", OWN(set_solution), "take solution K, from 1"},
-    {0, "--names", "FILE", MEMBER(names), "names for the files of --design=all, one a line"},
-    {'l', "--list", NULL, CONTENT(SHEET_LIST),
-     "list columns and facts, with meanings: of the deck or, without a deck, all"},
-    {'h', "--help", NULL, MEMBER(help), "print this text"},
-    {'V', "--version", NULL, MEMBER(version), "print the version"}};
+     "solutions",
+     "Synthesis:"},
+    {0, "--solution", "K", OWN(set_solution), "take solution K, from 1", NULL},
+    {'h', "--help", NULL, MEMBER(help), "print this text", "Help:"},
+    {'V', "--version", NULL, MEMBER(version), "print the version", NULL}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
@@ -403,8 +414,11 @@ void options_put_help(FILE *out)
               "crank angle. Reads standard input if no DECK is given, or for -.",
               0, width);
     line_put(&l, "\n");
-    for (i = 0; i < TABLE_COUNT; i++)
+    for (i = 0; i < TABLE_COUNT; i++) {
+        if (table[i].group)
+            line_put(&l, i ? "\n%s\n" : "%s\n", table[i].group);
         put_option(&l, &table[i], width < 2 * WORDS ? WORDS_BELOW : WORDS, width);
+    }
     line_put(&l, "\n");
     put_words(
         &l, "",

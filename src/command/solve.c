@@ -21,6 +21,7 @@
 
 #define STEPS 240
 #define HALVINGS 50
+#define ROUNDING 1e-11 /* of the value wanted: the same */
 #define CLOSE \
     1e-9 /* of the value wanted, or of the nearer one of a step: a zero, no jump and no pole */
 
@@ -142,7 +143,9 @@ static double excess(double x, void *data)
     q->least = GSL_MIN_DBL(q->least, v.value);
     q->most = GSL_MAX_DBL(q->most, v.value);
     f = v.value - q->wanted;
-    return q->turn > 0 ? f - q->turn * floor(f / q->turn + 0.5) : f;
+    if (q->turn > 0)
+        f -= q->turn * floor(f / q->turn + 0.5);
+    return f;
 }
 
 static double nearness(double x, void *data)
@@ -185,13 +188,19 @@ static flk_sample end_of_values(question *q, flk_sample has, double has_not)
     return has;
 }
 
+/* 1 if the result has its value at a step, but for rounding. */
+static int is_wanted(const question *q, double f)
+{
+    return fabs(f) <= ROUNDING * fabs(q->wanted);
+}
+
 /* Find a zero between two places with values of opposite signs. */
 static void try_between(question *q, flk_sample from, flk_sample to)
 {
     flk_bracket b = flk_bracket_of(from.x, to.x, from.value, to.value);
     double size = fabs(q->wanted) + GSL_MIN_DBL(fabs(from.value), fabs(to.value)), x;
 
-    if (!(from.value * to.value < 0))
+    if (!(from.value * to.value < 0) || is_wanted(q, from.value))
         return;
     x = flk_find_zero(excess, q, &b, 0);
     if (fabs(excess(x, q)) <= CLOSE * size)
@@ -224,10 +233,12 @@ static void take(question *q, flk_sample p[3], int *n, flk_sample next)
     p[1] = p[2];
     p[2] = next;
     ++*n;
-    if (next.value == 0 && !(*n >= 2 && p[1].value == 0))
-        put(q, next.x);
-    else if (next.value == 0)
-        q->is_flat = 1;
+    if (is_wanted(q, next.value)) {
+        q->is_flat |= *n >= 2 && is_wanted(q, p[1].value);
+        if (!(*n >= 2 && is_wanted(q, p[1].value)))
+            put(q, next.x);
+        return;
+    }
     if (*n >= 2)
         try_between(q, p[1], p[2]);
     if (*n >= 3)
