@@ -14,6 +14,7 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "drawing/svg.h"
 #include "pictures/plot.h"
 #include "report/interactive.h"
 #include "report/report.h"
@@ -414,6 +415,15 @@ CALLED(web_report) int web_report(void)
         return 0;
     line_put(&l, "%s", mistake.message);
     return end_answer() ? 2 : 0;
+}
+
+/* Answer with the style sheet of all drawings; returns 0 without memory. */
+CALLED(web_style) int web_style(void)
+{
+    if (!begin_answer())
+        return 0;
+    svg_put_style(out);
+    return end_answer();
 }
 
 /* Answer with the name in the room, typeset; returns 0 without memory. */

@@ -67,6 +67,10 @@ const tasks = {
         const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at, held ? 1 : 0);
         return {deck, scene: scene ? answer(true) : null};
     },
+    /* The style sheet of all drawings. */
+    style() {
+        return {text: answer(program.web_style())};
+    },
     curve({names}) {
         give("table.columns=" + names.join());
         if (!program.web_curve())
@@ -126,7 +130,7 @@ self.onmessage = async ({data}) => {
     try {
         await ready;
         const begun = performance.now();
-        if (data.task !== "open" && !isOpen)
+        if (data.task !== "open" && data.task !== "style" && !isOpen)
             throw new Error("no deck is open");
         const made = tasks[data.task](data);
         self.postMessage({id: data.id, time: performance.now() - begun, ...made});

@@ -383,6 +383,8 @@ async function tryExamples() {
         kinds.add(/mechanism = (\S+)/.exec(await value("deck"))[1]);
         check(name + ": " + await messages(), (await messages()).length === 0);
         check(name + " is drawn", await b.evaluate(`document.querySelectorAll(".panel svg circle").length > 5`));
+        const look = await b.evaluate(`(() => { const x = getComputedStyle(document.querySelector(".panel.whole path.crank")); return [x.stroke, x.fill, x.strokeWidth]; })()`);
+        check(name + ", the look of the crank: " + look, look.join() === "rgb(10, 47, 122),none,5px");
     }
     check("mechanisms: " + [...kinds], kinds.size === 3);
 }

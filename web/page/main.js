@@ -428,6 +428,8 @@ window.addEventListener("resize", () => handles.show()); /* the drawing has foun
 window.fourlinkPage = {isIdle: () => !working && !again && filling === 0, firstDrawing: 0, times: []};
 
 async function begin(isFirst) {
+    if (isFirst)
+        document.head.append(html("style", {}, (await program.ask("style", {})).text));
     const linked = await web.link.read(location.hash);
     if (linked)
         load(linked.name, linked.text, isFirst);
