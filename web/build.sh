@@ -53,7 +53,7 @@ build_program() {
     [ "$(cat web/objects/done 2>/dev/null)" = "$hash" ] && return
     rm -rf web/objects
     mkdir -p web/objects
-    (cd "$source" && find src/base src/mechanics src/deck src/motion src/results src/synthesis src/system src/view src/drawing src/pictures src/tables src/report web -name '*.c' \
+    (cd "$source" && find src web -name '*.c' ! -path 'src/command/*' \
         ! -name 'system_*.c' ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
         cd "$1" && work=$2 && shift 2
         for file; do

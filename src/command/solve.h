@@ -9,8 +9,8 @@
 
 #include "input.h"
 
-/* Answer --solve: write a line for each solution on each branch or, with --print-deck, the deck of the first.  Returns the
-** exit status: EXIT_ROWS if there is none. */
+/* Answer --solve: write a line for each solution on each branch or, with --print-deck, the deck of the first.
+** Returns the exit status: EXIT_ROWS if there is none. */
 int solve_write(FILE *out, input *in);
 
 #endif

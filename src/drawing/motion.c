@@ -228,11 +228,6 @@ void motion_add(motion *m, size_t step, const display *d)
     m->out_of_memory |= m->kept.out_of_memory;
 }
 
-fourlink_vector motion_place(const motion *m, const motion_item *x, size_t track, size_t step)
-{
-    return m->tracks[(x->first + track) * m->n_steps + step];
-}
-
 const char *motion_words(const motion *m, size_t item, size_t step)
 {
     size_t at = *words_at(m, item, step);

@@ -43,10 +43,7 @@ void motion_close(motion *m);
 ** of the steps before continues it; the words of notes may differ. */
 void motion_add(motion *m, size_t step, const display *d);
 
-/* The place of an item's track at a step. */
-fourlink_vector motion_place(const motion *m, const motion_item *x, size_t track, size_t step);
-
-/* Its words at a step; null if it is not there. */
+/* The words of an item at a step; null if it is not there. */
 const char *motion_words(const motion *m, size_t item, size_t step);
 
 #endif

@@ -515,8 +515,8 @@ static fourlink_vector on_path(const picture *p, fourlink_branch branch, unsigne
                                      : figure_place(p, &now.state).C;
 }
 
-/* Its last place between a step that the linkage reaches and one that it does not: near a dead position it goes
-** far in one step. */
+/* Its last place between a step that the linkage reaches and one that it does not: near a dead position
+** it goes far in one step. */
 static fourlink_vector end_of_path(const picture *p, fourlink_branch branch, unsigned long i,
                                    double reached, double beyond)
 {
