@@ -167,6 +167,8 @@ static int serves_options(input *in)
     char message[400], names[FORMATS_NAMES], words[FORMATS_NAMES + 40];
     int is_sweep = p->n_designs > 0;
     int has_values = p->has_values && o->content == SHEET_ROWS;
+    int has_slide = fourlink_slides((int)p->mechanism.design.kind, FOURLINK_COUPLER) ||
+                    fourlink_slides((int)p->mechanism.design.kind, FOURLINK_FOLLOWER);
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
         why = in->deck ? "nothing to check: no values in [expect]"
@@ -174,7 +176,7 @@ static int serves_options(input *in)
         name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
         why = "--matrix needs masses or loads; the deck has none";
-    } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
+    } else if (o->format == &paper_format && has_slide) {
         why = "--format=paper works for a four-bar only";
     } else if (!is_sweep && (o->parts || !in->is_design) && needs_sweep(o)) {
         why = needs_sweep(o);

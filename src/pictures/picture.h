@@ -32,7 +32,7 @@
       "polygons of velocity, acceleration and forces")                                            \
     X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT, picture_limits, NULL,             \
       "limits, transmission angle, instantaneous centres")                                        \
-    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK | PLOT_AT, picture_klein, NULL,          \
+    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_STROKE | PLOT_AT, picture_klein, NULL,                \
       "Klein's construction")                                                                     \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,            \
       picture_animation, NULL, "mechanism in motion")                                             \
@@ -45,7 +45,7 @@
 
 enum {
     PLOT_FORCES_OF_DECK = 1,
-    PLOT_SLIDER_CRANK = 2,
+    PLOT_STROKE = 2, /* a piston */
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,

@@ -213,7 +213,7 @@ static const char *missing(const picture *p)
         return "this picture needs --synthesis and a [synthesis] with a function";
     if ((needs & PLOT_ACTUAL) && p->v.problem.mode == FOURLINK_MODE_GIVEN)
         return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
-    if ((needs & PLOT_SLIDER_CRANK) && !p->v.kind.has_stroke)
+    if ((needs & PLOT_STROKE) && !p->v.kind.has_stroke)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
         p->v.n_columns > PICTURE_CURVES)

@@ -41,22 +41,22 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
 {
     static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
                                                {"mu * N34", "mu * { 2 * M34 | lguide }"}};
-    int is_slot = r->v.kind.has_slot;
+    int is_on_lever = r->v.kind.has_slot;
     const fourlink_forces *f = &r->now.forces;
-    double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
+    double N = is_on_lever ? f->N34 : f->F14y, M = is_on_lever ? f->M34 : f->M14;
     double l = friction->guide_length;
     int has_edges = l > 0 && 2 * fabs(M) > fabs(N) * l;
 
     if (!(r->now.losses.guide > 0)) {
-        page_print(m->p, "<p>The guide has none here: nothing slides or presses in it.</p>\n");
+        page_print(m->p, "<p>The guide has none here: nothing moves or presses in it.</p>\n");
         return;
     }
     math_set(m, "mu", friction->guide);
     math_set(m, "lguide", l);
-    math_set(m, is_slot ? "N34" : "N", fabs(N));
-    math_set(m, is_slot ? "M34" : "M14", fabs(M));
-    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide);
-    if (is_slot)
+    math_set(m, is_on_lever ? "N34" : "N", fabs(N));
+    math_set(m, is_on_lever ? "M34" : "M14", fabs(M));
+    math_let(m, "Fguide", products[is_on_lever][has_edges], r->now.losses.guide);
+    if (is_on_lever)
         math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y));
 }
 

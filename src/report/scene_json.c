@@ -50,16 +50,16 @@ void interactive_put_comma(line *l, int *n)
 static void put_link(line *l, const rows *t, int link)
 {
     const fourlink_joint *ends = &t->v.kind.joint[link - FOURLINK_CRANK];
-    int slides = t->v.kind.slides_on[link], n = 0, on;
-    const char *shape = slides                                            ? "block"
-                        : t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
+    int is_block = t->v.kind.slides_on[link], n = 0, on;
+    const char *shape = is_block                                          ? "block"
+                        : t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "lever"
                                                                           : "bar";
     unsigned long i;
     char name[TRACKS_NAME];
 
     interactive_put(l, "{\"link\":%lu,\"name\":%q,\"shape\":%q,\"pins\":[%q", (unsigned long)link,
                     t->v.kind.link[link], shape, ends[0].letter);
-    if (!slides)
+    if (!is_block)
         interactive_put(l, ",%q", ends[1].letter);
     line_put(l, "],\"points\":[");
     for (i = 0; i < t->v.problem.n_points; i++) {

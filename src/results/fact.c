@@ -52,7 +52,7 @@
     X(CRANK_LENGTH, "crank_length", LENGTH, LIMITS, "of the crank")                                \
     X(COUPLER_LENGTH, "coupler_length", LENGTH, LIMITS, "of the coupler or rod")                   \
     X(ROCKER_LENGTH, "rocker_length", LENGTH, LIMITS, "of the rocker or lever")                    \
-    X(LINE_OFFSET, "line_offset", LENGTH, LIMITS, "offset of the line of stroke or of the slide")  \
+    X(LINE_OFFSET, "line_offset", LENGTH, LIMITS, "offset of the line of stroke or of the lever")  \
     X(MU_RANGE, "mu_range", ANGLE, LIMITS, "smallest transmission angle in the working range")     \
     X(ERROR_ANGLE, "theta4_error", ANGLE, LIMITS, "largest structural error")                      \
     X(ERROR_LENGTH, "x_error", LENGTH, LIMITS, "largest structural error")                         \
@@ -340,7 +340,7 @@ static void add_limits(listing *t)
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
     add_fact(t, FACT_MU_MIN, limits.mu_min);
     add_fact(t, FACT_MU_MAX, limits.mu_max);
-    if (t->d->machine.mechanism.design.kind == FOURLINK_FOUR_BAR) {
+    if (!flk_kind_has_slide(t->d->machine.mechanism.design.kind)) {
         add_fact(t, FACT_GAMMA_MIN, limits.gamma_min);
         add_fact(t, FACT_GAMMA_MAX, limits.gamma_max);
     }

@@ -30,10 +30,16 @@ const char *fourlink_defect_text(int defect)
     return "unknown defect";
 }
 
+/* 1 if the output is the way of a piston; 0: the angle of link 4. */
+static int is_piston(fourlink_kind kind)
+{
+    return fourlink_slides((int)kind, FOURLINK_FOLLOWER);
+}
+
 double flk_output_error(const fourlink_state *state, fourlink_kind kind, double wanted)
 {
-    return kind == FOURLINK_SLIDER_CRANK ? state->link[4].origin.x - wanted
-                                         : flk_reduced(state->link[4].theta - wanted);
+    return is_piston(kind) ? state->link[4].origin.x - wanted
+                           : flk_reduced(state->link[4].theta - wanted);
 }
 
 /* `ratio` of the links.  Returns the size of the linkage. */
@@ -79,7 +85,7 @@ static int place(const fourlink_solution *s, const fourlink_mechanism *mechanism
     p->branch = found->branch;
     p->mu = found->mu;
     off = fabs(p->error);
-    if (s->design.kind == FOURLINK_SLIDER_CRANK)
+    if (is_piston(s->design.kind))
         off /= size;
     if (s->has_point &&
         fourlink_point(found, FOURLINK_COUPLER, &s->point, &at, NULL, NULL) == FOURLINK_OK) {

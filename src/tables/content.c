@@ -306,7 +306,7 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
         {"min(COLUMN)", "smallest value of any column"},
         {"mean(COLUMN)", "mean over the crank angle"},
         {"rms(COLUMN)", "root mean square over the crank angle"}};
-    name_list all[CONTENT_LISTED];
+    name_list all[CONTENT_LISTED] = {{NULL, 0}};
     fourlink_value statistic;
     size_t i;
 

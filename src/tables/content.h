@@ -15,7 +15,7 @@ void content_begin(sheet *s, FILE *out, int has_head);
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
 /* Write the names of several results, at most CONTENT_LISTED, as one list. */
-#define CONTENT_LISTED 5
+#define CONTENT_LISTED 16
 void content_write_list(sheet *s, fourlink_results *const *results, size_t n);
 
 /* Write the line of a deck, or of a file of answers, in a sheet of scores. */

@@ -35,7 +35,7 @@ function pins() {
     const list = [], A = () => planeOf("A"), B = () => planeOf("B"), D = () => planeOf("D");
     const along = (p) => dot(minus(p, A()), times(1 / size(minus(B(), A())), minus(B(), A())));
     list.push({at: "B", words: "pin B", settings: lengthOf(2, along)});
-    if (!data.links.some((link) => link.shape === "slot")) {
+    if (!data.links.some((link) => link.shape === "lever")) {
         const slides = data.links[2].shape === "block";
         const onStroke = (p) => editor.text && web.text.find(editor.text(), "ground", "offset") ? p : [p[0], planeOf("C")[1]];
         list.push({at: "C", words: "pin C", settings: slides
