@@ -350,6 +350,7 @@ module fourlink
   type, bind(c) :: fourlink_unit
     type(c_ptr) :: name ! for fourlink_text
     real(c_double) :: up, down
+    integer(c_int) :: is_given
   end type fourlink_unit
 
   type, bind(c) :: fourlink_change
@@ -371,7 +372,7 @@ module fourlink
     integer(c_long) :: answers_length = 0
     integer(c_long) :: design = 0
     type(c_ptr) :: units = c_null_ptr ! ends in c_null_char
-    integer(c_int) :: is_drawn = 0
+    integer(c_int) :: deck_units = 0
     integer(c_long) :: synthesis = 0
     integer(c_int) :: whole_cycle = 0
   end type fourlink_source

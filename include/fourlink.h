@@ -625,10 +625,11 @@ typedef struct fourlink_source {
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
     const char
-        *units;   /* units of results, such as "mm, kg, rpm", in place of those of the deck, whose
-                             bare numbers keep theirs; null: the deck's */
-    int is_drawn; /* 1: for pictures; lengths are in the unit in which that of the crank is written,
-                             unless the deck or `units` gives one */
+        *units; /* units of results, such as "mm, kg, rpm", or "SI", in place of those of the deck,
+                             whose bare numbers keep theirs; null: the deck's */
+    int deck_units; /* 1: for people; without a unit of length in the deck or in `units`, what has no
+                             unit there is in that of the crank's length and in SI or, where that is in
+                             or ft, in customary units: in/s, lbf, lbf in, lb, psi, hp ... */
     unsigned long
         synthesis;   /* K: for a deck with [synthesis], the linkage of solution K of its task,
                                 from 1; 0: such a deck has a mistake */
@@ -641,6 +642,7 @@ typedef struct fourlink_source {
 typedef struct fourlink_unit {
     const char *name; /* valid as long as the deck */
     double up, down;
+    int is_given; /* 1: by [units] or `units` of fourlink_source, and not by that of length alone */
 } fourlink_unit;
 
 /* The source of a load. */
@@ -1588,14 +1590,13 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);
 
-/* The unit of a quantity in a deck, for bare numbers and for printed ones.
+/* The unit of a quantity in the results of a deck.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
 **               angular_acceleration, inertia, force, torque, pressure, power, energy, stiffness, damping,
-**               torsional_stiffness, torsional_damping, mass_moment or number; drawn_length, for lengths in
-**               pictures: see `is_drawn` of fourlink_source
+**               torsional_stiffness, torsional_damping, mass_moment or number
 ** Returned:
 **    unit       its name and size
 ** Returned (function value):

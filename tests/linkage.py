@@ -22,7 +22,8 @@ KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank')
 NAMES = {'four-bar': ('ground', 'crank', 'coupler', 'rocker'), 'slider-crank': ('ground', 'crank', 'rod', 'piston'),
          'inverted-slider-crank': ('ground', 'crank', 'slider', 'lever')}
 SI = {'1': 1, 'm': 1, 'mm': 1e-3, 'cm': 1e-2, 'in': 0.0254, 'ft': 0.3048, 's': 1, 'min': 60, 'N': 1, 'kN': 1e3, 'kg': 1, 'J': 1,
-      'W': 1, 'kW': 1e3, 'Pa': 1, 'rad': 1, 'deg': math.pi / 180, 'lbf': 4.4482216152605}
+      'W': 1, 'kW': 1e3, 'Pa': 1, 'lb': 0.45359237, 'psi': 4.4482216152605 / 0.0254**2,
+      'hp': 550 * 0.3048 * 4.4482216152605, 'rad': 1, 'deg': math.pi / 180, 'lbf': 4.4482216152605}
 
 
 def si_of(unit):
@@ -53,14 +54,22 @@ def crossing(p, u, q, v):
     return p + u * cross(q - p, v) / cross(u, v)
 
 
+# with inches; an energy cannot be told from a torque there
+CUSTOMARY = 'in/s,in/s2,lb,lb.in2,lbf,lbf.in,hp,psi,lbf/in,lbf.s/in,lbf.in/rad,lbf.in.s/rad'
+
+
 def drawn_units(path):
-    """The option that gives results the unit of length that pictures of a deck have: that in which the crank is written."""
+    """The option that gives results the units that pictures of a deck have, by that in which the crank is written."""
     with open(path, encoding='utf-8', errors='replace') as deck:
         text = re.sub('[#;].*', '', deck.read())
     sections = dict(re.findall(r'^\[(\w+)\] *\n([^[]*)', text, re.M))
     own = re.search(r'^length *=', sections.get('units', ''), re.M)
     crank = re.search(r'^(?:length|stroke) *= *[-+\d.,e]+ *([a-z]+) *$', sections.get('crank', ''), re.M)
-    return ['--units=' + crank.group(1)] if crank and not own else []
+    if not crank or own:
+        return []
+    unit = crank.group(1)
+    others = CUSTOMARY.replace('in', unit) if unit in ('in', 'ft') else 'm/s,m/s2'
+    return ['--units=%s,%s' % (unit, others)]
 
 
 class Program:
@@ -150,7 +159,13 @@ class Deck:
         return self.number(self.links[link - 1] + '.length')
 
     def mass(self, link):
-        return self.number(self.links[link - 1] + '.mass')
+        """kg"""
+        name = self.links[link - 1] + '.mass'
+        return self.number(name) * si_of(self.units.get(name, 'kg'))
+
+    def gravity(self):
+        """m/s2"""
+        return self.vector('gravity') * si_of(self.units.get('gravity.x', 'm/s2'))
 
     def inertia(self, link):
         return self.number(self.links[link - 1] + '.inertia')

@@ -33,10 +33,7 @@ static size_t answer_length;
 static FILE *out; /* into `answer` */
 static line l;    /* into `out` */
 static fourlink_source source;
-static view v; /* of the deck; its results are null if it has mistakes */
-static fourlink_source drawn_source;
-static fourlink_results
-    *drawn;             /* with lengths in the unit in which the deck writes that of the crank */
+static view v;          /* of the deck; its results are null if it has mistakes */
 static double *numbers; /* of web_rows */
 
 /* Room for a text of this length; null if there is none. */
@@ -198,16 +195,6 @@ static void put_deck(void)
     put_names("all", FOURLINK_ALL_COLUMNS);
 }
 
-/* Open the deck again, unless it is drawn in its unit of length; a status. */
-static int open_drawn(void)
-{
-    drawn_source.design = v.problem.design;
-    drawn = v.results;
-    return strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0
-               ? FOURLINK_OK
-               : fourlink_results_open(&drawn_source, 0, &drawn, NULL, NULL);
-}
-
 /* Open the deck whose name, of this length and with its final zero, and whose text are in the room.
 ** Answers with its messages and, if it has no mistakes, what there is to see.  Returns a status. */
 CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
@@ -217,10 +204,8 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     fourlink_results *results = NULL;
     int status = FOURLINK_NO_MEMORY;
 
-    if (drawn != v.results)
-        fourlink_results_free(drawn);
     fourlink_results_free(v.results);
-    drawn = v.results = NULL;
+    v.results = NULL;
     free(deck);
     deck = input;
     input = NULL;
@@ -230,14 +215,12 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     source.length = length;
     source.design = FOURLINK_ANY_DESIGN;
     source.synthesis = 1;
-    drawn_source = source;
-    drawn_source.is_drawn = 1;
+    source.deck_units = 1;
     if (list)
         status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
     if (status == FOURLINK_OK) {
         view_take(&v, results);
         source.design = v.problem.design;
-        status = open_drawn();
         fourlink_results_notes(results, MOST_MISTAKES, list, &n);
     }
     if (status != FOURLINK_NO_MEMORY && begin_answer()) {
@@ -264,7 +247,7 @@ CALLED(web_scene) int web_scene(int branch, double at, int is_held)
     rows *t = malloc(sizeof *t);
     int done = 0, i;
 
-    if (t && rows_open(t, &drawn_source, drawn, at) && begin_answer()) {
+    if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
         for (i = 0; i < 2 && !is_held; i++)
             ranges[i] = place_nothing;
         done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at,
@@ -374,22 +357,25 @@ CALLED(web_status_text) const char *web_status_text(int status)
 /* Answer with a sheet in a format, by its number in formats_all.  Returns 0 without memory. */
 CALLED(web_sheet) int web_sheet(int format, int content)
 {
-    int done;
+    int done = 0;
     sheet *s = calloc(1, sizeof *s);
+    fourlink_source written = source;
+    fourlink_results *results = NULL;
 
-    if (!s || !begin_answer()) {
-        free(s);
-        return 0;
+    written.deck_units = formats_all[format] == &table_format;
+    if (s && fourlink_results_open(&written, 0, &results, NULL, NULL) == FOURLINK_OK &&
+        begin_answer()) {
+        s->format = formats_all[format];
+        s->content = (sheet_content)content;
+        s->n_decks = 1;
+        fourlink_results_list(results, FOURLINK_COLUMNS, &s->header, &s->n_header);
+        content_begin(s, out, 1);
+        content_write(s, results, source.name, NULL);
+        done = end_answer() && !s->out_of_memory;
     }
-    s->format = formats_all[format];
-    s->content = (sheet_content)content;
-    s->n_decks = 1;
-    fourlink_results_list(v.results, FOURLINK_COLUMNS, &s->header, &s->n_header);
-    content_begin(s, out, 1);
-    content_write(s, v.results, source.name, NULL);
-    done = !s->out_of_memory;
+    fourlink_results_free(results);
     free(s);
-    return end_answer() && done;
+    return done;
 }
 
 /* Answer with the report; the room has the crank angle of its sample calculation, or nothing: a deck
@@ -403,10 +389,10 @@ CALLED(web_report) int web_report(void)
 
     if (!begin_answer())
         return 0;
-    request.opened = drawn;
+    request.opened = v.results;
     request.found = NULL;
     request.at = *input && !v.problem.one_instant ? input : NULL;
-    done = report_write(out, &drawn_source, &request, &outcome, &mistake);
+    done = report_write(out, &source, &request, &outcome, &mistake);
     if (!end_answer() || done < 0)
         return 0;
     if (done > 0)

@@ -83,6 +83,7 @@ int catalogue_write(FILE *out, const options *o)
 
     memset(&source, 0, sizeof source);
     source.units = o->units;
+    source.deck_units = o->format == &table_format;
     source.name = "--units"; /* the only mistake there can be */
     for (; motion < sizeof motions / sizeof motions[0]; motion++)
         for (kind = 1; status == FOURLINK_OK && put_deck(deck, kind, motions[motion]); kind *= 2) {

@@ -15,7 +15,7 @@
 #include "pictures/plot.h"
 #include "report/report.h"
 
-/* What pictures and reports show: the deck with lengths in the unit in which it writes them. */
+/* What pictures and reports show: the results in the units of the deck. */
 typedef struct shown {
     fourlink_source source;
     fourlink_results *results; /* null: the deck has mistakes */
@@ -25,16 +25,11 @@ typedef struct shown {
 /* Returns 0 if out of memory. */
 static int open_shown(const input *in, shown *x)
 {
-    view v;
-
     x->source = in->source;
-    x->source.is_drawn = 1;
+    x->source.deck_units = 1;
     x->results = in->results;
     x->own = NULL;
-    if (!in->results)
-        return 1;
-    view_take(&v, in->results);
-    if (strcmp(v.drawn_length.name, v.units[QUANTITY_LENGTH].name) == 0)
+    if (!in->results || in->source.deck_units)
         return 1;
     if (fourlink_results_open(&x->source, 0, &x->own, NULL, NULL) != FOURLINK_OK)
         return 0;

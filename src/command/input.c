@@ -438,6 +438,7 @@ static int open_input(input *in)
     in->source.load = load_file;
     in->source.host = in;
     in->source.units = o->units;
+    in->source.deck_units = o->format == &table_format;
     if (!in->is_design) {
         in->source.changes = o->changes;
         in->source.n_changes = (unsigned long)o->n_changes;

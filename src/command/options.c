@@ -232,7 +232,7 @@ static const option_info table[] = {
     {'f', "--format", "", OWN(set_format), "format of the output (default: table)", NULL},
     {'o', "--output", "FILE", OWN(set_output), "write to FILE, replaced only when complete", NULL},
     {0, "--units", "UNIT,UNIT,...", MEMBER(units),
-     "units of results, such as 'mm, kg, rpm'; bare numbers of the deck keep theirs", NULL},
+     "units of results, such as 'mm, kg, rpm' or SI; bare numbers of the deck keep theirs", NULL},
     {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side", NULL},
     {'C', "--check", "[=FILE]", NULL, set_check, SHEET_CHECK, 0,
      "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck",

@@ -142,12 +142,13 @@ int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *
     if (!d || !name || !u)
         return FOURLINK_NULL;
     q = (int)flk_quantity_find(name);
-    own = q < QUANTITY_COUNT ? &d->units[q] : strcmp(name, "drawn_length") == 0 ? &d->drawn : NULL;
-    if (!own)
+    if (q == QUANTITY_COUNT)
         return FOURLINK_NO_SUCH_NAME;
+    own = &d->units[q];
     u->name = own->name;
     u->up = own->unit.up;
     u->down = own->unit.down;
+    u->is_given = own->is_given;
     return FOURLINK_OK;
 }
 

@@ -143,7 +143,6 @@ struct fourlink_deck {
     int digits;
     deck_unit units[QUANTITY_COUNT]; /* of results */
     deck_unit bare[QUANTITY_COUNT];  /* of bare numbers in the text */
-    deck_unit drawn;                 /* of lengths in pictures */
 
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes defects;                  /* of the linkage found by synthesis */

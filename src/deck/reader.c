@@ -165,7 +165,7 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     if (!p->out_of_memory && !p->not_text && !is_answers)
-        flk_values_drawn_unit(p, source);
+        flk_values_follow_units(p, source->deck_units);
     p->is_sound = !flk_mistakes_count(p->mistakes);
     return p->out_of_memory ? NULL : p;
 }
@@ -218,7 +218,6 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
     memcpy(d->bare, from->bare, sizeof d->bare);
-    d->drawn = from->drawn;
     d->sweep = from->sweep;
     d->solution = from->solution;
     d->settings = share(d, from->settings);

@@ -62,29 +62,24 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
     *end = '\0';
 }
 
-/* Areas are in the square of the unit of length, unless that unit has an exponent itself. */
-static void set_area(deck_unit *units)
-{
-    const deck_unit *length = &units[QUANTITY_LENGTH];
-    deck_unit *area = &units[QUANTITY_AREA];
-    size_t n = strlen(length->name), i;
-
-    for (i = 0; i < n; i++)
-        if (!flk_text_is_word(length->name[i]) || n > 8)
-            return;
-    strcpy(area->name, length->name);
-    strcat(area->name, "2");
-    area->unit.up = length->unit.up * length->unit.up;
-    area->unit.down = length->unit.down * length->unit.down;
-}
-
 static void set_unit(deck_unit *units, quantity q, text name, unit u)
 {
     name_unit(name, units[q].name);
     units[q].unit = u;
     units[q].is_given = 1;
-    if (q == QUANTITY_LENGTH)
-        set_area(units);
+}
+
+/* The units of results of a deck that gives none. */
+static void set_si(deck_unit *units)
+{
+    text bad;
+    int q;
+
+    for (q = 0; q < QUANTITY_COUNT; q++) {
+        strcpy(units[q].name, flk_quantities[q].unit);
+        flk_unit_read(flk_text_of(flk_quantities[q].unit), &units[q].unit, &bad);
+        units[q].is_given = q == QUANTITY_LENGTH; /* by which the others go */
+    }
 }
 
 void flk_values_result_units(parser *p, const char *list)
@@ -97,6 +92,10 @@ void flk_values_result_units(parser *p, const char *list)
 
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
+        if (flk_text_same(item, "SI")) {
+            set_si(p->d->units);
+            continue;
+        }
         k = flk_first_key(SECTION_UNITS);
         if (flk_unit_read(item, &u, &bad))
             while (k < flk_first_key(SECTION_UNITS + 1) &&
@@ -112,25 +111,99 @@ void flk_values_result_units(parser *p, const char *list)
     }
 }
 
-void flk_values_drawn_unit(parser *p, const fourlink_source *source)
+/* Units by that of length, %s; `metric`: where it is m, mm or another of SI, else SI. */
+static const struct {
+    quantity q;
+    const char *name;
+    int metric;
+} by_length[] = {{QUANTITY_AREA, "%s2", 1},
+                 {QUANTITY_SPEED, "%s/s", 0},
+                 {QUANTITY_ACCELERATION, "%s/s2", 0},
+                 {QUANTITY_MASS, "lb", 0},
+                 {QUANTITY_INERTIA, "lb.%s2", 0},
+                 {QUANTITY_MASS_MOMENT, "lb.%s", 0},
+                 {QUANTITY_FORCE, "lbf", 0},
+                 {QUANTITY_TORQUE, "lbf.%s", 0},
+                 {QUANTITY_ENERGY, "lbf.%s", 0},
+                 {QUANTITY_POWER, "hp", 0},
+                 {QUANTITY_PRESSURE, "psi", 0},
+                 {QUANTITY_STIFFNESS, "lbf/%s", 0},
+                 {QUANTITY_DAMPING, "lbf.s/%s", 0},
+                 {QUANTITY_TORSIONAL_STIFFNESS, "lbf.%s/rad", 0},
+                 {QUANTITY_TORSIONAL_DAMPING, "lbf.%s.s/rad", 0}};
+
+#define KINEMATIC 3 /* the first of them */
+
+/* Set the first `n` of them that are not given, all or the metric ones; `length` has no exponent. */
+static void set_by_length(deck_unit *units, size_t n, int metric, const char *length)
+{
+    char name[DECK_NAME_SIZE];
+    text bad;
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        deck_unit *own = &units[by_length[i].q];
+
+        if (own->is_given || (metric && !by_length[i].metric))
+            continue;
+        flk_message(name, sizeof name, by_length[i].name, length);
+        if (flk_unit_read(flk_text_of(name), &own->unit, &bad))
+            strcpy(own->name, name);
+    }
+}
+
+/* 1 for a unit such as mm; 0 for mm^1 or a product, to which no exponent can be added. */
+static int is_one_word(const char *name)
+{
+    while (flk_text_is_word(*name))
+        name++;
+    return !*name;
+}
+
+/* The unit in which the crank's length is written, or another length; null if it is bare. */
+static const setting *written_length(parser *p, text *name)
 {
     static const key_code lengths[] = {KEY_CRANK_LENGTH, KEY_CRANK_STROKE, KEY_COUPLER_LENGTH,
                                        KEY_ROD_LENGTH, KEY_GROUND_LENGTH};
     const size_t n = sizeof lengths / sizeof *lengths;
     const setting *s = NULL;
-    text name;
     size_t i;
 
-    p->d->drawn = p->d->units[QUANTITY_LENGTH];
     for (i = 0; i < n && !(s && IS_SET(s) && !s->is_pending); i++)
         s = flk_setting_find(p, lengths[i]);
-    name = flk_quantity_unit_text(s->value);
-    if (p->d->drawn.is_given || !name.length)
+    *name = flk_quantity_unit_text(s->value);
+    return name->length ? s : NULL;
+}
+
+void flk_values_follow_units(parser *p, int deck_units)
+{
+    static const char *const customary[] = {"in", "ft"};
+    const size_t all = sizeof by_length / sizeof *by_length;
+    deck_unit *units = p->d->units, *length = &units[QUANTITY_LENGTH];
+    const setting *s;
+    text name, bad;
+    unit u;
+    int i;
+
+    if (length->is_given) {
+        if (is_one_word(length->name))
+            set_by_length(units, KINEMATIC, 0, length->name);
         return;
-    name_unit(name, p->d->drawn.name);
-    p->d->drawn.unit = s->unit;
-    if (source->is_drawn)
-        set_unit(p->d->units, QUANTITY_LENGTH, name, s->unit);
+    }
+    s = deck_units ? written_length(p, &name) : NULL;
+    if (!s)
+        return;
+    name_unit(name, length->name);
+    length->unit = s->unit;
+    for (i = 0; i < 2; i++)
+        if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == s->unit.up &&
+            u.down == s->unit.down) {
+            strcpy(length->name, customary[i]);
+            set_by_length(units, all, 0, length->name);
+            return;
+        }
+    if (is_one_word(length->name))
+        set_by_length(units, KINEMATIC, 1, length->name);
 }
 
 /* A whole number. */

@@ -11,11 +11,11 @@
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
-/* The unit of lengths in pictures, and in all results if these are drawn: that in which the crank is written,
-** unless the deck or the host gives a unit of results. */
-void flk_values_drawn_unit(parser *p, const fourlink_source *source);
+/* The units of results that follow from others: those of speeds from that of lengths; if this is not given and
+** the results are in the units of the deck, all from that of the crank's length. */
+void flk_values_follow_units(parser *p, int deck_units);
 
-/* The units of results that a host asks for, such as "mm, kg, rpm", in place of the deck's. */
+/* The units of results that a host asks for, such as "mm, kg, rpm" or "SI", in place of the deck's. */
 void flk_values_result_units(parser *p, const char *list);
 
 /* The quantity of the argument of a load: FLK_THETA2 ... */

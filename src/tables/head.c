@@ -18,18 +18,6 @@ void head_put_kind(sheet *s)
     line_put(&s->l, "# %s\n", s->v.kind.words);
 }
 
-/* Offer columns in the unit of the lengths of the head, if theirs is another. */
-static void put_offer(sheet *s)
-{
-    const char *drawn = s->v.drawn_length.name, *own = s->v.units[QUANTITY_LENGTH].name;
-    unsigned long i;
-
-    for (i = 0; i < s->v.n_columns && strcmp(s->v.columns[i].quantity, "length") != 0; i++)
-        ;
-    if (i < s->v.n_columns && strcmp(drawn, own) != 0)
-        line_put(&s->l, "; --units=%s gives %s", drawn, drawn);
-}
-
 /* The kind and its type, as in "four-bar linkage: crank-rocker".  The name of a type may begin with that
 ** of the kind, which then comes once. */
 static void put_type(sheet *s)
@@ -43,7 +31,6 @@ static void put_type(sheet *s)
         line_put(&s->l, "# %s", words);
     else
         line_put(&s->l, "# %s: %s", kind, words);
-    put_offer(s);
     line_put(&s->l, "\n");
 }
 
@@ -51,13 +38,6 @@ static void put_type(sheet *s)
 static void put_value(sheet *s, const char *format, double si, quantity q)
 {
     line_put(&s->l, format, view_value(&s->v, q, si), s->v.units[q].name);
-}
-
-/* The same for a length, in the unit in which the deck writes that of the crank. */
-static void put_length(sheet *s, double si)
-{
-    line_put(&s->l, " %9g %s", si * s->v.drawn_length.down / s->v.drawn_length.up,
-             s->v.drawn_length.name);
 }
 
 static const int order[] = {FOURLINK_CRANK, FOURLINK_COUPLER, FOURLINK_FOLLOWER, FOURLINK_GROUND};
@@ -70,12 +50,10 @@ static void put_lengths(sheet *s)
     for (i = 0; i < 4; i++)
         if (design->link[order[i]].length > 0) {
             line_put(&s->l, "%s%s", n++ ? ", " : "# ", s->v.kind.link[order[i]]);
-            put_length(s, design->link[order[i]].length);
+            put_value(s, " %9g %s", design->link[order[i]].length, QUANTITY_LENGTH);
         }
-    if (design->offset != 0) {
-        line_put(&s->l, ", offset");
-        put_length(s, design->offset);
-    }
+    if (design->offset != 0)
+        put_value(s, ", offset %9g %s", design->offset, QUANTITY_LENGTH);
     if (design->angle != 0)
         put_value(s, ", angle %9g %s", design->angle, QUANTITY_ANGLE);
     line_put(&s->l, "\n");

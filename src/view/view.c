@@ -104,7 +104,6 @@ void view_take(view *v, fourlink_results *results)
     memset(v, 0, sizeof *v);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(fourlink_results_deck(results), flk_quantities[q].name, &v->units[q]);
-    fourlink_deck_unit(fourlink_results_deck(results), "drawn_length", &v->drawn_length);
     view_take_design(v, results);
 }
 
@@ -161,14 +160,19 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE])
 {
     quantity_value read;
-    unit own;
+    unit bare;
+    text bad;
 
-    own.up = v->units[q].up;
-    own.down = v->units[q].down;
-    own.dim = flk_quantities[q].dim;
-    if (!flk_quantity_read(value, words, q, own, &read, message))
+    if (v->units[q].is_given) {
+        bare.up = v->units[q].up;
+        bare.down = v->units[q].down;
+        bare.dim = flk_quantities[q].dim;
+    } else {
+        flk_unit_read(flk_text_of(flk_quantities[q].unit), &bare, &bad);
+    }
+    if (!flk_quantity_read(value, words, q, bare, &read, message))
         return 0;
-    *number = flk_unit_from_si(read.si, own);
+    *number = view_value(v, q, read.si);
     return 1;
 }
 

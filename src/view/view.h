@@ -24,7 +24,6 @@ typedef struct view {
     double
         end; /* the last crank angle of the motion, in the deck's unit; of a machine that stalls, there */
     fourlink_unit units[QUANTITY_COUNT];
-    fourlink_unit drawn_length;    /* in which pictures and heads have lengths */
     double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
     unsigned long n_columns;
@@ -53,8 +52,8 @@ const fourlink_value *view_extreme(const view_extremes *x, int handle);
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
                 int n, fourlink_results **results, fourlink_mistake *mistake);
 
-/* Read a value in the deck's unit of its quantity, or in one that follows it; 0 and a message, which is
-** about `words`. */
+/* Read a value in the unit that follows it, or else in the unit that [units] or --units gives for its
+** quantity, or else in SI; the number is in the unit of results.  0 and a message, which is about `words`. */
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 

@@ -28,7 +28,7 @@ check "the deck: $(grep -A 1 '^.crank' out)" grep -q '^length = 19.0401781986504
 "$fourlink" -f csv -b open -c swing out >set
 check "its swing: $(cat set)" awk -F, 'NR == 2 {exit !($2 > 39.9999999999 && $2 < 40.0000000001)}' set
 run 0 -b open --solve='crank.length = 10 mm .. 30 mm where swing = 40 deg' "$alvi"
-prints 'open      0.0190401781987 m, swing = 40 deg'
+prints 'open      19.0401781987 mm, swing = 40 deg'
 run 1 --solve='rocker.length = 40 mm .. 70 mm where swing = 95 deg' "$alvi"
 says 'swing is not 95 deg in this range of rocker.length: it goes from 34.6848 to 61.4195'
 swing=$("$fourlink" -f csv -b open -c swing "$alvi" | awk -F, 'NR == 2 {print $2}')

@@ -111,7 +111,7 @@ check 'a centre of mass' grep -Eq '^cg = \(0, (0|5)\) mm$' best.deck
 
 # which values stand at the end of their range
 "$fourlink" -b open -s 'sweep.crank.length=15 mm to 25 mm in 4' -s 'sweep.rocker.length=52 mm to 60 mm in 4' --best='max swing' "$alvi" >ends.deck
-check "both at an end: $(head -n 3 ends.deck)" test "$(grep -c '^# \(crank.length = 0.025\|rocker.length = 0.052\) m is at the end of its range\.$' ends.deck)" -eq 2
+check "both at an end: $(head -n 3 ends.deck)" test "$(grep -c '^# \(crank.length = 25\|rocker.length = 52\) mm is at the end of its range\.$' ends.deck)" -eq 2
 "$fourlink" -b open -s 'sweep.crank.length=16 mm to 28 mm step 4 mm' -s 'sweep.yield=mu_min > 50 deg' --best='max swing' "$alvi" >within.deck
 check 'none at an end' none 'at the end of its range' within.deck
 best 'max max(Ts)' -b open -s 'load.torque=0.2 N m'

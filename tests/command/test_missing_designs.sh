@@ -57,7 +57,7 @@ run 1 -f csv t.deck
 quiet
 check 'an empty cell' grep -q "^2,0.1[0-9]*,open,,[0-9].*,assembled only from [-0-9.]* to [-0-9.]* deg\$" out
 run 1 t.deck
-check 'nan in the table' grep -Eq '^ +2 +0\.1 +1 +nan +[0-9]' out
+check 'nan in the table' grep -Eq '^ +2 +100 +1 +nan +[0-9]' out
 check 'no legend of what is not there' none '^# type:' out
 
 # columns that only some designs have: as many cells in each line of csv

@@ -75,11 +75,13 @@ speed = 100 rpm
 END
 run 0 -b open -c theta2,x drawn.deck
 prints '# crank 2.5 in, rod 8 in'
-prints '# slider-crank, the crank turns fully; --units=in gives in'
-check 'the stroke in m' grep -qx '# *max *0.127000' out
-run 0 -b open -c theta2,mu drawn.deck
-prints '# slider-crank, the crank turns fully'
-check 'an offer without a length' none -e '--units' out
+check 'the way of the piston in inches' grep -qx '# *max *5.00000' out
+check 'no offer of another unit' none -e '--units' out
+run 0 --units=SI -b open -c theta2,x drawn.deck
+prints '# crank 0.0635 m, rod 0.2032 m'
+check 'in m' grep -qx '# *max *0.127000' out
+run 0 -f csv -b open -c theta2,x drawn.deck
+prints 'theta2 (deg),x (m)'
 for case in '::x (in)' ':--set=units.length=cm:x (cm)' ':--units=mm:x (mm)' ':--units=m:x (m)' ':--set=crank.length=0.1:x (m)'; do
     option=${case#*:}
     option=${option%:*}

@@ -509,7 +509,7 @@ def acting_on(deck, position, row, link, is_free=True):
         else:
             found.append(Acting('F₁₄', position.D, row.vector('F14'), pin='D'))
     G = position.point(link, deck.cg(link))
-    gravity = deck.vector('gravity')
+    gravity = deck.gravity()
     newton = 1 / si_of(deck.unit('force'))
     found.append(Acting('W' + '₂₃₄'[link - 2], G, deck.mass(link) * gravity * newton, kind=LOAD))
     for name, load in deck.loads().items():

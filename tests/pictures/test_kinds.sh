@@ -35,10 +35,10 @@ shows coupler-point-polar.svg open '30° apart' 'F₁₂ along (N)' 'F₁₂ acr
     'F₄₃ across (N)' 'F₃₄ along (N)' 'F₁₄ along (N)' 'F₁₄ across (N)' "F₁₄ on the rocker, in its axes"
 shows coupler-point-vectors.svg 'open, θ₂ = 60°' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
-    'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s²)' \
+    'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (mm/s)' 'y (mm/s²)' \
     'x (N)' 'x (mm)' push
 shows engine-mechanism.svg 'open, θ₂ = 60°' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Tₛ 'gas = 20774 N' 'θ₃ = -16.78°'
-shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s²)' 'θ₃ (°)' 'ω₃ (rad/s)' 'α₃ (rad/s²)'
+shows engine-motion.svg open crossed 'x (mm)' 'v (mm/s)' 'a (mm/s²)' 'θ₃ (°)' 'ω₃ (rad/s)' 'α₃ (rad/s²)'
 shows engine-forces.svg F₁₂ F₂₃ F₃₄ N Tₛ 'force (N)' 'Tₛ (N·m)'
 shows engine-turning-moment.svg 'turning moment -Tₛ (N·m)' mean
 shows engine-polar.svg 'F₁₂ along (N)' 'F₄₃ across (N)' open

@@ -20,7 +20,7 @@ done
 for name in 'theta3 (deg)' 'theta4 (deg)' 'omega4 (rad/s)' 'alpha4 (rad/s2)' 'theta2 (deg)' 'open' 'crossed'; do
     check "a terminal's motion: $name" grep -qF -e "$name" motion-coupler-point.txt
 done
-for name in 'velocity polygon, y (m/s)' 'acceleration polygon, y (m/s2)' 'free body of the rod, y (mm)' 'forces on the piston, y (N)'; do
+for name in 'velocity polygon, y (mm/s)' 'acceleration polygon, y (mm/s2)' 'free body of the rod, y (mm)' 'forces on the piston, y (N)'; do
     check "a terminal's vectors: $name" grep -qF -e "$name" vectors-engine.txt
 done
 # lines are Braille, with --ascii or without UTF-8 dots; both have the same shape and the same places

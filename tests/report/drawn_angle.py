@@ -13,6 +13,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
+from linkage import drawn_units  # noqa: E402
+
 fourlink, scenes, folders = sys.argv[1], sys.argv[2], sys.argv[3:]
 passed = failed = 0
 
@@ -67,8 +70,7 @@ def try_deck(path, folder, *options):
     if at is not None:
         check(f'{what}: the drawing starts at {start}', abs(start - float(at)) < 1e-9 * (1 + abs(start)))
     names = [c['name'] for c in data['columns']]
-    length = [c['unit'] for c in data['columns'] if c['unit'] in ('mm', 'cm', 'm', 'in', 'ft')]
-    units = ['--units=' + length[0]] if length else []
+    units = drawn_units(path)
     branch = data['branches'][0]
     csv = run('--format=csv', '--branch=' + branch['name'], f'--at={start!r}', '--columns=' + ','.join(names), *units, *options, path).stdout
     lines = [line.split(',') for line in csv.splitlines() if not line.startswith('#')]

@@ -12,7 +12,7 @@ for form in -C --check; do
 done
 lines out 7
 check 'a line for each' grep -Eq '^ok +good.deck:9: n = 3\.0, computed 3, open$' out
-check 'with its unit' grep -Eq '^ok +good.deck:10: stroke = 200 mm, computed 0\.2 m, open$' out
+check 'with its unit' grep -Eq '^ok +good.deck:10: stroke = 200 mm, computed 200 mm, open$' out
 check 'in words' grep -Eq '^ok +good.deck:11: type = .*, computed slider-crank, the crank turns fully, open$' out
 check 'with its angle' grep -Eq '^ok +good.deck:14: phi = 19\.47 deg, computed 19\.4712206345 deg at 90 deg, open$' out
 check 'a misprint' grep -Eq '^misprint confirmed +good.deck:16: n = 4, computed 3, open$' out

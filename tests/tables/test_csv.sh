@@ -38,7 +38,7 @@ check 'empty in csv' test "$(awk -F , 'NR > 1 {printf "%s%s ", $3, $4 == "" ? "-
 run 0 -f json $undefined
 check 'null in json' test "$(grep -c '"values":\[[0-9]*,null,null,' out)" -eq 2
 run 0 --summary $undefined
-check 'extremes pass over it' grep -Eq '^I13x( +[-0-9.]+){2} +1.5 +[-0-9.]+ m' out
+check 'extremes pass over it' grep -Eq '^I13x( +[-0-9.]+){2} +1500 +[-0-9.]+ mm' out
 check 'and there is none of what is nowhere defined' test "$(grep -c 'h2' out)" -eq 0
 
 # quoting, and one header for several decks

@@ -295,11 +295,11 @@ check 'the load where the piston turns round' awk -F, '
 # A curve that the motion leaves says which value holds there; of speeds too, if the motion is given.
 sed 's/^force = .*/force = 20 mm -100 N, 50 mm -300 N/; /^back/d' turns.deck >left.deck
 "$fourlink" -b open -c theta2 left.deck >out 2>err
-check 'a curve over x that is left' grep -qxF 'left.deck:11: note: x goes from 0 to 0.1 m: before 0.02 and after 0.05 m the value of the nearest point holds' err
+check 'a curve over x that is left' grep -qxF 'left.deck:11: note: x goes from 0 to 100 mm: before 20 and after 50 mm the value of the nearest point holds' err
 sed 's/^link = piston/link = rod/; s/^force = .*/torque = 0 mm 1 N m, 100 mm 2 N m;back = 20 mm 3 N m, 50 mm 4 N m/' \
     left.deck | tr ';' '\n' >back.deck
 "$fourlink" -b open -c theta2 back.deck >out 2>err
-check 'a way back that is left' grep -qxF 'back.deck:12: note: x goes from 0 to 0.1 m: before 0.02 and after 0.05 m the value of the nearest point holds' err
+check 'a way back that is left' grep -qxF 'back.deck:12: note: x goes from 0 to 100 mm: before 20 and after 50 mm the value of the nearest point holds' err
 sed 's/^force = .*/force = 0 mm -100 N, 100 mm -300 N/' left.deck >kept.deck
 "$fourlink" -b open -c theta2 kept.deck >out 2>err
 check 'one that is not' test "$(grep -c 'nearest point' err)" -eq 0

@@ -87,7 +87,7 @@ holds 'inputs first, under their heading' '
 holds 'masses, inertias, centres, loads, gravity, speed' '
     $0 ~ /^crank.mass +0.1 kg +mass$/ {n++}
     $0 ~ /^coupler.inertia +[0-9.e-]+ kg.m2 +moment of inertia about the centre of mass$/ {n++}
-    $1 == "rocker.cg.x" && $3 == "m" {n++}
+    $1 == "rocker.cg.x" && $3 == "mm" {n++}
     $1 == "gravity.y" && $2 == "-9.81" && $3 == "m/s2" {n++}
     $1 == "motion.speed" && $2 == "10.5" && $3 == "rad/s" {n++}
     $0 == "load Tl.link          rocker" {n++}
@@ -100,7 +100,7 @@ holds '6 digits' '
     END {exit bad}'
 run 0 -S engine.deck
 holds 'gas with its units' '
-    $1 == "gas.area" && $3 == "m2" {n++} /^gas.indicator +a curve$/ {n++} /^gas.back_area/ {bad = 1}
+    $1 == "gas.area" && $3 == "mm2" {n++} /^gas.indicator +a curve$/ {n++} /^gas.back_area/ {bad = 1}
     $1 == "flywheel.fluctuation" && $2 == "0.02" && $3 == "1" {n++}
     END {exit n != 3 || bad}'
 for deck in "$data"/*.deck "$decks/gas-engine.deck" "$decks/reach.deck"; do
@@ -161,7 +161,7 @@ check 'its name' grep -q '^"a ""b"", c.deck",mean_torque,' out
 # the same numbers in both formats
 run 0 -S -f csv -b open engine.deck
 mv out records
-run 0 -S -s table.digits=12 -b open engine.deck
+run 0 --units=SI -S -s table.digits=12 -b open engine.deck
 awk 'NR == FNR {split($0, field, ","); if (field[1] != "type") value[field[1]] = field[2]; next}
     /^# column/ {on = 1}
     /^#/ || $1 == "type" || $1 == "residual" || $2 == "a" {next}
@@ -178,7 +178,7 @@ check 'the same numbers as a table and in csv' test $? -eq 0
 run 0 --summary --format=csv --columns=x,v,theta3 --branch=open --set 'motion.cycle=720 deg' \
     --set 'motion.to=720 deg' "$decks/engine.deck"
 check 'max(x) of two revolutions' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,1\(80\|79.9999\|80.0000\)[0-9]*,open' out
-check 'min(v) of two revolutions' grep -q '^min(v),-16.566[0-9]*,m/s,286.8[0-9]*,open' out
+check 'min(v) of two revolutions' grep -q '^min(v),-16566.[0-9]*,mm/s,286.8[0-9]*,open' out
 run 0 --summary --format=csv --columns=x --branch=open --set 'motion.speed=-1000 rpm' \
     "$decks/engine.deck"
 check 'max(x) clockwise' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,-1\(80\|79.9999\|80.0000\)[0-9]*,open' out

@@ -85,7 +85,8 @@ function difference(one, other) {
     const isNumber = (s) => /^-?[0-9.]+(e[-+]?[0-9]+)?$/.test(s);
     for (let j = 0; j < x[0].length; j++) {
         const isRest = /^(energy_)?residual/.test(x[0][j]), isAngle = /\(deg\)$/.test(x[0][j]);
-        const largest = isRest ? 1e4 : Math.max(0, ...x.slice(1).map((row) => isNumber(row[j] || "") ? Math.abs(row[j]) : 0)) || 1;
+        const size = Math.max(0, ...x.slice(1).map((row) => isNumber(row[j] || "") ? Math.abs(row[j]) : 0));
+        const largest = isRest ? 1e4 : size > 1e-12 ? size : 1; /* less is rounding in a whole column */
         for (let i = 0; i < x.length; i++) {
             const [p, q] = [x[i][j], y[i][j]];
             if (!isNumber(p || "") || !isNumber(q || "")) {
