@@ -13,9 +13,9 @@
 **
 ** For an actual motion omega is its mean speed, and I is that of the flywheel and of the motor's rotor.
 **
-** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
-** moment is smooth, and Gauss and Kronrod's rule is exact to rounding.  E has its extremes at the corners
-** and where T crosses Tm.
+** The cycle is cut every few degrees and wherever a load's curve or window has a corner; in such a piece the
+** moment is smooth, and Gauss and Kronrod's rule is exact to rounding or the piece is halved.  E has its
+** extremes at the corners and where T crosses Tm, which is sought from degree to degree.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -26,12 +26,15 @@
 #include "base/solve.h"
 #include "turning.h"
 
-#define STEP (M_PI / 180)
-#define MOST_STEPS 100000
+#define DEGREE (M_PI / 180)
+#define MOST_DEGREES 100000
+#define PIECE 10      /* degrees */
 #define INSIDE 1e-10  /* rad, from a corner into the piece beside it */
 #define HALVINGS 1000 /* of pieces, at most */
 #define SHORTEST 1e-9 /* rad: no piece is halved below it */
 #define ROUGH 1e-8    /* a smooth piece is exact to 1e-13 if its rules agree to this */
+#define FINE 1e-13    /* of the largest moment over the cycle: less need not be found in a piece */
+#define FINEST 1e-6   /* rad: a kink, where friction turns round, is not cut more finely */
 
 typedef struct moment {
     flk_analysis *a;
@@ -73,35 +76,36 @@ static int has_speed(const deck *d)
     return d->motion.speed != 0 && d->motion.acceleration == 0;
 }
 
-/* Steps of a degree in the cycle; 0 if there is no turning moment. */
-static size_t turning_steps(const deck *d)
+/* Pieces of the cycle, without corners; 0 if there is no turning moment. */
+static size_t turning_pieces(const deck *d)
 {
-    double degrees = floor(d->machine.cycle / STEP + 0.5);
+    double degrees = floor(d->machine.cycle / DEGREE + 0.5);
 
-    return !d->has_forces || !has_speed(d) || degrees < 1 || degrees > MOST_STEPS ? 0
-                                                                                  : (size_t)degrees;
+    return !d->has_forces || !has_speed(d) || degrees < 1 || degrees > MOST_DEGREES
+               ? 0
+               : (size_t)ceil(degrees / PIECE);
 }
 
 /* The most pieces that there can be. */
 static size_t most_cuts(const flk_analysis *a)
 {
-    return turning_steps(a->d) + 1 + HALVINGS +
+    return turning_pieces(a->d) + 1 + HALVINGS +
            flk_corners_most(a->crank_motion.corners, a->d->machine.cycle);
 }
 
 int flk_turning_open(flk_analysis *a)
 {
-    if (!turning_steps(a->d))
+    if (!turning_pieces(a->d))
         return 1;
     a->turning_memory = malloc(2 * most_cuts(a) * sizeof *a->turning_memory);
     return a->turning_memory != NULL;
 }
 
-/* The pieces of the cycle: degrees, and the corners between them. */
+/* The pieces of the cycle: equal ones, and the corners between them. */
 static void cut(moment *m)
 {
-    double cycle = m->a->d->machine.cycle, corner, degree, at = 0;
-    size_t steps = turning_steps(m->a->d), i;
+    double cycle = m->a->d->machine.cycle, corner, end, at = 0;
+    size_t n = turning_pieces(m->a->d), i;
     flk_direction direction;
     flk_piece_end what;
 
@@ -110,12 +114,12 @@ static void cut(moment *m)
     direction.from = 0;
     direction.sense = direction.has_loads = 1;
     m->cuts[m->n_cuts++] = 0;
-    for (i = 1; i <= steps; i++, at = degree) {
-        degree = i < steps ? cycle * (double)i / (double)steps : cycle;
+    for (i = 1; i <= n; i++, at = end) {
+        end = i < n ? cycle * (double)i / (double)n : cycle;
         while ((corner = flk_corners_next(&direction, at, NULL, 0, &what)) <
-               degree - FLK_CORNERS_CLOSE(degree))
+               end - FLK_CORNERS_CLOSE(end))
             m->cuts[m->n_cuts++] = at = corner;
-        m->cuts[m->n_cuts++] = degree;
+        m->cuts[m->n_cuts++] = end;
     }
 }
 
@@ -130,12 +134,14 @@ static void halve(moment *m, size_t i)
 }
 
 /* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rule is not
-** exact is halved: near a change point the moment has a peak far narrower than a degree.  Where that does
+** exact is halved: near a change point the moment has a peak far narrower than a degree, and where friction
+** turns round a kink.  Where that does
 ** not end, the moment is unbounded. */
 static double mean_of(moment *m, double *scale)
 {
     size_t most = most_cuts(m->a), i = 0;
     double sum = 0;
+    int is_rough;
 
     *scale = 0;
     while (i + 1 < m->n_cuts) {
@@ -146,9 +152,11 @@ static double mean_of(moment *m, double *scale)
         if (gsl_isnan(T) || gsl_isnan(work[0].value))
             return GSL_NAN;
         *scale = GSL_MAX_DBL(*scale, fabs(T));
-        if (work[0].error > ROUGH * (work[0].size + *scale * length)) {
-            if (m->n_cuts == most || length < SHORTEST)
-                return GSL_NAN;
+        is_rough = work[0].error > ROUGH * (work[0].size + *scale * length);
+        if (is_rough && (m->n_cuts == most || length < SHORTEST))
+            return GSL_NAN;
+        if (is_rough || (work[0].error > FINE * *scale * m->a->d->machine.cycle &&
+                         m->n_cuts < most && length > FINEST)) {
             halve(m, i);
             continue;
         }
@@ -185,35 +193,45 @@ static void end_area(const moment *m, energy *e, double at, fourlink_turning *t)
     e->E_from = e->E;
 }
 
-static double fluctuation_of_energy(moment *m, fourlink_turning *t)
+/* Take up the energy of a piece; an area ends at each crossing in it. */
+static void take_up_piece(moment *m, size_t i, energy *e, int *is_below, fourlink_turning *t)
 {
-    energy e = {0, 0, 0, 0, 0};
-    int was_below = excess(m->cuts[0] + INSIDE, m) < 0;
-    size_t i;
+    double from = m->cuts[i], to = m->cuts[i + 1], taken = 0;
+    int n = (int)ceil((to - from) / DEGREE - INSIDE), k;
+    flk_sample low, high;
 
-    for (i = 0; i + 1 < m->n_cuts; i++) {
-        double from = m->cuts[i], to = m->cuts[i + 1];
-        double low = from + INSIDE, high = to - INSIDE;
-        double dE = m->work[i] - m->mean * (to - from);
-        double at_low = excess(low, m), at_high = excess(high, m);
-        int below = at_low < 0;
-
-        if (below != was_below) /* a jump */
-            end_area(m, &e, from, t);
-        was_below = at_high < 0;
-        if (below != was_below) {
-            flk_bracket b = flk_bracket_of(low, high, at_low, at_high);
+    low.x = from + INSIDE;
+    low.value = excess(low.x, m);
+    if ((low.value < 0) != *is_below) /* a jump */
+        end_area(m, e, from, t);
+    *is_below = low.value < 0;
+    for (k = 1; k <= n; k++, low = high) {
+        high.x = k < n ? from + (to - from) * k / n : to - INSIDE;
+        high.value = excess(high.x, m);
+        if ((high.value < 0) != *is_below) {
+            flk_bracket b = flk_bracket_of(low.x, high.x, low.value, high.value);
             double at = flk_find_zero(excess, m, &b, 0);
             flk_integral work;
 
             flk_integrate(moment_at, m, 1, from, at, &work);
             work.value -= m->mean * (at - from);
-            take_up(&e, work.value);
-            end_area(m, &e, at, t);
-            dE -= work.value;
+            take_up(e, work.value - taken);
+            end_area(m, e, at, t);
+            taken = work.value;
+            *is_below = high.value < 0;
         }
-        take_up(&e, dE);
     }
+    take_up(e, m->work[i] - m->mean * (to - from) - taken);
+}
+
+static double fluctuation_of_energy(moment *m, fourlink_turning *t)
+{
+    energy e = {0, 0, 0, 0, 0};
+    int is_below = excess(m->cuts[0] + INSIDE, m) < 0;
+    size_t i;
+
+    for (i = 0; i + 1 < m->n_cuts; i++)
+        take_up_piece(m, i, &e, &is_below, t);
     end_area(m, &e, m->a->d->machine.cycle, t);
     return e.greatest - e.least;
 }
