@@ -76,6 +76,7 @@ int catalogue_write(FILE *out, const options *o)
     fourlink_results *results[CONTENT_LISTED] = {NULL};
     fourlink_source source;
     fourlink_mistake mistake;
+    fourlink_change no_swing;
     char deck[DECK];
     int status = FOURLINK_OK, kind;
     size_t i, n = 0, motion = 0;
@@ -91,6 +92,15 @@ int catalogue_write(FILE *out, const options *o)
             source.length = (unsigned long)strlen(deck);
             status = fourlink_results_open(&source, 1, &results[n++], &mistake, NULL);
         }
+    no_swing.origin = "--list";
+    no_swing.assignment = "ground.length=125 mm"; /* the crank does not turn fully */
+    source.changes = &no_swing;
+    source.n_changes = 1;
+    put_deck(deck, 1, given);
+    source.text = deck;
+    source.length = (unsigned long)strlen(deck);
+    if (status == FOURLINK_OK)
+        status = fourlink_results_open(&source, 1, &results[n++], &mistake, NULL);
     memset(&s, 0, sizeof s);
     s.format = o->format;
     s.content = SHEET_LIST;

@@ -68,11 +68,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
 #define MASS_KEYS(X, S)                                                                            \
     X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND, "mass")                             \
     X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                           \
-      "radius of gyration about the centre of mass")                                               \
+      "gyration about the centre of mass")                                                         \
     X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND,                            \
-      "moment of inertia about the centre of mass")                                                \
-    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND,                                                   \
-      "centre of mass: x along the link, y to its left")                                           \
+      "inertia about the centre of mass")                                                          \
+    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND, "centre of mass: x along, y to the left")         \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND, "period as a pendulum") \
     X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND, "where it hangs as a pendulum")
 
@@ -153,10 +152,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND, "crank angle")                             \
     X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                               \
       "angle of the run-up from rest")                                                             \
-    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND,                                           \
-      "every row has this speed and acceleration")                                                 \
-    X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND,                                           \
-      "how the speed of the crank is determined")                                                  \
+    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND, "this speed and acceleration throughout") \
+    X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND, "how the crank's speed is determined")    \
     X(MOTION, MEAN_SPEED, "mean_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "mean over time")  \
     X(MOTION, TURNS, "turns", QUANTITY, NUMBER, ANY, ANY_KIND, "turns of the crank")               \
     X(MOTION, ROWS, "rows", WORD, NUMBER, ANY, ANY_KIND, "rows by angle or by time")               \
@@ -227,7 +224,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D,                                    \
       "a counterweight on the rocker or lever")                                                    \
     X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK,        \
-      "share of the reciprocating mass that is balanced")                                          \
+      "balanced share of reciprocating mass")                                                      \
     X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND,                             \
       "radius of the counterweights")                                                              \
     X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND,                                        \
@@ -242,7 +239,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND,                         \
       "moment of inertia of the flywheel")                                                         \
     X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND,                                       \
-      "the flywheel has this fluctuation in the actual motion")                                    \
+      "this fluctuation in the actual motion")                                                     \
     X(SYNTHESIS, TASK, "task", WORD, NUMBER, ANY, ANY_KIND, "what is wanted")                      \
     X(SYNTHESIS, POINTS, "points", TEXT, NUMBER, ANY, WITH_PIN_C, "precision points")              \
     X(SYNTHESIS, WEIGHTS, "weights", TEXT, NUMBER, ANY, WITH_PIN_C, "weights of the points")       \

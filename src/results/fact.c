@@ -15,33 +15,32 @@
 /* name, quantity, group, meaning */
 #define FACT_LIST(X)                                                                               \
     X(TYPE, "type", NUMBER, LIMITS, "type of the linkage, by Grashof")                             \
-    X(FREUDENSTEIN, "K", AREA, LIMITS, "(a^2 - b^2 + c^2 + d^2) / 2, Freudenstein")                \
+    X(FREUDENSTEIN, "K", AREA, LIMITS, "Freudenstein's (a^2-b^2+c^2+d^2)/2")                       \
     X(THETA2_FROM, "theta2_from", ANGLE, LIMITS, "first crank angle that can be reached")          \
     X(THETA2_TO, "theta2_to", ANGLE, LIMITS, "last crank angle that can be reached")               \
     X(THETA4_FROM, "theta4_from", ANGLE, LIMITS, "first angle that link 4 can have")               \
     X(THETA4_TO, "theta4_to", ANGLE, LIMITS, "last angle that link 4 can have")                    \
-    X(THETA4_SWING, "theta4_swing", ANGLE, LIMITS, "range of theta4: theta4_to - theta4_from")     \
-    X(ROD_RATIO, "n", NUMBER, LIMITS, "length of the rod / length of the crank")                   \
+    X(THETA4_SWING, "theta4_swing", ANGLE, LIMITS, "theta4_to - theta4_from")                      \
+    X(ROD_RATIO, "n", NUMBER, LIMITS, "length of rod / length of crank")                           \
     X(ROD_GYRATION, "k", LENGTH, LIMITS, "radius of gyration of the rod")                          \
-    X(PAIR_GYRATION, "k1", LENGTH, LIMITS, "gyration of m_a and m_b: k1^2 = b (l - b)")            \
-    X(M_A, "m_a", MASS, LIMITS, "part of the rod's mass at the crank pin")                         \
-    X(M_B, "m_b", MASS, LIMITS, "part of the rod's mass at the gudgeon pin")                       \
+    X(PAIR_GYRATION, "k1", LENGTH, LIMITS, "of m_a and m_b: k1^2 = b (l - b)")                     \
+    X(M_A, "m_a", MASS, LIMITS, "the rod's mass at the crank pin")                                 \
+    X(M_B, "m_b", MASS, LIMITS, "the rod's mass at the gudgeon pin")                               \
     X(ROD_PENDULUM, "L", LENGTH, LIMITS, "b + k^2/b, the equivalent pendulum")                     \
     X(ROD_DISTANCE, "d", LENGTH, LIMITS, "k^2/b, from the centre of mass to m_d")                  \
-    X(M_D, "m_d", MASS, LIMITS, "mass of the equivalent pair at distance d")                       \
+    X(M_D, "m_d", MASS, LIMITS, "mass of the equivalent pair, at d")                               \
     X(M_G, "m_g", MASS, LIMITS, "mass of that pair at the gudgeon pin")                            \
     X(MU_MIN, "mu_min", ANGLE, LIMITS, "smallest transmission angle, acute")                       \
     X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle, acute")                        \
-    X(GAMMA_MIN, "gamma_min", ANGLE, LIMITS, "smallest angle between coupler and rocker")          \
-    X(GAMMA_MAX, "gamma_max", ANGLE, LIMITS, "largest angle between coupler and rocker")           \
-    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of the rocker or lever")            \
-    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of the rocker or lever")             \
+    X(GAMMA_MIN, "gamma_min", ANGLE, LIMITS, "smallest angle between links 3 and 4")               \
+    X(GAMMA_MAX, "gamma_max", ANGLE, LIMITS, "largest angle between links 3 and 4")                \
+    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest theta4")                                  \
+    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest theta4")                                   \
     X(SWING, "swing", ANGLE, LIMITS, "angle between these limits")                                 \
-    X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "slow swing or stroke / quick one, in time")       \
+    X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "slow swing or stroke / quick one")                \
     X(STROKE, "stroke", LENGTH, LIMITS, "distance between the dead centres")                       \
-    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, LIMITS,                                       \
-      "piston farthest from the crankshaft")                                                       \
-    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "piston nearest to the crankshaft")   \
+    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, LIMITS, "farthest from the crankshaft")       \
+    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "nearest to the crankshaft")          \
     X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, LIMITS, "mass moment of its counterweight")     \
     X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, LIMITS, "its direction, from the crank")  \
     X(BALANCE_MASS, "balance_mass", MASS, LIMITS, "mass of the crank's counterweight")             \
@@ -59,9 +58,8 @@
     X(DEFECTS, "defects", NUMBER, LIMITS, "of the linkage found; 0: none")                         \
     X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, TURNING, "efficiency over a cycle")            \
     X(MEAN_TORQUE, "mean_torque", TORQUE, TURNING, "mean of the turning moment -Ts")               \
-    X(MEAN_POWER, "mean_power", POWER, TURNING, "mean torque times the speed of the crank")        \
-    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, TURNING,                                   \
-      "largest minus smallest energy in a cycle")                                                  \
+    X(MEAN_POWER, "mean_power", POWER, TURNING, "mean_torque * mean speed")                        \
+    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, TURNING, "max - min energy in a cycle")    \
     X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, TURNING,                                   \
       "coefficient of fluctuation of energy")                                                      \
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
@@ -98,7 +96,7 @@ static const struct {
     {FACT_MEAN_SPEED, "mean over time, of the last cycle"},
     {FACT_MEAN_SPEED_TEXTBOOK, "(largest + smallest speed) / 2"},
     {FACT_PERIOD, "duration of that cycle"},
-    {FACT_FLUCTUATION_EXACT, "(largest - smallest speed) / mean_speed"},
+    {FACT_FLUCTUATION_EXACT, "(max - min speed) / mean_speed"},
 };
 
 static const char *meaning_of(const deck *d, fact_code code)
@@ -492,6 +490,14 @@ static void add_actual(listing *t, flk_analysis *a)
         add_fact_if_defined(t, FACT_MOTOR_TORQUE, f->motor_torque);
 }
 
+/* 1 if theta4_min, theta4_max and swing say what theta4_from, theta4_to and theta4_swing would say. */
+static int has_swing(const fourlink_mechanism *mechanism)
+{
+    fourlink_limits limits;
+
+    return fourlink_limits_of(mechanism, FOURLINK_OPEN, &limits) == FOURLINK_OK && limits.has_swing;
+}
+
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
                             const flk_column *columns, size_t n_columns, flk_list *list)
 {
@@ -512,7 +518,8 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
             add_fact(&t, FACT_FREUDENSTEIN,
                      flk_derive_freudenstein(&t.d->machine.mechanism.design));
         add_reach(&t);
-        if (!has_slide && is_any_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING))
+        if (!has_slide && is_any_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING) &&
+            (handle || !has_swing(&t.d->machine.mechanism)))
             add_reach_of_rocker(&t, branch);
         add_rod(&t);
         add_balance(&t);

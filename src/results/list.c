@@ -171,7 +171,7 @@ static void derive_link(listing *t, int i)
     add_derived(t, name, "length", QUANTITY_LENGTH, link->length, "length");
     add_derived(t, name, "mass", QUANTITY_MASS, link->mass, "mass");
     add_derived(t, name, "inertia", QUANTITY_INERTIA, link->inertia,
-                "moment of inertia about the centre of mass");
+                "inertia about the centre of mass");
     add_derived(t, name, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
     add_derived(t, name, "cg.y", QUANTITY_LENGTH, link->cg.y,
                 "centre of mass, to the left of the link");

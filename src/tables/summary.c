@@ -2,7 +2,8 @@
 **
 ** summary.c - a summary in the format table: inputs, results, extremes of columns, a line each.
 **
-** Lines are 100 columns wide, or as a terminal: there meanings are broken, or left out where it is narrow.
+** Lines are 100 columns wide, or as a terminal: there long meanings are broken; all are left out where it is
+** narrow.  Most fit 80 columns.
 */
 #include <string.h>
 
@@ -15,10 +16,10 @@
 
 #define LINE 100
 #define NAME 20
-#define UNIT 7
-#define ANGLE 9
-#define BRANCH 8
+#define UNIT 6
+#define BRANCH 8         /* of extremes */
 #define LEAST_MEANING 20 /* letters of it in a line */
+#define MEANING 200
 
 /* Of extremes, so that those with 17 digits fit the line. */
 #define EXTREME_NAME 15
@@ -94,16 +95,9 @@ static size_t put_heading(sheet *s, const char *name)
     return NAME + width_of_value(s) + 1 + UNIT;
 }
 
-/* The heading of crank angles: at deg. */
-static const char *at_unit(const sheet *s, char at[FORMAT_SIZE])
-{
-    return flk_text_join(at, FORMAT_SIZE, "at ", s->v.units[QUANTITY_ANGLE].name, (char *)NULL);
-}
-
 void summary_put_inputs(sheet *s)
 {
-    char at[FORMAT_SIZE];
-    size_t start, used;
+    size_t start;
 
     head_put_title(s);
     head_put_kind(s);
@@ -111,28 +105,33 @@ void summary_put_inputs(sheet *s)
     put_meaning(s, start, put_heading(s, "# input"), "meaning");
     sheet_write_inputs(s, put_input);
     start = line_here(&s->l);
-    used = put_heading(s, "# result") + ANGLE + BRANCH;
-    line_field(&s->l, at_unit(s, at), ANGLE);
-    line_put(&s->l, " branch ");
-    put_meaning(s, start, used, "meaning");
+    put_meaning(s, start, put_heading(s, "# result"),
+                s->v.n_branches > 1                 ? "meaning"
+                : s->v.branches[0] == FOURLINK_OPEN ? "meaning, on the open branch"
+                                                    : "meaning, on the crossed branch");
+}
+
+/* What a fact means; where there are two branches, of which; its crank angle. */
+static const char *meaning_of(const sheet *s, const fourlink_value *f, char out[MEANING])
+{
+    const char *branch = s->v.n_branches > 1 ? name_of_branch(f->branch) : "";
+    char number[FORMAT_SIZE];
+
+    return flk_text_join(
+        out, MEANING, f->meaning, *branch ? ", " : "", branch, f->has_angle ? ", at " : "",
+        f->has_angle ? format_general(f->angle, s->v.problem.digits, number) : "", f->has_angle ? " " : "",
+        f->has_angle ? s->v.units[QUANTITY_ANGLE].name : "", (char *)NULL);
 }
 
 void summary_put_fact(sheet *s, const fourlink_value *f)
 {
-    size_t start = line_here(&s->l), used;
+    size_t start = line_here(&s->l);
+    char meaning[MEANING];
 
-    if (f->words) {
+    if (f->words)
         put_words(s, f);
-        return;
-    }
-    used = put_value(s, f) + ANGLE + BRANCH;
-    if (f->has_angle)
-        line_value(&s->l, f->angle, s->v.problem.digits, ANGLE);
     else
-        line_field(&s->l, "", ANGLE);
-    line_put(&s->l, " ");
-    line_left(&s->l, name_of_branch(f->branch), BRANCH - 1);
-    put_meaning(s, start, used, f->meaning);
+        put_meaning(s, start, put_value(s, f), meaning_of(s, f, meaning));
 }
 
 /* A measure of rounding has no angle, and two digits. */
@@ -158,6 +157,12 @@ static size_t put_gap(sheet *s, size_t start)
     start = line_here(&s->l);
     line_left(&s->l, "", EXTREME_NAME);
     return start;
+}
+
+/* The heading of crank angles: at deg. */
+static const char *at_unit(const sheet *s, char at[FORMAT_SIZE])
+{
+    return flk_text_join(at, FORMAT_SIZE, "at ", s->v.units[QUANTITY_ANGLE].name, (char *)NULL);
 }
 
 static void put_heading_of_extremes(sheet *s)

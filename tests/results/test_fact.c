@@ -87,7 +87,7 @@ TEST(test_reach_of_link_4)
     double half = acos((0.25 + 0.5625 - 0.49) / (2 * 0.5 * 0.75)) / DEG;
     double from[2], to[2], low = 180 - acos(2140. / 8960) / DEG,
                            high = 180 - acos(7420. / 8960) / DEG;
-    int n_from = 0, n_to = 0, above;
+    int n_from = 0, k, above;
     unsigned long i;
 
     facts_of(four_bar(0.3, 0.4, 0.5, 0.75, ""), &list);
@@ -95,33 +95,21 @@ TEST(test_reach_of_link_4)
     check_fact(&list, "theta4_to", FOURLINK_OPEN, 180 + half, 1e-12);
     check_fact(&list, "theta4_swing", FOURLINK_OPEN, 2 * half, 1e-12);
     facts_of(four_bar(0.020, 0.066, 0.056, 0.080, ""), &list);
-    for (i = 0; i < list.n; i++) {
-        if (strcmp(list.list[i].name, "theta4_from") == 0 && n_from < 2)
-            from[n_from++] = turned(list.list[i].value, 360);
-        if (strcmp(list.list[i].name, "theta4_to") == 0 && n_to < 2)
-            to[n_to++] = turned(list.list[i].value, 360);
-        if (strcmp(list.list[i].name, "theta4_swing") == 0)
-            assert_near(list.list[i].value, high - low, 1e-11);
+    for (k = 0; k < 2; k++) { /* they are not listed beside theta4_min and theta4_max, but known */
+        assert_null(find_fact(&list, "theta4_from", branches[k]));
+        from[k] = turned(si_value(list.results, "theta4_from", branches[k], 0) / DEG, 360);
+        to[k] = turned(si_value(list.results, "theta4_to", branches[k], 0) / DEG, 360);
+        assert_near(si_value(list.results, "theta4_swing", branches[k], 0) / DEG, high - low,
+                    1e-11);
+        /* a branch has its own range only */
+        assert_near(from[k], turned(value_of(&list, "theta4_min", branches[k]), 360), 1e-11);
+        assert_near(to[k], turned(value_of(&list, "theta4_max", branches[k]), 360), 1e-11);
     }
-    assert_true(n_from == 2 && n_to == 2);
     above = from[0] > 0 ? 0 : 1;
     assert_near(from[above], low, 1e-11);
     assert_near(to[above], high, 1e-11);
     assert_near(from[1 - above], -high, 1e-11);
     assert_near(to[1 - above], -low, 1e-11);
-    /* each range belongs to a branch */
-    assert_near(find_fact(&list, "theta4_from", FOURLINK_OPEN)->value,
-                find_fact(&list, "theta4_min", FOURLINK_OPEN)->value, 1e-11);
-    assert_near(find_fact(&list, "theta4_to", FOURLINK_CROSSED)->value,
-                find_fact(&list, "theta4_max", FOURLINK_CROSSED)->value, 1e-11);
-    /* a branch has its own range only */
-    assert_int_equal(fourlink_results_facts(list.results, FOURLINK_CROSSED, FOURLINK_FACTS_LIMITS,
-                                            &list.list, &list.n),
-                     FOURLINK_OK);
-    for (n_from = 0, i = 0; i < list.n; i++)
-        n_from += strcmp(list.list[i].name, "theta4_from") == 0;
-    assert_int_equal(n_from, 1);
-    assert_near(turned(value_of(&list, "theta4_from", FOURLINK_CROSSED), 360), -high, 1e-11);
     /* of a double rocker none does */
     facts_of(four_bar(0.066, 0.020, 0.056, 0.080, ""), &list);
     n_from = 0;
