@@ -58,12 +58,6 @@ static int add_column(batch *b, const fourlink_value *column)
     return 1;
 }
 
-/* 1 if a deck's columns are values of the deck. */
-static int has_values(const input *in)
-{
-    return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
-}
-
 /* 1 if the command line names columns. */
 static int names_columns(const options *o)
 {
@@ -82,10 +76,10 @@ static int add_columns(batch *b, const input *in)
     const fourlink_value *list;
     unsigned long count = 0, k, j;
 
-    b->has_values |= has_values(in);
+    b->has_values |= input_has_values(in);
     if (in->results)
-        fourlink_results_list(in->results, has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
-                              &list, &count);
+        fourlink_results_list(
+            in->results, input_has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &count);
     for (k = 0; k < count; k++) {
         for (j = 0; j < b->n_header; j++)
             if (strcmp(b->header[j].name, list[k].name) == 0 &&
@@ -141,7 +135,7 @@ static int write_input(batch *b, const input *in)
     s->mark = in->deck ? &mark : NULL;
     if (s->content == SHEET_SCORES)
         content_write_mark(s, &mark);
-    else if (b->has_values && in->results && !has_values(in))
+    else if (b->has_values && in->results && !input_has_values(in))
         content_write(s, NULL, in->name, "its columns are of rows, not values of the deck");
     else
         content_write(s, in->results, in->name, in->refusal);

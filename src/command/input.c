@@ -12,6 +12,7 @@
 #include "command.h"
 #include "files.h"
 #include "input.h"
+#include "rules.h"
 #include "tables/content.h"
 #include "view/view.h"
 
@@ -113,23 +114,6 @@ static int shows_rows(const input *in)
     return o->report || (o->plot && !shows_outputs);
 }
 
-/* 1 if the linkage of the deck was found by synthesis. */
-static int has_task(const input *in)
-{
-    unsigned long chosen, n;
-
-    return fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n) ==
-           FOURLINK_OK;
-}
-
-/* Why the options need a [sweep], or null. */
-static const char *needs_sweep(const options *o)
-{
-    return o->parts                      ? "--part needs a [sweep]; the deck has none"
-           : o->design || o->all_designs ? "--design needs a [sweep]; the deck has none"
-                                         : NULL;
-}
-
 /* 1 if a text has the word, in letters of any case. */
 static int has_word(const char *start, size_t length, const char *word)
 {
@@ -158,51 +142,28 @@ static int has_no_sweep(const input *in)
     return !in->o->synthesis && !has_word(in->source.text, in->source.length, "sweep");
 }
 
+int input_has_values(const input *in)
+{
+    return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
-    char message[400], names[FORMATS_NAMES], words[FORMATS_NAMES + 40];
-    int is_sweep = p->n_designs > 0;
-    int has_values = p->has_values && o->content == SHEET_ROWS;
-    int has_slide = fourlink_slides((int)p->mechanism.design.kind, FOURLINK_COUPLER) ||
-                    fourlink_slides((int)p->mechanism.design.kind, FOURLINK_FOLLOWER);
+    char message[400];
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
         why = in->deck ? "nothing to check: no values in [expect]"
                        : "nothing to check: no [expect] or [misprint] section";
         name = in->source.answers_name ? in->source.answers_name : in->name;
-    } else if (o->content == SHEET_MATRIX && !p->has_forces) {
-        why = "--matrix needs masses or loads; the deck has none";
-    } else if (o->format == &paper_format && has_slide) {
-        why = "--format=paper works for a four-bar only";
-    } else if (!is_sweep && (o->parts || !in->is_design) && needs_sweep(o)) {
-        why = needs_sweep(o);
-    } else if (o->design && is_sweep) {
+    } else if (o->design && p->n_designs) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
-    } else if (o->synthesis && !in->is_design && !has_task(in)) {
-        why = "--synthesis needs a [synthesis]; the deck has none";
-    } else if (is_sweep && o->solve) {
-        why = "--solve works for one design of a [sweep], with --design=N";
-    } else if (is_sweep && o->print_deck && !o->all_designs) {
-        why = "--print-deck prints one design of a [sweep], with --design=N, or all, with "
-              "--design=all";
-    } else if (is_sweep && o->n_decks > 1) {
-        why = "a deck with a [sweep] must be the only deck";
-    } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
-        why = "--check, --expect, --matrix and --summary work for one design of a [sweep], with "
-              "--design=N";
-    } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
-        why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
-                            formats_of(SHEET_DESIGNS, ", ", " or ", names), " only", (char *)NULL);
-    } else if (has_values && !(o->format->writes & 1 << SHEET_VALUES)) {
-        why = flk_text_join(words, sizeof words, "values of the deck can be printed as ",
-                            formats_of(SHEET_VALUES, ", ", " or ", names), " only", (char *)NULL);
-    } else if (has_values && o->at) {
-        why = "--at shows rows; the columns are values of the deck";
+    } else if ((why = rules_of_deck(in)) != NULL) {
+        ;
     } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
@@ -431,8 +392,8 @@ static int open_input(input *in)
     const options *o = in->o;
     int status;
 
-    if (needs_sweep(o) && has_no_sweep(in)) {
-        tell_mistake(in, in->name, needs_sweep(o));
+    if (rules_without_sweep(o) && has_no_sweep(in)) {
+        tell_mistake(in, in->name, rules_without_sweep(o));
         return EXIT_USAGE;
     }
     in->source.load = load_file;

@@ -51,6 +51,9 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
 
 void input_close(input *in);
 
+/* 1 if the columns are values of the deck, printed as one line for each branch. */
+int input_has_values(const input *in);
+
 /* The text of a deck with the values that are computed: memory to free, null if there is not enough. */
 char *input_deck_text(const fourlink_results *results, unsigned long *length);
 

@@ -12,6 +12,7 @@
 #include "base/number.h"
 #include "system/system.h"
 #include "options.h"
+#include "rules.h"
 #include "tables/content.h"
 #include "terminal.h"
 
@@ -107,8 +108,7 @@ static int set_plot(options *o, const char *value, char message[400])
     return o->drawing.file != PLOT_FILE_COUNT;
 }
 
-/* 1 if a name says that it is a folder's: it ends in a slash. */
-static int is_folder(const char *name)
+int options_is_folder(const char *name)
 {
     return name && *name && name[strlen(name) - 1] == '/';
 }
@@ -116,7 +116,7 @@ static int is_folder(const char *name)
 static int set_report(options *o, const char *value, char message[400])
 {
     o->report = value;
-    return is_folder(value) || flk_text_ends_in(flk_text_of(value), ".html") ||
+    return options_is_folder(value) || flk_text_ends_in(flk_text_of(value), ".html") ||
            flk_text_ends_in(flk_text_of(value), ".htm") ||
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
@@ -434,73 +434,6 @@ static int has_picture(const options *o)
     return o->plot || o->report;
 }
 
-/* 1 if a deck, which is printed, is asked for together with something else. */
-static int has_other_output(const options *o)
-{
-    return o->content != SHEET_ROWS || o->parts || has_picture(o) || o->n_decks > 1 ||
-           o->format != &table_format;
-}
-
-/* What does not go together, or null. */
-static const char *find_conflict(const options *o)
-{
-    if (o->n_contents > 1)
-        return "use only one of --check, --expect, --summary, --matrix and --list";
-    if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || has_picture(o) ||
-                  o->format == &paper_format))
-        return "--at chooses rows of a table, csv, json or --expect";
-    if (o->answers && o->n_decks > 1)
-        return "--answers takes one deck; for a deck of each student give --check=FOLDER";
-    if (o->answers && has_picture(o))
-        return "--answers prints scores: it takes no picture and no report";
-    if (o->content == SHEET_EXPECT && o->n_decks > 1)
-        return "--expect takes one deck, not several";
-    if (o->best && has_other_output(o))
-        return "--best prints a deck: it takes one deck and no other output";
-    if (o->solve && (o->content != SHEET_ROWS || o->parts || has_picture(o) || o->n_decks > 1 ||
-                     o->best || o->at || (o->format != &table_format && o->format != &csv_format)))
-        return "--solve prints a table or csv of one deck, and no other output";
-    if (o->print_deck && (has_other_output(o) || o->best || o->at))
-        return "--print-deck prints a deck: it takes one deck and no other output";
-    return NULL;
-}
-
-/* The same of designs and of pictures. */
-static const char *find_further_conflict(const options *o)
-{
-    int is_output = is_folder(o->output), wanted = o->plot != NULL;
-
-    if (o->all_designs && !((o->print_deck || o->content == SHEET_EXPECT) && is_output) &&
-        !(is_folder(o->report) && !o->output))
-        return "--design=all needs --print-deck or --expect with --output=FOLDER/, or "
-               "--report=FOLDER/: it writes one file each";
-    if (o->all_designs && o->content == SHEET_EXPECT && o->report)
-        return "--design=all writes answers or reports, one of them at a time";
-    if (o->all_designs && strcmp(o->decks[0], "-") == 0)
-        return "--design=all reads the deck for each design: it needs a file";
-    if (!o->all_designs && is_folder(o->report))
-        return "--report=FOLDER/ needs --design=all";
-    if (o->names && !o->all_designs)
-        return "--names needs --design=all";
-    if (o->design && (o->parts || o->best))
-        return "--design takes one design, not the whole [sweep]";
-    if (o->solution && !o->synthesis)
-        return "--solution needs --synthesis";
-    if (o->synthesis && o->n_decks > 1)
-        return "--synthesis takes one deck, not several";
-    if (!wanted && o->drawing.at && !o->report)
-        return "--plot-at needs --plot or --report";
-    if (!wanted && o->drawing.x)
-        return "--plot-x needs --plot";
-    if (!wanted && o->drawing.kind != PLOT_COUNT)
-        return "--plot-kind needs --plot";
-    if (o->report && o->n_decks > 1)
-        return "--report takes one deck, not several";
-    if (wanted && o->n_decks > 1)
-        return "--plot takes one deck, not several";
-    return NULL;
-}
-
 /* Refuse crank angles for a kind of picture; returns 0. */
 static int refuse_at(const char *kind, char message[400])
 {
@@ -579,7 +512,10 @@ int options_read(int argc, char **argv, options *o, char message[400])
             i += used_next;
         }
     }
-    why = find_conflict(o);
+    o->lists_all = !o->n_decks && o->content == SHEET_LIST && !o->n_changes && has_no_input();
+    if (!o->n_decks)
+        o->decks[o->n_decks++] = "-";
+    why = rules_of_options(o);
     if (why)
         return say(message, why, "", "");
     if (o->answers)
@@ -591,11 +527,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     formats_of(o->content, ", ", " or ", names));
         return 0;
     }
-    o->lists_all = !o->n_decks && o->content == SHEET_LIST && !o->n_changes && has_no_input();
-    if (!o->n_decks)
-        o->decks[o->n_decks++] = "-";
-    why = find_further_conflict(o);
-    return why ? say(message, why, "", "") : complete_plot(o, message);
+    return complete_plot(o, message);
 }
 
 int options_want_table(const options *o)

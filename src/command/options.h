@@ -57,6 +57,9 @@ void options_free(options *o);
 ** too. */
 int options_want_table(const options *o);
 
+/* 1 if a name says that it is a folder's: it ends in a slash. */
+int options_is_folder(const char *name);
+
 /* Write what --help prints. */
 void options_put_help(FILE *out);
 
