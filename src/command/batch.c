@@ -158,7 +158,7 @@ static void begin_sheet(batch *b, FILE *out)
     s->at = o->at;
     s->n_decks = (int)o->n_decks;
     s->no_value = tell_no_value;
-    s->width = o->wide ? 0 : terminal_width(out);
+    terminal_set_up(s, out, o->wide, o->colour);
     s->header = b->header;
     s->n_header = b->n_header;
     content_begin(s, out, 1);

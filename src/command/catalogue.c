@@ -104,7 +104,7 @@ int catalogue_write(FILE *out, const options *o)
     memset(&s, 0, sizeof s);
     s.format = o->format;
     s.content = SHEET_LIST;
-    s.width = o->wide ? 0 : terminal_width(out);
+    terminal_set_up(&s, out, o->wide, o->colour);
     if (status == FOURLINK_OK) {
         content_begin(&s, out, 1);
         content_write_list(&s, results, n);

@@ -9,11 +9,16 @@
 #include "base/message.h"
 #include "command.h"
 
-static int silent;
+static int silent, coloured;
 
 void command_be_silent(int is_silent)
 {
     silent = is_silent;
+}
+
+void command_be_coloured(int is_coloured)
+{
+    coloured = is_coloured;
 }
 
 int command_worse(int status, int other)
@@ -61,17 +66,31 @@ int command_complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
+#define RED "\033[1;31m"
+#define YELLOW "\033[33m"
+#define PLAIN "\033[0m"
+
 void command_tell(const char *what, const char *file, long line, const char *message,
                   const char *deck_name)
 {
     int is_elsewhere = deck_name && strcmp(file, deck_name) != 0;
     char where[40] = "";
 
+    if (silent)
+        return;
     if (line)
         flk_message(where, sizeof where, ":%ld", line);
-    command_say(line ? "" : "fourlink: ", file, where, ": ", what, ": ", message,
-                is_elsewhere ? " (" : "", is_elsewhere ? deck_name : "", is_elsewhere ? ")" : "",
-                (char *)NULL);
+    print(line ? "" : "fourlink: ");
+    print(file);
+    print(where);
+    print(": ");
+    if (coloured)
+        fputs(strcmp(what, "error") == 0 ? RED : YELLOW, stderr);
+    print(what);
+    if (coloured)
+        fputs(PLAIN, stderr);
+    command_say(": ", message, is_elsewhere ? " (" : "", is_elsewhere ? deck_name : "",
+                is_elsewhere ? ")" : "", (char *)NULL);
 }
 
 #define MOST_TOLD 64

@@ -16,6 +16,9 @@ void command_say(const char *first, ...);
 /* Print no messages (1), or print them again (0): those of what is read twice. */
 void command_be_silent(int is_silent);
 
+/* Print what a message is, such as error, in colour. */
+void command_be_coloured(int is_coloured);
+
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 
@@ -25,11 +28,11 @@ int command_complain(const char *what, const char *name, const char *why);
 void command_tell(const char *what, const char *file, long line, const char *message,
                   const char *deck_name);
 
-/* After the first MOST_MISTAKES of `n` mistakes or notes, print how many more there are. */
 /* The same of an option, of many decks, which is told for the first of them alone. */
 void command_tell_once(const char *what, const char *option, const char *message,
                        const char *deck_name);
 
+/* After the first MOST_MISTAKES of `n` mistakes or notes, print how many more there are. */
 void command_tell_more(unsigned long n, const char *what);
 
 #endif

@@ -84,7 +84,7 @@ static void set_up(sheet *s, FILE *out, const input *in)
 {
     memset(s, 0, sizeof *s);
     s->format = in->o->format;
-    s->width = in->o->wide ? 0 : terminal_width(out);
+    terminal_set_up(s, out, in->o->wide, in->o->colour);
     s->content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
     view_take(&s->v, in->results);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);

@@ -142,6 +142,15 @@ static int has_no_sweep(const input *in)
     return !in->o->synthesis && !has_word(in->source.text, in->source.length, "sweep");
 }
 
+/* 1 if the linkage of the deck was found by synthesis. */
+static int has_task(const input *in)
+{
+    unsigned long chosen, n;
+
+    return fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n) ==
+           FOURLINK_OK;
+}
+
 int input_has_values(const input *in)
 {
     return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
@@ -162,7 +171,9 @@ static int serves_options(input *in)
     } else if (o->design && p->n_designs) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
-    } else if ((why = rules_of_deck(in)) != NULL) {
+    } else if ((why = rules_of_deck(o, p, in->is_design,
+                                    o->synthesis && !in->is_design && has_task(in),
+                                    input_has_values(in))) != NULL) {
         ;
     } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,

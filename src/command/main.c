@@ -20,6 +20,8 @@
 #include "solutions.h"
 #include "best.h"
 #include "solve.h"
+#include "rules.h"
+#include "terminal.h"
 #include "designs.h"
 #include "tables/content.h"
 
@@ -224,21 +226,25 @@ static int write_text(int is_help)
 int main(int argc, char **argv)
 {
     char message[400];
+    const char *why = message;
     options o;
     int status;
 
     system_begin(&argc, &argv);
     output_prepare();
     status = options_read(argc, argv, &o, message);
+    if (status == 1)
+        why = rules_of_options(&o);
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
-    } else if (status == 0) {
-        command_say("fourlink: ", message, (char *)NULL);
+    } else if (why) {
+        command_say("fourlink: ", why, (char *)NULL);
         command_say("Try 'fourlink --help'.", (char *)NULL);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
         status = write_text(o.help);
     } else {
+        command_be_coloured(terminal_has_colour(stderr, o.colour));
         status = files_tell_clash(&o);
         if (!status)
             status = run(&o);

@@ -12,7 +12,6 @@
 #include "base/number.h"
 #include "system/system.h"
 #include "options.h"
-#include "rules.h"
 #include "tables/content.h"
 #include "terminal.h"
 
@@ -162,6 +161,13 @@ static int set_solution(options *o, const char *value, char message[400])
            refuse(message, "--solution must be a number from 1 to 1000, not '%t'", value);
 }
 
+static int set_colour(options *o, const char *value, char message[400])
+{
+    o->colour = value;
+    return strcmp(value, "always") == 0 || strcmp(value, "never") == 0 ||
+           say(message, "--color must be always or never, not '", value, "'");
+}
+
 static int set_output(options *o, const char *value, char message[400])
 {
     (void)message;
@@ -234,6 +240,9 @@ static const option_info table[] = {
     {0, "--units", "UNIT,UNIT,...", MEMBER(units),
      "units of results, such as 'mm, kg, rpm' or SI; bare numbers of the deck keep theirs", NULL},
     {'w', "--wide", NULL, MEMBER(wide), "on a terminal: all columns side by side", NULL},
+    {0, "--color", "always|never", OWN(set_colour),
+     "headings, extremes and mistakes in colour (default: on a terminal, unless NO_COLOR is set)",
+     NULL},
     {'C', "--check", "[=FILE]", NULL, set_check, SHEET_CHECK, 0,
      "compare with the [expect] values of the deck, or FILE, or FOLDER/NAME.expect for NAME.deck",
      "Checks and classes:"},
@@ -485,7 +494,6 @@ int options_read(int argc, char **argv, options *o, char message[400])
     int i, done = 0;
     size_t room = (size_t)argc + 1, length = 1;
     char names[FORMATS_NAMES];
-    const char *why;
 
     memset(o, 0, sizeof *o);
     o->format = &table_format;
@@ -515,9 +523,6 @@ int options_read(int argc, char **argv, options *o, char message[400])
     o->lists_all = !o->n_decks && o->content == SHEET_LIST && !o->n_changes && has_no_input();
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
-    why = rules_of_options(o);
-    if (why)
-        return say(message, why, "", "");
     if (o->answers)
         o->check_file = o->answers;
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))

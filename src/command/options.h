@@ -17,6 +17,7 @@ typedef struct options {
     int asks_for_table;     /* 1: --format or --output was given */
     int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
+    const char *colour;     /* always or never; null: on a terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *answers;    /* the folder of --answers, which check_file is then too */
     int scores;             /* 1: a line for each deck, or file of answers, instead of each value */

@@ -137,22 +137,6 @@ static long asked(const options *o)
            bit(o->format == &json_format, JSON) | bit(o->format == &paper_format, PAPER);
 }
 
-static long had(const input *in)
-{
-    const fourlink_problem *p = &in->problem;
-    int kind = (int)p->mechanism.design.kind;
-    unsigned long chosen, n;
-    int has_task = in->o->synthesis && !in->is_design &&
-                   fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen,
-                                           &n) == FOURLINK_OK;
-
-    return bit(p->has_forces, FORCES) |
-           bit(fourlink_slides(kind, FOURLINK_COUPLER) || fourlink_slides(kind, FOURLINK_FOLLOWER),
-               SLIDE) |
-           bit(p->n_designs > 0, SWEEP) | bit(in->is_design, TAKEN) | bit(has_task, TASK) |
-           bit(input_has_values(in), VALUES);
-}
-
 static const char *find(const rule *rules, size_t n, long what, long has)
 {
     size_t i;
@@ -171,9 +155,16 @@ const char *rules_of_options(const options *o)
     return find(of_options, sizeof of_options / sizeof *of_options, what, what);
 }
 
-const char *rules_of_deck(const input *in)
+const char *rules_of_deck(const options *o, const fourlink_problem *p, int is_design, int has_task,
+                          int has_values)
 {
-    return find(of_deck, sizeof of_deck / sizeof *of_deck, asked(in->o), had(in));
+    int kind = (int)p->mechanism.design.kind;
+    int has_slide =
+        fourlink_slides(kind, FOURLINK_COUPLER) || fourlink_slides(kind, FOURLINK_FOLLOWER);
+    long has = bit(p->has_forces, FORCES) | bit(has_slide, SLIDE) | bit(p->n_designs > 0, SWEEP) |
+               bit(is_design, TAKEN) | bit(has_task, TASK) | bit(has_values, VALUES);
+
+    return find(of_deck, sizeof of_deck / sizeof *of_deck, asked(o), has);
 }
 
 const char *rules_without_sweep(const options *o)

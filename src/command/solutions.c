@@ -37,7 +37,7 @@ int solutions_write(FILE *out, const input *in)
 
     memset(&s, 0, sizeof s);
     s.format = in->o->format;
-    s.width = in->o->wide ? 0 : terminal_width(out);
+    terminal_set_up(&s, out, in->o->wide, in->o->colour);
     s.content = SHEET_DESIGNS;
     s.each = "solution";
     view_take(&s.v, in->results);

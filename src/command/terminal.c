@@ -3,6 +3,7 @@
 ** terminal.c - the terminal that results are shown on, and the progress of long work there.
 */
 #include <stdlib.h>
+#include <string.h>
 
 #include "system/system.h"
 #include "terminal.h"
@@ -29,6 +30,22 @@ unsigned long terminal_width(FILE *out)
     if (!width)
         width = system_width(out);
     return width ? width : USUAL_WIDTH;
+}
+
+int terminal_has_colour(FILE *out, const char *colour)
+{
+    const char *none = getenv("NO_COLOR"), *name = getenv("TERM");
+
+    if (colour)
+        return strcmp(colour, "always") == 0;
+    return system_is_terminal(out) && !(none && *none) && name && *name &&
+           strcmp(name, "dumb") != 0;
+}
+
+void terminal_set_up(sheet *s, FILE *out, int is_wide, const char *colour)
+{
+    s->width = is_wide ? 0 : terminal_width(out);
+    s->is_coloured = s->format == &table_format && terminal_has_colour(out, colour);
 }
 
 void progress_begin(progress *p, FILE *out)

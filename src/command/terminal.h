@@ -8,9 +8,18 @@
 #include <stdio.h>
 #include <time.h>
 
+#include "tables/sheet.h"
+
 /* The width of the terminal in characters; 0 if the stream is a file or a pipe.  COLUMNS comes first, then
 ** what the terminal says; a terminal that says nothing has 80. */
 unsigned long terminal_width(FILE *out);
+
+/* 1 if a stream is shown in colour: on a terminal, unless NO_COLOR is set or the terminal is dumb; or as --color
+** says. */
+int terminal_has_colour(FILE *out, const char *colour);
+
+/* Set the width and the colours of a sheet. */
+void terminal_set_up(sheet *s, FILE *out, int is_wide, const char *colour);
 
 /* Progress on a terminal, once a second. */
 typedef struct progress {

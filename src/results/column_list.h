@@ -221,7 +221,7 @@
       "")                                                                                          \
     X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual, FOURLINK_OF_ROUNDING),              \
       "energy less the work done, relative to the largest energy", "")                             \
-    X(residual, NUMBER, ALL | USUAL, OF_RESIDUAL, "power balance, relative to its largest term",   \
+    X(residual, NUMBER, ALL, OF_RESIDUAL, "power balance, relative to its largest term",   \
       "")                                                                                          \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
     TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \

@@ -333,6 +333,7 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
 void content_begin(sheet *s, FILE *out, int has_head)
 {
     line_start(&s->l, out);
+    s->l.is_coloured = s->is_coloured;
     if (has_head && s->format->begin)
         s->format->begin(s);
     line_end(&s->l);

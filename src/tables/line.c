@@ -14,12 +14,58 @@
 void line_start(line *l, FILE *out)
 {
     l->out = out;
+    l->is_coloured = l->is_inside = 0;
     l->length = 0;
+}
+
+#define HEADING "\033[36m" /* cyan */
+#define EXTREME "\033[1m"  /* bold */
+#define PLAIN "\033[0m"
+
+/* The colour of a line by its beginning: comments are headings, but for those with extremes. */
+static const char *colour_of(const char *words, size_t length)
+{
+    size_t n = 1;
+
+    if (words[0] != '#')
+        return NULL;
+    while (n < length && words[n] == ' ')
+        n++;
+    return n > 2 && n + 3 < length &&
+                   (memcmp(words + n, "max ", 4) == 0 || memcmp(words + n, "min ", 4) == 0 ||
+                    memcmp(words + n, "at ", 3) == 0)
+               ? EXTREME
+               : HEADING;
+}
+
+/* Write what is in the buffer line by line; a colour ends with its line, or with the buffer. */
+static void write_coloured(line *l)
+{
+    const char *at = l->bytes, *end = l->bytes + l->length;
+
+    while (at < end) {
+        const char *next = memchr(at, '\n', (size_t)(end - at));
+        const char *stop = next ? next : end;
+        const char *colour = l->is_inside || at == stop ? NULL : colour_of(at, (size_t)(stop - at));
+
+        if (colour)
+            fputs(colour, l->out);
+        fwrite(at, 1, (size_t)(stop - at), l->out);
+        if (colour)
+            fputs(PLAIN, l->out);
+        if (next)
+            putc('\n', l->out);
+        l->is_inside = !next;
+        at = next ? next + 1 : end;
+    }
 }
 
 void line_end(line *l)
 {
-    fwrite(l->bytes, 1, l->length, l->out);
+    if (l->is_coloured)
+        write_coloured(l);
+    else
+        fwrite(l->bytes, 1, l->length, l->out);
     l->length = 0;
 }
 

@@ -12,6 +12,8 @@
 /* Nothing else may be written to the stream between line_start and line_end. */
 typedef struct line {
     FILE *out;
+    int is_coloured; /* 1: to a terminal, with headings and extremes in colour */
+    int is_inside;   /* 1: what was written ends within a line */
     size_t length;
     char bytes[8192]; /* longer text goes to the stream in parts */
 } line;

@@ -44,6 +44,7 @@ typedef struct sheet {
     sheet_content content;
     int n_decks;         /* if several, each shows its name */
     unsigned long width; /* of the terminal; 0: the table need not fit one */
+    int is_coloured;     /* 1: with headings and extremes in colour */
     const char *at;      /* the list of --at, instead of the rows; null: the rows */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */

@@ -191,7 +191,7 @@ for format in table csv json; do
 done
 all 0 -f paper -o files/result $few alvi-5.1.deck
 all 0 $few note.deck
-all 0 -c all -o files/result $few -s 'crank.length = 21 mm' single.deck
+all 0 --color=never -c all -o files/result $few -s 'crank.length = 21 mm' single.deck
 all 0 -o files/result $few gas-engine.deck
 all 0 -o files/result $few card.deck
 all 1 -o files/result reach.deck

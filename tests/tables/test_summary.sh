@@ -127,7 +127,7 @@ holds 'meanings stand below each other, behind value and unit' '
     END {exit bad || n < 10}'
 prints '# column                 min    at deg          max    at deg unit   branch'
 prints 'omega3              -3.70435   13.5618      3.22371   232.402 rad/s  open'
-run 0 -S "$data/dfa-example-1.deck"
+run 0 -S -c Ts,residual "$data/dfa-example-1.deck"
 holds 'a measure of rounding has no crank angle' '
     $1 == "residual" && NF == 5 && $2 < 1e-12 && $3 < 1e-12 {ok = 1} END {exit !ok}'
 

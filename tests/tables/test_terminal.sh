@@ -5,6 +5,8 @@
 . "$(dirname "$0")/../harness.sh"
 
 needs script bsdutils
+NO_COLOR=1
+export NO_COLOR
 
 # shows WIDTH ARGUMENT...: what the program shows on a terminal of this width is in the file out.
 shows() {
@@ -38,7 +40,7 @@ blocks 3
 holds 'kinematics, forces, torques' '
     /^# theta2/ {n++; names[n] = $0}
     END {exit !(names[1] ~ /theta3.*alpha4 +mu$/ && names[2] ~ /F12x.*F34x +F34y$/ &&
-                names[3] ~ /F14x +F14y +Ts +residual$/)}'
+                names[3] ~ /F14x +F14y +Ts$/)}'
 holds 'the crank angle in each' '/^ *60 / {n++} END {exit n != 3}'
 holds 'the branch once' '/^# branch/ {n++} END {exit n != 1}'
 shows 80 -b open -i '60 deg' "$sweep"
@@ -154,4 +156,31 @@ shows 40 -b open -i '60 deg' "$decks/gas-engine.deck" "$matrix"
 holds 'both decks' '/^# deck: / {n++} END {exit n != 2}'
 blocks_fit 40
 
+# Colour: on a terminal alone, and not if NO_COLOR is set; files and pipes have it only if asked for.
+unset NO_COLOR
+escape=$(printf '\033')
+TERM=xterm shows 80 -b open "$alvi"
+check 'a heading in colour' grep -q "^$escape\[36m# crank 20 mm.*$escape\[0m\$" out
+check 'an extreme in bold' grep -q "^$escape\[1m#    max .*$escape\[0m\$" out
+check 'rows without colour' grep -q '^ *40 ' out
+TERM=xterm shows 80 -b open --color=never "$alvi"
+check 'never' none "$escape" out
+TERM=dumb shows 80 -b open "$alvi"
+check 'a dumb terminal' none "$escape" out
+TERM=xterm shows 80 -b open -f csv "$alvi"
+check 'csv' none "$escape" out
+NO_COLOR=1
+export NO_COLOR
+TERM=xterm shows 80 -b open "$alvi"
+check 'NO_COLOR' none "$escape" out
+run 0 --color=always -b open "$alvi"
+check 'always' grep -q "^$escape\[36m# crank" out
+run 2 --color=always -s crank.lenght=3 "$alvi"
+check 'a mistake in red' grep -q "$escape\[1;31merror$escape\[0m: unknown key" err
+TERM=xterm
+export TERM
+run 0 -b open "$alvi"
+check 'a file' none "$escape" out
+run 2 --color=blue "$alvi"
+says "--color must be always or never, not 'blue'"
 finish
