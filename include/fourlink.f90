@@ -426,6 +426,7 @@ module fourlink
     character(kind=c_char) :: hint(200)     ! the same
     integer(c_int) :: tolerance_from
     real(c_double) :: marks
+    integer(c_int) :: is_short
   end type fourlink_check
 
   ! Synthesis.
@@ -1029,6 +1030,14 @@ module fourlink
       type(fourlink_mistake), intent(inout) :: notes(*)
       integer(c_long), intent(inout) :: n_notes
     end function fourlink_results_notes
+
+    integer(c_int) function fourlink_results_slips(results, max_slips, slips, n_slips) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_long), value :: max_slips
+      type(fourlink_mistake), intent(inout) :: slips(*)
+      integer(c_long), intent(inout) :: n_slips
+    end function fourlink_results_slips
 
     ! The list is an array of n fourlink_value, for c_f_pointer.
     integer(c_int) function fourlink_results_list(results, which, list, n) bind(c)

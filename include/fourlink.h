@@ -832,6 +832,7 @@ typedef struct fourlink_check {
     char hint[200];     /* FOURLINK_DIFFERS: a possible reason, or "" */
     int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
     double marks;       /* that it is worth, of [grading]; otherwise 1 */
+    int is_short;       /* 1: it has fewer digits than [grading] asks for */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------
@@ -1747,6 +1748,20 @@ FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *
 */
 FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigned long max_notes,
                                         fourlink_mistake *notes, unsigned long *n_notes);
+
+/* The lines of the answers of a source that are not read, and why; each costs the values in it alone.
+**
+** Given:
+**    results    from fourlink_results_open
+**    max_slips  size of `slips`
+** Returned:
+**    slips      the first of them, in the order of the lines; may be null if max_slips is 0
+**    n_slips    how many there are, which may exceed max_slips; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_results_slips(const fourlink_results *results, unsigned long max_slips,
+                                        fourlink_mistake *slips, unsigned long *n_slips);
 
 /* A list of names: columns, inputs, variables and outputs of a sweep.
 **

@@ -112,7 +112,7 @@ static int status_of(const sheet *s, const input *in)
     if (s->out_of_memory)
         return command_complain("cannot analyse", in->name, "not enough memory");
     command_tell_more(s->checks[FOURLINK_NO_VALUE], "mistake");
-    if (s->checks[FOURLINK_NO_VALUE])
+    if (s->checks[FOURLINK_NO_VALUE] || in->has_slips)
         return EXIT_USAGE;
     return s->failed || s->checks[FOURLINK_DIFFERS] || s->checks[FOURLINK_NO_MISPRINT] ? EXIT_ROWS
                                                                                        : 0;

@@ -13,20 +13,7 @@
 #include "files.h"
 #include "grade.h"
 
-/* FOLDER/NAME.expect of a deck, or NAME.txt if there is only that: memory to free, or null. */
-static char *path_of(const char *folder, const char *deck)
-{
-    char *path = files_within(folder, files_stem(deck), ".expect");
-    char *other = files_within(folder, files_stem(deck), ".txt");
-
-    if (path && other && system_kind_of(path) == SYSTEM_NOTHING &&
-        system_kind_of(other) != SYSTEM_NOTHING) {
-        free(path);
-        return other;
-    }
-    free(other);
-    return path;
-}
+#define STEM 256 /* bytes of the name of a deck */
 
 /* Keep a file of answers; 0 if out of memory.  Hidden files are those that systems add to a folder. */
 static int take_file(void *host, const char *name)
@@ -34,8 +21,7 @@ static int take_file(void *host, const char *name)
     grade_answers *a = host;
     char **more;
 
-    if (name[0] == '.' || !(flk_text_ends_in(flk_text_of(name), ".expect") ||
-                            flk_text_ends_in(flk_text_of(name), ".txt")))
+    if (name[0] == '.' || !students_is_text(name))
         return 1;
     more = realloc(a->files, (a->n_files + 1) * sizeof *more);
     if (!more)
@@ -62,17 +48,11 @@ static int list_files(grade_answers *a)
 
 /* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the
 ** deck's name. */
-static int is_class(const options *o)
+static int is_class(const options *o, student_files *handed)
 {
-    char *path;
-    int has_own;
-
     if (o->answers || o->n_decks != 1 || strcmp(o->decks[0], "-") == 0)
         return o->answers != NULL;
-    path = path_of(o->check_file, o->decks[0]);
-    has_own = !path || system_kind_of(path) != SYSTEM_NOTHING;
-    free(path);
-    return !has_own;
+    return students_find(handed, files_stem(o->decks[0])) == NULL;
 }
 
 int grade_open(grade_answers *a, const options *o)
@@ -89,12 +69,14 @@ int grade_open(grade_answers *a, const options *o)
         return a->text ? 0 : command_complain("cannot read", o->check_file, strerror(errno));
     }
     a->folder = o->check_file;
-    if (!is_class(o))
+    if (!o->answers && !students_list(&a->handed, a->folder))
+        return command_complain("cannot read", a->folder, strerror(errno));
+    if (!is_class(o, &a->handed))
         return 0;
     status = list_files(a);
     if (!status && o->answers && !a->n_files)
         status = command_complain("cannot read", o->answers,
-                                  "no file in this folder ends in .expect or .txt");
+                                  "no file in this folder ends in .expect, .txt or .csv");
     for (i = 0; i < a->n_files && !status; i++)
         if (files_is_output(o, a->files[i]))
             status = command_complain("cannot write", a->files[i], "it is also read");
@@ -132,9 +114,11 @@ static char *read_answers(const char *folder, const char *path, size_t *length, 
     return contents;
 }
 
-int grade_read(grade_answers *a, const options *o, const char *deck, const char *file,
-               char why[400])
+int grade_read(grade_answers *a, const grade_answers *all, const options *o, const char *deck,
+               const char *file, char why[400])
 {
+    student_files handed = all->handed;
+    const char *own = NULL;
     int reason;
 
     memset(a, 0, sizeof *a);
@@ -143,7 +127,16 @@ int grade_read(grade_answers *a, const options *o, const char *deck, const char 
         command_tell("error", "<stdin>", 0, why, NULL);
         return EXIT_USAGE;
     }
-    a->path = file ? files_beside("", file) : path_of(o->check_file, deck);
+    if (!file && (own = students_find(&handed, files_stem(deck))) == NULL) {
+        flk_message(why, 400, "no file of this name in %s", o->check_file);
+        command_tell("error", deck, 0, why, NULL);
+        return EXIT_FILES;
+    }
+    a->path = file ? files_beside("", file) : files_within(o->check_file, flk_text_of(own), "");
+    if (own && a->path && !students_is_text(own)) {
+        flk_message(why, 400, "%s cannot be read: save it as text or csv", a->path);
+        return command_complain("cannot read", a->path, "save it as text or csv");
+    }
     if (a->path && files_is_output(o, a->path))
         return command_complain("cannot write", a->path, "it is also read");
     a->text = a->path ? read_answers(o->check_file, a->path, &a->length, &reason) : NULL;
@@ -155,6 +148,28 @@ int grade_read(grade_answers *a, const options *o, const char *deck, const char 
     return command_complain("cannot read", a->path, reason_text(reason));
 }
 
+int grade_tell_unclaimed(const grade_answers *a, const options *o)
+{
+    const char **stems;
+    char *names;
+    size_t i;
+
+    if (!a->folder || a->n_files || o->n_decks < 2)
+        return 0;
+    stems = malloc((o->n_decks + 1) * sizeof *stems);
+    names = malloc(o->n_decks * STEM);
+    for (i = 0; i < o->n_decks && stems && names; i++)
+        stems[i] = flk_text_copy(files_stem(o->decks[i]), names + i * STEM, STEM);
+    if (stems && names) {
+        stems[o->n_decks] = NULL;
+        students_tell_unclaimed(&a->handed, a->folder, stems);
+    }
+    i = stems && names;
+    free(names);
+    free((void *)stems);
+    return i ? 0 : command_complain("cannot read", a->folder, strerror(ENOMEM));
+}
+
 void grade_close(grade_answers *a)
 {
     size_t i;
@@ -162,6 +177,7 @@ void grade_close(grade_answers *a)
     for (i = 0; i < a->n_files; i++)
         free(a->files[i]);
     free(a->files);
+    students_free(&a->handed);
     free(a->path);
     free(a->text);
 }

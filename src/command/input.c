@@ -156,6 +156,16 @@ int input_has_values(const input *in)
     return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
 }
 
+/* 1 if a text has more than blanks. */
+static int has_words(const char *start, size_t length)
+{
+    text t;
+
+    t.start = start;
+    t.length = length;
+    return flk_text_trim(flk_text_without_mark(t)).length > 0;
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
@@ -164,9 +174,15 @@ static int serves_options(input *in)
     const char *why = NULL, *name = in->name;
     char message[400];
 
+    if (o->content == SHEET_CHECK && !p->n_expected && in->has_slips) { /* which are told */
+        keep_mistake(in, in->source.answers_name, 0, in->remarks);
+        return 0;
+    }
     if (o->content == SHEET_CHECK && !p->n_expected) {
-        why = in->deck ? "nothing to check: no values in [expect]"
-                       : "nothing to check: no [expect] or [misprint] section";
+        why = in->source.answers && !has_words(in->source.answers, in->source.answers_length)
+                  ? "the file is empty"
+              : in->deck ? "nothing to check: no values in [expect]"
+                         : "nothing to check: no [expect] or [misprint] section";
         name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->design && p->n_designs) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
@@ -219,6 +235,24 @@ static int is_no_linkage(int status)
     return status >= FOURLINK_DEPENDENT && status <= FOURLINK_NONE_FOUND;
 }
 
+/* Keep what is told of the answers, with the line where values are lost. */
+static void keep_remarks(input *in, const fourlink_mistake *list, unsigned long n, int has_line)
+{
+    char one[MESSAGE_SIZE + 40];
+    unsigned long i;
+
+    for (i = 0; i < n && i < MOST_MISTAKES; i++) {
+        size_t used = strlen(in->remarks);
+
+        if (!in->source.answers_name || strcmp(list[i].file, in->source.answers_name) != 0)
+            continue;
+        if (has_line)
+            flk_message(one, sizeof one, "line %ld: %s", list[i].line, list[i].message);
+        flk_message(in->remarks + used, sizeof in->remarks - used, "%s%s", used ? "; " : "",
+                    has_line ? one : list[i].message);
+    }
+}
+
 static int open_results(input *in)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
@@ -246,6 +280,11 @@ static int open_results(input *in)
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
         if (!in->o->is_again && !(in->is_design && in->found)) /* told of the task's deck */
             tell_all(in, list, n, "note", "note");
+        keep_remarks(in, list, n, 0);
+        fourlink_results_slips(in->results, MOST_MISTAKES, list, &n);
+        tell_all(in, list, n, "error", "mistake");
+        keep_remarks(in, list, n, 1);
+        in->has_slips = n > 0;
     }
     free(list);
     return status;
@@ -315,7 +354,7 @@ static int take_answers(input *in, const char *path, const grade_answers *answer
 
     in->source.answers_name = in->o->check_file;
     if (answers->folder) {
-        status = grade_read(&in->answers, in->o, path, file, in->refusal);
+        status = grade_read(&in->answers, answers, in->o, path, file, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }

@@ -28,6 +28,8 @@ typedef struct input {
     grade_answers answers; /* its own, of a folder */
     const struct input
         *deck; /* the same deck without answers, whose notes have been told; null: there is none */
+    int has_slips;              /* 1: some lines of its answers are not read */
+    char remarks[MESSAGE_SIZE]; /* what is told of its answers: such lines, decimal commas */
     /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so
     ** that nothing is known about it */
     char refusal[MESSAGE_SIZE];

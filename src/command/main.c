@@ -122,7 +122,7 @@ static int run_catalogue(const options *o)
     return command_worse(written, output_end(&out, o->output, written == 0));
 }
 
-static const grade_answers no_answers = {NULL, NULL, 0, NULL, NULL, 0};
+static const grade_answers no_answers;
 
 /* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
 static int run_class(const options *o, const grade_answers *answers)
@@ -203,6 +203,8 @@ static int run(const options *o)
                  : answers.n_files ? run_class(o, &answers)
                  : o->n_decks > 1  ? batch_run(o, &answers, NULL)
                                    : run_one(o, &answers);
+    if (!system_caught())
+        status = command_worse(status, grade_tell_unclaimed(&answers, o));
     grade_close(&answers);
     if (system_caught()) {
         fflush(stdout);

@@ -13,6 +13,7 @@
 #include "base/message.h"
 #include "command.h"
 #include "files.h"
+#include "copied.h"
 #include "marks.h"
 
 #define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
@@ -184,12 +185,90 @@ static void find_answers(marks *m, const input *in)
     }
 }
 
+/* The name of a file without its endings, which is that of a student. */
+static text name_of(const char *path)
+{
+    text name = flk_text_of(files_name(path));
+
+    if (flk_text_ends_in(name, ".deck")) {
+        name.length -= strlen(".deck");
+        return name;
+    }
+    return students_stem(path);
+}
+
+/* 1 if an earlier value of the same name is wrong for the same reason. */
+static int is_told(const input *in, unsigned long i, const fourlink_check *c)
+{
+    fourlink_check other;
+    unsigned long k;
+
+    for (k = 0; k < i; k++) {
+        fourlink_results_check(in->results, k, &other);
+        if (other.verdict == FOURLINK_DIFFERS && strcmp(other.name, c->name) == 0 &&
+            strcmp(other.hint, c->hint) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Note what is wrong, names with the same reason together: "wrong: Ts at 60, 200 (the sign is the opposite)". */
+static void note_wrong(const input *in, sheet_mark *mark)
+{
+    size_t size = sizeof mark->note;
+    char words[MESSAGE_SIZE];
+    fourlink_check c, other;
+    unsigned long i, k;
+    long n_short = 0;
+    int n = 0;
+
+    for (i = 0; i < in->problem.n_expected; i++) {
+        fourlink_results_check(in->results, i, &c);
+        n_short += c.is_short;
+        if (c.verdict != FOURLINK_DIFFERS || c.is_short || is_told(in, i, &c))
+            continue;
+        put(mark->note, size, n++ ? ", " : *mark->note ? "; wrong: " : "wrong: ");
+        put(mark->note, size, c.name);
+        for (k = i; k < in->problem.n_expected && c.has_angle; k++) {
+            fourlink_results_check(in->results, k, &other);
+            if (other.verdict == FOURLINK_DIFFERS && strcmp(other.name, c.name) == 0 &&
+                strcmp(other.hint, c.hint) == 0)
+                put(mark->note, size,
+                    flk_message(words, sizeof words, k == i ? " at %g" : ", %g",
+                                other.has_time ? other.time : other.angle));
+        }
+        if (c.hint[0])
+            put(mark->note, size, flk_message(words, sizeof words, " (%s)", c.hint));
+    }
+    if (n_short)
+        put_part(mark->note, size,
+                 flk_message(words, sizeof words,
+                             n_short > 1 ? "%ld values have fewer digits than asked for"
+                                         : "%ld value has fewer digits than asked for",
+                             n_short));
+}
+
+/* Note the deck of another with which the answers agree. */
+static void note_copied(const input *in, sheet_mark *mark)
+{
+    char words[MESSAGE_SIZE];
+    unsigned long n = 0;
+    const char *deck = copied_from(in, &n);
+
+    if (deck)
+        put_part(mark->note, sizeof mark->note,
+                 flk_message(words, sizeof words,
+                             "agrees with the variant of %t: %ld of %ld values", name_of(deck),
+                             (long)n, (long)in->problem.n_expected));
+}
+
 /* Note what is odd in an answer: values that are not asked for, without a value, or known to be wrong. */
 static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;
     char words[MESSAGE_SIZE + 40];
     int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0, has_grading = 0;
+    const question *q;
     fourlink_check c;
     unsigned long i;
 
@@ -197,11 +276,13 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         fourlink_results_check(in->results, i, &c);
         has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
         sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
-        has_grading |= !in->deck && c.tolerance_from == FOURLINK_FROM_GRADING;
+        q = m->list ? find(m, &c) : NULL;
+        has_grading |= q && c.tolerance_from == FOURLINK_FROM_GRADING &&
+                       q->value.tolerance_from != FOURLINK_FROM_GRADING;
         if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
             put_part(mark->note, size,
                      flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
-        } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !find(m, &c)) {
+        } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !q) {
             put_name(mark->note, size, "not asked: ", &n_extra, &c);
         }
     }
@@ -209,23 +290,11 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         put_part(mark->note, size, "a value of [misprint] is no answer");
     if (sets_tolerance && m->list)
         put_part(mark->note, size, "sets its own tolerance");
-    if (has_grading && m->list)
+    if (has_grading) /* the first deck has none: a student's own */
         put_part(mark->note, size, "by the [grading] of its deck");
-}
-
-/* The name of a file without its ending, which is that of a student. */
-static text name_of(const char *path)
-{
-    static const char *const endings[] = {".deck", ".expect", ".txt", NULL};
-    text name = flk_text_of(files_name(path));
-    int i;
-
-    for (i = 0; endings[i]; i++)
-        if (flk_text_ends_in(flk_text_of(name.start), endings[i])) {
-            name.length -= strlen(endings[i]);
-            break;
-        }
-    return name;
+    note_wrong(in, mark);
+    if (in->remarks[0])
+        put_part(mark->note, size, in->remarks);
 }
 
 void marks_give(marks *m, const input *in, sheet_mark *mark)
@@ -255,6 +324,8 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
         mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT ? c.marks : 0;
         mark->of += c.marks;
     }
+    if (2 * mark->right < mark->of && !in->deck && m->list)
+        note_copied(in, mark);
     note_checks(m, in, mark);
 }
 

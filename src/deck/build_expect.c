@@ -34,6 +34,21 @@ static void keep_one_branch(deck *d)
     d->n_expectations = kept;
 }
 
+/* The row that an angle of answers means: 1.0472 rad is the row at 60 deg. */
+static double nearest_row(const deck *d, const setting *at, double angle)
+{
+    double interval = fabs(d->motion.interval), row, digit;
+    quantity_value read;
+    char why[MESSAGE_SIZE];
+
+    if (!(interval > 0) || !flk_quantity_read(at->value, at->value, QUANTITY_ANGLE,
+                                              d->bare[QUANTITY_ANGLE].unit, &read, why))
+        return angle;
+    row = d->motion.from + interval * floor((angle - d->motion.from) / interval + 0.5);
+    digit = flk_unit_from_si(read.digit, d->units[QUANTITY_ANGLE].unit);
+    return fabs(row - angle) <= 0.5 * digit * (1 + 1e-9) ? row : angle;
+}
+
 /* Add the printed values of the deck, in line order. */
 void flk_build_expectations(parser *p)
 {
@@ -73,6 +88,8 @@ void flk_build_expectations(parser *p)
         e->at = e->at_is_time ? at->si[0]
                 : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
                               : d->motion.from;
+        if (p->is_answers && IS_SET(at) && !e->at_is_time)
+            e->at = nearest_row(d, at, e->at);
         if (e->at_is_time && !d->drive.by_time)
             flk_mistake(p->mistakes, at->place,
                         "a time is for rows by time: expected a crank angle, such as 40 deg");

@@ -47,6 +47,7 @@ void flk_deck_free(deck *d)
 
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->defects);
+    flk_mistakes_free(&d->slips);
     flk_mistakes_free(&d->notes);
     for (k = d->storage; k; k = next) {
         next = k->next;

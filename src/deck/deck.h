@@ -89,6 +89,9 @@ typedef struct deck_sweep {
     deck_names yield;     /* the conditions of the yield */
 } deck_sweep;
 
+/* The decimal mark of answers. */
+enum { DECIMAL_POINT = 1, DECIMAL_COMMA = 2 };
+
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
 /* How the speed of the crank is determined. */
@@ -130,6 +133,7 @@ struct fourlink_deck {
     deck_rule *rules; /* of [grading] */
     size_t n_rules;
     double fewest_digits;        /* of a value; 0: any */
+    int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_drive drive;
     deck_sweep sweep;
@@ -146,6 +150,7 @@ struct fourlink_deck {
 
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes defects;                  /* of the linkage found by synthesis */
+    mistakes slips;                    /* lines of the answers that are not read */
     mistakes notes;                    /* on what is allowed but probably not meant */
     struct parser *settings, *answers; /* the content of its texts; null: not read */
     struct parser *found; /* the settings with the linkage found; null: there is none */

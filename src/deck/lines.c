@@ -77,7 +77,7 @@ text flk_line_without_comment(text line)
 static int refuse_text(parser *p, text_place place, const char *why, const char *code)
 {
     p->not_text = 1;
-    return flk_mistake(p->mistakes, place, why, code);
+    return flk_mistake(&p->d->mistakes, place, why, code);
 }
 
 /* 1 if a line is text; otherwise 0 and a mistake. */
@@ -176,6 +176,14 @@ static void refuse_line(parser *p, section_use *use, text line, text_place place
                 *meant ? meant : NULL);
 }
 
+/* 1 if answers go on in a new [expect] without its header: before the first, and at another `at`. */
+static int begins_answers(section_use *use, text key)
+{
+    return use && (use->section == SECTION_TOP ||
+                   (use->section == SECTION_EXPECT && flk_text_equal(key, "at") &&
+                    IS_SET(flk_setting_of(use, KEY_EXPECT_AT))));
+}
+
 void flk_lines_read(parser *p)
 {
     text rest = p->text;
@@ -204,6 +212,10 @@ void flk_lines_read(parser *p)
         flk_text_split(&value, '=', &key);
         if (!value.start) {
             refuse_line(p, use, line, place);
+        } else if (p->is_answers && begins_answers(use, flk_text_trim(key)) &&
+                   !(use =
+                         flk_section_open(p, SECTION_EXPECT, flk_text_of(""), place, line.start))) {
+            return;       /* out of memory */
         } else if (use) { /* keys of an unknown section are not checked */
             flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
         }

@@ -18,6 +18,7 @@
 
 #include "base/spelling.h"
 #include "base/utf16.h"
+#include "answers.h"
 #include "build.h"
 #include "build_synthesis.h"
 #include "found.h"
@@ -62,7 +63,7 @@ static parser *share(deck *d, const parser *from)
     *p = *from;
     p->d = d;
     p->is_design = 1;
-    p->mistakes = &d->mistakes;
+    p->mistakes = p->is_answers ? &d->slips : &d->mistakes;
     p->uses = uses;
     p->uses_capacity = p->n_uses;
     for (i = 0; i < p->n_uses; i++) {
@@ -141,7 +142,7 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     if (!p)
         return NULL;
     p->d = d;
-    p->mistakes = &d->mistakes;
+    p->mistakes = is_answers ? &d->slips : &d->mistakes;
     p->load = source->load;
     p->host = source->host;
     p->is_answers = is_answers;
@@ -149,6 +150,8 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     contents.start = is_answers ? source->answers : source->text;
     contents.length = is_answers ? source->answers_length : source->length;
     contents = flk_reader_utf8(p, contents);
+    if (is_answers)
+        contents = flk_answers_plain(p, contents);
     p->text = contents;
     p->text.start = flk_reader_copy(p, contents, "");
     p->copy = flk_reader_copy(p, contents, "");
@@ -188,8 +191,9 @@ static int build_from(deck *d, parser *p, unsigned long design, const deck_numbe
         build(p);
     flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
+    flk_mistakes_sort(&d->slips);
     if (p->out_of_memory || d->mistakes.out_of_memory || d->defects.out_of_memory ||
-        d->notes.out_of_memory)
+        d->notes.out_of_memory || d->slips.out_of_memory)
         return -1;
     return d->mistakes.count == 0;
 }

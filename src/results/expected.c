@@ -42,13 +42,83 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
     return flk_text_nearest(e->name, known);
 }
 
+/* ------------------------------------------------------------------------- names as people write them */
+
+#define FOLDED 64
+
+/* Letters and raised or lowered digits that people write. */
+static const struct {
+    const char *written, *meant;
+} folded[] = {{"\316\270", "theta"},
+              {"\317\211", "omega"},
+              {"\316\261", "alpha"},
+              {"\316\274", "mu"},
+              {"\302\265", "mu"},
+              {"\316\263", "gamma"},
+              {"\317\206", "phi"},
+              {"\342\202\202", "2"},
+              {"\342\202\203", "3"},
+              {"\342\202\204", "4"},
+              {"\342\202\201", "1"},
+              {"_", ""},
+              {" ", ""}};
+
+/* A name without case, underscores and blanks, in ASCII; cut off where it is too long. */
+static void fold(text t, char out[FOLDED])
+{
+    size_t n = 0, i, k;
+
+    for (i = 0; i < t.length && n + 6 < FOLDED;) {
+        char c = t.start[i];
+
+        for (k = 0; k < sizeof folded / sizeof folded[0]; k++)
+            if (t.length - i >= strlen(folded[k].written) &&
+                memcmp(t.start + i, folded[k].written, strlen(folded[k].written)) == 0)
+                break;
+        if (k < sizeof folded / sizeof folded[0]) {
+            strcpy(out + n, folded[k].meant);
+            n += strlen(folded[k].meant);
+            i += strlen(folded[k].written);
+        } else {
+            out[n++] = (char)('A' <= c && c <= 'Z' ? c + ('a' - 'A') : c);
+            i++;
+        }
+    }
+    out[n] = '\0';
+}
+
+/* The one column or fact that a name means if case, underscores and Greek letters do not count; null if there
+** is none, or more than one. */
+static const char *find_folded(flk_opened *o, const deck_expectation *e)
+{
+    const int all = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
+    char wanted[FOLDED], own[FOLDED];
+    const char *found = NULL, *name;
+    unsigned long n_facts, i;
+    size_t n_columns = flk_column_limit(&o->d);
+    flk_column c;
+
+    fold(e->name, wanted);
+    n_facts = flk_fact_list(&o->a, NULL, (int)e->branch, all, 0, NULL, 0, &o->facts);
+    for (i = 0; i < n_columns + n_facts; i++) {
+        if (i < n_columns && !flk_column_number(&o->a, i, &c))
+            continue;
+        name = i < n_columns ? c.name : o->facts.list[i - n_columns].name;
+        fold(flk_text_of(name), own);
+        if (strcmp(own, wanted) != 0 || (found && strcmp(found, name) == 0))
+            continue;
+        if (found)
+            return NULL;
+        found = name;
+    }
+    return found;
+}
+
 /* Find what a name means; the first of o->facts are those of this name, such as the ends of two ranges.
 ** Returns 0 and a message if the deck has none. */
-static int find_name(flk_opened *o, const deck_expectation *e, fourlink_check *c, flk_name *n,
-                     unsigned long *n_facts)
+static int find_name(flk_opened *o, const deck_expectation *e, int is_hinted, fourlink_check *c,
+                     flk_name *n, unsigned long *n_facts)
 {
-    int is_hinted = e - o->d.expectations < HINTED;
-
     *n_facts = 0;
     flk_name_find(o, e->name, n);
     if (n->kind == FLK_NAME_FACT)
@@ -247,7 +317,8 @@ static int are_words(text value, const char *words)
 }
 
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
-static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
+static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_name *n,
+                   fourlink_check *c)
 {
     const fourlink_value *facts = o->facts.list;
     quantity_value printed;
@@ -259,7 +330,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
     quantity q;
     grading g;
 
-    if (!find_name(o, e, c, n, &n_facts))
+    if (!find_name(o, e, is_hinted, c, n, &n_facts))
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN;
     c->has_time = c->has_angle && e->at_is_time;
@@ -305,6 +376,7 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
         tolerance = fabs(flk_unit_to_si(found.value, u->unit)) * (g.percent / 100) + ROUNDING;
     c->tolerance = flk_unit_from_si(tolerance, u->unit);
     if (is_short(&o->d, e, c)) {
+        c->is_short = 1;
         flk_message(c->hint, sizeof c->hint, "it has fewer than %g digits", o->d.fewest_digits);
         return 0;
     }
@@ -313,18 +385,25 @@ static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourli
 
 void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
-    int agrees;
+    deck_expectation plain = *e;
+    char written[FOLDED];
+    const char *name;
+    int agrees, is_hinted = e - o->d.expectations < HINTED;
 
+    flk_name_find(o, e->name, n);
+    if (n->kind == FLK_NAME_UNKNOWN && !n->statistic && is_hinted &&
+        (name = find_folded(o, e)) != NULL)
+        plain.name = flk_text_of(flk_text_copy(flk_text_of(name), written, sizeof written));
     memset(c, 0, sizeof *c);
     c->file = e->place.source;
     c->line = c->message_line = e->place.line;
-    flk_text_copy(e->name, c->name, sizeof c->name);
+    flk_text_copy(plain.name, c->name, sizeof c->name);
     flk_text_copy(e->value, c->printed_text, sizeof c->printed_text);
     c->unit = "";
     c->marks = 1;
     c->angle = e->at;
     c->branch = e->branch;
-    agrees = compare(o, e, n, c);
+    agrees = compare(o, &plain, is_hinted, n, c);
     if (agrees < 0)
         c->verdict = FOURLINK_NO_VALUE;
     else if (e->misprint)

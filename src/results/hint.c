@@ -42,6 +42,18 @@ static const char *hint_of_factor(const fourlink_check *c)
     return NULL;
 }
 
+/* 1 if a value is the computed one cut off after its last digit, not rounded; half of that is the tolerance. */
+static int is_cut_off(const fourlink_check *c)
+{
+    double digit = 2 * c->tolerance, last;
+
+    if (c->tolerance_from != FOURLINK_FROM_DIGIT || !(digit > 0))
+        return 0;
+    last = c->computed / digit;
+    last = (last < 0 ? ceil(last) : floor(last)) * digit;
+    return fabs(last - c->printed) < 1e-6 * digit;
+}
+
 /* 1 if the value elsewhere would have agreed. */
 static int agrees_at(flk_opened *o, const flk_name *n, const fourlink_check *c,
                      fourlink_branch branch, double angle, double turn)
@@ -73,6 +85,34 @@ static const char *find_other_angle(flk_opened *o, const fourlink_check *c)
                 return agrees_at(o, &other, c, c->branch, c->angle, 0) ? angles[i][!k] : NULL;
             }
     return NULL;
+}
+
+/* The value at an angle or, if the motion does not have it, a turn before or after it. */
+static int agrees_on_motion(flk_opened *o, const flk_name *n, const fourlink_check *c, double angle,
+                            double turn)
+{
+    double full = flk_unit_from_si(2 * M_PI, o->d.units[QUANTITY_ANGLE].unit);
+    int k;
+
+    for (k = -1; k <= 1; k++)
+        if (agrees_at(o, n, c, c->branch, angle + k * full, turn))
+            return 1;
+    return 0;
+}
+
+/* The crank angle was read clockwise, or in another unit. */
+static void hint_of_angle(flk_opened *o, const flk_name *n, fourlink_check *c, double turn)
+{
+    unit own = o->d.units[QUANTITY_ANGLE].unit;
+    double full = flk_unit_from_si(2 * M_PI, own), rad = flk_unit_from_si(c->angle, own);
+
+    if (agrees_on_motion(o, n, c, -c->angle, turn))
+        flk_message(c->hint, sizeof c->hint,
+                    "%s is the value at theta2 = %g: angles are counter-clockwise", c->printed_text,
+                    -c->angle);
+    else if (agrees_on_motion(o, n, c, rad - full * floor(rad / full), turn))
+        flk_message(c->hint, sizeof c->hint, "%s is the value at theta2 = %g rad", c->printed_text,
+                    c->angle);
 }
 
 /* The neighbouring row whose value is the expected one. */
@@ -120,6 +160,10 @@ void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
                     fourlink_branch_text((int)other));
     else if (words)
         flk_message(c->hint, sizeof c->hint, "%s", words);
+    else if (is_cut_off(c))
+        flk_message(c->hint, sizeof c->hint, "the computed value is cut off there, not rounded");
     else if (c->has_angle)
         hint_of_row(o, n, c, turn);
+    if (!c->hint[0] && c->has_angle && c->angle != 0)
+        hint_of_angle(o, n, c, turn);
 }

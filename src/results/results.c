@@ -182,6 +182,15 @@ const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
     return r ? &r->now->d : NULL;
 }
 
+int fourlink_results_slips(const fourlink_results *r, unsigned long max_slips,
+                           fourlink_mistake *slips, unsigned long *n_slips)
+{
+    if (!r || (!slips && max_slips))
+        return FOURLINK_NULL;
+    flk_deck_give_mistakes(&r->now->d.slips, max_slips, slips, n_slips);
+    return FOURLINK_OK;
+}
+
 int fourlink_results_notes(const fourlink_results *r, unsigned long max_notes,
                            fourlink_mistake *notes, unsigned long *n_notes)
 {

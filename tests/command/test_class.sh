@@ -48,8 +48,8 @@ ben,2,3,66.7,missing: swing
 dora,2,3,66.7,missing: mu_min; line 3: 'mu_mni' is neither a column nor a fact of this deck; did you mean 'mu_min'?; not asked: omega4 at 40
 emil,0,3,0,a value of [misprint] is no answer
 fay,0,3,0,a value of [misprint] is no answer
-gerd,0,3,0,"answers/gerd.expect:1: expected [expect] or [misprint] in this file, not [crank]"
-hans,0,3,0,answers/hans.expect:1: nothing to check: no values in [expect]
+gerd,0,3,0,"answers/gerd.expect: line 1: expected [expect] or [misprint] in this file, not [crank]"
+hans,0,3,0,answers/hans.expect:1: the file is empty
 CSV
 same out expected
 says "answers: note: answers set their own tolerance, by 'tolerance' or their last digit"
@@ -112,7 +112,7 @@ prints 'anna,2,3,66.7,'
 
 score() { sed -n "s/^$1,\([^,]*,[^,]*\),.*/\1/p" out; }
 run 2 --answers=answers --scores -f csv --tolerance='1 %' exercise.deck
-check 'theirs do not count' grep -q '^"c, ""d""",1,3,33.3,$' out
+check 'theirs do not count' grep -q '^"c, ""d""",1,3,33.3,' out
 check 'those of Anna' test "$(score anna)" = 3,3
 check 'no note on tolerances' none tolerance err
 run 2 --answers=answers --scores -f csv --tolerance='2 %' exercise.deck
@@ -123,9 +123,9 @@ check 'of a quantity' grep -q '^"c, ""d""",3,3,100,$' out
 run 2 --answers=answers --scores -f csv graded.deck
 check 'marks' test "$(score anna)" = 5,5
 check 'marks of what is missing' test "$(score ben)" = 2,5
-check 'by name' grep -q '^"c, ""d""",4,5,80,$' out
+check 'by name' grep -q '^"c, ""d""",4,5,80,' out
 run 2 --answers=answers --scores -f csv --set 'grading.tolerance=50 %' graded.deck
-check 'too few digits' grep -q '^"c, ""d""",4,5,80,$' out
+check 'too few digits' grep -q '^"c, ""d""",4,5,80,' out
 run 2 --answers=answers graded.deck
 prints 'hint: it has fewer than 2 digits'
 for wrong in '0,5 deg' x '-1 %' 5 '1 % 2 deg' ''; do
@@ -185,10 +185,11 @@ check 'all right' test "$(grep -c ' 2 *2 *100' out)" -eq 3
 mv keys/Anna.expect keys/Anna.txt
 echo '[expect]' >'keys/Ben K..txt'
 run 0 --check=keys --scores decks/*.deck
+says "keys: note: 'Ben K..txt' is not read: 'Ben K..expect' is"
 check 'a .txt is an answer' test "$(grep -c ' 2 *2 *100' out)" -eq 3
 rm keys/Anna.txt
 run 3 --check=keys --scores decks/*.deck
-says "cannot read keys/Anna.expect"
+says "decks/Anna.deck: error: no file of this name in keys"
 run 0 --design=all --report=reports/ --names=students.txt sweep.deck
 check 'their reports' test -s reports/Anna.html
 run 0 --design=all --expect --output=keys/ sweep.deck
@@ -217,7 +218,7 @@ run 3 --answers=missing --scores exercise.deck
 nothing
 mkdir empty
 run 3 --answers=empty --scores exercise.deck
-says 'no file in this folder ends in .expect or .txt'
+says 'no file in this folder ends in .expect, .txt or .csv'
 run 3 --answers=answers --scores -o answers/anna.expect exercise.deck
 says 'it is also read'
 sed 's/^\[crank/[crnk/' exercise.deck >broken.deck

@@ -54,10 +54,10 @@ stroke
 at = 5 mm
 EOD
 run 2 --check=bad good.deck
-nothing
+check 'no value of two lines' test "$(grep -c '^no value' out)" -eq 2
 says 'bad:4: error: expected [expect] or [misprint] in this file, not [crank]'
-says "bad:7: error: expected 'key = value' or '[section]', not 'stroke'"
-says "bad:8: error: '5 mm' is a length; expected an angle"
+says "bad:7: error: expected NAME = VALUE, not 'stroke'"
+says "bad:8: error: '5 mm' is no angle: the values below it do not count"
 cat >bad <<'EOD'
 
 [expect]
@@ -69,19 +69,35 @@ check 'no value of both' test "$(grep -c '^no value' out)" -eq 2
 says "bad:3: error: 'xyzzy' is neither a column nor a fact of this deck"
 says "bad:4: error: expected a number, such as 0.02, not 'three'"
 echo 'n = 3' >bad
+run 0 --check=bad good.deck
+check 'a value without a header' grep -q '^ok  *bad:1: n = 3, computed 3' out
+says 'bad:1: note: no header [expect], read as if it were there'
+# what people write: another mark, commas, a colon, letters of any case, a spreadsheet
+printf '[expect]\nSTROKE: 200,0 mm\nN = 3,0\n' >bad
+run 0 --check=bad good.deck
+check 'names and colons' test "$(grep -c '^ok' out)" -eq 2
+says 'note: decimal commas, read as points'
+printf 'name;value;unit\nstroke;200,0;mm\nn;3\n' >bad
+run 0 --check=bad good.deck
+check 'a spreadsheet' test "$(grep -c '^ok' out)" -eq 2
+printf 'stroke,200.0,mm\nn,"3"\n' >bad
+run 0 --check=bad good.deck
+check 'one with commas' test "$(grep -c '^ok' out)" -eq 2
+printf '[expect]\nn = 3,0\nstroke = 200.0 mm\n' >bad
 run 2 --check=bad good.deck
-nothing
-check 'a value before the first section, with its line' grep -q '^bad:1: error: ' err
+says "bad:2: error: '3,0': a comma as decimal mark: write 3.0"
+{ cat good.deck && printf '[grading]\ndecimal = comma\n'; } >commas.deck
+run 0 --check=bad commas.deck
 printf '# nothing\n\n' >bad
 run 2 --check=bad good.deck
 nothing
-says 'bad:1: error: nothing to check'
+says 'error: nothing to check'
 printf '[expect]\n\001 = 3\n' >bad
 run 2 --check=bad good.deck
 check 'a control character, with its line' grep -q '^bad:2: error: ' err
 : >bad
 run 2 --check=bad good.deck
-says 'bad:1: error: nothing to check'
+says 'bad:1: error: the file is empty'
 # carriage returns, a byte order mark, no end of the last line
 printf '\357\273\277[expect]\r\nn = 3.0\r\nstroke = 200 mm' >answers-dos
 run 0 --check=answers-dos good.deck

@@ -186,4 +186,16 @@ for value in inf5 'inf m' infinity; do
     check "a mistake: $value" grep -q 'inf.deck:[0-9]*: error: ' err
 done
 
+# an angle read clockwise, or in another unit; a value cut off, not rounded
+whole() { "$fourlink" -f csv -b open -c "$1" --at="$2" "$alvi" | sed -n 's/^open,\([^,]*\),.*/\1/p'; }
+hinted() { # VALUE COLUMN UNIT: what is told of it at 60 deg
+    printf '[expect]\nat = 60 deg\n%s = %s %s\n' "$2" "$1" "$3" >answers.txt
+    "$fourlink" -b open --check=answers.txt "$alvi" >out
+}
+hinted "$(whole theta4 '300 deg' | cut -c1-7)" theta4 deg
+check "clockwise: $(head -n 1 out)" grep -q 'hint: .* is the value at theta2 = -60: angles are counter-clockwise$' out
+hinted "$(whole omega4 '197.7467707849 deg' | cut -c1-7)" omega4 rad/s
+check "radians: $(head -n 1 out)" grep -q 'hint: .* is the value at theta2 = 60 rad$' out
+hinted "$(whole theta4 '60 deg' | cut -c1-5)" theta4 deg # 105.626
+check "cut off: $(head -n 1 out)" grep -q 'hint: the computed value is cut off there, not rounded$' out
 finish

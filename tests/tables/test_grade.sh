@@ -53,10 +53,10 @@ echo 'crank = 20 mn' >>class/carla.deck
 cp plain.deck class/dora.deck
 run 3 --check=answers class/carla.deck class/dora.deck class/emil.deck class/anna.deck
 says 'class/carla.deck:15: error: '
-says 'fourlink: cannot read answers/dora.expect: No such file or directory'
+says 'fourlink: class/dora.deck: error: no file of this name in answers'
 says 'fourlink: cannot read class/emil.deck: No such file or directory'
 check 'bad decks' test "$(sed -n 's/^# bad deck: //p' out | cut -c1-32 | tr '\n' '|')" = \
-    'class/carla.deck:15: unknown key|cannot read answers/dora.expect:|class/emil.deck: No such file or|'
+    'class/carla.deck:15: unknown key|no file of this name in answers|class/emil.deck: No such file or|'
 check 'their scores' test "$(sed -n 's/^# score: //p' out | tr '\n' ',')" = '0,0,0,12 of 12,'
 run 2 -f csv --check=answers class/carla.deck class/anna.deck
 check 'the first mistake of a bad deck' grep -q \
@@ -99,7 +99,7 @@ same kept answers/anna.expect
 echo '[crank]' >answers/dora.expect
 run 2 --check=answers class/anna.deck class/dora.deck
 says 'answers/dora.expect:1: error: expected [expect] or [misprint] in this file'
-check 'answers with a mistake' grep -q '^# bad deck: answers/dora.expect:1: ' out
+check 'answers with a mistake' grep -q '^# bad deck: answers/dora.expect: line 1: ' out
 
 # ------------------------------------------------------------------------------------- one branch
 
