@@ -194,8 +194,8 @@ hinted() { # VALUE COLUMN UNIT: what is told of it at 60 deg
 }
 hinted "$(whole theta4 '300 deg' | cut -c1-7)" theta4 deg
 check "clockwise: $(head -n 1 out)" grep -q 'hint: .* is the value at theta2 = -60: angles are counter-clockwise$' out
-hinted "$(whole omega4 '197.7467707849 deg' | cut -c1-7)" omega4 rad/s
+hinted "$(printf %.4f "$(whole omega4 '197.7467707849 deg')")" omega4 rad/s
 check "radians: $(head -n 1 out)" grep -q 'hint: .* is the value at theta2 = 60 rad$' out
-hinted "$(whole theta4 '60 deg' | cut -c1-5)" theta4 deg # 105.626
+hinted "$(whole theta4 '60 deg' | cut -c1-6)" theta4 deg # 105.626
 check "cut off: $(head -n 1 out)" grep -q 'hint: the computed value is cut off there, not rounded$' out
 finish
