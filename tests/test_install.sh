@@ -231,7 +231,7 @@ completion() {
             _fourlink
             [ "${COMPREPLY[*]}" = "$1" ]' completes "$@"
     }
-    check 'an option completes' completes --format= --form
+    check 'an option completes' completes --format= --forma
     check 'its value completes' completes paper --format = p
     check 'another' completes json --format = j
     check 'a kind of picture completes' completes polar --plot-kind = pol

@@ -12,6 +12,7 @@
 
 #include "system/system.h"
 #include "batch.h"
+#include "feedback.h"
 #include "command.h"
 #include "files.h"
 #include "marks.h"
@@ -123,7 +124,7 @@ static int write_input(batch *b, const input *in)
 {
     const options *o = b->o;
     sheet *s = &b->s;
-    int status;
+    int status, told = 0;
     sheet_mark mark;
 
     if (has_no_score(o, in)) /* already reported */
@@ -132,6 +133,8 @@ static int write_input(batch *b, const input *in)
     s->failed = 0;
     if (in->deck || o->scores)
         marks_give(&b->m, in, &mark);
+    if (o->feedback && s->content == SHEET_SCORES)
+        told = feedback_write(&b->m, in, &mark);
     s->mark = in->deck ? &mark : NULL;
     if (s->content == SHEET_SCORES)
         content_write_mark(s, &mark);
@@ -139,7 +142,7 @@ static int write_input(batch *b, const input *in)
         content_write(s, NULL, in->name, "its columns are of rows, not values of the deck");
     else
         content_write(s, in->results, in->name, in->refusal);
-    status = status_of(s, in);
+    status = command_worse(status_of(s, in), told);
     s->mark = NULL;
     return in->results && (in->deck || o->scores) && mark.right < mark.of
                ? command_worse(status, EXIT_ROWS)
@@ -159,6 +162,9 @@ static void begin_sheet(batch *b, FILE *out)
     s->n_decks = (int)o->n_decks;
     s->no_value = tell_no_value;
     terminal_set_up(s, out, o->wide, o->colour);
+    s->questions = b->m.questions;
+    s->n_questions = s->content == SHEET_SCORES ? b->m.n : 0;
+    s->is_form = o->form;
     s->header = b->header;
     s->n_header = b->n_header;
     content_begin(s, out, 1);

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/message.h"
 #include "command.h"
 #include "files.h"
@@ -134,7 +136,8 @@ int marks_begin(marks *m, const options *o, const input *deck)
     if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
         return 0;
     m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
-    if (!m->list)
+    m->questions = malloc(MOST_QUESTIONS * sizeof *m->questions);
+    if (!m->list || !m->questions)
         return command_complain("cannot start", "", "not enough memory");
     if (deck)
         add(m, deck, 0);
@@ -165,6 +168,14 @@ void marks_end(marks *m)
         m->are_guessed |= m->list[i].answers < m->readable;
     }
     m->n = m->n_of_deck ? m->n_of_deck : kept;
+    for (i = 0; i < m->n; i++) {
+        char *name = m->questions[i].name;
+        int none = 0;
+
+        name[0] = '\0';
+        put_name(name, sizeof m->questions[i].name, "", &none, &m->list[i].value);
+        m->questions[i].of = m->list[i].value.marks;
+    }
     tell(m, m->o->check_file, m->deck != NULL);
 }
 
@@ -307,8 +318,10 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
     memset(mark, 0, sizeof *mark);
     mark->path = path ? path : "";
     flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
-    for (i = 0; i < m->n; i++)
+    for (i = 0; i < m->n; i++) {
         mark->of += m->list[i].value.marks;
+        m->questions[i].got = GSL_NAN;
+    }
     if (!in->results) {
         put(mark->note, sizeof mark->note, in->refusal);
         return;
@@ -316,6 +329,8 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
     find_answers(m, in);
     for (i = 0; i < m->n; i++) {
         mark->right += m->list[i].is_right == 1 ? m->list[i].value.marks : 0;
+        if (m->list[i].is_right != NO_ANSWER)
+            m->questions[i].got = m->list[i].is_right ? m->list[i].value.marks : 0;
         if (m->list[i].is_right == NO_ANSWER)
             put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i].value);
     }
@@ -329,7 +344,15 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
     note_checks(m, in, mark);
 }
 
+long marks_question(const marks *m, const fourlink_check *c)
+{
+    const question *q = find(m, c);
+
+    return q ? (long)(q - m->list) : -1;
+}
+
 void marks_free(marks *m)
 {
+    free(m->questions);
     free(m->list);
 }

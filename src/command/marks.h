@@ -11,9 +11,10 @@
 typedef struct marks {
     struct question *list; /* null: each file is asked for the values that it has */
     unsigned long n;
-    unsigned long n_of_deck; /* those of the deck's own [expect] */
-    int set_tolerances;      /* 1: some answers set their own */
-    int are_guessed;         /* 1: found in the answers, because the deck does not list them */
+    sheet_question *questions; /* the same, for sheets; marks_give sets what each got */
+    unsigned long n_of_deck;   /* those of the deck's own [expect] */
+    int set_tolerances;        /* 1: some answers set their own */
+    int are_guessed;           /* 1: found in the answers, because the deck does not list them */
     unsigned long readable, number; /* answers that could be read, of so many */
     const options *o;
     const input *deck;
@@ -28,6 +29,9 @@ void marks_end(marks *m);
 
 /* What an input is worth. */
 void marks_give(marks *m, const input *in, sheet_mark *mark);
+
+/* The question that a value answers; -1: it is not asked. */
+long marks_question(const marks *m, const fourlink_check *c);
 
 void marks_free(marks *m);
 

@@ -183,6 +183,14 @@ static int set_check(options *o, const char *value, char message[400])
     return 1;
 }
 
+static int set_feedback(options *o, const char *value, char message[400])
+{
+    o->feedback = value;
+    o->scores = 1;
+    return options_is_folder(value) ||
+           say(message, "--feedback needs a folder, such as feedback/, not '", value, "'");
+}
+
 static int set_answers(options *o, const char *value, char message[400])
 {
     o->answers = value;
@@ -250,10 +258,16 @@ static const option_info table[] = {
      "compare one deck with each file of answers in FOLDER", NULL},
     {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
      "print a score for each deck or file, not each value", NULL},
+    {0, "--feedback", "FOLDER/", NULL, set_feedback, SHEET_CHECK, 0,
+     "print scores, and write a text for each student into FOLDER/: what was right or wrong, and "
+     "why",
+     NULL},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'", NULL},
     {0, "--expect", NULL, CONTENT(SHEET_EXPECT),
      "print the values of the deck as answers for --check=FILE", NULL},
+    {0, "--form", NULL, NULL, NULL, SHEET_EXPECT, offsetof(options, form),
+     "the same without values, or what the [expect] of the deck asks: a form to fill in", NULL},
     {'p', "--plot", "FILE", OWN(set_plot),
      "draw a picture: %s, or -; the table is printed too with --format or "
      "--output",

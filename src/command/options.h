@@ -20,6 +20,8 @@ typedef struct options {
     const char *colour;     /* always or never; null: on a terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *answers;    /* the folder of --answers, which check_file is then too */
+    int form;               /* 1: of --expect, the names without the values */
+    const char *feedback;   /* the folder of --feedback; null: none */
     int scores;             /* 1: a line for each deck, or file of answers, instead of each value */
     const char *at;         /* the crank angles of --expect; null: the rows */
     const char *output;     /* null: standard output */

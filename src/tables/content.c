@@ -424,7 +424,7 @@ static void write_content(sheet *s)
         write_values(s);
         return;
     }
-    if (s->format->open)
+    if (s->format->open && !s->is_form)
         s->format->open(s);
     switch (s->content) {
     case SHEET_SUMMARY:

@@ -75,7 +75,12 @@ static void begin(sheet *s)
     if (s->n_decks <= 1 && (s->n_variables || s->each))
         line_put(&s->l, "%s,", s->each ? s->each : "design");
     if (heads[s->content]) {
-        line_put(&s->l, "%s\n", heads[s->content]);
+        line_put(&s->l, "%s", heads[s->content]);
+        for (i = 0; i < s->n_questions; i++) {
+            line_byte(&s->l, ',');
+            put_words(&s->l, s->questions[i].name);
+        }
+        line_byte(&s->l, '\n');
         return;
     }
     for (i = 0; i < s->n_variables; i++)
@@ -225,6 +230,8 @@ static void refuse(sheet *s, const char *why)
 
 static void put_mark(sheet *s, const sheet_mark *m)
 {
+    unsigned long i;
+
     put_words(&s->l, m->name);
     line_put(&s->l, ",%12g,%12g", m->right, m->of);
     if (m->of > 0)
@@ -232,6 +239,11 @@ static void put_mark(sheet *s, const sheet_mark *m)
     else
         line_put(&s->l, ",,");
     put_words(&s->l, m->note);
+    for (i = 0; i < s->n_questions; i++) {
+        line_byte(&s->l, ',');
+        if (!gsl_isnan(s->questions[i].got))
+            line_number(&s->l, s->questions[i].got, DIGITS);
+    }
     line_byte(&s->l, '\n');
 }
 

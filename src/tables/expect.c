@@ -12,6 +12,7 @@
 #include <gsl/gsl_math.h>
 
 #include "content.h"
+#include "head.h"
 #include "style.h"
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */
@@ -37,10 +38,22 @@ static void find_style(style *x)
     x->decimals += x->exponent;
 }
 
+/* A name without its value; its unit is a comment, so that an empty line is no answer. */
+static void put_form_name(sheet *s, const char *name, const char *unit_name)
+{
+    int has_unit = *unit_name && strcmp(unit_name, "1") != 0;
+
+    line_put(&s->l, "%s = %s%s\n", name, has_unit ? "          # " : "", has_unit ? unit_name : "");
+}
+
 static void put_value(sheet *s, const fourlink_value *column, const style *x, double value)
 {
     char number[FORMAT_SIZE];
 
+    if (s->is_form) {
+        put_form_name(s, column->name, column->unit);
+        return;
+    }
     if (!gsl_finite(value)) {
         line_put(&s->l, "# %s is %s here\n", column->name,
                  gsl_isnan(value) ? "not defined" : "unbounded");
@@ -102,18 +115,57 @@ static void write_rows(sheet *s, fourlink_branch branch)
     }
 }
 
+/* --------------------------------------------------------------------------------------------- a form */
+
+/* Begin a section of a form. */
+static void put_form_place(sheet *s, int has_at, double at, int is_time, fourlink_branch branch)
+{
+    line_put(&s->l, "\n[expect]\n");
+    if (has_at)
+        line_put(&s->l, "at = %15g %s\n", at, is_time ? "s" : s->v.units[QUANTITY_ANGLE].name);
+    line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
+}
+
+/* What the deck's own [expect] asks. */
+static void write_asked(sheet *s)
+{
+    fourlink_check c, before;
+    unsigned long i;
+
+    for (i = 0; i < s->v.problem.n_expected; i++) {
+        fourlink_results_check(s->v.results, i, &c);
+        if (i == 0 || c.has_angle != before.has_angle || c.angle != before.angle ||
+            c.has_time != before.has_time || c.time != before.time || c.branch != before.branch)
+            put_form_place(s, c.has_angle, c.has_time ? c.time : c.angle, c.has_time, c.branch);
+        put_form_name(s, c.name, c.unit);
+        before = c;
+    }
+}
+
+static void write_form(sheet *s)
+{
+    head_put_title(s);
+    line_put(&s->l, "# Write each value behind its = sign, with its unit.\n");
+    if (s->v.problem.n_expected)
+        write_asked(s);
+}
+
 void expect_write(sheet *s)
 {
     style *styles = s->layout;
     int i;
     unsigned long j;
 
+    if (s->is_form)
+        write_form(s);
+    if (s->is_form && s->v.problem.n_expected)
+        return;
     style_find_sizes(&s->v, SOUND, 1, s->values, styles);
     for (j = 0; j < s->v.n_columns; j++)
         find_style(&styles[j]);
-    if (s->v.problem.is_graded)
+    if (s->v.problem.is_graded && !s->is_form)
         line_put(&s->l, "# Values agree within the tolerances of [grading].\n");
-    else
+    else if (!s->is_form)
         line_put(
             &s->l,
             "# Values agree within half of their last digit.  For another tolerance add a line "

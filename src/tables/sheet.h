@@ -37,6 +37,12 @@ typedef struct sheet_mark {
     char note[1000];
 } sheet_mark;
 
+/* A value that is asked for, and the marks that it got. */
+typedef struct sheet_question {
+    char name[160]; /* "theta4 at 60" */
+    double of, got; /* NaN: there is no answer */
+} sheet_question;
+
 /* Set it to zero, set the members that content_begin needs, and call that. */
 typedef struct sheet {
     line l;
@@ -49,6 +55,10 @@ typedef struct sheet {
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
+
+    const sheet_question *questions; /* of SHEET_SCORES */
+    unsigned long n_questions;
+    int is_form; /* 1: of SHEET_EXPECT, the names without the values */
 
     /* the deck, or design, that is being written */
     const char *deck_name;  /* null: it is the only one */

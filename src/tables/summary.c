@@ -119,8 +119,8 @@ static const char *meaning_of(const sheet *s, const fourlink_value *f, char out[
 
     return flk_text_join(
         out, MEANING, f->meaning, *branch ? ", " : "", branch, f->has_angle ? ", at " : "",
-        f->has_angle ? format_general(f->angle, s->v.problem.digits, number) : "", f->has_angle ? " " : "",
-        f->has_angle ? s->v.units[QUANTITY_ANGLE].name : "", (char *)NULL);
+        f->has_angle ? format_general(f->angle, s->v.problem.digits, number) : "",
+        f->has_angle ? " " : "", f->has_angle ? s->v.units[QUANTITY_ANGLE].name : "", (char *)NULL);
 }
 
 void summary_put_fact(sheet *s, const fourlink_value *f)

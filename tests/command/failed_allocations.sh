@@ -211,10 +211,13 @@ sed -i 's/^length *= 66 mm/length = 67 mm/' class/ben.deck
 all 1 -f csv --check=answers/ -o files/result class/anna.deck class/ben.deck class/carla.deck
 all 1 --check=answers/ class/anna.deck class/ben.deck class/carla.deck
 all 1 --answers=answers --scores -f csv -o files/result class/anna.deck
+mkdir feedback
+all 1 --answers=answers --feedback=feedback/ -o files/result class/anna.deck
 all 1 --answers=answers --tolerance='1 %, 1 deg' -o files/result class/anna.deck
 echo 'crank = 20 mn' >>class/carla.deck
 all 2 -f csv --check=answers/ -o files/result class/carla.deck class/anna.deck
 all 0 --expect --at='0 deg, 90 deg' -o files/result single.deck
+all 0 --form --at='0 deg, 90 deg' -o files/result single.deck
 all 0 --list -o files/result single.deck
 all 0 --matrix -o files/result $few single.deck
 ln -s files/result link

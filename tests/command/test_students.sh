@@ -13,7 +13,7 @@ deck() { # NAME CRANK: a variant, and its answers in answers/NAME.expect
     "$fourlink" --expect --at='60 deg, 200 deg' -c theta3,theta4,omega4 "decks/$1.deck" >"answers/$1.expect"
 }
 line() { # NAME MARKS NOTE: the line of a student
-    check "$1: $(grep "^\"*$1" out)" grep -q "^$1,$2,6,[^,]*,\"*$3\"*\$" out
+    check "$1: $(grep "^\"*$1" out)" grep -q "^$1,$2,6,[^,]*,\"*$3\"*\(,[01]*\)\{6\}\$" out
 }
 
 mkdir decks answers
@@ -59,6 +59,40 @@ line 'Ned No' 6 ''
 line 'Oli Od' 0 'no file of this name in answers'
 says "answers: note: 'Ada Alo.txt' is nobody's: no deck has its name; the nearest is 'Ada Al'"
 check 'nothing else is nobody'"'"'s' test "$(grep -c "is nobody's" err)" -eq 1
+
+check 'a column for each question' grep -q '^name,right,of,percent,note,theta3 at 60,theta4 at 60,omega4 at 60,theta3 at 200' out
+check 'its marks' grep -q '^Ada Al,6,6,100,,1,1,1,1,1,1$' out
+check 'those missing' grep -q '^Ida In,3,6,50,.*,,,,1,1,1$' out
+
+# a text for each, also for those without a file; computed values only if [grading] says so
+mkdir feedback
+run 3 --check=answers --feedback=feedback/ decks/*.deck
+check 'a line each' grep -Eq '^Ada Al +6 +6' out
+check 'a text each' test "$(ls feedback | wc -l)" -eq 15
+check 'right' grep -Eq '^theta3 at 60 +[0-9.]+ deg +right, 1 of 1$' 'feedback/Ada Al.txt'
+check 'wrong' grep -Eq '^theta3 at 60 +[0-9.]+ deg +wrong, 0 of 1' 'feedback/Kim Ko.txt'
+check 'no answer' test "$(grep -c 'no answer, 0 of 1$' 'feedback/Oli Od.txt')" -eq 6
+check 'why' grep -qx 'no file of this name in answers' 'feedback/Oli Od.txt'
+check 'no computed values' none computed 'feedback/Kim Ko.txt'
+sed -i 's/^digits.*/feedback = answers/' 'decks/Kim Ko.deck'
+run 3 --check=answers --feedback=feedback/ decks/*.deck
+check 'computed values' test "$(grep -c 'wrong, 0 of 1; computed [0-9.]* ' 'feedback/Kim Ko.txt')" -eq 4
+usage '--feedback needs a folder, such as feedback/' --feedback=feedback --check=answers 'decks/Kim Ko.deck'
+
+# a form: nothing of the solution; not filled in, all is missing; filled in, all is right
+run 0 --form --at='60 deg, 200 deg' -c theta3,omega4 'decks/Jon Ja.deck'
+check 'no number but those of the places' none -E '^(theta3|omega4) = *-?[0-9]' out
+check 'names and units' test "$(grep -c '^theta3 = *# deg$\|^omega4 = *# rad/s$' out)" -eq 4
+check 'nothing of the type' none rocker out
+cp out form.txt
+"$fourlink" --expect --at='60 deg, 200 deg' -c theta3,omega4 'decks/Jon Ja.deck' | sed -n 's/^\(theta3\|omega4\) = //p' >values
+awk 'NR == FNR {v[NR] = $0; next} / = *# /{sub(/ = *#.*/, " = " v[++n])} {print}' values form.txt >full.txt
+run 0 --check=full.txt 'decks/Jon Ja.deck'
+check 'filled in' grep -q '^# score: 4 of 4$' out
+{ cat 'decks/Jon Ja.deck' && printf '[expect]\nswing = 7 deg\n[expect]\nat = 60 deg\nomega4 = 3 rad/s\n'; } >own.deck
+run 0 --form own.deck
+check 'what its own [expect] asks' test "$(grep -c '^swing = *# deg$\|^omega4 = *# rad/s$' out)" -eq 2
+check 'not its values' none -E '= [37] ' out
 
 # decimal marks by [grading]
 for mark in comma point; do
