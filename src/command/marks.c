@@ -223,7 +223,8 @@ static int is_told(const input *in, unsigned long i, const fourlink_check *c)
     return 0;
 }
 
-/* Note what is wrong, names with the same reason together: "wrong: Ts at 60, 200 (the sign is the opposite)". */
+/* Note what is wrong, names with the same reason together: "wrong: Ts at 60, 200 (the sign is the
+** opposite)". */
 static void note_wrong(const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;

@@ -11,8 +11,9 @@
 /* Why the options do not go together, or null. */
 const char *rules_of_options(const options *o);
 
-/* Why a deck that has been opened cannot serve them, or null.  `is_design`: a design of a [sweep] was taken from
-** it; `has_task`: its linkage was found for a [synthesis]; `has_values`: its columns are values of the deck. */
+/* Why a deck that has been opened cannot serve them, or null.  `is_design`: a design of a [sweep] was taken
+** from it; `has_task`: its linkage was found for a [synthesis]; `has_values`: its columns are values of the
+** deck. */
 const char *rules_of_deck(const options *o, const fourlink_problem *p, int is_design, int has_task,
                           int has_values);
 

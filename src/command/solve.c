@@ -2,9 +2,9 @@
 **
 ** solve.c - questions answered backwards: KEY = LOW .. HIGH where NAME = VALUE, or NAME at ANGLE = VALUE.
 **
-** The range is walked in equal steps on each branch.  A solution is a zero of NAME - VALUE between two steps,
-** or a place where it touches 0; a jump, a pole and the end of what can be assembled are none.  What is between
-** two steps and back again is not found.
+** The range is walked in equal steps on each branch.  A solution is a zero of NAME - VALUE between two
+** steps, or a place where it touches 0; a jump, a pole and the end of what can be assembled are none.  What
+** is between two steps and back again is not found.
 */
 #include <math.h>
 #include <stdlib.h>

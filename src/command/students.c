@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** students.c - the files of a folder by the names of students: what was handed in, by whom, and what is nobody's.
+** students.c - the files of a folder by the names of students: what was handed in, by whom, and what is
+** nobody's.
 */
 #include <stdlib.h>
 #include <string.h>

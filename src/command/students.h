@@ -10,7 +10,8 @@
 /* A name of a file, or of a student, without its endings. */
 text students_stem(const char *path);
 
-/* 1 if two names are of the same student: letters without case and accents; blanks, "_" and "-" are the same. */
+/* 1 if two names are of the same student: letters without case and accents; blanks, "_" and "-" are the
+** same. */
 int students_same(text x, text y);
 
 /* The files of a folder. */
@@ -24,8 +25,8 @@ typedef struct student_files {
 int students_list(student_files *f, const char *folder);
 void students_free(student_files *f);
 
-/* The file of a student, which is then claimed: that with the name itself before others, .expect, .txt and .csv
-** before other endings; null if there is none. */
+/* The file of a student, which is then claimed: that with the name itself before others, .expect, .txt and
+** .csv before other endings; null if there is none. */
 const char *students_find(student_files *f, text stem);
 
 /* 1 if a file is one of answers: it ends in .expect, .txt or .csv. */

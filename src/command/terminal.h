@@ -14,8 +14,8 @@
 ** what the terminal says; a terminal that says nothing has 80. */
 unsigned long terminal_width(FILE *out);
 
-/* 1 if a stream is shown in colour: on a terminal, unless NO_COLOR is set or the terminal is dumb; or as --color
-** says. */
+/* 1 if a stream is shown in colour: on a terminal, unless NO_COLOR is set or the terminal is dumb; or as
+** --color says. */
 int terminal_has_colour(FILE *out, const char *colour);
 
 /* Set the width and the colours of a sheet. */

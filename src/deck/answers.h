@@ -7,9 +7,10 @@
 
 #include "parser.h"
 
-/* The text of a file of answers with as many lines, in the form of [expect] sections: NAME: VALUE and the lines of
-** a spreadsheet, NAME;VALUE;UNIT, become NAME = VALUE UNIT, decimal commas points.  What is no value is left out
-** and told among the deck's slips; values below an `at` or a `branch` that is not understood are left out. */
+/* The text of a file of answers with as many lines, in the form of [expect] sections: NAME: VALUE and the
+** lines of a spreadsheet, NAME;VALUE;UNIT, become NAME = VALUE UNIT, decimal commas points.  What is no
+** value is left out and told among the deck's slips; values below an `at` or a `branch` that is not
+** understood are left out. */
 text flk_answers_plain(parser *p, text contents);
 
 #endif

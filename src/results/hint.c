@@ -42,7 +42,8 @@ static const char *hint_of_factor(const fourlink_check *c)
     return NULL;
 }
 
-/* 1 if a value is the computed one cut off after its last digit, not rounded; half of that is the tolerance. */
+/* 1 if a value is the computed one cut off after its last digit, not rounded; half of that is the
+** tolerance. */
 static int is_cut_off(const fourlink_check *c)
 {
     double digit = 2 * c->tolerance, last;

@@ -15,8 +15,8 @@
 #include "turning.h"
 #include "deck/reader.h"
 
-/* Check a name in the [sweep] output: a fact, a statistic of a column, or an input; a column only if the deck has
-** one instant. */
+/* Check a name in the [sweep] output: a fact, a statistic of a column, or an input; a column only if the
+** deck has one instant. */
 static void check_output(flk_opened *o, text name, const flk_name *n, text_place place)
 {
     mistakes *m = &o->d.mistakes;
@@ -113,8 +113,8 @@ static int copy_outputs(flk_opened *o, const flk_opened *from)
     return 1;
 }
 
-/* Find, of the columns that the deck names, the first that has a value in each row, and the first that has one for the
-** deck, such as a fact; null: there is none. */
+/* Find, of the columns that the deck names, the first that has a value in each row, and the first that has
+** one for the deck, such as a fact; null: there is none. */
 static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
 {
     text rest = o->d.columns.names, name;

@@ -40,6 +40,12 @@ static int take_column(const view *v, text name, text value, at_item *item, char
         flk_message(message, 400, "'%t' needs rows by angle; these are rows by time", item->words);
         return -1;
     }
+    if (v->problem.one_instant) {
+        flk_message(message, 400,
+                    "'%t' is sought along a motion; this one is one instant, [motion] at = %g %s",
+                    item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
+        return -1;
+    }
     item->column = column->name;
     return view_read(v, flk_quantity_find(column->quantity), value, item->words, &item->value,
                      message)
@@ -68,7 +74,12 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     if (fourlink_results_at(v->results, FOURLINK_OPEN, item->value, NULL, NULL, NULL) !=
         FOURLINK_NO_SUCH_ANGLE)
         return 1;
-    flk_message(message, 400, "the motion does not reach theta2 = %t", item->words);
+    flk_message(message, 400,
+                v->problem.one_instant
+                    ? "the motion does not reach theta2 = %t: it is one instant, "
+                      "[motion] at = %g %s"
+                    : "the motion does not reach theta2 = %t",
+                item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
     return -1;
 }
 

@@ -41,4 +41,10 @@ run 2 --at='theta4 = 120 deg' -s motion.mode=free -s motion.speed='5 rad/s' -s m
 check "rows by time: $(cat err)" grep -q 'needs rows by angle; these are rows by time' err
 usage '--at chooses rows of a table, csv, json or --expect' --at='30 deg' --format=paper "$rocker"
 usage '--at chooses rows of a table, csv, json or --expect' --at='30 deg' --plot=x.svg "$rocker"
+# a motion of one instant says that it is one
+run 2 --at='theta3 = 3 deg' "$data/dfa-example-1.deck"
+says "'theta3 = 3 deg' is sought along a motion; this one is one instant, [motion] at = 30 deg"
+run 2 --at='60 deg' "$data/dfa-example-1.deck"
+says 'the motion does not reach theta2 = 60 deg: it is one instant, [motion] at = 30 deg'
+run 0 --at='30 deg' "$data/dfa-example-1.deck"
 finish
