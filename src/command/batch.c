@@ -184,11 +184,37 @@ static void batch_close(batch *b)
     marks_free(&b->m);
 }
 
+/* Open the deck of answers in a file without them, if it is an exercise, with [expect] and [grading]; then
+** they are asked for the values of its [expect], as those of a class. */
+static int open_exercise(const input *in, input *deck)
+{
+    options of_deck = *in->o;
+    grade_answers none;
+
+    memset(deck, 0, sizeof *deck);
+    if (in->o->content != SHEET_CHECK || in->deck || !in->results || !in->source.answers ||
+        in->answers.path || in->is_design || !in->problem.is_graded ||
+        strcmp(in->name, "<stdin>") == 0)
+        return 0;
+    memset(&none, 0, sizeof none);
+    of_deck.content = SHEET_SUMMARY;
+    of_deck.check_file = NULL;
+    command_be_silent(1);
+    input_read(deck, in->o->decks[0], &of_deck, &none, NULL);
+    command_be_silent(0);
+    return deck->results && deck->problem.n_expected > 0;
+}
+
 int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
 {
+    input deck, of_exercise = *in;
     int status;
     batch b;
 
+    if (open_exercise(in, &deck)) {
+        of_exercise.deck = &deck;
+        in = &of_exercise;
+    }
     memset(&b, 0, sizeof b);
     b.o = in->o;
     b.answers = answers;
@@ -203,6 +229,7 @@ int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
         status = write_input(&b, in);
     }
     batch_close(&b);
+    input_close(&deck);
     return status;
 }
 

@@ -94,6 +94,17 @@ run 0 --form own.deck
 check 'what its own [expect] asks' test "$(grep -c '^swing = *# deg$\|^omega4 = *# rad/s$' out)" -eq 2
 check 'not its values' none -E '= [37] ' out
 
+# a file by itself has the score that it has among others, if the deck is an exercise, with [expect] and [grading]
+mkdir alone
+printf '[expect]\nat = 60 deg\nomega4 = 6 rad/s\n' >alone/one.txt
+run 1 --check=alone/one.txt own.deck
+check "of two: $(tail -n 2 out)" grep -qx '# score: 0 of 2' out
+run 1 --answers=alone own.deck
+check 'the same in a folder' grep -qx '# score: 0 of 2' out
+sed '/^.grading/,/^digits/d' own.deck >plain.deck
+run 1 --check=alone/one.txt plain.deck
+check 'a list of its own' grep -qx '# score: 0 of 1' out
+
 # decimal marks by [grading]
 for mark in comma point; do
     sed "s/^digits.*/decimal = $mark/" 'decks/Jon Ja.deck' >"$mark.deck"
