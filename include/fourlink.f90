@@ -336,6 +336,7 @@ module fourlink
     integer(c_int) :: one_instant, one_revolution, digits
     integer(c_long) :: n_expected, n_designs, design
     integer(c_int) :: has_outputs, has_values, is_graded, shows_answers
+    real(c_double) :: late
     integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
     real(c_double) :: time_step, duration ! s, of rows by time
   end type fourlink_problem

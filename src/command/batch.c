@@ -164,6 +164,7 @@ static void begin_sheet(batch *b, FILE *out)
     terminal_set_up(s, out, o->wide, o->colour);
     s->questions = b->m.questions;
     s->n_questions = s->content == SHEET_SCORES ? b->m.n : 0;
+    s->has_roster = b->m.names.n > 0;
     s->is_form = o->form;
     s->header = b->header;
     s->n_header = b->n_header;

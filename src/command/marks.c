@@ -143,7 +143,7 @@ int marks_begin(marks *m, const options *o, const input *deck)
         add(m, deck, 0);
     m->n_of_deck = m->n;
     m->set_tolerances = 0;
-    return 0;
+    return o->names ? roster_read(&m->names, o->names) : 0;
 }
 
 void marks_add(marks *m, const input *in)
@@ -309,7 +309,21 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         put_part(mark->note, size, in->remarks);
 }
 
-void marks_give(marks *m, const input *in, sheet_mark *mark)
+/* The id and the days late of the list of names, and the marks after the deduction of [grading]. */
+static void take_entry(const marks *m, const input *in, sheet_mark *mark)
+{
+    const fourlink_problem *p = m->deck ? &m->deck->problem : &in->problem;
+    const roster_entry *e = roster_find(&m->names, flk_text_of(mark->name));
+
+    mark->total = mark->right;
+    if (!e)
+        return;
+    flk_text_copy(e->id, mark->id, sizeof mark->id);
+    mark->late = e->late;
+    mark->total *= GSL_MAX_DBL(0, 1 - e->late * p->late);
+}
+
+static void give(marks *m, const input *in, sheet_mark *mark)
 {
     const char *path = in->deck ? in->source.answers_name : in->name;
     int n_missing = 0;
@@ -352,8 +366,15 @@ long marks_question(const marks *m, const fourlink_check *c)
     return q ? (long)(q - m->list) : -1;
 }
 
+void marks_give(marks *m, const input *in, sheet_mark *mark)
+{
+    give(m, in, mark);
+    take_entry(m, in, mark);
+}
+
 void marks_free(marks *m)
 {
     free(m->questions);
+    roster_free(&m->names);
     free(m->list);
 }

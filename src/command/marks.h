@@ -6,6 +6,7 @@
 #define FOURLINK_MARKS_H
 
 #include "input.h"
+#include "roster.h"
 
 /* The values that are asked for. */
 typedef struct marks {
@@ -18,6 +19,7 @@ typedef struct marks {
     unsigned long readable, number; /* answers that could be read, of so many */
     const options *o;
     const input *deck;
+    roster names; /* of --names; empty: none */
 } marks;
 
 /* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own

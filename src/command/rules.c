@@ -82,7 +82,7 @@ static const rule of_options[] = {
     {BOTH, BOTH, 0, "--design=all writes answers or reports, one of them at a time"},
     {ALL, PIPE, 0, "--design=all reads the deck for each design: it needs a file"},
     {REPORTS, 0, ALL, "--report=FOLDER/ needs --design=all"},
-    {NAMES, 0, ALL, "--names needs --design=all"},
+    {NAMES, 0, ALL | CHECK, "--names needs --design=all or --scores"},
     {DESIGN, PART | BEST, 0, "--design takes one design, not the whole [sweep]"},
     {SOLUTION, 0, SYNTHESIS, "--solution needs --synthesis"},
     {SYNTHESIS, SEVERAL, 0, "--synthesis takes one deck, not several"},

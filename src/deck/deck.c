@@ -124,6 +124,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->digits = d->digits;
     problem->n_expected = (unsigned long)d->n_expectations;
     problem->is_graded = d->n_rules > 0 && !d->rules[d->n_rules - 1].name.length;
+    problem->late = d->late;
     problem->shows_answers = d->shows_answers;
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;

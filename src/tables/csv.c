@@ -75,7 +75,7 @@ static void begin(sheet *s)
     if (s->n_decks <= 1 && (s->n_variables || s->each))
         line_put(&s->l, "%s,", s->each ? s->each : "design");
     if (heads[s->content]) {
-        line_put(&s->l, "%s", heads[s->content]);
+        line_put(&s->l, "%s%s", heads[s->content], s->has_roster ? ",id,late,total" : "");
         for (i = 0; i < s->n_questions; i++) {
             line_byte(&s->l, ',');
             put_words(&s->l, s->questions[i].name);
@@ -239,6 +239,11 @@ static void put_mark(sheet *s, const sheet_mark *m)
     else
         line_put(&s->l, ",,");
     put_words(&s->l, m->note);
+    if (s->has_roster) {
+        line_byte(&s->l, ',');
+        put_words(&s->l, m->id);
+        line_put(&s->l, ",%12g,%12g", m->late, m->total);
+    }
     for (i = 0; i < s->n_questions; i++) {
         line_byte(&s->l, ',');
         if (!gsl_isnan(s->questions[i].got))

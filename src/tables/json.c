@@ -319,6 +319,11 @@ static void put_mark(sheet *s, const sheet_mark *m)
     put_named_number(&s->l, "of", m->of);
     put_named_number(&s->l, "percent", sheet_percent(m));
     put_text(&s->l, "note", m->note);
+    if (s->has_roster) {
+        put_text(&s->l, "id", m->id);
+        put_named_number(&s->l, "late", m->late);
+        put_named_number(&s->l, "total", m->total);
+    }
     line_put(&s->l, "}\n");
 }
 

@@ -31,9 +31,11 @@ struct sheet_format;
 
 /* What the answers of a file are worth. */
 typedef struct sheet_mark {
-    const char *path; /* of the file, or the deck */
-    char name[256];   /* of the file without its ending */
-    double right, of; /* marks */
+    const char *path;   /* of the file, or the deck */
+    char name[256];     /* of the file without its ending */
+    double right, of;   /* marks */
+    char id[64];        /* of the list of names */
+    double late, total; /* days; the marks after the deduction for them */
     char note[1000];
 } sheet_mark;
 
@@ -58,7 +60,8 @@ typedef struct sheet {
 
     const sheet_question *questions; /* of SHEET_SCORES */
     unsigned long n_questions;
-    int is_form; /* 1: of SHEET_EXPECT, the names without the values */
+    int has_roster; /* 1: marks have an id, days late and a total */
+    int is_form;    /* 1: of SHEET_EXPECT, the names without the values */
 
     /* the deck, or design, that is being written */
     const char *deck_name;  /* null: it is the only one */

@@ -212,6 +212,8 @@ all 1 -f csv --check=answers/ -o files/result class/anna.deck class/ben.deck cla
 all 1 --check=answers/ class/anna.deck class/ben.deck class/carla.deck
 all 1 --answers=answers --scores -f csv -o files/result class/anna.deck
 mkdir feedback
+printf 'name,id,late\nanna,1,2\n' >names.csv
+all 1 --answers=answers --scores --names=names.csv -f csv -o files/result class/anna.deck
 all 1 --answers=answers --feedback=feedback/ -o files/result class/anna.deck
 all 1 --answers=answers --tolerance='1 %, 1 deg' -o files/result class/anna.deck
 echo 'crank = 20 mn' >>class/carla.deck

@@ -212,7 +212,7 @@ Anna' '1
     says 'bad.txt'
 done
 run 3 --design=all --print-deck --output=decks/ --names=missing.txt sweep.deck
-usage '--names needs --design=all' --names=students.txt sweep.deck
+usage '--names needs --design=all or --scores' --names=students.txt sweep.deck
 usage '--report=FOLDER/ needs --design=all' --report=reports/ exercise.deck
 usage '--design=all needs --print-deck or --expect' --design=all --expect sweep.deck
 usage '--answers takes one deck' --answers=answers exercise.deck asked.deck

@@ -94,6 +94,22 @@ run 0 --form own.deck
 check 'what its own [expect] asks' test "$(grep -c '^swing = *# deg$\|^omega4 = *# rad/s$' out)" -eq 2
 check 'not its values' none -E '= [37] ' out
 
+# ids and days late of a list of names; a deduction for each day
+printf 'late;id;name\n2;007;ADA_AL\n;8;Bo By\n20;9;Jon Ja\n' >names.csv
+for variant in decks/*.deck; do sed -i 's/^tolerance.*/&\nlate = 10 %/' "$variant"; done
+run 3 --check=answers --scores -f csv --names=names.csv decks/*.deck
+check 'its header' grep -q '^name,right,of,percent,note,id,late,total,theta3 at 60,' out
+check "two days: $(grep '^Ada' out)" grep -q '^Ada Al,6,6,100,,007,2,4.8,1' out
+check 'in time' grep -q '^Bo By,6,6,100,,8,0,6,1' out
+check 'no marks below 0' grep -q '^Jon Ja,6,6,100,,9,20,0,1' out
+check 'not in the list' grep -q '^Ned No,6,6,100,,,0,6,1' out
+printf 'name,late\nBo By,two\n' >names.csv
+run 2 --check=answers --scores --names=names.csv decks/*.deck
+says 'names.csv:2: error: late must be a number of days, such as 2'
+printf 'Ada Al\n' >names.csv
+run 2 --check=answers --scores --names=names.csv decks/*.deck
+says 'names.csv:1: error: expected the titles of columns: name, id, late'
+
 # a file by itself has the score that it has among others, if the deck is an exercise, with [expect] and [grading]
 mkdir alone
 printf '[expect]\nat = 60 deg\nomega4 = 6 rad/s\n' >alone/one.txt
