@@ -51,7 +51,7 @@ void flk_build_friction(parser *p)
     const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
                   *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
                   *mu = flk_setting_find(p, KEY_FRICTION_MU),
-                  *radius = flk_setting_find(p, KEY_FRICTION_RADIUS);
+                  *radius = flk_setting_find(p, KEY_FRICTION_RADIUS), *own;
     fourlink_friction *friction = &p->d->machine.friction;
     int i, has_pins = IS_SET(mu), lacks_radius = 0;
 
@@ -59,6 +59,8 @@ void flk_build_friction(parser *p)
         return;
     for (i = 0; i < 4; i++) {
         has_pins |= IS_SET(flk_setting_of(use, flk_friction_keys[i][0]));
+        own = flk_setting_of(use, flk_friction_keys[i][1]);
+        p->d->pin_radius[i] = IS_SET(own) ? own->si[0] : radius->si[0];
         friction->circle[i] = build_circle(p, use, flk_friction_keys[i]);
         lacks_radius |= friction->circle[i] < 0;
     }

@@ -133,6 +133,7 @@ struct fourlink_deck {
     deck_rule *rules; /* of [grading] */
     size_t n_rules;
     double fewest_digits;        /* of a value; 0: any */
+    double pin_radius[4];        /* m, of A to D; 0: not given */
     double late;                 /* deduction for a day, of 1 */
     int shows_answers;           /* 1: feedback has the computed values */
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */

@@ -30,7 +30,7 @@ static int possible(const deck *d)
     int needs = NEED_DERIVED | NEED_ANGLES | (has_time(d) ? NEED_TIME : 0) |
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (flk_machine_count(&d->machine, &flk_gas_type) ? NEED_GAS : 0) |
-                (d->machine.has_friction ? NEED_LOSSES : 0) |
+                (d->machine.has_friction ? NEED_LOSSES | NEED_RUBBING : 0) |
                 (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0) |
                 (d->synthesis && d->synthesis->function.wanted ? NEED_WANTED : 0);
     fourlink_rod rod;
@@ -88,6 +88,8 @@ static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *
 
     if (needs & NEED_DERIVED)
         flk_derive_from_motion(mechanism, &at->state, derived);
+    if (needs & NEED_RUBBING)
+        flk_derive_rubbing(mechanism, &at->state, a->d->pin_radius, derived);
     if (needs & NEED_WANTED)
         derived->structural_error = at->branch == a->d->synthesis->chosen->branch
                                         ? flk_synthesis_error(a->d->synthesis, crank->theta2)

@@ -23,7 +23,8 @@ enum {
     NEED_ACTUAL = 512,  /* columns of the actual motion */
     NEED_ANGLES = 1024, /* theta3, theta4, mu, phi */
     NEED_WANTED = 2048, /* of a linkage found for a function */
-    NEED_TIME = 4096    /* of a crank that moves */
+    NEED_TIME = 4096,   /* of a crank that moves */
+    NEED_RUBBING = 8192 /* of pins that have a radius */
 };
 
 /* One row. */

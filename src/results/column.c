@@ -294,7 +294,7 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a moving crank";
     if (info->need & NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
-    if ((info->need & NEED_LOSSES) && !d->machine.has_friction)
+    if ((info->need & (NEED_LOSSES | NEED_RUBBING)) && !d->machine.has_friction)
         return "needs a [friction] section; the deck has none";
     if (info->need & NEED_ACTUAL)
         return "needs [motion] mode = free, run-up or steady; the motion is given";

@@ -51,6 +51,7 @@
 #define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_ACTUAL(member, traits) \
     NEED_ACTUAL, traits, NULL, VALUE, offsetof(flk_row, actual.member), 0
+#define OF_RUBBING(i) NEED_DERIVED | NEED_RUBBING, 0, NULL, VALUE, DERIVED(rubbing[i]), 0
 #define OF_WANTED NEED_DERIVED | NEED_WANTED, 0, NULL, VALUE, DERIVED(structural_error), 0
 #define OF_KLEIN(member) NEED_KLEIN, 0, NULL, VALUE, offsetof(flk_row, klein.member), 0
 #define OF_ARM(member) \
@@ -82,6 +83,11 @@
       "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")           \
     X(Ci##i, TORQUE, ALL, OF_INERTIA(VALUE, inertia[i].couple, inertia[i].couple),                 \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
+
+/* rubbing_A */
+#define RUBBING(X, pin, i, kinds)                 \
+    X(rubbing_##pin, SPEED, kinds, OF_RUBBING(i), \
+      "rubbing speed of pin " #pin ": its radius times the relative angular speed", "")
 
 /* friction_A */
 #define PIN_FRICTION(X, P, i, kinds) \
@@ -207,6 +213,10 @@
     PIN_FRICTION(X, B, 1, ALL)                                                                     \
     PIN_FRICTION(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                 \
     PIN_FRICTION(X, D, 3, PINNED)                                                                  \
+    RUBBING(X, A, 0, ALL)                                                                          \
+    RUBBING(X, B, 1, ALL)                                                                          \
+    RUBBING(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                      \
+    RUBBING(X, D, 3, PINNED)                                                                       \
     X(friction_guide, FORCE, SLIDER_CRANK | INVERTED, OF_LOSSES(guide),                            \
       "force of friction in the guide", "")                                                        \
     X(Fs_primary, FORCE, SLIDER_CRANK, OF_BALANCE(primary),                                        \
@@ -221,8 +231,7 @@
       "")                                                                                          \
     X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual, FOURLINK_OF_ROUNDING),              \
       "energy less the work done, relative to the largest energy", "")                             \
-    X(residual, NUMBER, ALL, OF_RESIDUAL, "power balance, relative to its largest term",   \
-      "")                                                                                          \
+    X(residual, NUMBER, ALL, OF_RESIDUAL, "power balance, relative to its largest term", "")       \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
     TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
     TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \

@@ -45,8 +45,9 @@ static double spring_value(const flk_column *c, const fourlink_state *state)
 int flk_column_is_of_motion(const flk_column *c)
 {
     return (c->info->traits & OF_MOTION_ALONE) ||
-           (!c->spring && !(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN |
-                                              NEED_ANGLES | NEED_WANTED | NEED_TIME)));
+           (!c->spring &&
+            !(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES |
+                                NEED_WANTED | NEED_TIME | NEED_RUBBING)));
 }
 
 int flk_column_has_vector(const flk_column *c)

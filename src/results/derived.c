@@ -97,6 +97,25 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     }
 }
 
+/* Radius times relative angular speed (Khurmi, Theory of Machines, chapter 7): positive if the link with
+** the higher number turns counter-clockwise relative to the other. */
+void flk_derive_rubbing(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const double radius[4], flk_derived *e)
+{
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        const fourlink_joint *j = &kind->joint[i];
+        int high = GSL_MAX_INT(j->from, j->on), low = GSL_MIN_INT(j->from, j->on);
+        int pin = j->letter[0] - 'A';
+
+        if (!j->slider)
+            e->rubbing[pin] = radius[pin] * (state->link[high].omega -
+                                             (low == FOURLINK_GROUND ? 0 : state->link[low].omega));
+    }
+}
+
 /* With X = r cos(theta2) +- l cos(phi), the first terms of -m_rec d2X/dt2 at constant speed (Bevan, Khurmi;
 ** "Balancing of Reciprocating Masses"):
 **

@@ -28,6 +28,7 @@ typedef struct flk_derived {
     flk_offset_force inertia[5];  /* by link number */
     double mechanical_advantage;  /* 1 */
     double condition;             /* 1 */
+    double rubbing[4];            /* m/s, at pins A to D */
     double gamma;                 /* rad, 0 to pi: angle between coupler and rocker; four-bar */
     fourlink_vector I13, I24;     /* m, instantaneous centres; NaN at infinity */
     double A, B, C;               /* m2, coefficients of Freudenstein's equation; four-bar */
@@ -48,6 +49,10 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *forces, const flk_acting *acting,
                             flk_derived *e);
+
+/* Speeds of rubbing at pins A to D, of these radii, m. */
+void flk_derive_rubbing(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const double radius[4], flk_derived *e);
 
 /* Primary and secondary shaking force of a slider-crank. */
 void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,

@@ -313,4 +313,44 @@ check 'a curve over v that is left' grep -q '^fast.deck:11: note: v goes from -0
 check 'near a dead position' grep -q '^# 110.48 deg: near a dead position' near
 check 'beyond it' grep -q '^# 110.58 to 110.6 deg: not reached: B and D are too far apart' near
 
+# Rubbing speeds of pins: radius times the difference of the angular speeds of the two links, at every degree.
+rubs() { # DECK PINS: pins as NAME:RADIUS:HIGH:LOW, with 0 for the ground
+    names=
+    for pin in $2; do names=$names,rubbing_${pin%%:*}; done
+    run 0 -f csv --units=SI -i '1 deg' -c "omega2,omega3${3-,omega4}$names" "$decks/$1"
+    check "rubbing speeds of $1" awk -F, -v pins="$2" '
+        NR == 1 {for (i = 1; i <= NF; i++) {sub(/ .*/, "", $i); at[$i] = i}; n = split(pins, pin, " "); next}
+        {for (k = 1; k <= n; k++) {
+            split(pin[k], p, ":")
+            high = ("omega" p[3]) in at ? $at["omega" p[3]] : 0; low = p[4] ? $at["omega" p[4]] : 0
+            d = $at["rubbing_" p[1]] - p[2] * (high - low)
+            if (d * d > 1e-26 * (1 + high * high)) bad++
+            rows++}}
+        END {exit bad || rows < 700 * n}' out
+}
+rubs rubbing-four-bar.deck 'A:0.006:2:0 B:0.005:3:2 C:0.004:4:3 D:0.003:4:0'
+rubs rubbing-lever.deck 'A:0.015:2:0 B:0.012:3:2 D:0.018:4:0'
+rubs rubbing-piston.deck 'A:0.015:2:0 C:0.008:4:3' ''
+# R. S. Khurmi and J. K. Gupta, Theory of Machines: crank 0.5 m, rod 2 m, 180 rpm clockwise at 45 deg
+cat >rubbing.deck <<'END'
+mechanism = slider-crank
+[crank]
+length = 0.5 m
+[rod]
+length = 2 m
+[friction]
+mu = 0
+radius_A = 25 mm
+radius_B = 30 mm
+radius_C = 15 mm
+[motion]
+speed = -180 rpm
+at = -45 deg
+END
+run 0 -f csv -b open -c omega3,rubbing_A,rubbing_B,rubbing_C rubbing.deck
+check "by hand: $(tail -n 1 out)" awk -F, 'function near(x, y) {return x - y < 1e-12 && y - x < 1e-12}
+    NR == 2 {w = 6 * 3.14159265358979323846; s = 0.5 * sin(3.14159265358979323846 / 4); w3 = w * 0.5 * cos(3.14159265358979323846 / 4) / sqrt(4 - s * s)
+        exit !(near($2, w3) && near($3, -w * 0.025) && near($4, (w3 + w) * 0.03) && near($5, -w3 * 0.015))}' out
+run 2 -c rubbing_A "$alvi"
+says "the column 'rubbing_A' needs a [friction] section; the deck has none"
 finish
