@@ -92,7 +92,8 @@ static int read_size(parser *p, setting *s, text t, quantity q, point *result, d
     return 1;
 }
 
-int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result)
+/* One step to a place, or a force. */
+static int read_step(parser *p, setting *s, text t, quantity q, point *result)
 {
     static const char *const places[] = {"origin", "mid", "end"};
     text size_text = t, angle_text, before;
@@ -123,10 +124,43 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
     return 1;
 }
 
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result)
+{
+    text step, rest;
+    point next;
+    int of_length;
+
+    if (q != QUANTITY_LENGTH || !flk_text_cut(t, " + ", &step, &rest))
+        return read_step(p, s, t, q, result);
+    memset(&next, 0, sizeof next);
+    if (!read_step(p, s, step, q, result))
+        return 0;
+    of_length = s->of_length;
+    s->of_length = 0;
+    if (!flk_vector_read_piece(p, s, rest, q, &next))
+        return 0;
+    if (of_length != s->of_length)
+        return flk_mistake(p->mistakes, s->place,
+                           "the steps of '%t' are all of the link's length, or none is", s->value);
+    result->y[0] += next.y[0];
+    result->y[1] += next.y[1];
+    return 1;
+}
+
 /* 1 if there is a comma outside parentheses, in place of (10, 5) mm. */
 static int has_outer_comma(text t)
 {
-    return t.start[0] != '(' && memchr(t.start, ',', t.length) != NULL;
+    size_t i;
+    int depth = 0;
+
+    if (t.start[0] == '(') /* its components are counted where they are read */
+        return 0;
+    for (i = 0; i < t.length; i++) {
+        depth += (t.start[i] == '(') - (t.start[i] == ')');
+        if (t.start[i] == ',' && !depth)
+            return 1;
+    }
+    return 0;
 }
 
 int flk_vector_read(parser *p, setting *s, quantity q)

@@ -51,4 +51,20 @@ holds 'four blocks, two blank lines apart' '
     /^$/ {blank++; next} {if (blank) {blocks++; if (blank != 2) bad = 1} blank = 0}
     END {exit bad || blocks != 3}'
 
+# a place by steps: the sum of its steps
+steps() { # PLACE X Y: in mm
+    { cat "$alvi" && printf '[point P]\nlink = coupler\nat = %s\n' "$1"; } >steps.deck
+    run 0 --summary -s table.digits=15 steps.deck
+    check "$1: $(grep 'P.at' out)" awk -v x="$2" -v y="$3" 'function near(a, b) {return a - b < 1e-12 && b - a < 1e-12}
+        /^point P.at.x / {ok += near($3, x)} /^point P.at.y / {ok += near($3, y)} END {exit ok != 2}' out
+}
+steps '9 mm at 0 deg + 3 mm at 90 deg' 9 3
+steps '30 mm at 45 deg + 10 mm at 100 deg + (1, 2) mm' 20.476721658927122 33.0612809657185
+steps '(1, 2) mm + (3, 4) mm' 4 6
+steps '50 % + 25 % at 90 deg' 33 16.5
+for place in '50 % + 3 mm' '3 mm +' '3 mm + mm' '3 mm + 4 kg' '(1, 2) + 3 mm, 4'; do
+    sed "s/^at = .*/at = $place/" steps.deck >bad.deck
+    run 2 bad.deck
+    check "refused: $place" grep -q '^bad.deck:[0-9]*: error: ' err
+done
 finish
