@@ -20,7 +20,8 @@
 
 #define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
 #define NO_ANSWER (-1)
-#define SHARE 4 /* one answer in four makes a question */
+#define MOST_COMPARED 100000 /* answers with the decks of others, in all */
+#define SHARE 4              /* one answer in four makes a question */
 
 /* A value that is asked for. */
 typedef struct question {
@@ -208,6 +209,12 @@ static text name_of(const char *path)
     return students_stem(path);
 }
 
+/* 1 if a note has no room for more. */
+static int is_full(const sheet_mark *mark)
+{
+    return strlen(mark->note) + 100 > sizeof mark->note;
+}
+
 /* 1 if an earlier value of the same name is wrong for the same reason. */
 static int is_told(const input *in, unsigned long i, const fourlink_check *c)
 {
@@ -234,14 +241,14 @@ static void note_wrong(const input *in, sheet_mark *mark)
     long n_short = 0;
     int n = 0;
 
-    for (i = 0; i < in->problem.n_expected; i++) {
+    for (i = 0; i < in->problem.n_expected && !is_full(mark); i++) {
         fourlink_results_check(in->results, i, &c);
         n_short += c.is_short;
         if (c.verdict != FOURLINK_DIFFERS || c.is_short || is_told(in, i, &c))
             continue;
         put(mark->note, size, n++ ? ", " : *mark->note ? "; wrong: " : "wrong: ");
         put(mark->note, size, c.name);
-        for (k = i; k < in->problem.n_expected && c.has_angle; k++) {
+        for (k = i; k < in->problem.n_expected && c.has_angle && !is_full(mark); k++) {
             fourlink_results_check(in->results, k, &other);
             if (other.verdict == FOURLINK_DIFFERS && strcmp(other.name, c.name) == 0 &&
                 strcmp(other.hint, c.hint) == 0)
@@ -261,12 +268,15 @@ static void note_wrong(const input *in, sheet_mark *mark)
 }
 
 /* Note the deck of another with which the answers agree. */
-static void note_copied(const input *in, sheet_mark *mark)
+static void note_copied(marks *m, const input *in, sheet_mark *mark)
 {
     char words[MESSAGE_SIZE];
     unsigned long n = 0;
-    const char *deck = copied_from(in, &n);
+    const char *deck = NULL;
 
+    m->n_compared += in->o->n_decks;
+    if (m->n_compared <= MOST_COMPARED)
+        deck = copied_from(in, &n);
     if (deck)
         put_part(mark->note, sizeof mark->note,
                  flk_message(words, sizeof words,
@@ -355,7 +365,7 @@ static void give(marks *m, const input *in, sheet_mark *mark)
         mark->of += c.marks;
     }
     if (2 * mark->right < mark->of && !in->deck && m->list)
-        note_copied(in, mark);
+        note_copied(m, in, mark);
     note_checks(m, in, mark);
 }
 

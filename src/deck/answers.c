@@ -102,8 +102,8 @@ static void put_line(parser *p, const form *f, text line, text_place place, char
                      int *is_lost)
 {
     text name, value, units;
-    int is_branch, n;
-    char *begin = *out;
+    int is_branch, says_where;
+    char *begin;
 
     if (!line.length || line.start[0] == '[') {
         *is_lost &= !line.length;
@@ -117,15 +117,15 @@ static void put_line(parser *p, const form *f, text line, text_place place, char
     name = flk_text_trim(name);
     value = flk_text_trim(value);
     is_branch = flk_text_equal(name, "branch");
-    n = flk_text_equal(name, "at") || is_branch;
-    if (f->separator != '=' && place.line == 1 && !n && value.length &&
+    says_where = flk_text_equal(name, "at") || is_branch;
+    if (f->separator != '=' && place.line == 1 && !says_where && value.length &&
         !strchr("+-.0123456789", value.start[0]))
         return; /* the names of the columns */
-    if (n)
+    if (says_where)
         *is_lost &= is_branch; /* another place begins */
     if (*is_lost)
         return;
-    put(out, n ? flk_text_of(is_branch ? "branch" : "at") : name, 0);
+    put(out, says_where ? flk_text_of(is_branch ? "branch" : "at") : name, 0);
     put(out, flk_text_of(" = "), 0);
     begin = *out;
     put(out, value, f->has_commas);
@@ -135,7 +135,7 @@ static void put_line(parser *p, const form *f, text line, text_place place, char
     }
     value.start = begin;
     value.length = (size_t)(*out - begin);
-    if (n && !is_place(p->d, is_branch, flk_reader_plain(p, value))) {
+    if (says_where && !is_place(p->d, is_branch, flk_reader_plain(p, value))) {
         flk_mistake(&p->d->slips, place,
                     is_branch ? "'%t' is neither open nor crossed: the values below it do not count"
                               : "'%t' is no angle: the values below it do not count",
