@@ -29,7 +29,8 @@ typedef struct batch {
     input_text *texts; /* of decks that can be read only once; else null texts */
     fourlink_value *header;
     unsigned long n_header;
-    int has_values; /* 1: a deck has values instead of rows: a line for each branch */
+    int has_designs; /* 1: one of these has a [sweep] */
+    int has_values;  /* 1: a deck has values instead of rows: a line for each branch */
     marks m;
     sheet s;
 } batch;
@@ -78,6 +79,7 @@ static int add_columns(batch *b, const input *in)
     unsigned long count = 0, k, j;
 
     b->has_values |= input_has_values(in);
+    b->has_designs |= input_has_values(in) && in->problem.n_designs > 0;
     if (in->results)
         fourlink_results_list(
             in->results, input_has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &count);
@@ -119,6 +121,27 @@ static int status_of(const sheet *s, const input *in)
                                                                                        : 0;
 }
 
+/* Write the values of each design of a [sweep]. */
+static void write_designs(sheet *s, const input *in)
+{
+    fourlink_results *results;
+    fourlink_mistake mistake;
+    unsigned long i;
+    int status;
+
+    s->deck_name = in->name;
+    for (i = 0; i < in->problem.n_designs && !s->out_of_memory && !system_caught(); i++) {
+        results = NULL;
+        status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
+        if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
+            s->out_of_memory = 1;
+        else
+            content_write_design(s, results, in->results, i, NULL, mistake.message);
+        fourlink_results_free(results);
+    }
+    s->design = 0;
+}
+
 /* Write an input, or its score alone; returns the exit status. */
 static int write_input(batch *b, const input *in)
 {
@@ -140,6 +163,8 @@ static int write_input(batch *b, const input *in)
         content_write_mark(s, &mark);
     else if (b->has_values && in->results && !input_has_values(in))
         content_write(s, NULL, in->name, "its columns are of rows, not values of the deck");
+    else if (b->has_values && in->results && in->problem.n_designs)
+        write_designs(s, in);
     else
         content_write(s, in->results, in->name, in->refusal);
     status = command_worse(status_of(s, in), told);
@@ -166,6 +191,7 @@ static void begin_sheet(batch *b, FILE *out)
     s->n_questions = s->content == SHEET_SCORES ? b->m.n : 0;
     s->has_roster = b->m.names.n > 0;
     s->is_form = o->form;
+    s->has_designs = b->has_designs;
     s->header = b->header;
     s->n_header = b->n_header;
     content_begin(s, out, 1);

@@ -153,7 +153,10 @@ static int has_task(const input *in)
 
 int input_has_values(const input *in)
 {
-    return in->results && in->problem.has_values && in->o->content == SHEET_ROWS;
+    const fourlink_problem *p = &in->problem;
+
+    return in->results && in->o->content == SHEET_ROWS &&
+           (p->has_values || (p->n_designs > 0 && p->has_outputs && in->o->n_decks > 1));
 }
 
 /* 1 if a text has more than blanks. */

@@ -53,7 +53,8 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
 
 void input_close(input *in);
 
-/* 1 if the columns are values of the deck, printed as one line for each branch. */
+/* 1 if the columns are values of the deck, printed as one line for each branch, and of several decks for each
+** design of a [sweep]. */
 int input_has_values(const input *in);
 
 /* The text of a deck with the values that are computed: memory to free, null if there is not enough. */

@@ -46,9 +46,10 @@ enum {
     FORCES = 1 << 0,
     SLIDE = 1 << 1, /* two links slide on each other */
     SWEEP = 1 << 2,
-    TAKEN = 1 << 3, /* a design of a [sweep] was taken from it */
-    TASK = 1 << 4,  /* its linkage was found for a [synthesis] */
-    VALUES = 1 << 5 /* columns that are values of the deck, and are printed */
+    TAKEN = 1 << 3,         /* a design of a [sweep] was taken from it */
+    ROWS_OF_SWEEP = 1 << 6, /* that are no values */
+    TASK = 1 << 4,          /* its linkage was found for a [synthesis] */
+    VALUES = 1 << 5         /* columns that are values of the deck, and are printed */
 };
 
 #define CONTENT (CHECK | SUMMARY | MATRIX | LIST | EXPECT)
@@ -70,6 +71,7 @@ static const rule of_options[] = {
      "--answers takes one deck; for a deck of each student give --check=FOLDER"},
     {ANSWERS, PICTURE, 0, "--answers prints scores: it takes no picture and no report"},
     {EXPECT, SEVERAL, 0, "--expect takes one deck, not several"},
+    {PART, SEVERAL, 0, "--part takes one deck, not several"},
     {BEST, CONTENT | PART | PICTURE | SEVERAL | FORMAT, 0,
      "--best prints a deck: it takes one deck and no other output"},
     {SOLVE, CONTENT | PART | PICTURE | SEVERAL | BEST | AT | JSON | PAPER, 0,
@@ -102,7 +104,9 @@ static const rule of_deck[] = {
     {SOLVE, SWEEP, 0, "--solve works for one design of a [sweep], with --design=N"},
     {PRINT_ONE, SWEEP, 0,
      "--print-deck prints one design of a [sweep], with --design=N, or all, with --design=all"},
-    {SEVERAL, SWEEP, 0, "a deck with a [sweep] must be the only deck"},
+    {SEVERAL, ROWS_OF_SWEEP, 0,
+     "of several decks a [sweep] has to have values, by output or --columns='max(Ts), "
+     "crank.length'"},
     {CHECK | SUMMARY | MATRIX | EXPECT, SWEEP, 0,
      "--check, --expect, --matrix and --summary work for one design of a [sweep], with --design=N"},
     {PAPER, SWEEP, 0, "a [sweep] can be printed as table, csv or json only"},
@@ -162,7 +166,8 @@ const char *rules_of_deck(const options *o, const fourlink_problem *p, int is_de
     int has_slide =
         fourlink_slides(kind, FOURLINK_COUPLER) || fourlink_slides(kind, FOURLINK_FOLLOWER);
     long has = bit(p->has_forces, FORCES) | bit(has_slide, SLIDE) | bit(p->n_designs > 0, SWEEP) |
-               bit(is_design, TAKEN) | bit(has_task, TASK) | bit(has_values, VALUES);
+               bit(is_design, TAKEN) | bit(has_task, TASK) | bit(has_values, VALUES) |
+               bit(p->n_designs > 0 && !has_values, ROWS_OF_SWEEP);
 
     return find(of_deck, sizeof of_deck / sizeof *of_deck, asked(o), has);
 }

@@ -72,6 +72,8 @@ static void begin(sheet *s)
 
     if (s->n_decks > 1 && s->content != SHEET_SCORES)
         line_put(&s->l, "deck,");
+    if (s->has_designs)
+        line_put(&s->l, "design,");
     if (s->n_decks <= 1 && (s->n_variables || s->each))
         line_put(&s->l, "%s,", s->each ? s->each : "design");
     if (heads[s->content]) {
@@ -102,6 +104,8 @@ static void put_labels(sheet *s)
     }
     if (s->design)
         line_put(&s->l, "%lu,", s->design);
+    else if (s->has_designs)
+        line_byte(&s->l, ',');
     for (i = 0; i < s->n_variables && s->design; i++)
         line_put(&s->l, "%17g,", s->varied[i]);
 }

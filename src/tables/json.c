@@ -122,15 +122,16 @@ static void put_labels(sheet *s)
     unsigned long i;
 
     line_text(&s->l, "{", 1);
-    if (s->design) {
-        put_name(&s->l, s->each ? s->each : "design", 1);
-        line_number(&s->l, (double)s->design, DBL_DIG + 2);
-    } else {
+    if (s->deck_name || !s->design) {
         put_name(&s->l, "deck", 1);
         if (s->deck_name)
             put_string(&s->l, s->deck_name);
         else
             line_put(&s->l, "null");
+    }
+    if (s->design) {
+        put_name(&s->l, s->each ? s->each : "design", !s->deck_name);
+        line_number(&s->l, (double)s->design, DBL_DIG + 2);
     }
     if (s->mark)
         put_text(&s->l, "answers", s->mark->path);

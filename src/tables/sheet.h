@@ -76,6 +76,7 @@ typedef struct sheet {
         *conditions; /* of a [sweep] with a yield, which is then the last of the header */
     unsigned long n_conditions;
     const char *each;        /* what has a line of its own: design, solution; null: design */
+    int has_designs;         /* 1: of SHEET_VALUES, some decks have designs */
     unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
     const double *varied;    /* the values of its variables */
     void *layout;            /* of the format */

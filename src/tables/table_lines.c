@@ -197,12 +197,16 @@ static void put_legend(sheet *s)
             put_defects(s);
 }
 
+#define DESIGN 8 /* columns of its number */
+
 /* The line of names, or of units, of values of decks. */
 static void put_value_heading(sheet *s, int units)
 {
     unsigned long i;
 
     line_put(&s->l, units ? "#        " : "# branch ");
+    if (s->has_designs)
+        line_field(&s->l, units ? "" : "design", DESIGN);
     for (i = 0; i < s->n_header; i++)
         line_field(&s->l, units ? s->header[i].unit : s->header[i].name, WIDTH);
     line_put(&s->l, s->n_decks > 1 && !units ? "  deck\n" : "\n");
@@ -214,6 +218,10 @@ static void put_values(sheet *s, fourlink_branch branch, const sheet_output *out
     unsigned long i;
 
     line_put(&s->l, " %-8s", branch ? fourlink_branch_text((int)branch) : "");
+    if (s->has_designs && s->design)
+        line_value(&s->l, (double)s->design, ALL, DESIGN);
+    else if (s->has_designs)
+        line_field(&s->l, "-", DESIGN);
     for (i = 0; i < s->n_header; i++)
         if (outputs && outputs[i].has_value && outputs[i].v.words)
             line_field(&s->l, outputs[i].v.words, WIDTH);

@@ -85,9 +85,11 @@ run 2 --part=1/2 single.deck
 nothing
 says 'single.deck:1: error: --part needs a [sweep]'
 cp t.deck u.deck
+run 2 --part=1/2 -c mu_min t.deck u.deck
+says '--part takes one deck, not several'
 run 2 t.deck u.deck
 nothing
-says 'a deck with a [sweep] must be the only deck'
+says "of several decks a [sweep] has to have values, by output or --columns='max(Ts), crank.length'"
 for option in --matrix --summary --format=paper --check; do
     run 2 $option t.deck
     nothing

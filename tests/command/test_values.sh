@@ -58,4 +58,21 @@ says 'values of the deck can be printed as table, csv or json only'
 run 0 -f csv own.deck
 check "the deck's own: $(cat out)" grep -q '^branch,mu_min (deg),max(omega4) (rad/s),status$' out
 run 0 --report=own.html own.deck
+# designs of several decks: the lines that each sweep has by itself
+for k in 1 2; do
+    { cat "$alvi" && printf '[sweep]\ncrank.length = %s mm to 24 mm step %s mm\ncoupler.length = 60 mm, 66 mm\n' "1$k" "$k"; } >sweep-$k.deck
+    run 0 -f csv -s 'sweep.output=mu_min, max(omega4), crank.length' sweep-$k.deck
+    sed '1d; s/,[^,]*,[^,]*\(,[a-z]*,\)/\1/; s/^/sweep-'$k'.deck,/' out >>each
+done
+run 0 -f csv -c 'mu_min, max(omega4), crank.length' sweep-1.deck sweep-2.deck "$alvi"
+check 'its header' test "$(head -n 1 out)" = 'deck,design,branch,mu_min (deg),max(omega4) (rad/s),crank.length (m),status'
+sed '1d; /alvi/d' out >both
+same each both
+check 'a deck without designs' test "$(grep -c 'alvi-5.1.deck,,[a-z]*,58.2297' out)" -eq 2
+run 0 -c 'mu_min' sweep-1.deck "$alvi"
+check 'as a table' grep -Eq '^ open +3 +[0-9.]+  sweep-1.deck$' out
+run 0 -f json -c mu_min -b open sweep-1.deck "$alvi"
+check 'json' grep -q '^{"deck":"sweep-1.deck","design":3,"branch":"open","mu_min":[0-9.]*,"status":"ok"}$' out
+run 2 -c theta4 sweep-1.deck "$alvi"
+says "of several decks a [sweep] has to have values, by output or --columns='max(Ts), crank.length'"
 finish
