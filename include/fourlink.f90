@@ -1032,6 +1032,12 @@ module fourlink
       integer(c_long), intent(inout) :: n_notes
     end function fourlink_results_notes
 
+    type(c_ptr) function fourlink_results_meant(results, name) bind(c) ! for fourlink_text
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: name(*)
+    end function fourlink_results_meant
+
     integer(c_int) function fourlink_results_slips(results, max_slips, slips, n_slips) bind(c)
       import
       type(c_ptr), value :: results

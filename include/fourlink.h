@@ -1751,6 +1751,9 @@ FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *
 FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigned long max_notes,
                                         fourlink_mistake *notes, unsigned long *n_notes);
 
+/* The column that another name means: Ts for torque, omega4 for w4, F12 for force12.  Null if there is none. */
+FOURLINK_API const char *fourlink_results_meant(const fourlink_results *results, const char *name);
+
 /* The lines of the answers of a source that are not read, and why; each costs the values in it alone.
 **
 ** Given:

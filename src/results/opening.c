@@ -21,16 +21,20 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
 {
     mistakes *m = &o->d.mistakes;
     char statistic[DECK_NAME_SIZE];
-    const char *nearest;
+    const char *nearest, *meant;
 
     if (o->d.drive.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
     if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT || n->kind == FLK_NAME_GIVEN ||
         (n->kind == FLK_NAME_COLUMN && o->d.one_instant))
         return;
-    nearest = n->statistic ? flk_column_nearest(&o->a, n->of) : flk_fact_nearest(name);
-    if (n->statistic && nearest)
-        nearest = flk_column_statistic_text(n->statistic, nearest, statistic);
+    meant = flk_column_meant(&o->a, n->of); /* torque: max(Ts) */
+    nearest = n->statistic ? flk_column_nearest(&o->a, n->of)
+              : meant      ? meant
+                           : flk_fact_nearest(name);
+    if ((n->statistic || meant) && nearest)
+        nearest =
+            flk_column_statistic_text(n->statistic ? n->statistic : FLK_MAX, nearest, statistic);
     flk_mistake(m, place,
                 n->kind == FLK_NAME_COLUMN
                     ? "'%t' has a value in each row: use its max(), min(), mean() or rms()%h"

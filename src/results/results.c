@@ -182,6 +182,11 @@ const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
     return r ? &r->now->d : NULL;
 }
 
+const char *fourlink_results_meant(const fourlink_results *r, const char *name)
+{
+    return r && name ? flk_column_meant(&r->now->a, flk_text_of(name)) : NULL;
+}
+
 int fourlink_results_slips(const fourlink_results *r, unsigned long max_slips,
                            fourlink_mistake *slips, unsigned long *n_slips)
 {

@@ -13,6 +13,7 @@ static const fourlink_value *find_column(fourlink_results *results, text name, c
 {
     const fourlink_value *columns;
     const char **names, *nearest;
+    char written[80];
     unsigned long n, i;
 
     fourlink_results_list(results, FOURLINK_ALL_COLUMNS, &columns, &n);
@@ -22,7 +23,9 @@ static const fourlink_value *find_column(fourlink_results *results, text name, c
     names = calloc(n + 1, sizeof *names);
     for (i = 0; names && i < n; i++)
         names[i] = columns[i].name;
-    nearest = names ? flk_text_nearest(name, names) : NULL;
+    nearest = fourlink_results_meant(results, flk_text_copy(name, written, sizeof written));
+    if (!nearest && names)
+        nearest = flk_text_nearest(name, names);
     free(names);
     flk_message(message, 400,
                 nearest ? "no column '%t'; did you mean '%s'?" : "no column '%t'; see --list", name,

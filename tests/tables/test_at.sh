@@ -47,4 +47,13 @@ says "'theta3 = 3 deg' is sought along a motion; this one is one instant, [motio
 run 2 --at='60 deg' "$data/dfa-example-1.deck"
 says 'the motion does not reach theta2 = 60 deg: it is one instant, [motion] at = 30 deg'
 run 0 --at='30 deg' "$data/dfa-example-1.deck"
+# what people call a column
+run 2 --at='w4 = 2' "$alvi"
+says "no column 'w4'; did you mean 'omega4'?"
+run 2 --at='torque = 2' "$matrix"
+says "no column 'torque'; did you mean 'Ts'?"
+run 2 -c 'mu_min, torque' "$matrix"
+says "did you mean 'max(Ts)'?"
+run 2 -s 'sweep.output=w4' -s 'sweep.crank.length=20 mm, 21 mm' "$alvi"
+says "did you mean 'max(omega4)'?"
 finish
