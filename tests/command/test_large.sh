@@ -24,7 +24,7 @@ done
 # names that are neither columns nor facts: all are in the results, a similar name only with the first
 { cat "$alvi"; echo '[expect]'; numbered 400000 'theta4_%d = 5\n'; } >x.deck
 fast 2 --check --format=csv x.deck
-says "x.deck:22: error: 'theta4_1' is neither a column nor a fact of this deck; did you mean 'theta4_to'?"
+says "x.deck:22: error: 'theta4_1' is neither a column nor a fact of this deck; did you mean 'theta4'?"
 says 'fourlink: and 399900 more mistakes'
 lines err 101
 lines out 400002 # the head, the score
