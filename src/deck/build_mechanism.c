@@ -172,12 +172,18 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
     double length = p->d->machine.mechanism.design.link[link].length;
     const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
 
-    at->x = s->si[0];
-    at->y = s->si[1];
+    at->x = s->si[0] * (s->of_length ? length : 1);
+    at->y = s->si[1] * (s->of_length ? length : 1);
+    if (s->of_centre && link) {
+        at->x += p->d->machine.mechanism.design.link[link].cg.x;
+        at->y += p->d->machine.mechanism.design.link[link].cg.y;
+        if (!(p->d->machine.mechanism.design.link[link].mass > 0))
+            flk_mistake(p->mistakes, s->place,
+                        "'%t' is from the centre of mass, and the %s has no mass", s->value,
+                        kind->link[link]);
+    }
     if (!s->of_length || !link)
         return;
-    at->x *= length;
-    at->y *= length;
     if (is_without_length(p, kind, link))
         flk_mistake(p->mistakes, s->place,
                     "'%t' is a part of the length, and the %s has none: give the point in a unit "
@@ -284,6 +290,8 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
 
     link->mass = b.mass->si[0];
     flk_build_place(p, b.cg, number, &link->cg);
+    if (b.cg->of_centre)
+        flk_mistake(p->mistakes, b.cg->place, "'%t': G is the centre of mass itself", b.cg->value);
     if (other && !IS_SET(b.mass) && !use->is_mistaken)
         flk_mistake(p->mistakes, other->place, "%s needs a mass",
                     other == b.gyration ? "the radius of gyration"

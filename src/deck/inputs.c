@@ -8,8 +8,8 @@
 #include "numbers.h"
 #include "settings.h"
 
-/* The length of the link that a point in a section is on: the link that the section names, or its own. */
-static double length_of(const deck *d, const section_use *use, key_code key)
+/* The link that a point in a section is on: the link that the section names, or its own. */
+static const fourlink_link *link_of(const deck *d, const section_use *use, key_code key)
 {
     int link = FOURLINK_GROUND;
 
@@ -23,7 +23,7 @@ static double length_of(const deck *d, const section_use *use, key_code key)
         while (link < FOURLINK_FOLLOWER &&
                flk_section_of_link(d->machine.mechanism.design.kind, link) != use->section)
             link++;
-    return d->machine.mechanism.design.link[link].length;
+    return &d->machine.mechanism.design.link[link];
 }
 
 /* Describe the value of a target, which is set; 0 if it is not an input. */
@@ -46,13 +46,18 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
         x->words = "constant"; /* the torque of a motor that balances the loads */
     else
         x->number = flk_target_number(t);
-    if (s->of_length)
-        x->place = s->si[t->part] * length_of(d, use, t->key);
+    if (s->of_length || s->of_centre) {
+        const fourlink_link *link = link_of(d, use, t->key);
+
+        x->place = s->si[t->part] * (s->of_length ? link->length : 1);
+        if (s->of_centre)
+            x->place += t->part == PART_X ? link->cg.x : link->cg.y;
+    }
     flk_text_copy(use->name, name, sizeof name);
     flk_text_join(x->name, sizeof x->name, flk_section_table[use->section].name, *name ? " " : "",
                   name, ".", key->name, is_part ? "." : "", is_part ? flk_part_names[t->part] : "",
                   (char *)NULL);
-    return key->form != FORM_TEXT && (!is_part || s->si[t->part] != 0);
+    return key->form != FORM_TEXT && (!is_part || s->si[t->part] != 0 || x->place != 0);
 }
 
 void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host)

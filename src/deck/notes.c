@@ -57,8 +57,8 @@ static void check_thousands(parser *p, key_code key)
 /* 1 if a setting is a bare number, and the deck does not give the unit of such numbers. */
 static int is_bare(parser *p, const setting *s, quantity q)
 {
-    return IS_SET(s) && !s->curve && !s->of_length && !flk_quantity_unit_text(s->value).length &&
-           !p->d->bare[q].is_given;
+    return IS_SET(s) && !s->curve && !s->of_length && !s->of_centre &&
+           !flk_quantity_unit_text(s->value).length && !p->d->bare[q].is_given;
 }
 
 /* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */

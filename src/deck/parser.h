@@ -37,6 +37,7 @@ typedef struct setting {
     unit unit;      /* its unit */
     double si[2];   /* the value in SI units and radians, or the two components */
     int of_length;  /* 1: a point given as a fraction of its link's length */
+    int of_centre;  /* 1: a point given from the centre of mass of its link */
     int is_bare;    /* 1: a force without a direction */
     int is_number;  /* 1: `number` and `unit` are set, and not read from `value` */
     int is_read;    /* 1: the members that follow from `value` have been read */

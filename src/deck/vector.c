@@ -100,6 +100,11 @@ static int read_step(parser *p, setting *s, text t, quantity q, point *result)
     double size = 0, angle = 0, x, y;
     int has_angle, i;
 
+    if (q == QUANTITY_LENGTH && flk_text_same(t, "G")) {
+        s->of_centre = 1;
+        result->y[0] = result->y[1] = 0;
+        return 1;
+    }
     if (t.length && t.start[0] == '(')
         return read_components(p, s, t, q, result);
     for (i = 0; i < 3 && q == QUANTITY_LENGTH; i++)
@@ -199,6 +204,11 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
         s->is_bare = 0;
         if (s->curve)
             flk_mistake(p->mistakes, own->place, "a curve has no parts that can be varied");
+        if (s->of_centre)
+            flk_mistake(p->mistakes, own->place,
+                        "'%t' is from the centre of mass: give the point from the origin of the "
+                        "link before you vary a part of it",
+                        s->value);
         if (s->of_length)
             flk_mistake(p->mistakes, own->place,
                         "'%t' is a part of the length of the link: give the point in a unit of "
