@@ -21,6 +21,7 @@
 #include "tables/json_text.h"
 #include "tables/sheet.h"
 #include "tables/content.h"
+#include "tables/formats.h"
 
 #define CALLED(name) __attribute__((export_name(#name)))
 #define MOST_MISTAKES 100

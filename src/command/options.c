@@ -13,6 +13,7 @@
 #include "system/system.h"
 #include "options.h"
 #include "tables/content.h"
+#include "tables/formats.h"
 #include "terminal.h"
 
 #define MOST_DESIGNS 4294967295.0

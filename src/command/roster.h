@@ -18,8 +18,9 @@ typedef struct roster {
     size_t n;
 } roster;
 
-/* Read a file of a spreadsheet with the columns name, id and late, separated by ; or a tab or a comma, in any
-** order; the first line names them, and others are not read.  Prints a mistake and returns the exit status. */
+/* Read a file of a spreadsheet with the columns name, id and late, separated by ; or a tab or a comma, in
+** any order; the first line names them, and others are not read.  Prints a mistake and returns the exit
+** status. */
 int roster_read(roster *r, const char *path);
 void roster_free(roster *r);
 

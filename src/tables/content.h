@@ -31,13 +31,4 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
 void matrix_write(sheet *s);
 void expect_write(sheet *s);
 
-/* All formats, with null at the end; the format of this name, or null. */
-extern const sheet_format *const formats_all[];
-const sheet_format *formats_find(const char *name);
-
-/* The names of the formats that can show this, as flk_text_list joins them. */
-#define FORMATS_NAMES 100
-char *formats_of(sheet_content content, const char *between, const char *last,
-                 char names[FORMATS_NAMES]);
-
 #endif
