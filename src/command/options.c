@@ -12,7 +12,6 @@
 #include "base/number.h"
 #include "system/system.h"
 #include "options.h"
-#include "tables/content.h"
 #include "tables/formats.h"
 #include "terminal.h"
 
