@@ -122,6 +122,19 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+int flk_text_separator(text t)
+{
+    return memchr(t.start, ';', t.length) ? ';' : memchr(t.start, '\t', t.length) ? '\t' : ',';
+}
+
+int flk_text_field(text *rest, int separator, text *field)
+{
+    if (!flk_text_split(rest, separator, field))
+        return 0;
+    *field = flk_text_unquoted(flk_text_trim(*field));
+    return 1;
+}
+
 size_t flk_text_letter(text t)
 {
     const unsigned char *c = (const unsigned char *)t.start;

@@ -53,6 +53,11 @@ int flk_text_ends_in(text t, const char *ending);
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
 
+/* What separates the fields of a spreadsheet's lines: ;, a tab or a comma, the first of these that it has.
+** Take a field off the front of a line, trimmed and without the quotes around it; 0 if nothing is left. */
+int flk_text_separator(text t);
+int flk_text_field(text *rest, int separator, text *field);
+
 /* The length of the UTF-8 character at the front; 0 if there is none.  The same if it is printable: allowed
 ** in XML, and not a control character, which could control a terminal. */
 size_t flk_text_letter(text t);

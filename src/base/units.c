@@ -310,6 +310,15 @@ const char *flk_unit_nearest(text t, text word, dimension dim)
     return nearest;
 }
 
+unit flk_unit_of_quantity(quantity q)
+{
+    unit own = {1, 1, {0, 0, 0, 0}};
+    text bad;
+
+    flk_unit_read(flk_text_of(flk_quantities[q].unit), &own, &bad);
+    return own;
+}
+
 int flk_dimension_equal(dimension x, dimension y)
 {
     return x.m == y.m && x.kg == y.kg && x.s == y.s && x.rad == y.rad;

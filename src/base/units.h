@@ -71,6 +71,9 @@ int flk_unit_read(text t, unit *result, text *bad);
 double flk_unit_to_si(double number, unit u);
 double flk_unit_from_si(double si, unit u);
 
+/* The unit of a quantity in the list above: SI, or degrees. */
+unit flk_unit_of_quantity(quantity q);
+
 int flk_dimension_equal(dimension x, dimension y);
 
 /* The unit that, in place of a word in the text of a unit, gives this dimension and is nearest to that word;

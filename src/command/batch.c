@@ -213,21 +213,15 @@ static void batch_close(batch *b)
 
 /* Open the deck of answers in a file without them, if it is an exercise, with [expect] and [grading]; then
 ** they are asked for the values of its [expect], as those of a class. */
-static int open_exercise(const input *in, input *deck)
+static int open_exercise(const input *in, input *deck, options *of_deck)
 {
-    options of_deck = *in->o;
-    grade_answers none;
-
     memset(deck, 0, sizeof *deck);
     if (in->o->content != SHEET_CHECK || in->deck || !in->results || !in->source.answers ||
         in->answers.path || in->is_design || !in->problem.is_graded ||
         strcmp(in->name, "<stdin>") == 0)
         return 0;
-    memset(&none, 0, sizeof none);
-    of_deck.content = SHEET_SUMMARY;
-    of_deck.check_file = NULL;
     command_be_silent(1);
-    input_read(deck, in->o->decks[0], &of_deck, &none, NULL);
+    input_read_without(deck, in->o, of_deck);
     command_be_silent(0);
     return deck->results && deck->problem.n_expected > 0;
 }
@@ -235,10 +229,11 @@ static int open_exercise(const input *in, input *deck)
 int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
 {
     input deck, of_exercise = *in;
+    options of_deck;
     int status;
     batch b;
 
-    if (open_exercise(in, &deck)) {
+    if (open_exercise(in, &deck, &of_deck)) {
         of_exercise.deck = &deck;
         in = &of_exercise;
     }

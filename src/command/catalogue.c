@@ -35,15 +35,13 @@ static const char run_up[] = "[motor]\nstall_torque = 50 N m\nno_load_speed = 10
 /* How the crank moves: what one deck cannot have, another one has. */
 static const char *const motions[] = {given, steady, run_up};
 
-/* Write the text of a deck of a kind with all that its links and joints can have.  Returns 0 if there is no
-** such kind. */
-static int put_deck(char *deck, int kind, const char *motion)
+/* Write the text of a deck of a kind with all that its links and joints can have. */
+static void put_deck(char *deck, int kind, const char *motion)
 {
     fourlink_kind_facts k;
     int i, has_guide = 0;
 
-    if (fourlink_kind_of(kind, &k) != FOURLINK_OK)
-        return 0;
+    fourlink_kind_of(kind, &k);
     deck += sprintf(deck, "mechanism = %s\n%s" CRANK, k.name, k.has_stroke ? "" : GROUND);
     for (i = FOURLINK_COUPLER; i <= FOURLINK_FOLLOWER; i++) {
         int is_lever = k.has_slot && i == FOURLINK_FOLLOWER;
@@ -68,7 +66,18 @@ static int put_deck(char *deck, int kind, const char *motion)
     if (has_guide)
         deck += sprintf(deck, "guide = 0.1\n%s", k.has_slot ? "guide_length = 10 mm\n" : "");
     sprintf(deck, "%s", motion);
-    return 1;
+}
+
+/* Open a deck of a kind; a status. */
+static int open_deck(fourlink_source *source, int kind, const char *motion,
+                     fourlink_results **results, fourlink_mistake *mistake)
+{
+    char deck[DECK];
+
+    put_deck(deck, kind, motion);
+    source->text = deck;
+    source->length = (unsigned long)strlen(deck);
+    return fourlink_results_open(source, 1, results, mistake, NULL);
 }
 
 int catalogue_write(FILE *out, const options *o)
@@ -77,7 +86,7 @@ int catalogue_write(FILE *out, const options *o)
     fourlink_source source;
     fourlink_mistake mistake;
     fourlink_change no_swing;
-    char deck[DECK];
+    fourlink_kind_facts facts;
     int status = FOURLINK_OK, kind;
     size_t i, n = 0, motion = 0;
     sheet s;
@@ -87,20 +96,15 @@ int catalogue_write(FILE *out, const options *o)
     source.deck_units = o->format == &table_format;
     source.name = "--units"; /* the only mistake there can be */
     for (; motion < sizeof motions / sizeof motions[0]; motion++)
-        for (kind = 1; status == FOURLINK_OK && put_deck(deck, kind, motions[motion]); kind *= 2) {
-            source.text = deck;
-            source.length = (unsigned long)strlen(deck);
-            status = fourlink_results_open(&source, 1, &results[n++], &mistake, NULL);
-        }
+        for (kind = 1; status == FOURLINK_OK && fourlink_kind_of(kind, &facts) == FOURLINK_OK;
+             kind *= 2)
+            status = open_deck(&source, kind, motions[motion], &results[n++], &mistake);
     no_swing.origin = "--list";
     no_swing.assignment = "ground.length=125 mm"; /* the crank does not turn fully */
     source.changes = &no_swing;
     source.n_changes = 1;
-    put_deck(deck, 1, given);
-    source.text = deck;
-    source.length = (unsigned long)strlen(deck);
     if (status == FOURLINK_OK)
-        status = fourlink_results_open(&source, 1, &results[n++], &mistake, NULL);
+        status = open_deck(&source, 1, given, &results[n++], &mistake);
     memset(&s, 0, sizeof s);
     s.format = o->format;
     s.content = SHEET_LIST;

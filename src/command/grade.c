@@ -15,35 +15,20 @@
 
 #define STEM 256 /* bytes of the name of a deck */
 
-/* Keep a file of answers; 0 if out of memory.  Hidden files are those that systems add to a folder. */
-static int take_file(void *host, const char *name)
+/* Take all answers in the folder, whose files are listed; returns the exit status. */
+static int take_all(grade_answers *a)
 {
-    grade_answers *a = host;
-    char **more;
+    size_t i;
 
-    if (name[0] == '.' || !students_is_text(name))
-        return 1;
-    more = realloc(a->files, (a->n_files + 1) * sizeof *more);
-    if (!more)
-        return 0;
-    a->files = more;
-    more[a->n_files] = files_within(a->folder, flk_text_of(name), "");
-    return more[a->n_files++] != NULL;
-}
-
-static int compare_names(const void *x, const void *y)
-{
-    return strcmp(*(char *const *)x, *(char *const *)y);
-}
-
-/* Find all answers in a folder; returns the exit status. */
-static int list_files(grade_answers *a)
-{
-    if (!system_list(a->folder, take_file, a))
-        return command_complain("cannot read", a->folder, strerror(errno));
-    if (a->n_files)
-        qsort(a->files, a->n_files, sizeof *a->files, compare_names);
-    return 0;
+    a->files = malloc((a->handed.n + 1) * sizeof *a->files);
+    for (i = 0; i < a->handed.n && a->files; i++) {
+        if (!students_is_text(a->handed.names[i]))
+            continue;
+        a->files[a->n_files] = files_within(a->folder, flk_text_of(a->handed.names[i]), "");
+        if (!a->files[a->n_files++])
+            return command_complain("cannot read", a->folder, strerror(ENOMEM));
+    }
+    return a->files ? 0 : command_complain("cannot read", a->folder, strerror(ENOMEM));
 }
 
 /* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the
@@ -69,11 +54,11 @@ int grade_open(grade_answers *a, const options *o)
         return a->text ? 0 : command_complain("cannot read", o->check_file, strerror(errno));
     }
     a->folder = o->check_file;
-    if (!o->answers && !students_list(&a->handed, a->folder))
+    if (!students_list(&a->handed, a->folder))
         return command_complain("cannot read", a->folder, strerror(errno));
     if (!is_class(o, &a->handed))
         return 0;
-    status = list_files(a);
+    status = take_all(a);
     if (!status && o->answers && !a->n_files)
         status = command_complain("cannot read", o->answers,
                                   "no file in this folder ends in .expect, .txt or .csv");

@@ -190,16 +190,16 @@ static int serves_options(input *in)
     } else if (o->design && p->n_designs) {
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
-    } else if ((why = rules_of_deck(o, p, in->is_design,
-                                    o->synthesis && !in->is_design && has_task(in),
-                                    input_has_values(in))) != NULL) {
-        ;
-    } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
+    } else {
+        why = rules_of_deck(o, p, in->is_design, o->synthesis && !in->is_design && has_task(in),
+                            input_has_values(in));
+    }
+    if (!why && p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
                           o->report ? "report" : "picture",
                           p->by_time ? "time_step with --set=motion.time_step" : "--interval");
-    } else if ((why = mistake_in_angles(in, message)) != NULL) {
+    } else if (!why && (why = mistake_in_angles(in, message)) != NULL) {
         command_tell("error", "--at", 0, why, NULL);
         return 0;
     }
@@ -507,6 +507,18 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->is_design = deck->is_design;
     status = take_answers(in, in->name, answers, answers->files[i]);
     return status ? status : open_input(in);
+}
+
+int input_read_without(input *in, const options *o, options *own)
+{
+    grade_answers none;
+
+    memset(in, 0, sizeof *in);
+    memset(&none, 0, sizeof none);
+    *own = *o;
+    own->content = SHEET_SUMMARY;
+    own->check_file = NULL;
+    return input_read(in, o->decks[0], own, &none, NULL);
 }
 
 void input_close(input *in)

@@ -51,6 +51,10 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
                        size_t i);
 
+/* Read the first deck without its answers, as for a summary; `own` are the options then, which must live as
+** long as the input.  Returns the exit status. */
+int input_read_without(input *in, const options *o, options *own);
+
 void input_close(input *in);
 
 /* 1 if the columns are values of the deck, printed as one line for each branch, and of several decks for each

@@ -127,14 +127,10 @@ static const grade_answers no_answers;
 /* Grade the answers of many to one deck, which is read without them first; returns the exit status. */
 static int run_class(const options *o, const grade_answers *answers)
 {
-    options of_deck = *o;
+    options of_deck;
     input deck;
-    int status;
+    int status = input_read_without(&deck, o, &of_deck);
 
-    memset(&deck, 0, sizeof deck);
-    of_deck.content = SHEET_SUMMARY;
-    of_deck.check_file = NULL;
-    status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results)
         status = command_worse(status, batch_run(o, answers, &deck));
     input_close(&deck);

@@ -23,15 +23,6 @@ static int refuse(const char *path, long at, const char *why)
     return EXIT_USAGE;
 }
 
-/* Cut the next field of a line. */
-static int next_field(text *row, int separator, text *field)
-{
-    if (!flk_text_split(row, separator, field))
-        return 0;
-    *field = flk_text_unquoted(flk_text_trim(*field));
-    return 1;
-}
-
 /* Read a line; the status. */
 static int read_entry(roster *r, const char *path, long at, text row, int separator,
                       const int *place)
@@ -42,7 +33,7 @@ static int read_entry(roster *r, const char *path, long at, text row, int separa
 
     memset(e, 0, sizeof *e);
     e->name = e->id = late;
-    for (i = 0; next_field(&row, separator, &field); i++)
+    for (i = 0; flk_text_field(&row, separator, &field); i++)
         if (i == place[NAME])
             e->name = field;
         else if (i == place[ID])
@@ -77,10 +68,8 @@ int roster_read(roster *r, const char *path)
     if (!r->list)
         return command_complain("cannot read", path, strerror(ENOMEM));
     flk_text_split(&rest, line_end, &row);
-    separator = memchr(row.start, ';', row.length)    ? ';'
-                : memchr(row.start, '\t', row.length) ? '\t'
-                                                      : ',';
-    for (i = 0; next_field(&row, separator, &field); i++)
+    separator = flk_text_separator(row);
+    for (i = 0; flk_text_field(&row, separator, &field); i++)
         for (k = 0; k < COLUMNS; k++)
             if (flk_text_equal(field, titles[k]))
                 place[k] = i;

@@ -10,11 +10,15 @@
 #include "answers.h"
 #include "lines.h"
 
-/* How a file separates a name from its value. */
-typedef struct form {
+/* A file on its way into the form of a deck. */
+typedef struct rewriting {
+    parser *p;
     int separator;  /* '=' (or ':'), or that of a spreadsheet: ';', a tab, ',' */
     int has_commas; /* 1: decimal marks are commas */
-} form;
+    int has_begun;  /* 1: a line before was not empty */
+    int is_lost;    /* 1: the values belong to a place that was not understood */
+    char *out;      /* where the next letter goes */
+} rewriting;
 
 static int is_digit(int c)
 {
@@ -32,53 +36,47 @@ static int has_between_digits(text t, char c)
     return 0;
 }
 
-/* The form of a file.  One without = and : is of a spreadsheet. */
-static form form_of(const deck *d, text contents)
+/* Find the form of a file.  One without = and : is of a spreadsheet. */
+static void find_form(rewriting *r, text contents)
 {
-    form f = {'=', 0};
+    int decimal = r->p->d->decimal;
 
+    r->separator = '=';
     if (!memchr(contents.start, '=', contents.length) &&
         !memchr(contents.start, ':', contents.length))
-        f.separator = memchr(contents.start, ';', contents.length)    ? ';'
-                      : memchr(contents.start, '\t', contents.length) ? '\t'
-                                                                      : ',';
-    f.has_commas = d->decimal == DECIMAL_COMMA ||
-                   (d->decimal != DECIMAL_POINT && f.separator != ',' &&
-                    has_between_digits(contents, ',') && !has_between_digits(contents, '.'));
-    return f;
+        r->separator = flk_text_separator(contents);
+    r->has_commas = decimal == DECIMAL_COMMA ||
+                    (decimal != DECIMAL_POINT && r->separator != ',' &&
+                     has_between_digits(contents, ',') && !has_between_digits(contents, '.'));
 }
 
 /* Cut NAME = VALUE; 0 if a line is not of this form.  Of a spreadsheet the value is that and its unit. */
-static int cut_line(const form *f, text line, text *name, text *value, text *units)
+static int cut_line(const rewriting *r, text line, text *name, text *value, text *units)
 {
     text rest = line;
 
-    units->length = 0;
-    units->start = line.start;
-    if (f->separator == '=') {
-        int by = memchr(line.start, '=', line.length) ? '=' : ':';
-
-        *value = line;
-        return flk_text_split(value, by, name) && value->start != NULL;
+    *units = flk_text_of("");
+    if (r->separator == '=') {
+        flk_text_split(&rest, memchr(line.start, '=', line.length) ? '=' : ':', name);
+        *name = flk_text_trim(*name);
+        *value = rest.start ? flk_text_trim(rest) : rest;
+        return rest.start != NULL;
     }
-    if (!flk_text_split(&rest, f->separator, name) || !rest.start)
+    flk_text_field(&rest, r->separator, name);
+    if (!rest.start)
         return 0;
-    flk_text_split(&rest, f->separator, value);
-    if (rest.start)
-        flk_text_split(&rest, f->separator, units);
-    *name = flk_text_unquoted(flk_text_trim(*name));
-    *value = flk_text_unquoted(flk_text_trim(*value));
-    *units = flk_text_unquoted(flk_text_trim(*units));
+    flk_text_field(&rest, r->separator, value);
+    flk_text_field(&rest, r->separator, units);
     return 1;
 }
 
 /* Append a text, with points for decimal commas. */
-static void put(char **out, text t, int has_commas)
+static void put(rewriting *r, text t, int has_commas)
 {
     size_t i;
 
     for (i = 0; i < t.length; i++)
-        *(*out)++ = has_commas && t.start[i] == ',' && i > 0 && is_digit(t.start[i - 1]) &&
+        *r->out++ = has_commas && t.start[i] == ',' && i > 0 && is_digit(t.start[i - 1]) &&
                             i + 1 < t.length && is_digit(t.start[i + 1])
                         ? '.'
                         : t.start[i];
@@ -97,51 +95,48 @@ static int is_place(const deck *d, int is_branch, text value)
            flk_quantity_read(value, value, QUANTITY_TIME, d->bare[QUANTITY_TIME].unit, &read, why);
 }
 
-/* Write a line of answers.  `is_lost`: the values belong to a place that was not understood. */
-static void put_line(parser *p, const form *f, text line, text_place place, char **out,
-                     int *is_lost)
+/* Write a line of answers. */
+static void put_line(rewriting *r, text line, text_place place)
 {
+    parser *p = r->p;
+    char *start = r->out, *begin;
     text name, value, units;
-    int is_branch, says_where;
-    char *begin;
+    int is_branch, says_where, is_first = !r->has_begun;
 
     if (!line.length || line.start[0] == '[') {
-        *is_lost &= !line.length;
-        put(out, line, 0);
+        r->is_lost &= !line.length;
+        put(r, line, 0);
         return;
     }
-    if (!cut_line(f, line, &name, &value, &units)) {
+    r->has_begun = 1;
+    if (!cut_line(r, line, &name, &value, &units)) {
         flk_mistake(&p->d->slips, place, "expected NAME = VALUE, not '%t'", line);
         return;
     }
-    name = flk_text_trim(name);
-    value = flk_text_trim(value);
     is_branch = flk_text_equal(name, "branch");
     says_where = flk_text_equal(name, "at") || is_branch;
-    if (f->separator != '=' && place.line == 1 && !says_where && value.length &&
+    if (r->separator != '=' && is_first && !says_where && value.length &&
         !strchr("+-.0123456789", value.start[0]))
         return; /* the names of the columns */
     if (says_where)
-        *is_lost &= is_branch; /* another place begins */
-    if (*is_lost)
+        r->is_lost &= is_branch; /* another place begins */
+    if (r->is_lost)
         return;
-    put(out, says_where ? flk_text_of(is_branch ? "branch" : "at") : name, 0);
-    put(out, flk_text_of(" = "), 0);
-    begin = *out;
-    put(out, value, f->has_commas);
-    if (units.length) {
-        *(*out)++ = ' ';
-        put(out, units, 0);
-    }
+    put(r, says_where ? flk_text_of(is_branch ? "branch" : "at") : name, 0);
+    put(r, flk_text_of(" = "), 0);
+    begin = r->out;
+    put(r, value, r->has_commas);
+    put(r, flk_text_of(units.length ? " " : ""), 0);
+    put(r, units, 0);
     value.start = begin;
-    value.length = (size_t)(*out - begin);
+    value.length = (size_t)(r->out - begin);
     if (says_where && !is_place(p->d, is_branch, flk_reader_plain(p, value))) {
         flk_mistake(&p->d->slips, place,
                     is_branch ? "'%t' is neither open nor crossed: the values below it do not count"
                               : "'%t' is no angle: the values below it do not count",
                     value);
-        *out -= value.length + strlen(is_branch ? "branch = " : "at = ");
-        *is_lost = 1;
+        r->out = start;
+        r->is_lost = 1;
     }
 }
 
@@ -150,42 +145,38 @@ static void put_line(parser *p, const form *f, text line, text_place place, char
 
 text flk_answers_plain(parser *p, text contents)
 {
-    int line_end = flk_text_line_end(contents), is_lost = 0, has_header = 0;
-    text rest = flk_text_without_mark(contents), line, plain, name, value, units;
-    form f = form_of(p->d, contents);
+    int line_end = flk_text_line_end(contents);
+    text rest = flk_text_without_mark(contents), line, plain = flk_text_of("");
     text_place place;
-    char *begin, *out;
+    rewriting r;
 
-    plain.start = "";
-    plain.length = 0;
-    begin = out =
+    memset(&r, 0, sizeof r);
+    r.p = p;
+    find_form(&r, contents);
+    plain.start = r.out =
         flk_reader_keep(p, contents.length + GROWTH * (flk_text_count(contents, line_end) + 1) + 1);
-    if (!begin)
-        return plain;
+    if (!r.out)
+        return flk_text_of("");
     place.source = p->name;
     place.line = 0;
     while (flk_text_split(&rest, line_end, &line)) {
         place.line++;
         if (memchr(line.start, '\0', line.length)) { /* not text, which the reader tells */
-            memcpy(out, line.start, line.length);
-            out += line.length;
+            put(&r, line, 0);
         } else {
             line = flk_text_trim(line);
-            if (f.separator == '=' || (line.length && line.start[0] == '#'))
+            if (r.separator == '=' || (line.length && line.start[0] == '#'))
                 line = flk_line_without_comment(line);
-            has_header |= line.length > 0 && line.start[0] == '[';
-            if (!has_header && f.separator == '=' && cut_line(&f, line, &name, &value, &units)) {
-                has_header = 1;
-                flk_mistake(&p->d->notes, place, "no header [expect], read as if it were there");
-            }
-            put_line(p, &f, line, place, &out, &is_lost);
+            put_line(&r, line, place);
         }
         if (rest.start)
-            *out++ = (char)line_end;
+            *r.out++ = (char)line_end;
     }
-    if (f.has_commas && has_between_digits(contents, ','))
+    plain.length = (size_t)(r.out - plain.start);
+    if (r.has_commas && has_between_digits(contents, ','))
         flk_mistake(&p->d->notes, place, "decimal commas, read as points");
-    plain.start = begin;
-    plain.length = (size_t)(out - begin);
+    place.line = 1;
+    if (r.separator == '=' && r.has_begun && !memchr(plain.start, '[', plain.length))
+        flk_mistake(&p->d->notes, place, "no header [expect], read as if it were there");
     return plain;
 }

@@ -11,16 +11,21 @@
 #include "deck.h"
 #include "mechanics/kind.h"
 
-void flk_deck_start(deck *d)
+void flk_deck_set_si(deck_unit *units)
 {
-    text bad;
     int q;
 
-    memset(d, 0, sizeof *d);
     for (q = 0; q < QUANTITY_COUNT; q++) {
-        strcpy(d->units[q].name, flk_quantities[q].unit);
-        flk_unit_read(flk_text_of(flk_quantities[q].unit), &d->units[q].unit, &bad);
+        strcpy(units[q].name, flk_quantities[q].unit);
+        units[q].unit = flk_unit_of_quantity((quantity)q);
+        units[q].is_given = 0;
     }
+}
+
+void flk_deck_start(deck *d)
+{
+    memset(d, 0, sizeof *d);
+    flk_deck_set_si(d->units);
     memcpy(d->bare, d->units, sizeof d->bare);
 }
 

@@ -164,7 +164,10 @@ struct fourlink_deck {
 void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
-/* Set up a deck with nothing but the default units; free its memory. */
+/* Set the units of all quantities to SI, and degrees, as of a deck that gives none. */
+void flk_deck_set_si(deck_unit *units);
+
+/* Set up a deck with nothing but these units; free its memory. */
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 

@@ -212,12 +212,11 @@ void flk_lines_read(parser *p)
         flk_text_split(&value, '=', &key);
         if (!value.start) {
             refuse_line(p, use, line, place);
-        } else if (p->is_answers && begins_answers(use, flk_text_trim(key)) &&
-                   !(use =
-                         flk_section_open(p, SECTION_EXPECT, flk_text_of(""), place, line.start))) {
-            return;       /* out of memory */
-        } else if (use) { /* keys of an unknown section are not checked */
-            flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
+            continue;
         }
+        if (p->is_answers && begins_answers(use, flk_text_trim(key)))
+            use = flk_section_open(p, SECTION_EXPECT, flk_text_of(""), place, line.start);
+        if (use) /* keys of an unknown section are not checked */
+            flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
     }
 }

@@ -69,19 +69,6 @@ static void set_unit(deck_unit *units, quantity q, text name, unit u)
     units[q].is_given = 1;
 }
 
-/* The units of results of a deck that gives none. */
-static void set_si(deck_unit *units)
-{
-    text bad;
-    int q;
-
-    for (q = 0; q < QUANTITY_COUNT; q++) {
-        strcpy(units[q].name, flk_quantities[q].unit);
-        flk_unit_read(flk_text_of(flk_quantities[q].unit), &units[q].unit, &bad);
-        units[q].is_given = q == QUANTITY_LENGTH; /* by which the others go */
-    }
-}
-
 void flk_values_result_units(parser *p, const char *list)
 {
     text rest = flk_text_of(list), item;
@@ -93,7 +80,8 @@ void flk_values_result_units(parser *p, const char *list)
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (flk_text_same(item, "SI")) {
-            set_si(p->d->units);
+            flk_deck_set_si(p->d->units);
+            p->d->units[QUANTITY_LENGTH].is_given = 1; /* by which the others go */
             continue;
         }
         k = flk_first_key(SECTION_UNITS);
@@ -111,40 +99,42 @@ void flk_values_result_units(parser *p, const char *list)
     }
 }
 
-/* Units by that of length, %s; `metric`: where it is m, mm or another of SI, else SI. */
+/* How far the unit of length, %s, settles others: areas always; speeds if it is given; all if it is in or
+** ft. */
+enum { AREAS, SPEEDS, ALL_UNITS };
+
 static const struct {
+    int from;
     quantity q;
     const char *name;
-    int metric;
-} by_length[] = {{QUANTITY_AREA, "%s2", 1},
-                 {QUANTITY_SPEED, "%s/s", 0},
-                 {QUANTITY_ACCELERATION, "%s/s2", 0},
-                 {QUANTITY_MASS, "lb", 0},
-                 {QUANTITY_INERTIA, "lb.%s2", 0},
-                 {QUANTITY_MASS_MOMENT, "lb.%s", 0},
-                 {QUANTITY_FORCE, "lbf", 0},
-                 {QUANTITY_TORQUE, "lbf.%s", 0},
-                 {QUANTITY_ENERGY, "lbf.%s", 0},
-                 {QUANTITY_POWER, "hp", 0},
-                 {QUANTITY_PRESSURE, "psi", 0},
-                 {QUANTITY_STIFFNESS, "lbf/%s", 0},
-                 {QUANTITY_DAMPING, "lbf.s/%s", 0},
-                 {QUANTITY_TORSIONAL_STIFFNESS, "lbf.%s/rad", 0},
-                 {QUANTITY_TORSIONAL_DAMPING, "lbf.%s.s/rad", 0}};
+} by_length[] = {{AREAS, QUANTITY_AREA, "%s2"},
+                 {SPEEDS, QUANTITY_SPEED, "%s/s"},
+                 {SPEEDS, QUANTITY_ACCELERATION, "%s/s2"},
+                 {ALL_UNITS, QUANTITY_MASS, "lb"},
+                 {ALL_UNITS, QUANTITY_INERTIA, "lb.%s2"},
+                 {ALL_UNITS, QUANTITY_MASS_MOMENT, "lb.%s"},
+                 {ALL_UNITS, QUANTITY_FORCE, "lbf"},
+                 {ALL_UNITS, QUANTITY_TORQUE, "lbf.%s"},
+                 {ALL_UNITS, QUANTITY_ENERGY, "lbf.%s"},
+                 {ALL_UNITS, QUANTITY_POWER, "hp"},
+                 {ALL_UNITS, QUANTITY_PRESSURE, "psi"},
+                 {ALL_UNITS, QUANTITY_STIFFNESS, "lbf/%s"},
+                 {ALL_UNITS, QUANTITY_DAMPING, "lbf.s/%s"},
+                 {ALL_UNITS, QUANTITY_TORSIONAL_STIFFNESS, "lbf.%s/rad"},
+                 {ALL_UNITS, QUANTITY_TORSIONAL_DAMPING, "lbf.%s.s/rad"}};
 
-#define KINEMATIC 3 /* the first of them */
-
-/* Set the first `n` of them that are not given, all or the metric ones; `length` has no exponent. */
-static void set_by_length(deck_unit *units, size_t n, int metric, const char *length)
+/* Set those units that are not given. */
+static void set_by_length(deck_unit *units, int how_far)
 {
+    const char *length = units[QUANTITY_LENGTH].name;
     char name[DECK_NAME_SIZE];
     text bad;
     size_t i;
 
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < sizeof by_length / sizeof *by_length; i++) {
         deck_unit *own = &units[by_length[i].q];
 
-        if (own->is_given || (metric && !by_length[i].metric))
+        if (own->is_given || by_length[i].from > how_far)
             continue;
         flk_message(name, sizeof name, by_length[i].name, length);
         if (flk_unit_read(flk_text_of(name), &own->unit, &bad))
@@ -178,32 +168,27 @@ static const setting *written_length(parser *p, text *name)
 void flk_values_follow_units(parser *p, int deck_units)
 {
     static const char *const customary[] = {"in", "ft"};
-    const size_t all = sizeof by_length / sizeof *by_length;
     deck_unit *units = p->d->units, *length = &units[QUANTITY_LENGTH];
-    const setting *s;
+    int how_far = length->is_given ? SPEEDS : AREAS, i;
+    const setting *s = NULL;
     text name, bad;
     unit u;
-    int i;
 
-    if (length->is_given) {
-        if (is_one_word(length->name))
-            set_by_length(units, KINEMATIC, 0, length->name);
-        return;
+    if (!length->is_given) {
+        s = deck_units ? written_length(p, &name) : NULL;
+        if (!s)
+            return;
+        name_unit(name, length->name);
+        length->unit = s->unit;
     }
-    s = deck_units ? written_length(p, &name) : NULL;
-    if (!s)
-        return;
-    name_unit(name, length->name);
-    length->unit = s->unit;
-    for (i = 0; i < 2; i++)
+    for (i = 0; i < 2 && s; i++)
         if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == s->unit.up &&
             u.down == s->unit.down) {
-            strcpy(length->name, customary[i]);
-            set_by_length(units, all, 0, length->name);
-            return;
+            strcpy(length->name, customary[i]); /* for inches and the like */
+            how_far = ALL_UNITS;
         }
     if (is_one_word(length->name))
-        set_by_length(units, KINEMATIC, 1, length->name);
+        set_by_length(units, how_far);
 }
 
 /* A whole number. */

@@ -114,13 +114,12 @@ static const char *find_folded(flk_opened *o, const deck_expectation *e)
     return found;
 }
 
-/* Find what a name means; the first of o->facts are those of this name, such as the ends of two ranges.
-** Returns 0 and a message if the deck has none. */
-static int find_name(flk_opened *o, const deck_expectation *e, int is_hinted, fourlink_check *c,
-                     flk_name *n, unsigned long *n_facts)
+/* Find the values of a name that has been looked up; the first of o->facts are those of this name, such as
+** the ends of two ranges.  Returns 0 and a message if the deck has none. */
+static int find_values(flk_opened *o, const deck_expectation *e, int is_hinted, fourlink_check *c,
+                       flk_name *n, unsigned long *n_facts)
 {
     *n_facts = 0;
-    flk_name_find(o, e->name, n);
     if (n->kind == FLK_NAME_FACT)
         *n_facts = flk_name_facts(o, n->handle, e->branch);
     if (n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC || *n_facts)
@@ -330,7 +329,7 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     quantity q;
     grading g;
 
-    if (!find_name(o, e, is_hinted, c, n, &n_facts))
+    if (!find_values(o, e, is_hinted, c, n, &n_facts))
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN;
     c->has_time = c->has_angle && e->at_is_time;
@@ -392,8 +391,10 @@ void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
 
     flk_name_find(o, e->name, n);
     if (n->kind == FLK_NAME_UNKNOWN && !n->statistic && is_hinted &&
-        (name = find_folded(o, e)) != NULL)
+        (name = find_folded(o, e)) != NULL) {
         plain.name = flk_text_of(flk_text_copy(flk_text_of(name), written, sizeof written));
+        flk_name_find(o, plain.name, n);
+    }
     memset(c, 0, sizeof *c);
     c->file = e->place.source;
     c->line = c->message_line = e->place.line;

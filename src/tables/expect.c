@@ -130,11 +130,14 @@ static void put_form_place(sheet *s, int has_at, double at, int is_time, fourlin
 static void write_asked(sheet *s)
 {
     fourlink_check c, before;
-    unsigned long i;
+    unsigned long i, n = 0;
 
+    memset(&before, 0, sizeof before);
     for (i = 0; i < s->v.problem.n_expected; i++) {
         fourlink_results_check(s->v.results, i, &c);
-        if (i == 0 || c.has_angle != before.has_angle || c.angle != before.angle ||
+        if (c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
+            continue; /* not asked for */
+        if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||
             c.has_time != before.has_time || c.time != before.time || c.branch != before.branch)
             put_form_place(s, c.has_angle, c.has_time ? c.time : c.angle, c.has_time, c.branch);
         put_form_name(s, c.name, c.unit);

@@ -145,8 +145,8 @@ typedef struct sheet_format {
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* The deck's column that belongs under column i of the header; -1 if there is none.  Of values, its output.
-** */
+/* The deck's column, or of values its output, that belongs under column i of the header; -1 if there is
+** none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
 /* Write the blank lines between decks or designs, and the deck's name. */

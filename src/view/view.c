@@ -161,14 +161,13 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
 {
     quantity_value read;
     unit bare;
-    text bad;
 
     if (v->units[q].is_given) {
         bare.up = v->units[q].up;
         bare.down = v->units[q].down;
         bare.dim = flk_quantities[q].dim;
     } else {
-        flk_unit_read(flk_text_of(flk_quantities[q].unit), &bare, &bad);
+        bare = flk_unit_of_quantity(q);
     }
     if (!flk_quantity_read(value, words, q, bare, &read, message))
         return 0;

@@ -101,6 +101,9 @@ check 'filled in' grep -q '^# score: 4 of 4$' out
 run 0 --form own.deck
 check 'what its own [expect] asks' test "$(grep -c '^swing = *# deg$\|^omega4 = *# rad/s$' out)" -eq 2
 check 'not its values' none -E '= [37] ' out
+{ cat own.deck && printf '[misprint]\nmu_min = 1 deg\n'; } >misprint.deck
+run 0 --form misprint.deck
+check 'no misprint is asked for' none mu_min out
 
 # ids and days late of a list of names; a deduction for each day
 printf 'late;id;name\n2;007;ADA_AL\n;8;Bo By\n20;9;Jon Ja\n' >names.csv

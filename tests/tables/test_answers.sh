@@ -80,6 +80,12 @@ says 'note: decimal commas, read as points'
 printf 'name;value;unit\nstroke;200,0;mm\nn;3\n' >bad
 run 0 --check=bad good.deck
 check 'a spreadsheet' test "$(grep -c '^ok' out)" -eq 2
+printf '\nname;value;unit\nstroke;200,0;mm\n' >bad # an empty line before the names of the columns
+run 0 --check=bad good.deck
+check 'the second line' test "$(grep -c '^ok' out)" -eq 1
+printf 'stroke = 200.0 mm\n[expect]\nn = 3\n' >bad
+run 0 --check=bad good.deck
+check 'a header that comes later' none 'no header' err
 printf 'stroke,200.0,mm\nn,"3"\n' >bad
 run 0 --check=bad good.deck
 check 'one with commas' test "$(grep -c '^ok' out)" -eq 2
