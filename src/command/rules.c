@@ -84,7 +84,7 @@ static const rule of_options[] = {
     {BOTH, BOTH, 0, "--design=all writes answers or reports, one of them at a time"},
     {ALL, PIPE, 0, "--design=all reads the deck for each design: it needs a file"},
     {REPORTS, 0, ALL, "--report=FOLDER/ needs --design=all"},
-    {NAMES, 0, ALL | CHECK, "--names needs --design=all or --scores"},
+    {NAMES, 0, ALL, "--names needs --design=all or --scores"},
     {DESIGN, PART | BEST, 0, "--design takes one design, not the whole [sweep]"},
     {SOLUTION, 0, SYNTHESIS, "--solution needs --synthesis"},
     {SYNTHESIS, SEVERAL, 0, "--synthesis takes one deck, not several"},
@@ -129,12 +129,12 @@ static long asked(const options *o)
            bit(o->answers != NULL, ANSWERS) | bit(o->best != NULL, BEST) |
            bit(o->solve != NULL, SOLVE) | bit(o->print_deck, PRINT) |
            bit(o->print_deck && !o->all_designs, PRINT_ONE) | bit(o->parts > 0, PART) |
-           bit(o->design > 0, DESIGN) | bit(o->all_designs, ALL) | bit(o->names != NULL, NAMES) |
-           bit(o->synthesis, SYNTHESIS) | bit(o->solution > 0, SOLUTION) |
-           bit(o->plot != NULL, PLOT) | bit(o->drawing.at != NULL, AT_OF_PLOT) |
-           bit(o->drawing.x != NULL, X_OF_PLOT) | bit(o->drawing.kind != PLOT_COUNT, KIND_OF_PLOT) |
-           bit(o->report != NULL, REPORT) | bit(is_reports, REPORTS) |
-           bit(is_files || (is_reports && !o->output), FILES) |
+           bit(o->design > 0, DESIGN) | bit(o->all_designs, ALL) |
+           bit(o->names != NULL && !o->scores, NAMES) | bit(o->synthesis, SYNTHESIS) |
+           bit(o->solution > 0, SOLUTION) | bit(o->plot != NULL, PLOT) |
+           bit(o->drawing.at != NULL, AT_OF_PLOT) | bit(o->drawing.x != NULL, X_OF_PLOT) |
+           bit(o->drawing.kind != PLOT_COUNT, KIND_OF_PLOT) | bit(o->report != NULL, REPORT) |
+           bit(is_reports, REPORTS) | bit(is_files || (is_reports && !o->output), FILES) |
            bit(o->all_designs && o->content == SHEET_EXPECT && o->report, BOTH) |
            bit(o->n_decks > 0 && strcmp(o->decks[0], "-") == 0, PIPE) |
            bit(o->n_decks > 1, SEVERAL) | bit(o->format == &csv_format, CSV) |

@@ -117,6 +117,7 @@ check 'not in the list' grep -q '^Ned No,6,6,100,,,0,6,1' out
 printf 'name,late\nBo By,two\n' >names.csv
 run 2 --check=answers --scores --names=names.csv decks/*.deck
 says 'names.csv:2: error: late must be a number of days, such as 2'
+usage '--names needs --design=all or --scores' --check=answers --names=names.csv 'decks/Bo By.deck'
 printf 'Ada Al\n' >names.csv
 run 2 --check=answers --scores --names=names.csv decks/*.deck
 says 'names.csv:1: error: expected the titles of columns: name, id, late'

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_people.sh FOURLINK DATA [all] - tables and summaries in the units of the deck, csv in SI, by people.py; with "all" of
-# all decks and of 300 random ones.
+# all decks and of 300 random ones; there rubbing speeds too, by rubbing.py.
 . "$(dirname "$0")/../harness.sh"
 needs python3 python3
 tests=$(dirname "$decks")
@@ -16,6 +16,13 @@ fi
 python3 -B "$tests/tables/people.py" "$fourlink" $chosen >out 2>&1
 check "$(head -n 3 out)" test $? -eq 0
 tail -n 1 out
+if [ "${3-}" ]; then # rubbing speeds, also of integrated motions
+    mkdir motors
+    python3 -B "$tests/random_decks.py" 100 motors motors
+    python3 -B "$tests/tables/rubbing.py" "$fourlink" random/*.deck motors/*.deck "$decks"/rubbing*.deck >out 2>&1
+    check "$(head -n 3 out)" test $? -eq 0
+    tail -n 1 out
+fi
 
 # what [units] gives counts, and speeds go with its lengths; --units=SI leaves nothing of the deck's
 {
