@@ -173,9 +173,9 @@ text flk_answers_plain(parser *p, text contents)
             *r.out++ = (char)line_end;
     }
     plain.length = (size_t)(r.out - plain.start);
+    place.line = 1; /* both notes are on the file */
     if (r.has_commas && has_between_digits(contents, ','))
         flk_mistake(&p->d->notes, place, "decimal commas, read as points");
-    place.line = 1;
     if (r.separator == '=' && r.has_begun && !memchr(plain.start, '[', plain.length))
         flk_mistake(&p->d->notes, place, "no header [expect], read as if it were there");
     return plain;
