@@ -1946,7 +1946,7 @@ FOURLINK_API int fourlink_results_end(fourlink_results *results, fourlink_branch
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_TURNING_MOMENT
 ** Reference:
-**    ME3491, "Turning moment diagrams"; see turning.c.
+**    ME3491, "Turning moment diagrams"; see mean.c.
 */
 FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_branch branch,
                                           fourlink_turning *turning);

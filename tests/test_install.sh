@@ -213,7 +213,7 @@ symbols() {
     # Memory is taken where a deck is opened; crank positions, rows, facts and extremes need none.
     nm -A --undefined-only "$lib/libfourlink.a" | grep -wE 'malloc|calloc|realloc|free|[a-z_]*alloc' |
         sed 's/.*:\([a-z0-9_]*\)\.c\.o:.*/\1/' | sort -u >allocating
-    check 'memory is for decks' sh -c "printf '%s\n' actual analysis corners deck extremes message opening path reader results samples turning | cmp - allocating"
+    check 'memory is for decks' sh -c "printf '%s\n' actual analysis corners deck extremes mean message opened path reader results samples | cmp - allocating"
     # No state: nothing that can be written to.  (A sanitizer has some of its own.)
     case $CFLAGS in
     *sanitize*) ;;

@@ -1,18 +1,272 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** analysis.c - analysis of a deck: all results at one crank position on one branch.
+** analysis.c - a row: all results of a deck at one crank position on one branch, and what textbooks derive
+** from the nine unknowns and the motion.
 */
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
+#include "mechanics/kind.h"
 #include "analysis.h"
 #include "deck/synthesis.h"
 #include "deck/found.h"
-#include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
+
+/* ------------------------------------------------------------------------------------------------ derived */
+
+#define ROUNDING 1e-13 /* of the parts of the shaking force: less is rounding error */
+
+/* x / y, or infinite where y is 0 within rounding. */
+static double ratio(double x, double y)
+{
+    if (fabs(x) < 1e15 * fabs(y))
+        return x / y;
+    return (x < 0) == (y < 0) ? GSL_POSINF : GSL_NEGINF;
+}
+
+/* x / y, with y of the order of 1, or undefined where y is 0 within rounding. */
+static double quotient(double x, double y)
+{
+    return fabs(y) < 1e-12 ? FLK_UNDEFINED : x / y;
+}
+
+double flk_derive_freudenstein(const fourlink_design *design)
+{
+    const fourlink_link *link = design->link;
+    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
+
+    return (a * a - b * b + c * c + d * d) / 2;
+}
+
+/* Freudenstein's equation A t^2 + B t + C = 0 for t = tan(theta4 / 2) (Alvi eq. 2, section 4.1):
+**
+**    A = K - a (d - c) cos(theta2) - c d,   B = -2 a c sin(theta2)
+**    C = K - a (d + c) cos(theta2) + c d
+*/
+static void derive_freudenstein(const fourlink_design *design, const fourlink_vector *crank_axis,
+                                flk_derived *e)
+{
+    const fourlink_link *link = design->link;
+    double a = link[2].length, c = link[4].length, d = link[1].length;
+    double K = flk_derive_freudenstein(design);
+
+    e->A = K - a * (d - c) * crank_axis->x - c * d;
+    e->B = -2 * a * c * crank_axis->y;
+    e->C = K - a * (d + c) * crank_axis->x + c * d;
+}
+
+/* The angle BCD between coupler and rocker, whose axes point from B to C and from D to C. */
+static double angle_at_C(const fourlink_vector *coupler, const fourlink_vector *rocker)
+{
+    return atan2(fabs(coupler->x * rocker->y - coupler->y * rocker->x),
+                 coupler->x * rocker->x + coupler->y * rocker->y);
+}
+
+/* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
+** velocity there is 0,
+**
+**    I13 = B + (-v_By, v_Bx) / omega3
+**
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both
+** have the same velocity,
+**
+**    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
+**
+** Mechanical advantage, from the power of a machine without losses: torque on the load over torque on the
+** crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
+** r omega2 / v.
+*/
+void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            flk_derived *e)
+{
+    const fourlink_link *link = mechanism->design.link;
+    const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
+
+    e->condition = 1 / fabs(state->sine);
+    e->I13.x = coupler->origin.x - quotient(coupler->k_origin.y, coupler->k);
+    e->I13.y = coupler->origin.y + quotient(coupler->k_origin.x, coupler->k);
+    if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {
+        e->mechanical_advantage = ratio(1, follower->k);
+        e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
+        e->I24.y = 0;
+        if (!flk_kind_has_slide(mechanism->design.kind)) {
+            e->gamma = angle_at_C(&coupler->axis, &follower->axis);
+            derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
+        }
+    } else {
+        e->mechanical_advantage =
+            ratio(-(double)state->branch * link[2].length, follower->k_origin.x);
+        e->I24.x = 0;
+        e->I24.y = -follower->k_origin.x;
+    }
+}
+
+/* Radius times relative angular speed (Khurmi, Theory of Machines, chapter 7): positive if the link with
+** the higher number turns counter-clockwise relative to the other. */
+void flk_derive_rubbing(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const double radius[4], flk_derived *e)
+{
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        const fourlink_joint *j = &kind->joint[i];
+        int high = GSL_MAX_INT(j->from, j->on), low = GSL_MIN_INT(j->from, j->on);
+        int pin = j->letter[0] - 'A';
+
+        if (!j->slider)
+            e->rubbing[pin] = radius[pin] * (state->link[high].omega -
+                                             (low == FOURLINK_GROUND ? 0 : state->link[low].omega));
+    }
+}
+
+/* With X = r cos(theta2) +- l cos(phi), the first terms of -m_rec d2X/dt2 at constant speed (Bevan, Khurmi;
+** "Balancing of Reciprocating Masses"):
+**
+**    m_rec r omega^2 cos(theta2),   +- m_rec r omega^2 cos(2 theta2) / n
+*/
+void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        double reciprocating, flk_derived *e)
+{
+    const fourlink_vector *axis = &state->link[2].axis;
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    double omega = state->link[2].omega, force = reciprocating * r * omega * omega;
+
+    e->primary = force * axis->x;
+    e->secondary = (double)state->branch * force * (axis->x * axis->x - axis->y * axis->y) * r / l;
+}
+
+static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
+{
+    flk_axial F;
+
+    F.along = Fx * link->axis.x + Fy * link->axis.y;
+    F.across = -Fx * link->axis.y + Fy * link->axis.x;
+    return F;
+}
+
+/* Inertia force and couple (ME3491 eqs. 1 and 2), and the offset force equivalent to both (fig. 2):
+**
+**    F = -m a_G,   C = -I alpha,   h = I alpha / (m a_G)
+**
+** F at the distance h from G has the moment C about it if it passes on the left, looking along F.  There
+** is no h where a_G = a_O + alpha x r - omega^2 r is only rounding error. */
+static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                   int i)
+{
+    const fourlink_link *link = &mechanism->design.link[i];
+    const fourlink_link_state *at = &state->link[i];
+    double r = gsl_hypot(link->cg.x, link->cg.y), a_G, terms;
+    fourlink_vector a;
+    flk_offset_force F;
+
+    fourlink_point(state, i, &link->cg, NULL, NULL, &a);
+    a_G = gsl_hypot(a.x, a.y);
+    terms = gsl_hypot(at->acceleration.x, at->acceleration.y) +
+            (fabs(at->alpha) + at->omega * at->omega) * r;
+    F.size = link->mass * a_G;
+    F.direction = F.size > 0 ? atan2(-a.y + 0.0, -a.x + 0.0) : FLK_UNDEFINED;
+    F.couple = 0 - link->inertia * at->alpha;
+    F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
+    return F;
+}
+
+/* Shaking force and moment: all that the machine exerts on the frame, at the pins and at the guide by
+** Newton's third law, and through its elements, such as the gas on the cylinder head,
+**
+**    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 + M_P
+**
+** the moment about A.  The friction of a guide is F14x.  An Fs that is only the rounding error
+** of its parts becomes 0. */
+static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
+                         const flk_acting *acting, flk_derived *e)
+{
+    const fourlink_vector *D = &state->link[4].origin;
+    double parts =
+        gsl_hypot(f->F12x, f->F12y) + gsl_hypot(f->F14x, f->F14y) + fabs(acting->gas_force);
+
+    e->Fsx = -f->F12x - f->F14x + acting->ground.x;
+    e->Fsy = -f->F12y - f->F14y + acting->ground.y;
+    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) + acting->ground_moment;
+    if (gsl_hypot(e->Fsx, e->Fsy) <= ROUNDING * parts)
+        e->Fsx = e->Fsy = 0;
+}
+
+void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
+{
+    int i;
+
+    find_shaking(state, f, acting, e);
+    e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
+    e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
+    e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);
+    e->F43 = in_axes(-f->F34x, -f->F34y, &state->link[3]);
+    e->F34 = in_axes(f->F34x, f->F34y, &state->link[4]);
+    e->F14 = in_axes(f->F14x, f->F14y, &state->link[4]);
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        e->inertia[i] = inertia_of(mechanism, state, i);
+}
+
+/* The unknowns as forces: couples are divided by a length.  The friction of a guide is one of the loads
+** and is left out. */
+static void list_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const fourlink_forces *forces, double list[10])
+{
+    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
+    double length = mechanism->design.link[FOURLINK_CRANK].length;
+
+    flk_list_forces(forces, list);
+    if (fourlink_slides((int)mechanism->design.kind, FOURLINK_COUPLER)) {
+        list[4] = -forces->N34 * u->y;
+        list[5] = forces->N34 * u->x;
+    }
+    if (fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER))
+        list[6] = 0;
+    list[8] /= length;
+    list[9] /= length;
+}
+
+int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             const fourlink_load *loads, unsigned long n_loads,
+                             const fourlink_forces *forces, flk_derived *e)
+{
+    fourlink_mechanism weightless = *mechanism;
+    fourlink_state rest = *state;
+    fourlink_forces of_loads, of_inertia;
+    double largest = 0, difference = 0;
+    double whole[10], part[10], other[10];
+    int status, i;
+
+    weightless.design.gravity.x = 0;
+    weightless.design.gravity.y = 0;
+    status = fourlink_velocity(mechanism, 0, &rest);
+    if (status == FOURLINK_OK)
+        status = fourlink_acceleration(mechanism, 0, &rest);
+    if (status == FOURLINK_OK)
+        status = fourlink_solve(mechanism, &rest, loads, n_loads, &of_loads);
+    if (status == FOURLINK_OK)
+        status = fourlink_solve(&weightless, state, NULL, 0, &of_inertia);
+    if (status != FOURLINK_OK)
+        return status;
+    list_forces(mechanism, state, forces, whole);
+    list_forces(mechanism, state, &of_loads, part);
+    list_forces(mechanism, state, &of_inertia, other);
+    for (i = 0; i < 10; i++) {
+        difference = GSL_MAX(difference, fabs(part[i] + other[i] - whole[i]));
+        largest = GSL_MAX(largest, GSL_MAX(fabs(part[i]), fabs(other[i])));
+    }
+    e->Ts_static = of_loads.Ts;
+    e->Ts_inertia = of_inertia.Ts;
+    e->superposition = largest > 0 ? difference / largest : 0;
+    return FOURLINK_OK;
+}
+
+/* -------------------------------------------------------------------------------------------------- a row */
 
 /* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const deck *d)

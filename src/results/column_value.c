@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "column.h"
-#include "column_info.h"
+#include "column_list.h"
 #include "mechanics/mechanics.h"
 
 static double number_at(const flk_row *row, size_t place)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** expected.h - the values that a source printed, compared with the computed ones.
+** expected.h - the values that a source printed, compared with the computed ones, and why they may differ.
 */
 #ifndef FOURLINK_EXPECTED_H
 #define FOURLINK_EXPECTED_H
 
-#include "name.h"
+#include "opened.h"
 
 /* Compare a printed value with the computed one, and give what its name means. */
 void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
@@ -15,7 +15,7 @@ void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
 ** its unit, since whole turns do not count; else 0. */
 int flk_expected_agrees(const fourlink_check *check, double value, double turn);
 
-/* Set check->hint if two numbers of this name differ in a typical way (hint.c). */
+/* Set check->hint if two numbers of this name differ in a typical way. */
 void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
 
 #endif

@@ -4,7 +4,7 @@
 */
 #include <stdlib.h>
 
-#include "extremes.h"
+#include "extreme.h"
 
 int flk_extremes_open(flk_extremes *x, size_t most)
 {

@@ -10,7 +10,6 @@
 #include "fact.h"
 #include "mean.h"
 #include "mechanics/kind.h"
-#include "turning.h"
 
 /* name, quantity, group, meaning */
 #define FACT_LIST(X)                                                                               \

@@ -5,7 +5,7 @@
 #ifndef FOURLINK_FACT_H
 #define FOURLINK_FACT_H
 
-#include "extremes.h"
+#include "extreme.h"
 #include "list.h"
 
 /* The largest number of facts besides extremes, on both branches. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** follow.c - columns along the motion of a branch, piece by piece.
+** follow.c - columns along the motion of a branch, piece by piece, and their limits where there is no row.
 */
 #include <math.h>
 #include <string.h>
@@ -218,4 +218,289 @@ double flk_followed_change(const flk_followed *t, double from, double to)
 int flk_followed_turns_over(const flk_followed *t, double from, double to)
 {
     return flk_followed_change(t, from, to) > HALF_TURN;
+}
+
+/* ------------------------------------------------------------------------------------------------- limits */
+
+/* Columns at dead positions and change points, where there is no row.
+**
+** With x the distance from such an end, or at a dead position its root, a column is
+**
+**    y(x) = P(x) / x^m,   P(x) = p0 + p1 x + p2 x^2 + ...
+**
+** where m > 0 and p0 != 0 it has a pole; else its limit is p0.  P is the polynomial through rows on one of
+** several scales: on small ones it is more exact, but rows so close to the end may be rounding.
+*/
+
+#define NODES FLK_LIMIT_NODES
+#define SCALES FLK_LIMIT_SCALES
+
+#define EXACT 1e-9 /* error of a limit, of the column's size: its polynomial replaces the column; */
+#define KNOWN 1e-6 /* ... the limit is used; */
+#define FINITE 1e-3      /* ... the column is known to have one */
+#define NEAR_CHANGE 1e-4 /* rad from a change point: rows are rounding error; */
+#define LOST_DEAD 1e-4   /* ... from a dead position, for a column without an exact limit; */
+#define LOST 1e-2        /* ... from a change point, for such a column */
+
+/* The largest scale is at most half of the piece.  No two are the same, or rounding would look like a
+** pole. */
+void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit_rows *e)
+{
+    static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
+                                             {0.001, 0.004, 0.016, 0.04, 0.08, 0.12, 0.2, 0.3}};
+    flk_piece_end end = at_end ? f->piece.end : f->piece.begin;
+    double half = 0.5 * (f->piece.to - f->piece.from);
+    int scale, k;
+
+    e->at_end = at_end;
+    e->is_root = flk_follow_is_root(end);
+    e->is_change = end != FLK_END_DEAD;
+    e->pole_order = end == FLK_END_CHANGE_REST ? 6 : 4;
+    e->edge = at_end ? f->piece.to : f->piece.from;
+    for (scale = 0; scale < SCALES; scale++)
+        for (k = 0; k < NODES; k++) {
+            double most = (e->is_root ? sqrt(half) : half) * (scale + 1) / SCALES, x;
+
+            x = e->x[scale][k] = GSL_MIN_DBL(most, scales[e->is_root][scale]) * (k + 1) / NODES;
+            x = e->is_root ? x * x : x;
+            flk_follow_row(f, needs, at_end ? e->edge - x : e->edge + x, &e->row[scale][k]);
+        }
+}
+
+/* A column, or a component of its vector, in the rows. */
+typedef double values[SCALES][NODES];
+
+/* The polynomial of x^order y on a scale: returns its value at 0; *error is how much the last node changes
+** that. */
+static double extrapolate(const flk_limit_rows *e, values y, int order, int scale,
+                          flk_polynomial *p, double *error)
+{
+    const double *x = e->x[scale];
+    double before, value;
+    int k;
+
+    p->n = 0;
+    for (k = 0; k < NODES - 1; k++)
+        flk_polynomial_add(p, x[k], gsl_pow_int(x[k], order) * y[scale][k]);
+    before = flk_polynomial_value(p, 0);
+    flk_polynomial_add(p, x[k], gsl_pow_int(x[k], order) * y[scale][k]);
+    value = flk_polynomial_value(p, 0);
+    *error = fabs(value - before);
+    return value;
+}
+
+/* The scale on which the limit of x^order y is most exact. */
+typedef struct best {
+    double value, error, size;
+    double reach;
+} best;
+
+static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial *p)
+{
+    flk_polynomial here;
+    double value, error;
+    best b;
+    int scale;
+
+    b.value = GSL_NAN;
+    b.error = GSL_POSINF;
+    b.size = b.reach = 0;
+    for (scale = 0; scale < SCALES; scale++) {
+        value = extrapolate(e, y, order, scale, &here, &error);
+        if (error < b.error) {
+            b.value = value;
+            b.error = error;
+            b.reach = e->x[scale][NODES - 1];
+            b.size = fabs(gsl_pow_int(b.reach, order) * y[scale][NODES - 1]);
+            *p = here;
+        }
+    }
+    b.size = GSL_MAX_DBL(
+        b.size, fabs(gsl_pow_int(e->x[SCALES - 1][NODES - 1], order) * y[SCALES - 1][NODES - 1]));
+    return b;
+}
+
+/* ------------------------------------------------------------------------------------------------- poles */
+
+/* 1 if the rows closest to the end show a finite limit.  Rows farther away may still look like a pole,
+** which lies beyond a narrow locked range. */
+static int is_finite(const flk_limit_rows *e, values y)
+{
+    flk_polynomial p;
+    double error;
+
+    extrapolate(e, y, 0, 0, &p, &error);
+    return e->is_root && error <= FINITE * fabs(y[0][NODES - 1]);
+}
+
+/* A pole is the same on two scales and greater than the error.  On the larger scales, which show poles
+** that rounding hides on the small ones, it must be far greater. */
+#define POLE_SCALE 1 /* the smallest one used: closer to the end rows may be rounding error */
+
+static int is_pole(const flk_limit_rows *e, values y, int scale, int order, double *strength)
+{
+    double part = scale == POLE_SCALE ? 0.1 : 1e-3, error, other, error_of_other;
+    double size = fabs(gsl_pow_int(e->x[scale][NODES - 1], order) * y[scale][NODES - 1]);
+    flk_polynomial p;
+
+    *strength = extrapolate(e, y, order, scale, &p, &error);
+    other = extrapolate(e, y, order, scale + 1, &p, &error_of_other);
+    return error < part * fabs(*strength) && error_of_other < part * fabs(other) &&
+           fabs(*strength - other) < GSL_MAX_DBL(part, 0.01) * fabs(*strength) &&
+           (scale > POLE_SCALE || fabs(*strength) > 1e-3 * size);
+}
+
+/* Returns the order of a pole, 0 if there is none; *strength is p0. */
+static int find_pole(const flk_limit_rows *e, values y, double *strength)
+{
+    int scale, order;
+
+    for (scale = POLE_SCALE; scale + 1 < SCALES && !is_finite(e, y); scale++)
+        for (order = e->pole_order; order > 0; order--)
+            if (is_pole(e, y, scale, order, strength))
+                return order;
+    *strength = 0;
+    return 0;
+}
+
+/* A number with the sign of a pole, if the rows close to the end grow towards it; else 0.  Beside a narrow
+** locked range, or a change point that the links nearly reach, a pole has one order close to it and another
+** farther away. */
+#define LEAST_ORDER 0.7
+
+static double find_growth(const flk_limit_rows *e, values y)
+{
+    const double *x = e->x[0], *near = y[0];
+    int k;
+
+    for (k = 0; k + 1 < NODES; k++)
+        if (!(near[k] / near[k + 1] > pow(x[k + 1] / x[k], LEAST_ORDER)))
+            return 0;
+    return x[0] * near[0];
+}
+
+/* ------------------------------------------------------------------------------------------ their values */
+
+/* A column that is zero within rounding can seem to have a pole, such as alpha3 of a crank and a rod of
+** the same length where alpha2 is 0. */
+#define LEAST_POLE 1e-11 /* of the column's size elsewhere, at 1 rad: less is rounding error */
+
+/* The values in the rows, in the column's unit; the components of a direction in SI. */
+static void take_values(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
+{
+    double factor = t->turn > 0 ? 1 : t->c->scale, last = GSL_NAN;
+    int scale, k;
+
+    for (scale = 0; scale < SCALES; scale++)
+        for (k = 0; k < NODES; k++)
+            if (is_vector) {
+                flk_column_vector(t->c, &e->row[scale][k], &y[0][scale][k], &y[1][scale][k]);
+                y[0][scale][k] *= factor;
+                y[1][scale][k] *= factor;
+            } else {
+                y[0][scale][k] =
+                    flk_followed_nearest(t, flk_column_value(t->c, &e->row[scale][k]), last);
+                last = y[0][scale][k];
+            }
+}
+
+/* The column at x, by its own polynomial or those of its vector's components. */
+static double join(const flk_limit *l, const flk_followed *t, double x, double near)
+{
+    double u = flk_polynomial_value(&l->of[0], x), v;
+
+    if (l->n == 1)
+        return u / gsl_pow_int(x, l->order);
+    v = flk_polynomial_value(&l->of[1], x);
+    return t->turn > 0 ? flk_followed_nearest(t, atan2(v, u) * t->c->scale, near)
+                       : gsl_hypot(u, v) / gsl_pow_int(x, l->order);
+}
+
+#define VANISHES \
+    1e-6 /* of a vector's size: a smaller one has no direction; it is taken at this part */
+#define BESIDE 1e-3 /* ... of the reach */
+
+/* The limit of a column without a pole, or of the direction of a vector that may have one. */
+static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
+                        const best b[2], double size, flk_limit *l)
+{
+    double error = b[0].error, here = b[0].size, length = gsl_hypot(b[0].value, b[1].value), least;
+
+    if (l->n == 2) {
+        error = gsl_hypot(error, b[1].error);
+        here = gsl_hypot(here, b[1].size);
+    }
+    size = GSL_MAX_DBL(here, t->turn > 0 ? 0 : size);
+    least = GSL_MAX_DBL(4 * error, EXACT * size);
+    if (error <= EXACT * size)
+        l->reach = GSL_MIN_DBL(b[0].reach, b[l->n - 1].reach);
+    else if (e->is_change || !is_finite(e, y[0]))
+        l->rounded = e->is_change ? LOST : LOST_DEAD;
+    if (l->n == 2 && t->turn > 0) {
+        if (error <= KNOWN * size)
+            l->value = join(l, t, length > VANISHES * here ? 0 : BESIDE * b[0].reach, GSL_NAN);
+        return;
+    }
+    if (error <= KNOWN * size)
+        l->value = l->n == 2 ? length : b[0].value;
+    else if (l->n == 1 && is_finite(e, y[0]))
+        l->value = y[0][0][0];
+    if (fabs(l->value) <= least)
+        l->value = 0; /* such as the transmission angle at a dead position */
+}
+
+void flk_limit_none(flk_limit *l)
+{
+    memset(l, 0, sizeof *l);
+    l->reach = -1;
+    l->value = GSL_NAN;
+}
+
+void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l)
+{
+    flk_limit_none(l);
+    l->edge = e->edge;
+    l->is_root = e->is_root;
+    l->rounded = e->is_change ? NEAR_CHANGE : 0;
+}
+
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
+{
+    int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order;
+    double strength, growth;
+    best b[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    values y[2];
+
+    take_values(e, t, is_vector, y);
+    flk_limit_of_crank(e, l);
+    l->n = is_vector ? 2 : 1;
+    l->reach = 0;
+    for (k = 0; k < l->n && (is_vector || !(t->turn > 0)); k++) {
+        order = find_pole(e, y[k], &strength);
+        growth = t->turn > 0 ? 0 : find_growth(e, y[k]);
+        strength = growth != 0 ? growth : strength;
+        if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size)
+            continue;
+        has_pole |= strength != 0;
+        l->order = GSL_MAX_INT(l->order, order);
+        if (t->turn <= 0)
+            l->value = strength > 0 || is_vector ? GSL_POSINF : GSL_NEGINF;
+    }
+    for (k = 0; k < l->n; k++)
+        b[k] = best_of(e, y[k], l->order, &l->of[k]);
+    if (!has_pole || (is_vector && t->turn > 0))
+        find_finite(e, t, y, b, size, l);
+    else if (is_vector && l->order > 0 && b[0].error <= EXACT * b[0].size &&
+             b[1].error <= EXACT * b[1].size)
+        l->reach = GSL_MIN_DBL(b[0].reach, b[1].reach);
+}
+
+double flk_limit_value(const flk_limit *l, const flk_followed *t, double passed, double near)
+{
+    double x = fabs(passed - l->edge);
+
+    x = l->is_root ? sqrt(x) : x;
+    if (!(x <= l->reach))
+        return GSL_NAN;
+    return x > 0 ? join(l, t, x, near) : l->value;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mean.h - the mean and the root mean square of a column over the crank angles of a deck's motion.
+** mean.h - integrals along the motion: mean and root mean square of a column; the turning moment over a
+** cycle, and the flywheel that it needs.
 */
 #ifndef FOURLINK_MEAN_H
 #define FOURLINK_MEAN_H
@@ -12,5 +13,13 @@
 ** instant, the status of its row. */
 int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
                   flk_statistic statistic, double *mean);
+
+/* Allocate the memory that the turning moment of a deck needs, until flk_analysis_close; 0 when out of
+** memory. */
+int flk_turning_open(flk_analysis *a);
+
+/* The turning moment at the deck's speed, which is taken as constant; null if it is not defined: the
+** crank does not turn, or is accelerated, or does not reach all angles, or there are no forces. */
+const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch);
 
 #endif

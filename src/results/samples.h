@@ -15,7 +15,6 @@
 #define FOURLINK_SAMPLES_H
 
 #include "follow.h"
-#include "limit.h"
 
 #define FLK_SAMPLES_MOST 1000 /* of a piece */
 

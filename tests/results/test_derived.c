@@ -5,7 +5,7 @@
 */
 #include "check.h"
 #include "mechanics/machine.h"
-#include "results/derived.h"
+#include "results/analysis.h"
 #include "fourlink.h"
 
 typedef struct sample {

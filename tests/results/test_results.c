@@ -91,6 +91,9 @@ TEST(test_mistakes)
          "'mu_mim' is neither a fact nor the max(), min(), mean() or rms() of a column of this "
          "deck; did you mean "
          "'mu_min'?"},
+        {"[table]\ncolumns = mu_mim\n", 1, 17,
+         "'mu_mim' is neither a fact nor the max(), min(), mean() or rms() of a column of this "
+         "deck; did you mean 'mu_min'?"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = ,\n", 1, 18, "'output' names nothing"},
         {"[coupler]\nmass = 3\n", 1, 16, "[coupler] is given twice; first at line 4"},
     };
