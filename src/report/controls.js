@@ -254,20 +254,26 @@ function reachScrolling() {
     window.addEventListener("toggle", look, true);
 }
 
-/* An equation that is wider than paper has smaller letters there: a browser would make the whole page smaller. */
-function printEquations() {
+/* Lines of equations end between terms.  A fraction that is still wider than the paper or the screen has smaller
+   letters: on paper a browser would make the whole page smaller. */
+function fitEquations() {
     const equations = [...document.querySelectorAll(".equation math")];
-    window.addEventListener("beforeprint", () => {
-        const widths = equations.map((x) => {
-            const box = x.getBoundingClientRect(), edge = x.closest("main").getBoundingClientRect().right;
-            return (edge - box.left - 4) / box.width;
+    const fit = (usual, least) => {
+        equations.forEach((x) => x.style.removeProperty("font-size"));
+        const rooms = equations.map((x) => {
+            const box = x.getBoundingClientRect(), edge = x.closest(".equation").getBoundingClientRect().right;
+            return (edge - box.left) / box.width;
         });
         equations.forEach((x, k) => {
-            if (widths[k] < 1)
-                x.style.fontSize = Math.max(0.7, 0.86 * widths[k]) + "rem";
+            if (rooms[k] < 1)
+                x.style.fontSize = Math.max(least, usual * rooms[k]) + "rem";
         });
-    });
-    window.addEventListener("afterprint", () => equations.forEach((x) => x.style.removeProperty("font-size")));
+    };
+    const onScreen = () => fit(0.88, 0.5);
+    window.addEventListener("beforeprint", () => fit(0.86, 0.7));
+    window.addEventListener("afterprint", onScreen);
+    window.addEventListener("resize", onScreen);
+    onScreen();
 }
 
 /* ------------------------------------------------------------------------------------------------ the report */
@@ -280,7 +286,7 @@ function start() {
     fourlink.typed.start();
     window.addEventListener("beforeprint", () => document.documentElement.classList.add("on-paper"));
     window.addEventListener("afterprint", () => document.documentElement.classList.remove("on-paper"));
-    printEquations();
+    fitEquations();
     reachScrolling();
     if (!rows || !place)
         return;

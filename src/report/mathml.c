@@ -13,11 +13,12 @@
 #define FUNCTION(name)                                                 \
     "<mspace width=\"0.17em\"/><mi>" name "</mi><mo>\342\201\241</mo>" \
     "<mspace width=\"0.1em\"/>"
+#define INFIX(sign) "<mo form=\"infix\">" sign "</mo>"
 #define LEFT "<mo stretchy=\"false\">(</mo>"
 #define RIGHT "<mo stretchy=\"false\">)</mo>"
 #define MINUS "\342\210\222"
 #define DEGREE "\302\260"
-#define LONG_EQUATION 90 /* bytes: the result has a line of its own */
+#define LONG_EQUATION 90 /* bytes: the result has a line of its own, fractions have none */
 #define NAMESPACE "http://www.w3.org/1998/Math/MathML"
 
 void math_open(page *p, const char *name_of_class)
@@ -29,6 +30,22 @@ void math_open(page *p, const char *name_of_class)
 void math_close(page *p)
 {
     page_print(p, "</mrow></math>\n");
+}
+
+/* A line of an equation, which may go on below between its pieces, each a <math>. */
+static void open_line(page *p, const char *name_of_class)
+{
+    page_print(p, "<div class=\"%m\"><math xmlns=\"" NAMESPACE "\"><mrow>", name_of_class);
+}
+
+static void begin_piece(page *p)
+{
+    page_print(p, "</mrow></math><wbr/><math xmlns=\"" NAMESPACE "\"><mrow>");
+}
+
+static void close_line(page *p)
+{
+    page_print(p, "</mrow></math></div>\n");
 }
 
 void math_block(page *p, const char *name_of_class)
@@ -177,7 +194,9 @@ void math_set(math *m, const char *name, double value)
 typedef struct writer {
     math *m;
     int has_numbers; /* 1: symbols are replaced by their values */
+    int is_long;     /* 1: fractions are written in a line, which can end between terms */
     int is_first;    /* 1: nothing stands before, in this bracket or fraction */
+    int depth;       /* of brackets, fractions and roots */
     text rest;
 } writer;
 
@@ -244,33 +263,63 @@ static void begin_group(writer *w, text token)
         token = next_token(w);
 }
 
-/* The markup of tokens that are no symbols: in symbols, with numbers, and whether it opens a group. */
+/* The markup of tokens that are no symbols: in symbols and with numbers; whether nothing stands before the
+** next token; by how much it is deeper. */
 static const struct {
     const char *token, *markup, *with_numbers;
-    int opens;
-} signs[] = {{"{", "<mfrac><mrow>", NULL, 1},
-             {"|", "</mrow><mrow>", NULL, 1},
-             {"}", "</mrow></mfrac>", NULL, 0},
-             {"[", "<msqrt><mrow>", NULL, 1},
-             {"]", "</mrow></msqrt>", NULL, 0},
-             {"(", LEFT, NULL, 1},
-             {")", RIGHT, NULL, 0},
-             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, 0},
-             {",", "<mo>,</mo>", NULL, 1},
-             {"=", "<mo>=</mo>", NULL, 1},
-             {"+", "<mo>+</mo>", NULL, 0},
-             {"-", "<mo>" MINUS "</mo>", NULL, 0},
-             {"*", "<mo>\342\201\242</mo>", "<mo>\302\267</mo>", 0},
-             {"sin", FUNCTION("sin"), NULL, 0},
-             {"cos", FUNCTION("cos"), NULL, 0},
-             {"asin", FUNCTION("arcsin"), NULL, 0},
-             {"acos", FUNCTION("arccos"), NULL, 0},
-             {"atan2", FUNCTION("atan2"), NULL, 0}};
+    int is_before, deeper;
+} signs[] = {{"{", "<mfrac><mrow>", NULL, 1, 1},
+             {"|", "</mrow><mrow>", NULL, 1, 0},
+             {"}", "</mrow></mfrac>", NULL, 0, -1},
+             {"[", "<msqrt><mrow>", NULL, 1, 1},
+             {"]", "</mrow></msqrt>", NULL, 0, -1},
+             {"(", LEFT, NULL, 1, 1},
+             {")", RIGHT, NULL, 0, -1},
+             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, 0, -1},
+             {",", "<mo>,</mo>", NULL, 1, 0},
+             {"=", INFIX("="), NULL, 1, 0},
+             {"+", INFIX("+"), NULL, 0, 0},
+             {"-", "<mo>" MINUS "</mo>", NULL, 0, 0},
+             {"*", "<mo>\342\201\242</mo>", INFIX("\302\267"), 0, 0},
+             {"sin", FUNCTION("sin"), NULL, 0, 0},
+             {"cos", FUNCTION("cos"), NULL, 0, 0},
+             {"asin", FUNCTION("arcsin"), NULL, 0, 0},
+             {"acos", FUNCTION("arccos"), NULL, 0, 0},
+             {"atan2", FUNCTION("atan2"), NULL, 0, 0}};
 
 #define SIGNS (sizeof signs / sizeof signs[0])
 
+/* The markup of the parts of a fraction that is written in a line; null for other tokens. */
+static const char *markup_of_quotient(text token)
+{
+    return flk_text_same(token, "{")   ? LEFT
+           : flk_text_same(token, "|") ? RIGHT INFIX("/") LEFT
+           : flk_text_same(token, "}") ? RIGHT
+                                       : NULL;
+}
+
+/* 1 for a sign before which a line may end: between terms, and between factors that are numbers. */
+static int begins_piece(const writer *w, text token)
+{
+    return !w->is_first && w->depth == 0 && token.length == 1 &&
+           strchr(w->has_numbers ? "=+-*" : "=+-", token.start[0]) != NULL;
+}
+
+/* The markup of signs[i]. */
+static const char *markup_of(const writer *w, size_t i, text token, int is_piece)
+{
+    const char *quotient = w->is_long ? markup_of_quotient(token) : NULL;
+
+    if (quotient)
+        return quotient;
+    if (token.start[0] == '-' && (is_piece || w->is_first))
+        return is_piece ? INFIX(MINUS) : "<mo form=\"prefix\">" MINUS "</mo>";
+    return w->has_numbers && signs[i].with_numbers ? signs[i].with_numbers : signs[i].markup;
+}
+
 static void put_token(writer *w, text token)
 {
+    int is_piece = begins_piece(w, token);
     size_t i;
 
     if (token.start[0] == '<') {
@@ -281,13 +330,15 @@ static void put_token(writer *w, text token)
         return;
     for (i = 0; i < SIGNS && !flk_text_same(token, signs[i].token); i++)
         ;
+    if (is_piece)
+        begin_piece(w->m->p);
     if (i == SIGNS)
         put_atom(w, token);
     else
-        page_print(w->m->p, "%m",
-                   w->has_numbers && signs[i].with_numbers ? signs[i].with_numbers
-                                                           : signs[i].markup);
-    w->is_first = i < SIGNS && signs[i].opens;
+        page_print(w->m->p, "%m", markup_of(w, i, token, is_piece));
+    w->is_first = i < SIGNS && signs[i].is_before;
+    if (i < SIGNS && !(w->is_long && markup_of_quotient(token)))
+        w->depth += signs[i].deeper;
 }
 
 static void put_equation(math *m, const char *equation, int has_numbers)
@@ -297,7 +348,9 @@ static void put_equation(math *m, const char *equation, int has_numbers)
 
     w.m = m;
     w.has_numbers = has_numbers;
+    w.is_long = has_numbers && strlen(equation) > LONG_EQUATION;
     w.is_first = 1;
+    w.depth = 0;
     w.rest = flk_text_of(equation);
     while ((token = next_token(&w)).length)
         put_token(&w, token);
@@ -307,7 +360,7 @@ static void put_value(math *m, double value, math_unit unit)
 {
     const char *name = unit_names[unit];
 
-    page_print(m->p, "<mo>=</mo>");
+    page_print(m->p, INFIX("="));
     put_number(m->p, value, unit == MATH_ANGLE);
     page_print(m->p, *name ? "<mtext>\302\240%s</mtext>" : "%s", name);
 }
@@ -316,19 +369,19 @@ static void put_value(math *m, double value, math_unit unit)
 static void put_symbols(math *m, const char *name, const char *equation, const char *end)
 {
     math_block(m->p, "equation");
-    math_open(m->p, "symbols");
+    open_line(m->p, "symbols");
     if (name) {
         math_symbol(m->p, name);
-        page_print(m->p, "<mo>=</mo>");
+        page_print(m->p, INFIX("="));
     }
     put_equation(m, equation, 0);
     page_print(m->p, "%m", end);
-    math_close(m->p);
+    close_line(m->p);
 }
 
 static void end_block(math *m)
 {
-    math_close(m->p);
+    close_line(m->p);
     page_print(m->p, "</div>\n");
 }
 
@@ -337,12 +390,14 @@ void math_let(math *m, const char *name, const char *equation, double value)
     math_unit unit = unit_of(name);
 
     put_symbols(m, name, equation, "");
-    math_open(m->p, "numbers");
-    page_print(m->p, "<mo>=</mo>");
+    open_line(m->p, "numbers");
+    page_print(m->p, INFIX("="));
     put_equation(m, equation, 1);
     if (strlen(equation) > LONG_EQUATION) {
-        math_close(m->p);
-        math_open(m->p, "numbers");
+        close_line(m->p);
+        open_line(m->p, "numbers");
+    } else {
+        begin_piece(m->p);
     }
     put_value(m, math_settled(m, value, unit), unit);
     end_block(m);
@@ -352,8 +407,9 @@ void math_let(math *m, const char *name, const char *equation, double value)
 void math_zero(math *m, const char *equation, double value, double size, math_unit unit)
 {
     put_symbols(m, NULL, equation, "<mo>=</mo><mn>0</mn>");
-    math_open(m->p, "numbers");
+    open_line(m->p, "numbers");
     put_equation(m, equation, 1);
+    begin_piece(m->p);
     put_value(m, fabs(value) < 1e-6 * size ? 0 : value, unit);
     end_block(m);
 }
@@ -367,7 +423,7 @@ void math_show(math *m, const char *equation)
 void math_show_numbers(math *m, const char *equation)
 {
     math_block(m->p, "equation");
-    math_open(m->p, "numbers");
+    open_line(m->p, "numbers");
     put_equation(m, equation, 1);
     end_block(m);
 }

@@ -16,7 +16,7 @@ H = '{http://www.w3.org/1999/xhtml}'
 NAMES = {'sin': 'sin', 'cos': 'cos', 'arcsin': 'asin', 'arccos': 'acos', 'atan2': 'atan2'}
 FUNCTIONS = {'sin': math.sin, 'cos': math.cos, 'atan2': math.atan2, 'sqrt': lambda x: math.sqrt(max(x, 0)),
              'asin': lambda x: math.asin(max(-1, min(1, x))), 'acos': lambda x: math.acos(max(-1, min(1, x)))}
-OPERATORS = {'\u2212': '-', '+': '+', '\u00b7': '*', '(': '(', ')': ')', ',': ',', '=': '=', '\u2061': '', '\u2062': '*'}
+OPERATORS = {'/': '/', '\u2212': '-', '+': '+', '\u00b7': '*', '(': '(', ')': ')', ',': ',', '=': '=', '\u2061': '', '\u2062': '*'}
 
 
 def half_unit(x):
@@ -96,7 +96,7 @@ def name_of(element):
 
 
 def check_equation(div, results):
-    lines = [m for m in div if m.tag == M + 'math' and m.get('class') == 'numbers']
+    lines = [m for line in div if line.get('class') == 'numbers' for m in line.iter(M + 'math')]
     if not lines:
         return None
     reader = Reader()
@@ -104,7 +104,7 @@ def check_equation(div, results):
     parts = [p for p in parts if p]
     left, right = reader.evaluate(parts[0]), reader.evaluate(parts[1])
     difference = left - right
-    first = content(next(m for m in div if m.tag == M + 'math'))[0]
+    first = content(next(div.iter(M + 'math')))[0]
     results[name_of(first)] = right
     if '\u00b0' in ''.join(lines[-1].itertext()):
         difference = math.remainder(difference, 2 * math.pi)
