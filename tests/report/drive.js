@@ -137,6 +137,10 @@
         }
         window.parent.postMessage((wrong.length || sheet.clientHeight < 100 ? "failed" : "ok") + " drawn, " + sheet.clientHeight +
                                   " pixels high: " + wrong.slice(0, 3), "*");
+        const cut = [...document.querySelectorAll(".equation")].filter((x) => !x.querySelector("math.matrix") &&
+            [...x.querySelectorAll("math")].some((m) => m.getBoundingClientRect().right > x.getBoundingClientRect().right + 1));
+        window.parent.postMessage((cut.length ? "failed" : "ok") + " equations: " + cut.length + " are cut: " +
+                                  (cut.length ? cut[0].textContent : ""), "*");
         window.parent.postMessage((wide <= window.innerWidth ? "ok" : "failed") + " width " + window.innerWidth + ": " + wide, "*");
         return;
     }

@@ -74,6 +74,7 @@ END
         browse --window-size=1000,1000 --dump-dom "file://$work/narrow.html" >narrow.out
         check "$1: $(grep "width $width" narrow.out)" grep -q "ok width $width" narrow.out
         check "$1: $(grep 'drawn' narrow.out)" grep -q 'ok drawn' narrow.out
+        check "$1, $width px: $(grep 'equations' narrow.out)" grep -q 'ok equations' narrow.out
     done
 }
 
