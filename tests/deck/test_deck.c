@@ -341,6 +341,8 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
      "a swing_period of 0.1 s is too short: a point mass 0.02 m from the pin swings more slowly"},
+    {FOUR_BAR "mass = 1 kg\ncg = 10 mm\nswing_pin = (10, 0) mm\nswing_period = 1 s\n", 12,
+     "the swing_pin is at the centre of mass: the link does not swing there"},
     {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
     {"mechanism = slider-crank\n[rod]\nlength = 100 mm\n[crank]\nstroke = 250 mm\n", 5,
      "this stroke is impossible: the crank would be longer than the rod"},
@@ -648,6 +650,12 @@ TEST(test_engine)
     read_with(ENGINE, "load T.torque=-7 N m", &d);
     assert_true(given_load(&d, 0)->values.torque == -7);
     assert_int_equal(given_load(&d, 0)->values.torque_curve.n, 0);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR "[friction]\nA = 0.1\nradius_A = 1 mm\n", "friction.direction=backward", &d);
+    assert_int_equal(d.machine.friction.direction, -1);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR "[friction]\nA = 0.1\nradius_A = 1 mm\n", "friction.direction=forward", &d);
+    assert_int_equal(d.machine.friction.direction, 1);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);

@@ -50,6 +50,7 @@ TEST(test_points)
     near(t->theta2[3], 1.3, 0);
     near(t->weight[3], 3, 0);
     near(t->ground, 0.1, 0);
+    near(d.synthesis->mu_min, 40 * DEG, 1e-15); /* as fourlink-deck(5) says */
     flk_deck_free(&d);
 }
 

@@ -438,6 +438,27 @@ TEST(test_inputs_of_springs_friction_and_motor)
     check_inputs(deck, inputs, COUNT(inputs));
 }
 
+/* A place that the deck gives from the centre of mass is told from the origin of its link. */
+TEST(test_input_of_a_centre)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[units]\nlength = mm\n[ground]\nlength = 80\n[crank]\nlength = 20\n"
+        "[coupler]\nlength = 66\n[rocker]\nlength = 56\nmass = 1 kg\ncg = (20, 3)\ninertia = 0\n"
+        "[load H]\nlink = rocker\nforce = (1, 0)\nat = G\n");
+    const fourlink_value *list;
+    unsigned long i, n;
+    int n_found = 0;
+
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
+    for (i = 0; i < n; i++)
+        if (strncmp(list[i].name, "load H.at.", 10) == 0) {
+            assert_near(list[i].value, list[i].name[10] == 'x' ? 20 : 3, 1e-13);
+            n_found++;
+        }
+    assert_int_equal(n_found, 2);
+    fourlink_results_free(r);
+}
+
 /* Forty springs with all that a spring can have. */
 TEST(test_inputs_of_many_springs)
 {
