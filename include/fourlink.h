@@ -728,6 +728,9 @@ typedef struct fourlink_value {
     int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the same on both */
     int flags;          /* of a column, FOURLINK_OF_CRANK ...; of a condition, FOURLINK_ABOVE ... */
     int handle;         /* for fourlink_results_get */
+    const char
+        *line_unit; /* of an input or a variable that is a number: the unit of its line, in which
+                              fourlink_results_set takes it; null: it cannot be set */
 } fourlink_value;
 
 enum {
@@ -1688,15 +1691,34 @@ FOURLINK_API int fourlink_results_variables(const fourlink_results *results, uns
                                             unsigned long max, double *values, double *low,
                                             double *high);
 
-/* Set a number of the deck.  All results are then those of the deck with this value; its text is not read
-** again.
+/* A number of the deck in the unit of its line, in which fourlink_results_set takes it.
 **
 ** Given:
 **    results    from fourlink_results_open or fourlink_results_design
 **    name       of a number, such as crank.length or "load L.force.size": SECTION[ NAME].KEY, for a force or
 **               a point with .x, .y, .size or .angle; its section must be in the deck
-**    value      in the unit of that name in FOURLINK_INPUTS, which fourlink_results_find gives too: the
-**               deck's, SI without [units]
+** Returned:
+**    input      value, unit, quantity, to_si, handle; the unit is valid until the next call with a name.
+**               The value is NaN if the deck does not give the number
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NO_SUCH_NAME, FOURLINK_NOT_A_NUMBER, FOURLINK_NULL
+** Notes:
+** 1) The unit of a line `length = 45 mm` is mm, of `speed = 60 rpm` rpm, of a force `50 N at 30 deg` N, and deg
+**    for its .angle.  A bare number, and a key that the deck does not give, have the unit of [units], SI and
+**    degrees without it.
+** 2) fourlink_results_value gives the same number in the unit of results.
+*/
+FOURLINK_API int fourlink_results_input(fourlink_results *results, const char *name,
+                                        fourlink_value *input);
+
+/* Set a number of the deck.  All results are then those of the deck with this value; its text is not read
+** again.
+**
+** Given:
+**    results    from fourlink_results_open or fourlink_results_design
+**    name       as for fourlink_results_input
+**    value      in the unit that its line has in the deck, as fourlink_results_input tells it: 45 for
+**               `length = 40 mm` is 45 mm
 ** Returned:
 **    mistake    if the deck has a mistake with this value, the first one; may be null
 ** Returned (function value):
@@ -1713,6 +1735,20 @@ FOURLINK_API int fourlink_results_variables(const fourlink_results *results, uns
 FOURLINK_API int fourlink_results_set(fourlink_results *results, const char *name, double value,
                                       fourlink_mistake *mistake);
 
+/* The same with a unit: "motion.speed = 60 rpm".  The unit of the line stays as it was: a number set without a
+** unit afterwards is in that.
+**
+** Given:
+**    results    as for fourlink_results_set
+**    words      NAME = NUMBER UNIT; without a unit the number is in that of its line
+** Returned:
+**    mistake    of the deck with this value, or of the words, with line 0; may be null
+** Returned (function value):
+**    as from fourlink_results_set; FOURLINK_BAD_NUMBER for another unit than one of its quantity
+*/
+FOURLINK_API int fourlink_results_set_text(fourlink_results *results, const char *words,
+                                           fourlink_mistake *mistake);
+
 /* Set several numbers at once, by their handles: in one step, so that no deck with only some of them is
 ** built.
 **
@@ -1720,7 +1756,7 @@ FOURLINK_API int fourlink_results_set(fourlink_results *results, const char *nam
 **    results    as for fourlink_results_set
 **    n          how many
 **    handles    of the numbers, from fourlink_results_find
-**    values     in the units that fourlink_results_find gives
+**    values     in the units of their lines: `line_unit` of the lists and of fourlink_results_find
 ** Returned:
 **    mistake    as from fourlink_results_set
 ** Returned (function value):
@@ -2401,6 +2437,8 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 **       CALL FLGET(HANDLE, ID, IBRNCH, ANGLE, VALUE, ISTAT)
 **       CALL FLSET(HANDLE, NAME, VALUE, ISTAT, MSG)
 **       CALL FLPUT(HANDLE, N, IDS, VALUES, ISTAT, MSG)
+**       CALL FLSETT(HANDLE, WORDS, ISTAT, MSG)
+**       CALL FLUNIT(HANDLE, NAME, UNIT, ISTAT)
 **       CALL FLNROW(HANDLE, NROWS, NCOLS)
 **       CALL FLNAME(HANDLE, I, NAME, UNIT, ISTAT)
 **       CALL FLROW(HANDLE, IBRNCH, I, N, VALUES, ISTAT)
@@ -2430,13 +2468,17 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** fourlink_results_find.  For the statistics of a column add 1 (max), 2 (min), 3 (mean) or 4 (rms).
 **
 ** FLSET sets a number of the deck, such as crank.length; FLPUT sets N of them at once, by their IDs from
-** FLFIND.
+** FLFIND.  A number is in the unit that its line has in the deck: 45.0D0 for `length = 40 mm` is 45 mm.
+** FLUNIT tells that unit.  FLSETT takes a number with a unit, 'motion.speed = 60 rpm', and leaves the unit of
+** the line as it was.
 **
 ** Given:
-**    VALUE      in the unit that fourlink_results_set says
+**    VALUE      in the unit of its line
+**    WORDS      NAME = NUMBER UNIT
 ** Returned:
-**    ISTAT      as from fourlink_results_set
-**    MSG        as from FLOPEN
+**    UNIT       such as mm; 1 of a plain number
+**    ISTAT      as from fourlink_results_set, _set_text, _input
+**    MSG        as from FLOPEN; of WORDS that set nothing, why
 **
 ** FLNROW returns the number of rows and columns of the deck's table.  FLNAME returns the name and unit of
 ** column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW returns row I, 1 to NROWS.
@@ -2451,7 +2493,7 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Returned texts are padded with blanks, or cut off.
 **
 ** Reference:
-**    as fourlink_results_open, _value, _find, _get, _set, _put, _row
+**    as fourlink_results_open, _value, _find, _get, _set, _put, _set_text, _input, _row
 */
 FOURLINK_API void flopen_(const char *text, fourlink_results **handle, int *istat, char *msg,
                           unsigned long text_length, unsigned long msg_length);
@@ -2466,6 +2508,10 @@ FOURLINK_API void flset_(fourlink_results *const *handle, const char *name, cons
                          unsigned long msg_length);
 FOURLINK_API void flput_(fourlink_results *const *handle, const int *n, const int *ids,
                          const double *values, int *istat, char *msg, unsigned long msg_length);
+FOURLINK_API void flsett_(fourlink_results *const *handle, const char *words, int *istat, char *msg,
+                          unsigned long words_length, unsigned long msg_length);
+FOURLINK_API void flunit_(fourlink_results *const *handle, const char *name, char *unit, int *istat,
+                          unsigned long name_length, unsigned long unit_length);
 FOURLINK_API void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols);
 FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *name, char *unit,
                           int *istat, unsigned long name_length, unsigned long unit_length);

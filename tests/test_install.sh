@@ -64,9 +64,9 @@ gives() { "$@" <usr/share/fourlink/data/me3491-matrix.deck | tr -s ' ' | cmp - "
 varied=$work/varied
 for crank in 18 20 22; do
     usr/bin/fourlink -f csv -S -c Ts -b open -s "crank.length=$crank mm" usr/share/fourlink/data/me3491-matrix.deck |
-        awk -F, -v crank="$crank" '$1 == "max(Ts)" {printf "%.3f m: max(Ts) = %.9f N.m\n", crank / 1000, $2}'
+        awk -F, -v crank="$crank" '$1 == "max(Ts)" {printf "%d mm: max(Ts) = %.9f N.m\n", crank, $2}'
 done >"$varied"
-echo 'the length must be positive, not -1 m' >>"$varied"
+echo 'the length must be positive, not -1 mm' >>"$varied"
 static_libraries="$lib/libfourlink.a -lgsl -lgslcblas -lm"
 
 # caller NAME COMMAND...: a caller of the library, linked to the shared and to the static one.
@@ -175,14 +175,18 @@ with_fortran() {
     { cat answer; printf 'a4 = -1373.420151 m/s2\nslide = 0.146352 m\na length is not positive\n'; } >$answer
     caller 'FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/fortran77.f"
     answer=answer
-    for name in $(sed -n 's/^FOURLINK_API .* \**\(fourlink_[a-z_]*\)(.*/\1/p' usr/include/fourlink.h); do
-        check "$name in the module" grep -q "\(function\|subroutine\) $name(" usr/include/fourlink.f90
+    # What the module has is that of the header, and all status codes are there.
+    cat usr/include/fourlink.h usr/include/fourlink/*.h >headers
+    { sed -n 's/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\),.*/\1=\2/p' headers
+        grep -o 'FOURLINK_[A-Z_]* = -*[0-9]*' headers | grep -v '_END_' | tr -d ' '; } | tr A-Z a-z >values
+    for name in $(sed -n 's/.*bind(c)$/&/; s/^    [a-z].*\(function\|subroutine\) \(fourlink_[a-z_]*\)(.*/\2/p' usr/include/fourlink.f90 | grep -v '_c$'); do
+        check "$name of the module" grep -q "^FOURLINK_API .*\b$name(" headers
     done
-    for name in $({
-        sed -n 's/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\),.*/\1=\2/p' usr/include/fourlink.h
-        grep -o 'FOURLINK_[A-Z_]* = -*[0-9]*' usr/include/fourlink.h | grep -v '_END_' | tr -d ' '
-    }); do
-        check "$name in the module" grep -Eiq "\b${name%=*}(_type|_link)? *= *${name#*=}\b" usr/include/fourlink.f90
+    for name in $(grep -o 'fourlink_[a-z_]* = -*[0-9][0-9]*' usr/include/fourlink.f90 | sed 's/_link = /=/' | tr -d ' '); do
+        check "$name of the module" grep -qx -e "$name" values
+    done
+    for name in $(sed -n '/^#define FOURLINK_STATUS_LIST/,/^$/s/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\),.*/\1=\2/p' headers | tr A-Z a-z); do
+        check "$name in the module" grep -Eq "\b${name%=*} = ${name#*=}\b" usr/include/fourlink.f90
     done
     $CC $CFLAGS -Iusr/include "$callers/sizes.c" -o sizes_c && ./sizes_c >sizes_of_c
     $FC $CFLAGS "$callers/sizes.f90" fourlink.o $static_libraries -o sizes_f && ./sizes_f >sizes_of_fortran

@@ -333,3 +333,10 @@ double flk_unit_from_si(double si, unit u)
 {
     return si * u.down / u.up;
 }
+
+double flk_unit_in(double number, unit from, unit to)
+{
+    return from.up == to.up && from.down == to.down
+               ? number
+               : flk_unit_from_si(flk_unit_to_si(number, from), to);
+}

@@ -71,6 +71,9 @@ int flk_unit_read(text t, unit *result, text *bad);
 double flk_unit_to_si(double number, unit u);
 double flk_unit_from_si(double si, unit u);
 
+/* A number in another unit of the same quantity; it stays as it is if the units are the same. */
+double flk_unit_in(double number, unit from, unit to);
+
 /* The unit of a quantity in the list above: SI, or degrees. */
 unit flk_unit_of_quantity(quantity q);
 

@@ -33,11 +33,12 @@ typedef struct search {
     const char *name; /* of what is sought */
     double sign;      /* 1: the smallest, -1: the largest */
     const fourlink_value *conditions, *variables;
-    unsigned long n_conditions, n; /* values of variables are in the deck's units */
-    double *best, *low, *high;     /* of the grid, with its neighbours; then of the free ones */
-    int is_words;                  /* what is sought has no number */
-    fourlink_results *trial;       /* the best design, in which values between these are set */
-    int *handles;                  /* of the variables that have neighbours: the free ones */
+    unsigned long n_conditions, n;
+    double *best, *low, *high; /* of the grid, with its neighbours; then of the free ones, in the
+                                      units of their lines */
+    int is_words;              /* what is sought has no number */
+    fourlink_results *trial;   /* the best design, in which values between these are set */
+    int *handles;              /* of the variables that have neighbours: the free ones */
     unsigned long n_free;
     double *values, *refined; /* of the free ones, tried and best so far */
     double found;             /* the smallest sign * value so far */
@@ -87,6 +88,17 @@ static double value_of(search *s, fourlink_results *r, fourlink_branch *branch)
 
 /* ---------------------------------------------------------------------------------------- the grid */
 
+/* A value of a variable in the unit of its line, in which it is set. */
+static double in_line_unit(const search *s, unsigned long i, double value)
+{
+    fourlink_value set;
+
+    if (fourlink_results_input(s->in->results, s->variables[i].name, &set) != FOURLINK_OK ||
+        set.to_si == s->variables[i].to_si)
+        return value;
+    return value * s->variables[i].to_si / set.to_si;
+}
+
 /* Find the best design of the grid; 0 if none is allowed. */
 static int search_grid(search *s, FILE *out)
 {
@@ -120,10 +132,11 @@ static int search_grid(search *s, FILE *out)
         if (s->low[i] == s->high[i])
             continue;
         s->handles[s->n_free] = s->variables[i].handle;
-        s->low[s->n_free] = s->low[i];
-        s->high[s->n_free] = s->high[i];
-        s->best[s->n_free] = s->best[i];
-        s->refined[s->n_free++] = s->best[i];
+        s->low[s->n_free] = in_line_unit(s, i, s->low[i]);
+        s->high[s->n_free] = in_line_unit(s, i, s->high[i]);
+        s->best[s->n_free] = in_line_unit(s, i, s->best[i]);
+        s->refined[s->n_free] = s->best[s->n_free];
+        s->n_free++;
     }
     return !s->out_of_memory;
 }
@@ -272,7 +285,7 @@ static void put_ends(line *l, const search *s)
         for (i = 0; s->variables[i].handle != s->handles[k]; i++)
             ;
         line_put(l, "# %s = %12g %s is at the end of its range.\n", s->variables[i].name,
-                 s->refined[k], s->variables[i].unit);
+                 s->refined[k], s->variables[i].line_unit);
     }
 }
 

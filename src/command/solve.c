@@ -34,7 +34,8 @@ typedef struct question {
         result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
     fourlink_value of, result;     /* what is sought, and what is to have a value */
     double low, high, wanted, angle;
-    double turn; /* of a result that is an angle in a row; 0: none */
+    double to_si; /* of the unit in which the key is set */
+    double turn;  /* of a result that is an angle in a row; 0: none */
     fourlink_branch branch;
     double least, most; /* of the results found */
     line *l;
@@ -106,6 +107,7 @@ static int read_angle(question *q, text at)
 static int read_question(question *q)
 {
     text left, right, key, range, low, high, name, value, at;
+    fourlink_value set;
 
     if (!flk_text_cut(flk_text_of(q->in->o->solve), " where ", &left, &right) ||
         !flk_text_cut(left, "=", &key, &range) || !flk_text_cut(range, "..", &low, &high) ||
@@ -119,6 +121,9 @@ static int read_question(question *q)
         !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
         !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
+    set = q->of;
+    fourlink_results_input(q->in->results, q->key, &set); /* a fact cannot be set */
+    q->to_si = set.to_si;
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
     return q->low < q->high || refuse("the range has to rise: LOW .. HIGH");
@@ -126,14 +131,20 @@ static int read_question(question *q)
 
 /* ------------------------------------------------------------------------------------------- solving */
 
+/* Set KEY to x, which is in the unit of results. */
+static int set_key(const question *q, double x)
+{
+    return fourlink_results_set(q->in->results, q->key,
+                                q->to_si == q->of.to_si ? x : x * q->of.to_si / q->to_si, NULL);
+}
+
 /* NAME - VALUE with KEY set to x; NaN where it cannot be computed, or is unbounded. */
 static double excess(double x, void *data)
 {
     question *q = data;
     fourlink_value v;
     double f;
-    int status = q->out_of_memory ? FOURLINK_NO_MEMORY
-                                  : fourlink_results_set(q->in->results, q->key, x, NULL);
+    int status = q->out_of_memory ? FOURLINK_NO_MEMORY : set_key(q, x);
 
     if (status == FOURLINK_OK)
         status = fourlink_results_value(q->in->results, q->name, q->branch, q->angle, &v);
@@ -311,6 +322,6 @@ int solve_write(FILE *out, input *in)
         command_tell("note", "--solve", 0,
                      "the result has this value in a part of the range, or in all of it", NULL);
     if (q.n && in->o->print_deck)
-        fourlink_results_set(in->results, q.key, q.first, NULL);
+        set_key(&q, q.first);
     return q.n ? 0 : tell_none(&q);
 }

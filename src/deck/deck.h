@@ -76,7 +76,8 @@ typedef struct deck_variable {
 /* A number of the deck that a host sets. */
 typedef struct deck_number {
     unsigned long id; /* from flk_number_find */
-    double value;     /* in the deck's unit */
+    double value;     /* in this unit */
+    deck_unit unit;
 } deck_number;
 
 /* [sweep]; a deck without one has no variables. */

@@ -56,6 +56,19 @@ text flk_setting_text(parser *p, double number, text unit_name)
     return t;
 }
 
+int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u)
+{
+    text size = value, rest;
+
+    *u = d->bare[q].unit;
+    if (value.length && value.start[0] == '(')
+        flk_text_split(&size, ')', &rest);
+    else if (!flk_text_cut(value, " at ", &size, &rest))
+        size = value;
+    *name = flk_quantity_unit_text(size);
+    return !name->length || flk_unit_read(*name, u, &rest);
+}
+
 /* ------------------------------------------------------------------------------- for hosts, by number */
 
 /* A target as a number that is the same for all designs of a deck, and back. */
@@ -106,8 +119,7 @@ static const setting *setting_of(const parser *p, const target *t)
     return s;
 }
 
-int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
-                        double *value)
+int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key, double *si)
 {
     const parser *p = d->settings;
     const setting *s;
@@ -117,22 +129,87 @@ int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char
         return 0;
     *q = flk_target_quantity(p, &t);
     *key = t.part == PART_NONE ? flk_key_table[t.key].name : flk_part_names[t.part];
-    *value = !IS_SET(s)             ? GSL_NAN
-             : t.part == PART_SIZE  ? gsl_hypot(s->si[0], s->si[1])
-             : t.part == PART_ANGLE ? atan2(s->si[1], s->si[0])
-                                    : s->si[t.part == PART_Y];
-    *value = flk_unit_from_si(*value, d->units[*q].unit);
+    *si = !IS_SET(s)             ? GSL_NAN
+          : t.part == PART_SIZE  ? gsl_hypot(s->si[0], s->si[1])
+          : t.part == PART_ANGLE ? atan2(s->si[1], s->si[0])
+                                 : s->si[t.part == PART_Y];
     return 1;
 }
 
+/* The text of the line that gives a number. */
+static text text_of(const parser *p, const target *t)
+{
+    const setting *s = flk_setting_of(&p->uses[t->use], t->key);
+    text angle, size;
+
+    if (t->part != PART_NONE && s->parts && IS_SET(&s->parts[t->part]))
+        return s->parts[t->part].line;
+    if (!s->line.start)
+        return flk_text_of("");
+    if (t->part != PART_ANGLE)
+        return s->line;
+    return flk_text_cut(s->line, " at ", &size, &angle) ? angle : flk_text_of("");
+}
+
+int flk_number_unit(const deck *d, unsigned long id, deck_unit *u)
+{
+    const parser *p = d->settings;
+    target t;
+    text name;
+    quantity q;
+
+    if (!find_target(p, id, &t) || !setting_of(p, &t))
+        return 0;
+    q = flk_target_quantity(p, &t);
+    *u = d->bare[q];
+    if (flk_unit_of_value(d, text_of(p, &t), q, &name, &u->unit) && name.length)
+        flk_value_name_unit(name, u->name);
+    return 1;
+}
+
+int flk_number_read_text(const deck *d, text whole, deck_number *number, char message[MESSAGE_SIZE])
+{
+    text name, value, unit_name;
+    quantity_value read;
+    const char *key;
+    double si;
+    quantity q;
+
+    if (!flk_text_cut(whole, "=", &name, &value) || !name.length) {
+        flk_message(message, MESSAGE_SIZE, "expected NAME = NUMBER UNIT, not '%t'", whole);
+        return FOURLINK_NO_SUCH_NAME;
+    }
+    number->id = flk_number_find(d, name);
+    if (!number->id) {
+        flk_message(message, MESSAGE_SIZE, "'%t' is no number of this deck", name);
+        return FOURLINK_NO_SUCH_NAME;
+    }
+    if (!flk_number_unit(d, number->id, &number->unit) ||
+        !flk_number_describe(d, number->id, &q, &key, &si)) {
+        flk_message(message, MESSAGE_SIZE, "'%t' is not a number", name);
+        return FOURLINK_NOT_A_NUMBER;
+    }
+    if (!flk_quantity_read(value, value, q, number->unit.unit, &read, message))
+        return FOURLINK_BAD_NUMBER;
+    number->value = read.number;
+    number->unit.unit = read.unit;
+    unit_name = flk_quantity_unit_text(value);
+    if (unit_name.length)
+        flk_value_name_unit(unit_name, number->unit.name);
+    return FOURLINK_OK;
+}
+
 /* A variable of the sweep that is set has this value. */
-static void set_variable(deck_sweep *sweep, const deck_number *set)
+static void set_variable(deck *d, const deck_number *set)
 {
     size_t i;
 
-    for (i = 0; i < sweep->n_variables; i++)
-        if (sweep->variables[i].number == set->id)
-            sweep->variables[i].value = set->value;
+    for (i = 0; i < d->sweep.n_variables; i++) {
+        deck_variable *v = &d->sweep.variables[i];
+
+        if (v->number == set->id)
+            v->value = flk_unit_in(set->value, set->unit.unit, d->units[v->q].unit);
+    }
 }
 
 void flk_numbers_assign(parser *p, const deck_number *set, size_t n)
@@ -141,7 +218,7 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n)
     size_t i;
 
     for (i = 0; i < n && !p->out_of_memory; i++) {
-        const deck_unit *u;
+        const char *name = set[i].unit.name;
         quantity_value number;
         text_place place;
         target t;
@@ -151,13 +228,12 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n)
         place = flk_setting_of(&p->uses[t.use], t.key)->place;
         if (!place.source)
             place = p->uses[t.use].place;
-        u = &p->d->units[flk_target_quantity(p, &t)];
-        strcpy(blank_unit + 1, u->name);
+        strcpy(blank_unit + 1, name);
         number.number = set[i].value;
-        number.unit = u->unit;
-        flk_setting_vary(p, place, &t, &number,
-                         flk_setting_text(p, number.number,
-                                          flk_text_of(strcmp(u->name, "1") ? blank_unit : "")));
-        set_variable(&p->d->sweep, &set[i]);
+        number.unit = set[i].unit.unit;
+        flk_setting_vary(
+            p, place, &t, &number,
+            flk_setting_text(p, number.number, flk_text_of(strcmp(name, "1") ? blank_unit : "")));
+        set_variable(p->d, &set[i]);
     }
 }

@@ -10,6 +10,10 @@
 /* A number and its unit as text. */
 text flk_setting_text(parser *p, double number, text unit_name);
 
+/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
+** cannot be read. */
+int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u);
+
 /* Write the number that in a unit gives exactly the SI value, or the nearest one; 0 if it is not exact. */
 int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE]);
 
@@ -29,9 +33,17 @@ void flk_numbers_assign(parser *p, const deck_number *set, size_t n);
 ** there is no such key, or no such section in the deck. */
 unsigned long flk_number_find(const deck *d, text name);
 
-/* The quantity and the last word of the name of a number; its value in the deck's unit, NaN if it is not
-** given. 0 if it is not a number: words, a list, a curve. */
-int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
-                        double *value);
+/* The quantity and the last word of the name of a number; its value in SI units, NaN if it is not given.
+** 0 if it is not a number: words, a list, a curve. */
+int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key, double *si);
+
+/* The unit of the line that gives a number; of a bare one, and of one that the deck does not give, the
+** deck's.  0 if it is not a number. */
+int flk_number_unit(const deck *d, unsigned long id, deck_unit *u);
+
+/* Read NAME = NUMBER UNIT, with the unit of its line if there is none; FOURLINK_OK, FOURLINK_NO_SUCH_NAME,
+** FOURLINK_NOT_A_NUMBER or FOURLINK_BAD_NUMBER, with why in `message`. */
+int flk_number_read_text(const deck *d, text whole, deck_number *number,
+                         char message[MESSAGE_SIZE]);
 
 #endif

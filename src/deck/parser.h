@@ -32,6 +32,7 @@ typedef struct setting {
     text_place place; /* see IS_SET */
     text own;         /* its value in the deck's text; null: not in the text */
     text value;       /* the value in effect */
+    text line; /* that of the text or of a change, or of the first design where there is neither */
     value_source source;
     double number;  /* as written */
     unit unit;      /* its unit */

@@ -276,11 +276,13 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
 static void set_value(text_place place, setting *s, text value, value_source source)
 {
     text own = source == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
+    text line = source == GIVEN_BY_DESIGN && IS_SET(s) ? s->line : value;
 
     memset(s, 0, sizeof *s);
     s->place = place;
     s->own = own;
     s->value = value;
+    s->line = line;
     s->source = source;
 }
 

@@ -48,8 +48,7 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
         flk_mistake(p->mistakes, s->place, "'%t' is out of range", s->value);
 }
 
-/* The name of a unit for tables, as one word: kgf.m for "kgf m". */
-static void name_unit(text t, char name[DECK_NAME_SIZE])
+void flk_value_name_unit(text t, char name[DECK_NAME_SIZE])
 {
     char *c, *end = name;
 
@@ -64,7 +63,7 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
 
 static void set_unit(deck_unit *units, quantity q, text name, unit u)
 {
-    name_unit(name, units[q].name);
+    flk_value_name_unit(name, units[q].name);
     units[q].unit = u;
     units[q].is_given = 1;
 }
@@ -178,7 +177,7 @@ void flk_values_follow_units(parser *p, int deck_units)
         s = deck_units ? written_length(p, &name) : NULL;
         if (!s)
             return;
-        name_unit(name, length->name);
+        flk_value_name_unit(name, length->name);
         length->unit = s->unit;
     }
     for (i = 0; i < 2 && s; i++)

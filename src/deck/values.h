@@ -18,6 +18,9 @@ void flk_values_follow_units(parser *p, int deck_units);
 /* The units of results that a host asks for, such as "mm, kg, rpm" or "SI", in place of the deck's. */
 void flk_values_result_units(parser *p, const char *list);
 
+/* The name of a unit for tables, as one word: kgf.m for "kgf m". */
+void flk_value_name_unit(text t, char name[DECK_NAME_SIZE]);
+
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 

@@ -48,21 +48,6 @@ static void put_string(writer *w, const char *string)
 
 /* ------------------------------------------------------------------------------------------ values */
 
-/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
-** cannot be read. */
-static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
-{
-    text size = value, rest;
-
-    *u = d->bare[q].unit;
-    if (value.length && value.start[0] == '(')
-        flk_text_split(&size, ')', &rest);
-    else if (!flk_text_cut(value, " at ", &size, &rest))
-        size = value;
-    *name = flk_quantity_unit_text(size);
-    return !name->length || flk_unit_read(*name, u, &rest);
-}
-
 /* Write a value of a design in the unit of the deck's own value, if that has a different unit. */
 static void put_varied(writer *w, const section_use *use, const changed *c)
 {
@@ -71,8 +56,8 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
     text own, given;
     unit u, other;
 
-    if (!c->own.start || !find_unit(w->p->d, c->value, q, &given, &other) ||
-        !find_unit(w->p->d, c->own, q, &own, &u) || !own.length ||
+    if (!c->own.start || !flk_unit_of_value(w->p->d, c->value, q, &given, &other) ||
+        !flk_unit_of_value(w->p->d, c->own, q, &own, &u) || !own.length ||
         !flk_dimension_equal(u.dim, other.dim) || (u.up == other.up && u.down == other.down) ||
         !flk_number_in_unit(c->s->si[0], &u, number)) {
         put_text(w, c->value);
@@ -92,10 +77,10 @@ static void put_vector(writer *w, const setting *s, quantity q)
     unit u, of_part;
     int i;
 
-    find_unit(d, s->value, q, &name, &u);
+    flk_unit_of_value(d, s->value, q, &name, &u);
     for (i = 0; i < PART_ANGLE; i++)
         if (IS_SET(&s->parts[i]) && (s->parts[i].source == GIVEN_BY_CHANGE || !name.length) &&
-            find_unit(d, s->parts[i].value, q, &other, &of_part) && other.length) {
+            flk_unit_of_value(d, s->parts[i].value, q, &other, &of_part) && other.length) {
             name = other;
             u = of_part;
         }

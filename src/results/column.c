@@ -264,6 +264,15 @@ const char *flk_column_meant(const flk_analysis *a, text name)
     return NULL;
 }
 
+int flk_column_is_known(text name)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT && !flk_text_same(name, table[i].name); i++)
+        ;
+    return i < TABLE_COUNT;
+}
+
 /* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {

@@ -75,6 +75,9 @@ int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
 /* The column that another name means, such as w4; null if there is none. */
 const char *flk_column_meant(const flk_analysis *a, text name);
 
+/* 1 if decks of some mechanism have a column of this name. */
+int flk_column_is_known(text name);
+
 /* The same, or the most similar column name, or null. */
 const char *flk_column_nearest(const flk_analysis *a, text name);
 

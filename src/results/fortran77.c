@@ -7,6 +7,8 @@
 #include "base/message.h"
 #include "opened.h"
 
+#define MOST_WORDS (3 * DECK_NAME_SIZE) /* of SECTION NAME.KEY = NUMBER UNIT */
+
 /* The length of a FORTRAN text without its trailing blanks. */
 static unsigned long without_blanks(const char *words, unsigned long length)
 {
@@ -77,20 +79,25 @@ void flname_(fourlink_results *const *handle, const int *i, char *name, char *in
     put_text(list[*i - 1].unit, in_unit, unit_length);
 }
 
+/* A FORTRAN text as one of C; 0 if it is longer than names and units can be. */
+static int copy_words(const char *words, unsigned long length, char copy[MOST_WORDS])
+{
+    length = without_blanks(words, length);
+    if (length >= MOST_WORDS)
+        return 0;
+    memcpy(copy, words, length);
+    copy[length] = '\0';
+    return 1;
+}
+
 void flfind_(fourlink_results *const *handle, const char *name, int *id, int *istat,
              unsigned long name_length)
 {
-    char words[2 * DECK_NAME_SIZE];
-    unsigned long n = without_blanks(name, name_length);
+    char words[MOST_WORDS];
     fourlink_value found;
 
-    if (n >= sizeof words) {
-        *istat = FOURLINK_NO_SUCH_NAME;
-        return;
-    }
-    memcpy(words, name, n);
-    words[n] = '\0';
-    *istat = fourlink_results_find(*handle, words, &found);
+    *istat = copy_words(name, name_length, words) ? fourlink_results_find(*handle, words, &found)
+                                                  : FOURLINK_NO_SUCH_NAME;
     if (*istat == FOURLINK_OK)
         *id = found.handle;
 }
@@ -138,6 +145,34 @@ void flset_(fourlink_results *const *handle, const char *name, const double *val
         flput_(handle, &one, &id, value, istat, msg, msg_length);
     else
         put_message(*istat, NULL, msg, msg_length);
+}
+
+void flsett_(fourlink_results *const *handle, const char *words, int *istat, char *msg,
+             unsigned long words_length, unsigned long msg_length)
+{
+    char copy[MOST_WORDS];
+    fourlink_mistake mistake;
+
+    mistake.message[0] = '\0';
+    *istat = copy_words(words, words_length, copy)
+                 ? fourlink_results_set_text(*handle, copy, &mistake)
+                 : FOURLINK_NO_SUCH_NAME;
+    if (mistake.message[0] && *istat != FOURLINK_BAD_DECK)
+        put_text(mistake.message, msg, msg_length);
+    else
+        put_message(*istat, &mistake, msg, msg_length);
+}
+
+void flunit_(fourlink_results *const *handle, const char *name, char *in_unit, int *istat,
+             unsigned long name_length, unsigned long unit_length)
+{
+    char words[MOST_WORDS];
+    fourlink_value input;
+
+    *istat = copy_words(name, name_length, words) ? fourlink_results_input(*handle, words, &input)
+                                                  : FOURLINK_NO_SUCH_NAME;
+    if (*istat == FOURLINK_OK)
+        put_text(input.unit, in_unit, unit_length);
 }
 
 void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, const int *n,

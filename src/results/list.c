@@ -35,18 +35,30 @@ unsigned long flk_list_number(int handle)
     return handle <= FLK_NUMBER_HANDLE(1) && handle % 2 ? (unsigned long)((-1001 - handle) / 2) : 0;
 }
 
-int flk_list_number_value(const deck *d, unsigned long id, fourlink_value *v)
+/* Tell the unit of the line that gives a number. */
+static void tell_line_unit(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
+                           fourlink_value *v)
+{
+    deck_unit u;
+
+    if (flk_number_unit(d, id, &u))
+        v->line_unit = strcpy(line_unit, u.name);
+}
+
+int flk_list_number_value(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
+                          fourlink_value *v)
 {
     const char *key;
-    double value;
+    double si;
     quantity q;
 
-    if (!flk_number_describe(d, id, &q, &key, &value))
+    if (!flk_number_describe(d, id, &q, &key, &si))
         return 0;
     flk_list_describe(d, q, "", v);
     v->name = key;
     v->handle = FLK_NUMBER_HANDLE(id);
-    v->value = value;
+    v->value = flk_unit_from_si(si, d->units[q].unit);
+    tell_line_unit(d, id, line_unit, v);
     return 1;
 }
 
@@ -74,6 +86,7 @@ void flk_list_variables(const deck *d, flk_list *variables)
         v->handle = FLK_NUMBER_HANDLE(x->number);
         v->name = flk_text_copy(x->name, variables->names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
+        tell_line_unit(d, x->number, variables->units + DECK_NAME_SIZE * i, v);
     }
 }
 
@@ -102,6 +115,7 @@ static fourlink_value *add_input(listing *t, const char *name, quantity q, const
 static void add_given(void *host, const deck_input *input)
 {
     listing *t = host;
+    char *line_unit = t->to->units + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = add_input(t, input->name, QUANTITY_NUMBER, input->meaning), number;
 
     if (input->words) {
@@ -109,7 +123,7 @@ static void add_given(void *host, const deck_input *input)
         v->unit = "";
         return;
     }
-    if (!flk_list_number_value(t->d, input->number, &number)) {
+    if (!flk_list_number_value(t->d, input->number, line_unit, &number)) {
         flk_list_describe(t->d, QUANTITY_LENGTH, input->meaning, &number);
         number.handle = FLK_NUMBER_HANDLE(input->number);
         number.value = flk_unit_from_si(input->place, t->d->units[QUANTITY_LENGTH].unit);
@@ -146,8 +160,10 @@ static fourlink_value *add_default(listing *t, const char *section, const char *
     v = add_input(t, name, q, meaning);
     v->value = value;
     number = flk_number_find(t->d, flk_text_of(name));
-    if (number)
+    if (number) {
         v->handle = FLK_NUMBER_HANDLE(number);
+        tell_line_unit(t->d, number, t->to->units + DECK_NAME_SIZE * (t->to->n - 1), v);
+    }
     return v;
 }
 

@@ -11,6 +11,7 @@
 typedef struct flk_list {
     fourlink_value *list;
     char *names; /* of DECK_NAME_SIZE bytes each, of what has no lasting name */
+    char *units; /* the same for the units of lines, of inputs and variables */
     unsigned long n;
 } flk_list;
 
@@ -26,8 +27,10 @@ unsigned long flk_list_number(int handle);
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 
-/* Describe a number of the deck, with its value or NaN; 0 if it is none. */
-int flk_list_number_value(const deck *d, unsigned long id, fourlink_value *v);
+/* Describe a number of the deck, with its value or NaN, and the unit of its line in `line_unit`; 0 if it is
+** none. */
+int flk_list_number_value(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
+                          fourlink_value *v);
 
 /* All columns that the deck has. */
 void flk_list_columns(const flk_analysis *a, flk_list *columns);

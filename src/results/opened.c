@@ -42,7 +42,7 @@ static void find_given(flk_opened *o, text name, flk_name *n)
     }
     if (n->kind || !flk_list_number_value(
                        &o->d, n->handle ? flk_list_number(n->handle) : flk_number_find(&o->d, name),
-                       &o->number))
+                       o->line_unit, &o->number))
         return;
     n->kind = FLK_NAME_GIVEN;
     n->handle = o->number.handle;
@@ -238,6 +238,7 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
     }
     flk_name_find(o, name, &n);
     flk_name_describe(o, &n, output);
+    output->line_unit = NULL;
     check_output(o, name, &n, place);
     ask_extreme(o, &n);
     output->name =
@@ -283,7 +284,8 @@ static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
             *of_rows = name;
         else if (!of_deck->start && (n.statistic || n.kind > FLK_NAME_COLUMN))
             *of_deck = name;
-        else if (!similar.start && !flk_column_nearest(&o->a, name) && flk_fact_nearest(name))
+        else if (!similar.start && !flk_column_is_known(name) && !flk_column_nearest(&o->a, name) &&
+                 flk_fact_nearest(name))
             similar = name;
     }
     if (!of_rows->start && !of_deck->start)
@@ -401,7 +403,7 @@ static void list_conditions(flk_opened *o)
 static int allocate(flk_opened *o)
 {
     size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = 0;
-    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns;
+    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns, units;
     int i;
 
     size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
@@ -410,8 +412,9 @@ static int allocate(flk_opened *o)
     size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
+    units = size[FOURLINK_INPUTS] + size[FOURLINK_VARIABLES];
     o->columns = malloc(columns * sizeof *o->columns);
-    o->facts.names = malloc(total * DECK_NAME_SIZE);
+    o->facts.names = malloc((total + units) * DECK_NAME_SIZE);
     o->facts.list = malloc(total * sizeof *o->facts.list);
     if (!o->columns || !o->facts.names || !o->facts.list)
         return 0;
@@ -419,6 +422,9 @@ static int allocate(flk_opened *o)
         o->lists[i].list = o->facts.list + n;
         o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
     }
+    o->lists[FOURLINK_INPUTS].units = o->facts.names + total * DECK_NAME_SIZE;
+    o->lists[FOURLINK_VARIABLES].units =
+        o->lists[FOURLINK_INPUTS].units + size[FOURLINK_INPUTS] * DECK_NAME_SIZE;
     return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
 }
 

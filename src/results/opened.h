@@ -19,7 +19,8 @@ typedef struct flk_opened {
     int needs;      /* what these columns need */
     flk_list facts; /* of the last call of flk_fact_list; names by column and statistic */
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
-    fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
+    fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list, */
+    char line_unit[DECK_NAME_SIZE]; /* ... the unit of its line, or of the input asked for last */
 } flk_opened;
 
 /* Results, whose numbers a host can set. */

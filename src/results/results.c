@@ -107,44 +107,46 @@ static int open_with(fourlink_results *r, deck_number *set, size_t n, fourlink_m
 }
 
 /* Add a number to those set, or change it; its status. */
-static int add_number(const deck *d, deck_number *set, size_t *n, unsigned long id, double value)
+static int add_number(deck_number *set, size_t *n, const deck_number *number)
 {
-    const char *key;
-    double old;
-    quantity q;
     size_t i;
 
-    if (!id)
-        return FOURLINK_NO_SUCH_NAME;
-    if (!flk_number_describe(d, id, &q, &key, &old))
-        return FOURLINK_NOT_A_NUMBER;
-    if (!gsl_finite(value))
+    if (!gsl_finite(number->value))
         return FOURLINK_BAD_NUMBER;
-    for (i = 0; i < *n && set[i].id != id; i++)
+    for (i = 0; i < *n && set[i].id != number->id; i++)
         ;
     *n += i == *n;
-    set[i].id = id;
-    set[i].value = value;
+    set[i] = *number;
     return FOURLINK_OK;
 }
 
-/* Set numbers by their handles or, if that is null, one by its name. */
-static int set_numbers(fourlink_results *r, unsigned long n, const int *handles, const char *name,
-                       const double *values, fourlink_mistake *mistake)
+/* A number in the unit of its line; a status. */
+static int in_its_unit(const deck *d, unsigned long id, double value, deck_number *number)
 {
-    const deck *d = &r->first->d;
+    number->id = id;
+    number->value = value;
+    if (!id)
+        return FOURLINK_NO_SUCH_NAME;
+    return flk_number_unit(d, id, &number->unit) ? FOURLINK_OK : FOURLINK_NOT_A_NUMBER;
+}
+
+/* Set numbers by their handles or, if these are null, the one given. */
+static int set_numbers(fourlink_results *r, unsigned long n, const int *handles,
+                       const double *values, const deck_number *one, fourlink_mistake *mistake)
+{
     size_t n_set = r->n_set;
-    deck_number *set = malloc((n_set + n + 1) * sizeof *set);
+    deck_number *set = malloc((n_set + n + 1) * sizeof *set), number;
     int status = set ? FOURLINK_OK : FOURLINK_NO_MEMORY;
     unsigned long i;
 
     if (set && n_set)
         memcpy(set, r->set, n_set * sizeof *set);
-    for (i = 0; i < n && status == FOURLINK_OK; i++)
-        status = add_number(d, set, &n_set,
-                            handles ? flk_list_number(handles[i])
-                                    : flk_number_find(d, flk_text_of(name)),
-                            values[i]);
+    for (i = 0; i < n && status == FOURLINK_OK; i++) {
+        if (handles)
+            status = in_its_unit(&r->first->d, flk_list_number(handles[i]), values[i], &number);
+        if (status == FOURLINK_OK)
+            status = add_number(set, &n_set, handles ? &number : one);
+    }
     if (status == FOURLINK_OK)
         status = open_with(r, set, n_set, mistake);
     if (status != FOURLINK_OK)
@@ -155,14 +157,63 @@ static int set_numbers(fourlink_results *r, unsigned long n, const int *handles,
 int fourlink_results_put(fourlink_results *r, unsigned long n, const int *handles,
                          const double *values, fourlink_mistake *mistake)
 {
-    return r && ((handles && values) || !n) ? set_numbers(r, n, handles, NULL, values, mistake)
+    return r && ((handles && values) || !n) ? set_numbers(r, n, handles, values, NULL, mistake)
                                             : FOURLINK_NULL;
 }
 
 int fourlink_results_set(fourlink_results *r, const char *name, double value,
                          fourlink_mistake *mistake)
 {
-    return r && name ? set_numbers(r, 1, NULL, name, &value, mistake) : FOURLINK_NULL;
+    deck_number number;
+    int status;
+
+    if (!r || !name)
+        return FOURLINK_NULL;
+    status =
+        in_its_unit(&r->first->d, flk_number_find(&r->first->d, flk_text_of(name)), value, &number);
+    return status == FOURLINK_OK ? set_numbers(r, 1, NULL, NULL, &number, mistake) : status;
+}
+
+int fourlink_results_set_text(fourlink_results *r, const char *words, fourlink_mistake *mistake)
+{
+    char message[MESSAGE_SIZE];
+    deck_number number;
+    int status;
+
+    if (!r || !words)
+        return FOURLINK_NULL;
+    status = flk_number_read_text(&r->first->d, flk_text_of(words), &number, message);
+    if (status == FOURLINK_OK)
+        return set_numbers(r, 1, NULL, NULL, &number, mistake);
+    if (mistake) {
+        mistake->file[0] = '\0';
+        mistake->line = 0;
+        strcpy(mistake->message, message);
+    }
+    return status;
+}
+
+int fourlink_results_input(fourlink_results *r, const char *name, fourlink_value *input)
+{
+    const char *key;
+    unsigned long id;
+    deck_unit u;
+    quantity q;
+    double si;
+
+    if (!r || !name || !input)
+        return FOURLINK_NULL;
+    id = flk_number_find(&r->now->d, flk_text_of(name));
+    if (!id)
+        return FOURLINK_NO_SUCH_NAME;
+    if (!flk_number_unit(&r->first->d, id, &u) ||
+        !flk_list_number_value(&r->now->d, id, r->now->line_unit, input) ||
+        !flk_number_describe(&r->now->d, id, &q, &key, &si))
+        return FOURLINK_NOT_A_NUMBER;
+    input->value = flk_unit_from_si(si, u.unit);
+    input->unit = input->line_unit = strcpy(r->now->line_unit, u.name);
+    input->to_si = u.unit.up / u.unit.down;
+    return FOURLINK_OK;
 }
 
 void fourlink_results_free(fourlink_results *r)

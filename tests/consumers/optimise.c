@@ -23,12 +23,12 @@ static double minus_mu_min(const gsl_vector *x, void *data)
     return -v.value;
 }
 
-/* A handle, with the value that the deck has. */
+/* The handle of a number, with the value that the deck has, in the unit of its line. */
 static int handle_of(fourlink_results *results, const char *name, double *value)
 {
     fourlink_value v;
 
-    if (fourlink_results_find(results, name, &v) != FOURLINK_OK)
+    if (fourlink_results_input(results, name, &v) != FOURLINK_OK)
         return 0;
     *value = v.value;
     return v.handle;
@@ -52,9 +52,8 @@ static void minimise(machine *m, const double *start)
     gsl_multimin_fminimizer_set(simplex, &f, x, steps);
     for (i = 0; i < 400 && gsl_multimin_fminimizer_size(simplex) > 1e-9; i++)
         gsl_multimin_fminimizer_iterate(simplex);
-    printf("coupler %.3f mm, rocker %.3f mm: mu_min = %.3f deg\n",
-           1e3 * gsl_vector_get(simplex->x, 0), 1e3 * gsl_vector_get(simplex->x, 1),
-           -simplex->fval);
+    printf("coupler %.3f mm, rocker %.3f mm: mu_min = %.3f deg\n", gsl_vector_get(simplex->x, 0),
+           gsl_vector_get(simplex->x, 1), -simplex->fval);
     gsl_multimin_fminimizer_free(simplex);
     gsl_vector_free(x);
     gsl_vector_free(steps);
@@ -64,7 +63,8 @@ int main(void)
 {
     static char text[10000];
     static fourlink_source source;
-    double start[2], mu_min;
+    double start[2]; /* mm, as the deck has them */
+    fourlink_value mu_min;
     machine m;
 
     source.text = text;
@@ -73,7 +73,9 @@ int main(void)
         return 1;
     m.lengths[0] = handle_of(m.results, "coupler.length", &start[0]);
     m.lengths[1] = handle_of(m.results, "rocker.length", &start[1]);
-    m.mu_min = handle_of(m.results, "mu_min", &mu_min);
+    if (fourlink_results_find(m.results, "mu_min", &mu_min) != FOURLINK_OK)
+        return 1;
+    m.mu_min = mu_min.handle;
     minimise(&m, start);
     fourlink_results_free(m.results);
     return 0;

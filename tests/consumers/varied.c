@@ -23,10 +23,10 @@ int main(void)
         fourlink_results_find(results, "max(Ts)", &torque) != FOURLINK_OK)
         return 1;
     for (i = 0; i < 3; i++) {
-        length = 0.018 + 0.002 * i;
+        length = 18 + 2 * i; /* in the unit of its line */
         if (fourlink_results_put(results, 1, &crank.handle, &length, NULL) == FOURLINK_OK &&
             fourlink_results_get(results, torque.handle, FOURLINK_OPEN, 0, &torque) == FOURLINK_OK)
-            printf("%.3f %s: %s = %.9f %s\n", length, crank.unit, torque.name, torque.value,
+            printf("%g %s: %s = %.9f %s\n", length, crank.line_unit, torque.name, torque.value,
                    torque.unit);
     }
     if (fourlink_results_set(results, "crank.length", -1, &mistake) == FOURLINK_BAD_DECK)

@@ -7,7 +7,7 @@ C
       INTEGER*8 HANDLE
       INTEGER ISTAT, I, IDS(1), N
       DOUBLE PRECISION LENGTH(1), VALUE
-      CHARACTER TEXT*10000, LINE*100, MSG*80
+      CHARACTER TEXT*10000, LINE*100, MSG*80, UNIT*16
 
       TEXT = ' '
       N = 1
@@ -18,12 +18,14 @@ C
    20 CALL FLOPEN(TEXT, HANDLE, ISTAT, MSG)
       IF (ISTAT .NE. 0) WRITE (*, '(A)') MSG
       CALL FLFIND(HANDLE, 'crank.length', IDS(1), ISTAT)
+      CALL FLUNIT(HANDLE, 'crank.length', UNIT, ISTAT)
       DO 30 I = 0, 2
-         LENGTH(1) = 0.018D0 + 0.002D0 * I
+         LENGTH(1) = 18.0D0 + 2.0D0 * I
          CALL FLPUT(HANDLE, 1, IDS, LENGTH, ISTAT, MSG)
          CALL FLVAL(HANDLE, 'max(Ts)', 1, 0.0D0, VALUE, ISTAT)
-         IF (ISTAT .EQ. 0) WRITE (*, '(F5.3, A, F11.9, A)')
-     &      LENGTH(1), ' m: max(Ts) = ', VALUE, ' N.m'
+         IF (ISTAT .EQ. 0) WRITE (*, '(I2, 1X, A, A, F11.9, A)')
+     &      NINT(LENGTH(1)), UNIT(:LNBLNK(UNIT)), ': max(Ts) = ',
+     &      VALUE, ' N.m'
    30 CONTINUE
       CALL FLSET(HANDLE, 'crank.length', -1.0D0, ISTAT, MSG)
       IF (ISTAT .NE. 0) WRITE (*, '(A)')

@@ -22,12 +22,12 @@ program consumer
   if (fourlink_results_open(source, 1_c_long, results, mistakes, n) /= fourlink_ok) stop
   if (fourlink_results_find(results, 'crank.length' // c_null_char, crank) /= fourlink_ok) stop
   do i = 0, 2
-    length(1) = 0.018_c_double + 0.002_c_double * i
+    length(1) = 18 + 2 * i ! in the unit of its line
     if (fourlink_results_put(results, 1_c_long, (/ crank%handle /), length, mistakes(1)) /= &
         fourlink_ok) cycle
     if (fourlink_results_value(results, 'max(Ts)' // c_null_char, fourlink_open, 0.0_c_double, &
         torque) == fourlink_ok) &
-      write (*, '(f5.3, 1x, 4a, f11.9, 1x, a)') length(1), trim(fourlink_text(crank%unit)), ': ', &
+      write (*, '(i2, 1x, 4a, f11.9, 1x, a)') nint(length(1)), trim(fourlink_text(crank%line_unit)), ': ', &
         trim(fourlink_text(torque%name)), ' = ', torque%value, trim(fourlink_text(torque%unit))
   end do
   if (fourlink_results_set(results, 'crank.length' // c_null_char, -1.0_c_double, mistakes(1)) == &

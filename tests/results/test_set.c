@@ -85,7 +85,7 @@ static size_t numbers_of(fourlink_results *r, number *numbers)
             strcpy(now->name, list[i].name);
             if (is_vector)
                 strcpy(now->name + length - 1, parts[k]);
-            if (list[i].words || fourlink_results_find(r, now->name, &v) != FOURLINK_OK)
+            if (list[i].words || fourlink_results_input(r, now->name, &v) != FOURLINK_OK)
                 continue;
             now->value = strtod(
                 print("%.6g", v.value == 0 || isnan(v.value) ? 0.01 : 1.003 * v.value), NULL);
@@ -228,23 +228,22 @@ TEST(test_refused_numbers)
         double value;
         int status;
         const char *message;
-    } cases[] = {
-        {"crank.length", -20, FOURLINK_BAD_DECK, "the length must be positive, not -20 mm"},
-        {"crank.length", NAN, FOURLINK_BAD_NUMBER, ""},
-        {"crank.length", INFINITY, FOURLINK_BAD_NUMBER, ""},
-        {"crank.lenght", 20, FOURLINK_NO_SUCH_NAME, ""},
-        {"crank", 20, FOURLINK_NO_SUCH_NAME, ""},
-        {"gas.bore", 20, FOURLINK_NO_SUCH_NAME, ""},
-        {"load Q.torque", 20, FOURLINK_NO_SUCH_NAME, ""},
-        {"Ts", 20, FOURLINK_NO_SUCH_NAME, ""},
-        {"load.torque", 20, FOURLINK_NO_SUCH_NAME, ""}, /* there are two */
-        {"load P.at.x", 20, FOURLINK_NOT_A_NUMBER, ""}, /* per cent */
-        {"load P.force", 20, FOURLINK_NOT_A_NUMBER, ""},
-        {"load P.link", 20, FOURLINK_NOT_A_NUMBER, ""},
-        {"load T.torque", 20, FOURLINK_NOT_A_NUMBER, ""},  /* a curve */
-        {"load T.force.x", 20, FOURLINK_NOT_A_NUMBER, ""}, /* no force in the deck */
-        {"table.columns", 20, FOURLINK_NOT_A_NUMBER, ""},
-        {"motion.interval", 1e-9, FOURLINK_BAD_DECK, NULL}};
+    } cases[] = {{"crank.length", -20, FOURLINK_BAD_DECK, "the length must be positive, not -20 m"},
+                 {"crank.length", NAN, FOURLINK_BAD_NUMBER, ""},
+                 {"crank.length", INFINITY, FOURLINK_BAD_NUMBER, ""},
+                 {"crank.lenght", 20, FOURLINK_NO_SUCH_NAME, ""},
+                 {"crank", 20, FOURLINK_NO_SUCH_NAME, ""},
+                 {"gas.bore", 20, FOURLINK_NO_SUCH_NAME, ""},
+                 {"load Q.torque", 20, FOURLINK_NO_SUCH_NAME, ""},
+                 {"Ts", 20, FOURLINK_NO_SUCH_NAME, ""},
+                 {"load.torque", 20, FOURLINK_NO_SUCH_NAME, ""}, /* there are two */
+                 {"load P.at.x", 20, FOURLINK_NOT_A_NUMBER, ""}, /* per cent */
+                 {"load P.force", 20, FOURLINK_NOT_A_NUMBER, ""},
+                 {"load P.link", 20, FOURLINK_NOT_A_NUMBER, ""},
+                 {"load T.torque", 20, FOURLINK_NOT_A_NUMBER, ""},  /* a curve */
+                 {"load T.force.x", 20, FOURLINK_NOT_A_NUMBER, ""}, /* no force in the deck */
+                 {"table.columns", 20, FOURLINK_NOT_A_NUMBER, ""},
+                 {"motion.interval", 1e-9, FOURLINK_BAD_DECK, NULL}};
     fourlink_results *r =
         opened(four_bar(0.020, 0.066, 0.056, 0.080,
                         LOADS "torque = 0 deg 0 N m, 90 deg 1 N m\n[units]\nlength = mm\n[motion]\n"
@@ -301,6 +300,217 @@ TEST(test_numbers_in_the_deck)
     assert_int_equal(fourlink_results_variables(r, 4, 1, &value, &low, &high), FOURLINK_OK);
     assert_close(value, 0.021, 1e-15);
     fourlink_results_free(again);
+    fourlink_results_free(r);
+}
+
+/* ------------------------------------------------------------------------------------ units of lines */
+
+typedef struct unit_name {
+    const char *name;
+    double si;
+} unit_name;
+
+/* Exact by definition of the units. */
+static const unit_name lengths[] = {{"m", 1},
+                                    {"mm", 1e-3},
+                                    {"cm", 1e-2},
+                                    {"in", 0.0254},
+                                    {"ft", 0.3048}},
+                       speeds[] = {{"rad/s", 1}, {"rpm", 2 * M_PI / 60}, {"deg/s", M_PI / 180}},
+                       forces[] = {{"N", 1}, {"kN", 1e3}, {"lbf", 4.4482216152605}},
+                       turns[] = {{"deg", M_PI / 180}, {"rad", 1}};
+
+/* A number of the deck that is written below: its value, and the unit of its line, bare or not. */
+typedef struct written {
+    const char *name;
+    const unit_name *units;
+    size_t n_units;
+    const unit_name *of_line;
+    int is_bare;
+    double number;
+} written;
+
+static const unit_name *any_of(const unit_name *units, size_t n, uint64_t *seed)
+{
+    return &units[(size_t)uniform(seed, 0, (double)n)];
+}
+
+static const char *as_written(const written *w)
+{
+    return print("%.17g %s", w->number, w->is_bare ? "" : w->of_line->name);
+}
+
+/* The value in SI units that the results have, by the unit in which they give it. */
+static double si_of(fourlink_results *r, const char *name)
+{
+    fourlink_value v = named(r, name, FOURLINK_OPEN, 0);
+
+    return v.value * v.to_si;
+}
+
+/* A number is told and set in the unit of its line, whatever has been set with another unit before. */
+static void check_line_unit(fourlink_results *r, const written *w, uint64_t *seed)
+{
+    double factor = uniform(seed, 0.9, 1.1);
+    const unit_name *other = any_of(w->units, w->n_units, seed);
+    fourlink_mistake mistake;
+    fourlink_value v, found;
+
+    assert_int_equal(fourlink_results_input(r, w->name, &v), FOURLINK_OK);
+    assert_string_equal(v.unit, w->of_line->name);
+    assert_close(v.value, w->number, 1e-14);
+    assert_close(v.to_si, w->of_line->si, 1e-14);
+    assert_int_equal(fourlink_results_find(r, w->name, &found), FOURLINK_OK);
+    assert_string_equal(found.line_unit, w->of_line->name);
+    if (uniform(seed, 0, 1) < 0.5) {
+        char *words = print("%s = %.17g %s", w->name, 1.05 * w->number * w->of_line->si / other->si,
+                            other->name);
+
+        assert_int_equal(fourlink_results_set_text(r, words, &mistake), FOURLINK_OK);
+        assert_close(si_of(r, w->name), 1.05 * w->number * w->of_line->si, 1e-14);
+        assert_int_equal(fourlink_results_input(r, w->name, &v), FOURLINK_OK);
+        assert_string_equal(v.unit, w->of_line->name);
+    }
+    factor *= w->number;
+    switch ((int)uniform(seed, 0, 3)) {
+    case 0:
+        assert_int_equal(fourlink_results_set(r, w->name, factor, &mistake), FOURLINK_OK);
+        break;
+    case 1:
+        assert_int_equal(fourlink_results_put(r, 1, &found.handle, &factor, &mistake), FOURLINK_OK);
+        break;
+    default:
+        assert_int_equal(fourlink_results_set_text(r, print("%s=%.17g", w->name, factor), &mistake),
+                         FOURLINK_OK);
+    }
+    assert_close(si_of(r, w->name), factor * w->of_line->si, 1e-14);
+    assert_int_equal(fourlink_results_input(r, w->name, &v), FOURLINK_OK);
+    assert_close(v.value, factor, 1e-14);
+}
+
+/* The list of inputs tells for each number the unit in which it is set. */
+static void check_listed_units(fourlink_results *r, const written *list, size_t n)
+{
+    const fourlink_value *inputs;
+    unsigned long n_inputs, i;
+    size_t k, found = 0;
+
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &inputs, &n_inputs), FOURLINK_OK);
+    for (i = 0; i < n_inputs; i++)
+        for (k = 0; k < n; k++)
+            if (strcmp(inputs[i].name, list[k].name) == 0) {
+                assert_string_equal(inputs[i].line_unit, list[k].of_line->name);
+                found++;
+            }
+    assert_int_equal(found, n - 2); /* a polar force is listed by its components */
+}
+
+TEST(test_units_of_lines)
+{
+    enum { DECKS = 300, NUMBERS = 9 };
+    static const written kinds[NUMBERS] = {
+        {"crank.length", lengths, COUNT(lengths), NULL, 0, 0.020},
+        {"coupler.length", lengths, COUNT(lengths), NULL, 0, 0.066},
+        {"rocker.length", lengths, COUNT(lengths), NULL, 0, 0.056},
+        {"ground.length", lengths, COUNT(lengths), NULL, 0, 0.080},
+        {"motion.speed", speeds, COUNT(speeds), NULL, 0, 7},
+        {"load P.at.x", lengths, COUNT(lengths), NULL, 0, 0.03},
+        {"rocker.mass", NULL, 0, NULL, 0, 0},
+        {"load P.force.size", forces, COUNT(forces), NULL, 0, 12},
+        {"load P.force.angle", turns, COUNT(turns), NULL, 0, 0.6}};
+    static const unit_name masses[] = {{"kg", 1}, {"g", 1e-3}, {"lb", 0.45359237}};
+    uint64_t seed = 49;
+    int i, k, checked = 0;
+
+    for (i = 0; i < DECKS; i++) {
+        const unit_name *usual = any_of(lengths, COUNT(lengths), &seed), *rest = &lengths[0];
+        int has_units = uniform(&seed, 0, 1) < 0.5;
+        written list[NUMBERS];
+        fourlink_results *r, *again;
+        char deck[1500], text[2000];
+        unsigned long n;
+
+        memcpy(list, kinds, sizeof list);
+        list[6].units = masses;
+        list[6].n_units = COUNT(masses);
+        list[6].number = 0.4;
+        for (k = 0; k < NUMBERS; k++) {
+            list[k].of_line = any_of(list[k].units, list[k].n_units, &seed);
+            list[k].is_bare = k < 4 && uniform(&seed, 0, 1) < 0.3;
+            if (list[k].is_bare)
+                list[k].of_line = has_units ? usual : rest;
+            list[k].number /= list[k].of_line->si;
+        }
+        sprintf(deck, "mechanism = four-bar\n%s%s\n[crank]\nlength = %s\n",
+                has_units ? "[units]\nlength = " : "", has_units ? usual->name : "",
+                as_written(&list[0]));
+        sprintf(deck + strlen(deck), "[coupler]\nlength = %s # of the rod\n", as_written(&list[1]));
+        sprintf(deck + strlen(deck), "[rocker]\nlength = %s\n", as_written(&list[2]));
+        sprintf(deck + strlen(deck), "mass = %s\n", as_written(&list[6]));
+        sprintf(deck + strlen(deck), "[ground]\nlength = %s\n", as_written(&list[3]));
+        sprintf(deck + strlen(deck), "[motion]\nspeed = %s\n[load P]\nlink = rocker\n",
+                as_written(&list[4]));
+        sprintf(deck + strlen(deck), "at = (%.17g, 0) %s\n", list[5].number, list[5].of_line->name);
+        sprintf(deck + strlen(deck), "force = %.17g %s at %.17g %s\n", list[7].number,
+                list[7].of_line->name, list[8].number, list[8].of_line->name);
+        r = opened(deck);
+        check_listed_units(r, list, NUMBERS);
+        for (k = 0; k < NUMBERS; k++, checked++)
+            if (k != 8 ||
+                i % 2) /* angle after size; its rows are left as they are in half of the decks */
+                check_line_unit(r, &list[k], &seed);
+        assert_int_equal(fourlink_deck_write(fourlink_results_deck(r), text, sizeof text, &n),
+                         FOURLINK_OK);
+        again = opened(text);
+        for (k = 0; k < NUMBERS - 2; k++) {
+            fourlink_value v;
+
+            assert_close(si_of(again, list[k].name), si_of(r, list[k].name), 1e-14);
+            assert_int_equal(fourlink_results_input(again, list[k].name, &v), FOURLINK_OK);
+            assert_string_equal(v.unit, list[k].of_line->name); /* the line keeps its unit */
+        }
+        fourlink_results_free(again);
+        fourlink_results_free(r);
+    }
+    print_message("%d numbers in the units of their lines\n", checked);
+}
+
+/* Words that set nothing leave the results as they are, and say why. */
+TEST(test_refused_words)
+{
+    static const struct {
+        const char *words;
+        int status;
+        const char *message;
+    } cases[] = {
+        {"crank.length = 45 kg", FOURLINK_BAD_NUMBER, "kg"},
+        {"crank.length = long", FOURLINK_BAD_NUMBER, "long"},
+        {"crank.length", FOURLINK_NO_SUCH_NAME, "expected NAME = NUMBER UNIT, not 'crank.length'"},
+        {"crank.lenght = 45 mm", FOURLINK_NO_SUCH_NAME, "'crank.lenght' is no number of this deck"},
+        {"table.columns = 3", FOURLINK_NOT_A_NUMBER, "'table.columns' is not a number"},
+        {"ground.length = 800 mm", FOURLINK_BAD_DECK,
+         "the ground, 800 mm, is longer than the other three together, 142 mm: the linkage cannot "
+         "be "
+         "assembled"}};
+    fourlink_results *r =
+        opened(four_bar(0.020, 0.066, 0.056, 0.080, "[table]\ncolumns = theta4\n"));
+    digest before = exercise(r);
+    fourlink_mistake mistake;
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        assert_int_equal(fourlink_results_set_text(r, cases[i].words, NULL), cases[i].status);
+        mistake.message[0] = '\0';
+        assert_int_equal(fourlink_results_set_text(r, cases[i].words, &mistake), cases[i].status);
+        if (!strstr(mistake.message, cases[i].message))
+            fail_msg("%s: %s", cases[i].words, mistake.message);
+    }
+    /* a linkage without any position: the status, and the mistake */
+    assert_int_equal(fourlink_results_set(r, "ground.length", 0.8, &mistake), FOURLINK_BAD_DECK);
+    assert_non_null(strstr(mistake.message, "the linkage cannot be assembled"));
+    assert_int_equal(fourlink_results_set_text(NULL, "crank.length = 1", NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_set_text(r, NULL, NULL), FOURLINK_NULL);
+    assert_true(exercise(r).hash == before.hash);
     fourlink_results_free(r);
 }
 
