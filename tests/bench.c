@@ -550,7 +550,7 @@ static double time_set(const char *deck, size_t length, int n)
         exit(EXIT_FAILURE);
     start = seconds();
     for (i = 0; i < n; i++) {
-        value = 0.018 + 0.004 * i / n;
+        value = 18 + 4.0 * i / n; /* mm */
         if (fourlink_results_put(results, 1, &crank.handle, &value, NULL) != FOURLINK_OK ||
             fourlink_results_get(results, torque.handle, FOURLINK_OPEN, 0, &torque) != FOURLINK_OK)
             exit(EXIT_FAILURE);

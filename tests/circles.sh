@@ -8,7 +8,7 @@ shift
 
 # FILE FILE: the first needs a name that the second defines
 "$nm" -A "$@" | awk '
-    {file = $1; sub(/\.(o|obj):.*/, "", file); sub(/.*fourlink\.dir\//, "", file)}
+    {file = $1; sub(/\.(o|obj):.*/, "", file); sub(/.*fourlink_command\.dir\//, "", file)}
     $(NF - 1) == "U" {n++; from[n] = file; name[n] = $NF}
     $(NF - 1) ~ /^[TDRBVC]$/ {at[$NF] = file; n_defined++}
     END {

@@ -152,6 +152,57 @@ CMAKE
     check 'its targets build' cmake --build project/build
     check 'fourlink::fourlink runs' gives project/build/with_shared
     check 'fourlink::static runs' gives project/build/with_static
+    in_a_project
+}
+
+# The library within another project: the same targets, no others that get in its way, nothing of fourlink's installed.
+# A project may fetch it, from an address or from a folder, which needs no network.
+in_a_project() {
+    source=$callers/../..
+    mkdir within
+    cp "$callers/c90.c" within
+    cat >within/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.21)
+project(host C CXX)
+if(FETCHED)
+  include(FetchContent)
+  FetchContent_Declare(fourlink SOURCE_DIR "${FOURLINK_FOLDER}")
+  FetchContent_MakeAvailable(fourlink)
+else()
+  add_subdirectory("${FOURLINK_FOLDER}" fourlink)
+endif()
+foreach(other gallery bench fourlink package)
+  if(TARGET ${other})
+    message(FATAL_ERROR "there is a target ${other}")
+  endif()
+endforeach()
+if(CMAKE_BUILD_TYPE)
+  message(FATAL_ERROR "the build type is ${CMAKE_BUILD_TYPE}")
+endif()
+add_custom_target(gallery)
+add_executable(with_shared c90.c)
+target_link_libraries(with_shared fourlink::fourlink m)
+add_executable(with_static c90.c)
+target_link_libraries(with_static fourlink::static)
+add_executable(in_cxx ${RESULTS})
+target_compile_features(in_cxx PRIVATE cxx_std_17)
+target_link_libraries(in_cxx fourlink::static)
+install(TARGETS with_static)
+CMAKE
+    for fetched in OFF ON; do
+        rm -rf within/build installed
+        check "a project within, fetched $fetched" cmake -S within -B within/build -DFETCHED=$fetched -DFOURLINK_FOLDER="$source" \
+            -DRESULTS="$callers/results.cpp" -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS" -DCMAKE_CXX_FLAGS="$CFLAGS"
+        check 'it builds' cmake --build within/build -j2
+        check 'its fourlink::fourlink runs' gives within/build/with_shared
+        check 'its fourlink::static runs' gives within/build/with_static
+        answer=named
+        check 'its program in C++17 runs' gives within/build/in_cxx
+        answer=answer
+        check 'no tests of fourlink' sh -c 'ctest --test-dir within/build -N | grep -q "Total Tests: 0"'
+        check 'it is installed' cmake --install within/build --prefix "$work/installed"
+        check 'nothing of fourlink is' test "$(cd installed && find . -type f)" = ./bin/with_static
+    done
 }
 
 with_cxx() {
@@ -170,7 +221,7 @@ with_fortran() {
     caller 'results by name, FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/results.f"
     answer=$varied
     caller 'numbers that are set, Fortran 2003' $FC $CFLAGS -std=f2003 -pedantic $strict "$callers/varied.f90" fourlink.o
-    caller 'numbers that are set, FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/varied.f"
+    caller 'numbers that are set, FORTRAN 77' $FC $CFLAGS -std=legacy $strict -Wno-unused-parameter -Iusr/include "$callers/varied.f"
     answer=longer
     { cat answer; printf 'a4 = -1373.420151 m/s2\nslide = 0.146352 m\na length is not positive\n'; } >$answer
     caller 'FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/fortran77.f"
@@ -179,14 +230,16 @@ with_fortran() {
     cat usr/include/fourlink.h usr/include/fourlink/*.h >headers
     { sed -n 's/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\),.*/\1=\2/p' headers
         grep -o 'FOURLINK_[A-Z_]* = -*[0-9]*' headers | grep -v '_END_' | tr -d ' '; } | tr A-Z a-z >values
-    for name in $(sed -n 's/.*bind(c)$/&/; s/^    [a-z].*\(function\|subroutine\) \(fourlink_[a-z_]*\)(.*/\2/p' usr/include/fourlink.f90 | grep -v '_c$'); do
+    for name in $(sed -n 's/^    [a-z].*\(function\|subroutine\) \(fourlink_[a-z_]*\)(.*/\2/p' usr/include/fourlink.f90 | grep -v '_c$'); do
         check "$name of the module" grep -q "^FOURLINK_API .*\b$name(" headers
     done
-    for name in $(grep -o 'fourlink_[a-z_]* = -*[0-9][0-9]*' usr/include/fourlink.f90 | sed 's/_link = /=/' | tr -d ' '); do
-        check "$name of the module" grep -qx -e "$name" values
+    for name in $({ grep -o 'fourlink_[a-z_]* = -*[0-9][0-9]*' usr/include/fourlink.f90 | sed 's/crank_link = /crank = /'
+        sed -n 's/.*PARAMETER (\(.*\))/\1/p' usr/include/fourlink.inc; } | tr A-Z a-z | tr -d ' '); do
+        check "$name of the module or fourlink.inc" grep -qx -e "$name" values
     done
     for name in $(sed -n '/^#define FOURLINK_STATUS_LIST/,/^$/s/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\),.*/\1=\2/p' headers | tr A-Z a-z); do
         check "$name in the module" grep -Eq "\b${name%=*} = ${name#*=}\b" usr/include/fourlink.f90
+        check "$name in fourlink.inc" grep -Eiq "\(${name%=*} = ${name#*=}\)" usr/include/fourlink.inc
     done
     $CC $CFLAGS -Iusr/include "$callers/sizes.c" -o sizes_c && ./sizes_c >sizes_of_c
     $FC $CFLAGS "$callers/sizes.f90" fourlink.o $static_libraries -o sizes_f && ./sizes_f >sizes_of_fortran
@@ -208,7 +261,7 @@ symbols() {
     # Of the shared library nothing is visible but what the header declares; of the static one all names
     # have its prefix.
     nm -D --defined-only "$lib/libfourlink.so" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -v '^__\|^_init\|^_fini' | sort >visible
-    sed -n 's/^FOURLINK_API .* \**\(f[a-z0-9_]*\)(.*/\1/p' usr/include/fourlink.h | sort >declared
+    sed -n 's/^FOURLINK_API .* \**\(f[a-z0-9_]*\)(.*/\1/p' usr/include/fourlink.h usr/include/fourlink/*.h | sort >declared
     check 'the symbols of the header, and no others' cmp visible declared
     check 'names with a prefix' sh -c \
         "! nm --defined-only '$lib/libfourlink.a' | awk 'NF == 3 && \$2 ~ /[A-Z]/ {print \$3}' | grep -v '^flk_\|^__' | sort | comm -13 declared - | grep ."
