@@ -478,6 +478,24 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
                                      double angle, double *values, fourlink_instant *instant,
                                      fourlink_load *loads);
 
+/* Many rows of any columns, by their handles.
+**
+** Given:
+**    results    from fourlink_results_open or fourlink_results_design
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    first, n   the rows: from this one, counted from 0
+**    n_columns  how many columns
+**    handles    of the columns, from fourlink_results_find or a list
+** Returned:
+**    values     n rows of n_columns numbers, in the units of the columns; NaN where a column has no value
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW if the motion has fewer rows,
+**    FOURLINK_NO_SUCH_NAME for a handle that is not that of a column
+*/
+FOURLINK_API int fourlink_results_rows(fourlink_results *results, fourlink_branch branch,
+                                       unsigned long first, unsigned long n,
+                                       unsigned long n_columns, const int *handles, double *values);
+
 /* The crank angles at which a column has a value, such as theta4 = 120 deg.
 **
 ** Given:

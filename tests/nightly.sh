@@ -1,20 +1,21 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# nightly.sh [SECONDS] - trials that need servers or much time, which .ci/run leaves out: sweeps over a real sshd and on
-# a real Slurm, and each fuzzer for so many seconds (600).  For Debian 12 or later, as root; it installs what is missing.
+# nightly.sh [SECONDS] - trials that need servers, an index of Python packages or much time, which .ci/run leaves out: sweeps
+# over a real sshd and on a real Slurm, the Python package as pip installs it, and each fuzzer for so many seconds (600).
+# For Debian 12 or later, as root; it installs what is missing.
 # It prints how much it tried and ends with the line "N passed, M failed".
 . "$(dirname "$0")/foreign.sh"
 seconds=${1:-600}
 
-install cmake make gcc clang libclang-rt-dev libgsl-dev libcmocka-dev parallel rsync
+install cmake make gcc clang python3-venv libclang-rt-dev libgsl-dev libcmocka-dev parallel rsync
 # Servers are not started: engines.sh starts its own.
 RUNLEVEL=1
 export RUNLEVEL
 install munge openssh-client openssh-server slurm-client slurmctld slurmd
 
 configure native
-build native fourlink
+build native fourlink_command fourlink_shared
 status=0
 timeout -k 10 900 sh "$source/tests/command/engines.sh" native/build/fourlink "$source/data" </dev/null >engines.txt 2>&1 ||
     status=1
@@ -24,6 +25,9 @@ status=0
 grep '^skipped' engines.txt && status=1
 count $status 'a server is missing'
 
+status=0
+sh "$source/tests/test_python.sh" native/build/fourlink native/build/libfourlink.so wheel || status=1
+count $status 'the Python package as pip installs it'
 status=0
 AT_ONCE=$(nproc) sh "$source/tests/fuzz/fuzz.sh" "$seconds" "$work/build-fuzz" || status=1
 count $status 'the fuzzers'

@@ -78,7 +78,7 @@ compile() {
 }
 
 configure native
-build native fourlink
+build native fourlink_command
 random_decks 20
 results native/build/fourlink native/results
 for machine in $machines; do

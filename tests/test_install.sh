@@ -121,19 +121,6 @@ with_c() {
     caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
     answer=answer
 
-    # Python, as doc/library.md says
-    if python3 -c 'import numpy' 2>/dev/null && ! echo "$CFLAGS" | grep -q sanitize; then
-        awk '/^```python/ {on = 1; next} /^```/ {on = 0} on' "$callers/../../doc/library.md" >by_ctypes.py
-        LD_LIBRARY_PATH=$lib python3 by_ctypes.py <usr/share/fourlink/data/me3491-matrix.deck >by_ctypes
-        sed '$d' "$varied" >three
-        sed '$d' by_ctypes >printed
-        check 'Python by ctypes' cmp printed three
-        check 'its table' grep -qx '([1-9][0-9]*, [1-9][0-9]*)' by_ctypes
-        echo x | LD_LIBRARY_PATH=$lib python3 by_ctypes.py 2>printed
-        check 'its mistake' grep -q "^1: expected 'key = value' or '\[section\]', not 'x'" printed
-        LD_LIBRARY_PATH=$lib python3 by_ctypes.py <usr/share/fourlink/data/alvi-5.1.deck 2>printed
-        check 'a name that its deck lacks' grep -qx 'there is no column, fact or input of this name' printed
-    fi
     answer=answer
 
     mkdir project

@@ -29,7 +29,7 @@ count $status 'windows: warnings'
 emulate windows wine
 ln -sf fourlink.exe windows/build/fourlink
 configure native
-build native fourlink
+build native fourlink_command
 random_decks 20
 results native/build/fourlink native/results
 compare windows

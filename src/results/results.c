@@ -347,6 +347,52 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
     return copy_row(r->now, &row, values, instant, loads);
 }
 
+#define COLUMNS 64 /* whose rows are computed together */
+
+/* The columns of handles, and what they need; 0 if one is not that of a column. */
+static int find_columns(const flk_opened *o, unsigned long n, const int *handles,
+                        flk_column *columns, int *needs)
+{
+    flk_statistic statistic;
+    unsigned long k;
+
+    for (*needs = 0, k = 0; k < n; k++) {
+        if (!flk_column_of_handle(&o->a, handles[k], &columns[k], &statistic) || statistic)
+            return 0;
+        *needs |= flk_column_need(&columns[k]);
+    }
+    return 1;
+}
+
+int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned long first,
+                          unsigned long n, unsigned long n_columns, const int *handles,
+                          double *values)
+{
+    int status = check_branch(r && ((handles && values) || !n || !n_columns), (int)branch), needs;
+    unsigned long rows = r ? r->now->a.crank_motion.range.n_rows : 0, i, k, some;
+    flk_column columns[COLUMNS];
+    flk_row row;
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (first > rows || n > rows - first)
+        return FOURLINK_NO_SUCH_ROW;
+    for (k = 0; k < n_columns; k += some) {
+        some = n_columns - k < COLUMNS ? n_columns - k : COLUMNS;
+        if (!find_columns(r->now, some, handles + k, columns, &needs))
+            return FOURLINK_NO_SUCH_NAME;
+    }
+    for (k = 0; k < n_columns; k += some) {
+        some = n_columns - k < COLUMNS ? n_columns - k : COLUMNS;
+        find_columns(r->now, some, handles + k, columns, &needs);
+        for (i = 0; i < n; i++) {
+            flk_analysis_row(&r->now->a, needs, branch, first + i, &row);
+            flk_column_values(columns, some, &row, values + i * n_columns + k);
+        }
+    }
+    return FOURLINK_OK;
+}
+
 int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
                         fourlink_instant *instant, fourlink_load *loads)
 {

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python package against the command: every deck of data/, its columns, facts, numbers set; mistakes; documents.
+FOURLINK is the command, the library that of the installed package, or FOURLINK_LIBRARY."""
+import csv
+import io
+import math
+import os
+import re
+import subprocess
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import fourlink
+
+TOP = Path(__file__).resolve().parents[3]
+COMMAND = os.environ.get("FOURLINK", str(TOP / "build" / "fourlink"))
+DECKS = sorted((TOP / "data").glob("*.deck"))
+MATRIX = TOP / "data" / "me3491-matrix.deck"
+TEXT = "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\nlength = 66 mm\n" \
+       "[rocker]\nlength = 56 mm\nmass = 0.4 kg\n[motion]\nspeed = 60 rpm\ninterval = 5 deg\n"
+
+
+def run(*arguments, deck=None):
+    done = subprocess.run([COMMAND, *arguments], input=deck, capture_output=True, text=True)
+    assert done.returncode in (0, 1), done.stderr
+    return done.stdout
+
+
+def table(*arguments, deck=None):
+    """The command's columns in SI units and degrees, by branch."""
+    rows = list(csv.DictReader(line for line in io.StringIO(run("-f", "csv", "--units=SI", *arguments, deck=deck)) if not line.startswith("#")))
+    return rows
+
+
+@pytest.mark.parametrize("deck", DECKS, ids=lambda p: p.stem)
+def test_columns_of_the_command(deck):
+    with fourlink.open(deck, units="SI") as r:
+        names = list(r.names)
+        for branch in r.branches:
+            rows = table(f"--branch={branch}", "--columns=" + ",".join(names), str(deck))
+            columns = r.columns(",".join(names), branch)
+            for name, column in zip(names, columns):
+                heads = [h for h in rows[0] if h.split(" (")[0] == name] if rows else []
+                assert len(heads) == 1, (name, list(rows[0])[:5])
+                printed = np.array([float(row[heads[0]] or "nan") for row in rows])
+                assert len(printed) == len(column)
+                assert np.array_equal(np.nan_to_num(printed, nan=0.5), np.nan_to_num(column, nan=0.5)), name
+
+
+@pytest.mark.parametrize("deck", DECKS, ids=lambda p: p.stem)
+def test_facts_of_the_command(deck):
+    with fourlink.open(deck, units="SI") as r:
+        printed = {row["name"]: row["value"] for row in
+                   csv.DictReader(io.StringIO(run("-S", "-f", "csv", "--units=SI", f"--branch={r.branches[0]}", str(deck))))
+                   if row.get("branch", "") in ("", r.branches[0])}
+        found = 0
+        for name, value in r.facts.items():
+            if name in printed:
+                found += 1
+                assert printed[name] == value if isinstance(value, str) else math.isclose(float(printed[name]), value, rel_tol=1e-14, abs_tol=1e-300), name
+        assert found > 3
+
+
+def test_numbers_are_in_the_units_of_their_lines():
+    r = fourlink.open(TEXT)
+    assert r.line_unit("crank.length") == "mm" and r.line_unit("motion.speed") == "rpm"
+    assert r["crank.length"] == 0.02
+    for value in 22, "22 mm", "2.2 cm":
+        r.set("crank.length", 20)
+        r.set("crank.length", value)
+        assert math.isclose(r["crank.length"], 0.022, rel_tol=1e-15)
+        assert math.isclose(r["max(omega4)"], fourlink.open(TEXT.replace("20 mm", "22 mm"))["max(omega4)"], rel_tol=1e-15)
+    r.set("motion.speed", 120)
+    assert math.isclose(r["motion.speed"], 4 * math.pi, rel_tol=1e-15)
+    assert "speed = 120 rpm" in r.deck()
+
+
+def test_mistakes():
+    with pytest.raises(fourlink.Mistake) as told:
+        fourlink.open(TEXT.replace("[crank]\nlength", "[crank]\nlenght") + "[load]\n")
+    m = told.value
+    assert (m.line, m.hint) == (5, "length") and "unknown key 'lenght'" in str(m) and str(m).startswith("deck:5: ")
+    assert [x.line for x in m.others]
+    r = fourlink.open(TEXT)
+    before = r["mu_min"]
+    with pytest.raises(fourlink.Mistake, match="the linkage cannot be assembled"):
+        r.set("ground.length", "800 mm")
+    with pytest.raises(fourlink.Mistake, match="expected a length"):
+        r.set("crank.length", "45 kg")
+    with pytest.raises(KeyError, match="crank.lenght"):
+        r.set("crank.lenght", 3)
+    with pytest.raises(KeyError, match="max"):
+        r["max(T9)"]
+    with pytest.raises(ValueError, match="deg"):
+        r.at("theta4 = 100 kg")
+    with pytest.raises(FileNotFoundError):
+        fourlink.open("no-such.deck")
+    assert r["mu_min"] == before
+
+
+def test_at():
+    r = fourlink.open(MATRIX)
+    angles = r.at("theta4 = 120 deg")
+    assert len(angles) == 2
+    theta4, torque = r.at("theta4 = 2.0943951023931953 rad", "theta4, Ts")
+    assert np.allclose(theta4, 120, atol=1e-9) and len(torque) == 2
+    for angle, there in zip(angles, torque):
+        assert math.isclose(r.value("Ts", angle), there, rel_tol=1e-9)
+
+
+def test_branches_and_words():
+    r = fourlink.open(MATRIX)
+    assert r["type"] == "crank-rocker" and set(r.branches) <= {"open", "crossed"}
+    assert r.value("theta4", 40, "open") != r.value("theta4", 40, "crossed")
+    assert r.unit("Ts") == "N.m" and r.units["theta4"] == "deg" and "crank.length" in r.inputs
+
+
+def test_a_file_that_the_deck_names(tmp_path):
+    (tmp_path / "torque.txt").write_text("0 1\n180 2\n360 1\n")
+    (tmp_path / "a.deck").write_text(TEXT + "[load T]\nlink = rocker\ntorque = file torque.txt\n")
+    assert fourlink.open(tmp_path / "a.deck")["max(Ts)"] > 0
+    with pytest.raises(fourlink.Mistake, match="cannot read the file"):
+        (tmp_path / "torque.txt").unlink()
+        fourlink.open(tmp_path / "a.deck")
+
+
+def test_frame():
+    pytest.importorskip("pandas")
+    frame = fourlink.open(MATRIX).frame("theta2, Ts")
+    assert list(frame.columns) == ["theta2", "Ts"] and frame.attrs["units"]["Ts"] == "N.m"
+
+
+def test_html(monkeypatch):
+    monkeypatch.setenv("PATH", str(Path(COMMAND).parent) + os.pathsep + os.environ["PATH"])
+    page = fourlink.open(MATRIX)._repr_html_()
+    assert "mu_min" in page and ("<svg" in page) == os.access(COMMAND, os.X_OK)
+    monkeypatch.setenv("PATH", "")
+    assert "<svg" not in fourlink.open(MATRIX)._repr_html_()
+
+
+def test_threads_release_the_lock():
+    """Four threads with results of their own have the results of one."""
+    expected = [fourlink.open(TEXT, changes={"crank.length": f"{20 + i} mm"})["max(omega4)"] for i in range(4)]
+    found = [None] * 4
+
+    def work(i):
+        r = fourlink.open(TEXT)
+        for _ in range(200):
+            r.set("crank.length", f"{20 + i} mm")
+            found[i] = r["max(omega4)"]
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    assert np.allclose(found, expected, rtol=1e-15)
+
+
+def test_random_numbers_against_the_command():
+    """Numbers set at random, against decks with these numbers in their text."""
+    rng = np.random.default_rng(49)
+    r = fourlink.open(MATRIX)
+    numbers = [name for name in r.inputs if re.match(r"(crank|coupler|rocker|ground)\.(length|mass|inertia)$", name)]
+    set_, refused = 0, 0
+    for _ in range(300):
+        name = str(rng.choice(numbers))
+        r = fourlink.open(MATRIX)
+        value = fourlink.open(MATRIX)[name] * rng.uniform(0.5, 1.6)
+        text = f"{value!r} {r.unit(name)}"
+        try:
+            expected = fourlink.open(MATRIX, changes={name: text})["max(Ts)"]
+        except fourlink.Mistake:
+            with pytest.raises(fourlink.Mistake):
+                r.set(name, text)
+            refused += 1
+            continue
+        r.set(name, text)
+        assert math.isclose(r["max(Ts)"], expected, rel_tol=1e-12), (name, text)
+        set_ += 1
+    assert set_ > 200 and set_ + refused == 300
+
+
+def test_documents():
+    """The examples of doc/library.md run as they stand."""
+    text = (TOP / "doc" / "library.md").read_text()
+    examples = re.findall(r"```python\n(import fourlink.*?)```", text, re.S)
+    assert examples
+    for example in examples:
+        exec(example.replace('"data/', f'"{TOP}/data/'), {})
