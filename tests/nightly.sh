@@ -15,7 +15,8 @@ export RUNLEVEL
 install munge openssh-client openssh-server slurm-client slurmctld slurmd
 
 configure native
-build native fourlink_command fourlink_shared
+build native fourlink_command
+build native fourlink_shared
 status=0
 timeout -k 10 900 sh "$source/tests/command/engines.sh" native/build/fourlink "$source/data" </dev/null >engines.txt 2>&1 ||
     status=1

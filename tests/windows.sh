@@ -22,7 +22,7 @@ configure windows -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=/usr/bin/$mingw
     -DCMAKE_EXE_LINKER_FLAGS=-static -DGSL_INCLUDE_DIR="$usr/include" -DGSL_LIBRARY="$usr/lib/libgsl.a" \
     -DGSL_CBLAS_LIBRARY="$usr/lib/libgslcblas.a" -DGSL_VERSION=2.7.1 -DCMOCKA_INCLUDE_DIR="$usr/include" \
     -DCMOCKA_LIBRARY="$usr/lib/libcmocka.a" -DFOURLINK_WERROR=OFF # isnan() of its headers warns, in the tests
-build windows fourlink
+build windows fourlink_command
 status=0
 grep 'src/.*warning' windows/build.log && status=1
 count $status 'windows: warnings'
