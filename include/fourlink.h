@@ -564,7 +564,7 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);
 
-/* Open another design of the [sweep] of an open deck.  The text is not read again, which saves most of the
+/* Open another design of the [sweep] of an open deck, as new results beside those.  The text is not read again, which saves most of the
 ** time of fourlink_results_open.
 **
 ** Given:
@@ -572,7 +572,7 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **    design        its number, from 0: below n_designs of fourlink_problem
 **    max_mistakes  size of `mistakes`
 ** Returned:
-**    results       to be given to fourlink_results_free, as from fourlink_results_open with this design
+**    results       a new handle, to be given to fourlink_results_free as that of `from` is
 **    mistakes      as from fourlink_results_open
 **    n_mistakes    as from fourlink_results_open
 ** Returned (function value):

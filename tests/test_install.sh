@@ -89,6 +89,15 @@ with_c() {
         check "$file" test -s "usr/share/doc/fourlink/$file"
     done
     check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
+    # every link of an installed document leads to a file
+    find usr/share/doc -name '*.md' | while read -r file; do
+        grep -o '](\([^)# ]*\)' "$file" | sed 's/](//' | grep -v '^$\|^http\|^mailto' | while read -r link; do
+            [ -e "$(dirname "$file")/$link" ] || echo "$file: $link"
+        done
+    done >dead
+    check "links of documents lead nowhere: $(head -n 3 dead)" test ! -s dead
+    # cffi's parser knows no attributes
+    check 'no attribute in the header' sh -c "echo '#include <fourlink.h>' | $CC -Iusr/include -E - >plain.h && ! grep -q attribute plain.h"
     check 'completion' test -s usr/share/bash-completion/completions/fourlink
     for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x ascii part list help \
         version; do

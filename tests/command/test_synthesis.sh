@@ -94,7 +94,7 @@ task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = 45 deg
 proves 0
 check 'constants in this unit' grep -q '^# S1 = 91.92388[0-9]*, S2 = 2560.66[0-9]*, S3 = -1039.33[0-9]*;' found.deck
 run 0 --synthesis --report=r.html t.deck
-check 'S2 of a report is an area' grep -q '<mtext>2</mtext></msub><mo>=</mo><mn>0.00256066</mn><mtext>[^m]*m²</mtext>' r.html
+check 'S2 of a report is an area' grep -q '<mtext>2</mtext></msub><mo form="infix">=</mo><mn>0.00256066</mn><mtext>[^m]*m²</mtext>' r.html
 check 'the unit of a list' grep -q '^length = 45.96194077712[0-9]* mm' found.deck
 printf '45 95\n90 60\n135 30\n' >piston.csv
 task 'mechanism = slider-crank' '[synthesis]' 'task = function' 'points = file piston.csv deg mm'
