@@ -129,38 +129,23 @@ with_c() {
     check 'the best transmission angle, --best' cmp of_best $answer
     caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
     answer=answer
-
-    answer=answer
-
-    mkdir project
-    cp "$callers/c90.c" project
-    cat >project/CMakeLists.txt <<'CMAKE'
-cmake_minimum_required(VERSION 3.21)
-project(consumer C)
-find_package(fourlink 0.2 REQUIRED)
-add_executable(with_shared c90.c)
-target_link_libraries(with_shared fourlink::fourlink m)
-add_executable(with_static c90.c)
-target_link_libraries(with_static fourlink::static)
-CMAKE
-    check 'find_package' cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$work/usr" \
-        -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS"
-    check 'its targets build' cmake --build project/build
-    check 'fourlink::fourlink runs' gives project/build/with_shared
-    check 'fourlink::static runs' gives project/build/with_static
-    in_a_project
+    in_a_project C ADDED INSTALLED
 }
 
-# The library within another project: the same targets, no others that get in its way, nothing of fourlink's installed.
+# in_a_project LANGUAGE WAY...: the library within another project: the same targets, no others that get in its way, nothing of fourlink's installed.
 # A project may fetch it, from an address or from a folder, which needs no network.
 in_a_project() {
+    language=$1
+    shift
     source=$callers/../..
-    mkdir within
+    mkdir -p within
     cp "$callers/c90.c" within
     cat >within/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.21)
-project(host C CXX)
-if(FETCHED)
+project(host C ${LANGUAGE})
+if(INSTALLED)
+  find_package(fourlink 0.2 REQUIRED)
+elseif(FETCHED)
   include(FetchContent)
   FetchContent_Declare(fourlink SOURCE_DIR "${FOURLINK_FOLDER}")
   FetchContent_MakeAvailable(fourlink)
@@ -180,24 +165,27 @@ add_executable(with_shared c90.c)
 target_link_libraries(with_shared fourlink::fourlink m)
 add_executable(with_static c90.c)
 target_link_libraries(with_static fourlink::static)
-add_executable(in_cxx ${RESULTS})
-target_compile_features(in_cxx PRIVATE cxx_std_17)
-target_link_libraries(in_cxx fourlink::static)
+if(LANGUAGE STREQUAL CXX)
+  add_executable(in_cxx ${RESULTS})
+  target_compile_features(in_cxx PRIVATE cxx_std_17)
+  target_link_libraries(in_cxx fourlink::static)
+endif()
 install(TARGETS with_static)
 CMAKE
-    for fetched in OFF ON; do
+    for way; do
         rm -rf within/build installed
-        check "a project within, fetched $fetched" cmake -S within -B within/build -DFETCHED=$fetched -DFOURLINK_FOLDER="$source" \
-            -DRESULTS="$callers/results.cpp" -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS" -DCMAKE_CXX_FLAGS="$CFLAGS"
-        check 'it builds' cmake --build within/build -j2
-        check 'its fourlink::fourlink runs' gives within/build/with_shared
-        check 'its fourlink::static runs' gives within/build/with_static
+        check "$language: a project, fourlink $way" cmake -S within -B within/build -D$way=ON -DFOURLINK_FOLDER="$source" -DLANGUAGE="$language" \
+            -DRESULTS="$callers/results.cpp" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS" \
+            -DCMAKE_CXX_FLAGS="$CFLAGS"
+        check "$language, $way: it builds" cmake --build within/build -j2
+        check "$language, $way: fourlink::fourlink runs" gives within/build/with_shared
+        check "$language, $way: fourlink::static runs" gives within/build/with_static
         answer=named
-        check 'its program in C++17 runs' gives within/build/in_cxx
+        [ "$language" = C ] || check "$way: its program in C++17 runs" gives within/build/in_cxx
         answer=answer
-        check 'no tests of fourlink' sh -c 'ctest --test-dir within/build -N | grep -q "Total Tests: 0"'
-        check 'it is installed' cmake --install within/build --prefix "$work/installed"
-        check 'nothing of fourlink is' test "$(cd installed && find . -type f)" = ./bin/with_static
+        check "$language, $way: no tests of fourlink" sh -c 'ctest --test-dir within/build -N | grep -q "Total Tests: 0"'
+        check "$language, $way: it is installed" cmake --install within/build --prefix "$work/installed"
+        check "$language, $way: nothing of fourlink is" test "$(cd installed && find . -type f)" = ./bin/with_static
     done
 }
 
@@ -206,6 +194,7 @@ with_cxx() {
     answer=named
     caller 'results by name, C++98' $CXX $CFLAGS -std=c++98 $strict "$callers/results.cpp"
     answer=answer
+    in_a_project CXX FETCHED INSTALLED
 }
 
 with_fortran() {

@@ -124,6 +124,7 @@ class Results:
                          units=units.encode() if units else None, n_changes=len(changes),
                          changes=(_Change * len(changes))(*[(b"changes", f"{k}={v}".encode()) for k, v in changes.items()]))
         mistakes, n = (_Mistake * _MISTAKES)(), c.c_ulong()
+        self.name = name
         self._r = c.c_void_p()
         status = _lib.fourlink_results_open(c.byref(source), c.c_ulong(_MISTAKES), c.byref(self._r), mistakes, c.byref(n))
         if status == _BAD_DECK:
@@ -302,8 +303,9 @@ class Results:
         drawing = ""
         if shutil.which("fourlink"):
             with tempfile.TemporaryDirectory() as folder:
-                picture, deck = Path(folder) / "mechanism.svg", Path(folder) / "deck"
+                picture, deck = Path(folder) / "mechanism.svg", Path(folder) / (Path(self.name).name or "deck")
                 deck.write_text(self.deck())
-                done = subprocess.run(["fourlink", f"--plot={picture}", "--plot-kind=mechanism", str(deck)], capture_output=True)
+                done = subprocess.run(["fourlink", f"--plot={picture}", "--plot-kind=mechanism", f"--branch={self.branches[0]}", deck.name],
+                                      cwd=folder, capture_output=True)
                 drawing = picture.read_text() if done.returncode == 0 and picture.exists() else ""
         return f"{drawing}<table>{''.join(self._lines())}</table>"
