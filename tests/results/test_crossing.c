@@ -101,6 +101,46 @@ TEST(test_against_scan)
             check_scan(load, columns[i], shares[j]);
 }
 
+/* A column that passes through infinity has no value there.  Beside a pole its reciprocal is continuous: a scan
+** looks for changes of sign of that where the column is large, and of the column elsewhere. */
+static int crosses(double last, double now, double level)
+{
+    if (fmin(fabs(last), fabs(now)) > fabs(level) / 10)
+        return (1 / last < 1 / level) != (1 / now < 1 / level);
+    return (last < level) != (now < level);
+}
+
+TEST(test_poles)
+{
+    static const char *const columns[] = {"mechanical_advantage", "I13x", "I24x"};
+    static const double levels[] = {-12, -3.1, -0.7, 0.05, 0.9, 3, 12};
+    fourlink_results *r = opened(ROCKER SPEED);
+    int i, c, l, poles = 0, found = 0;
+
+    for (c = 0; c < 3; c++)
+        for (l = 0; l < 7; l++) {
+            double angles[MOST], level = levels[l], last, now;
+            unsigned long n = crossings(r, columns[c], FOURLINK_OPEN, level, angles), k = 0;
+
+            last = value_at(r, columns[c], FOURLINK_OPEN, 0.0005);
+            for (i = 1; i <= SCAN; i++, last = now) {
+                double angle = 360.0 * i / SCAN + 0.0005;
+
+                now = value_at(r, columns[c], FOURLINK_OPEN, angle);
+                poles += last * now < 0 && fmin(fabs(last), fabs(now)) > 1;
+                if (!crosses(last, now, level))
+                    continue;
+                assert_true(k < n);
+                assert_near(angles[k], angle, 360.0 / SCAN + 1e-9);
+                k++;
+            }
+            assert_int_equal(k, n);
+            found += (int)n;
+        }
+    assert_true(poles > 20 && found > 20);
+    fourlink_results_free(r);
+}
+
 /* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles
 ** are those of a scan in steps of 0.001 deg. */
 TEST(test_direction_beside_change_point)
