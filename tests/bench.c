@@ -19,6 +19,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 
+#include "base/digits.h"
 #include "system/format.h"
 #include "fourlink.h"
 #include "tables/line.h"
@@ -323,7 +324,8 @@ static double time_printing(FILE *out, int by_fprintf)
             if (by_fprintf)
                 fprintf(out, "%*.*f", WIDTH, decimals(j), table[i][j]);
             else
-                missed |= !line_fixed(&row, table[i][j], decimals(j), WIDTH);
+                missed |= !flk_digits_fixed_before(table[i][j], decimals(j),
+                                                   line_blanks(&row, WIDTH) + WIDTH);
         }
         line_text(&row, "\n", 1);
         line_end(&row);

@@ -139,14 +139,16 @@ static void put_pair(unsigned int n, char *to)
     memcpy(to, pairs + 2 * n, 2);
 }
 
+static void put_four(unsigned int n, char *to)
+{
+    put_pair(n / 100, to);
+    put_pair(n % 100, to + 2);
+}
+
 static void put_eight(word n, char *to)
 {
-    unsigned int high = (unsigned int)n / 10000, low = (unsigned int)n % 10000;
-
-    put_pair(high / 100, to);
-    put_pair(high % 100, to + 2);
-    put_pair(low / 100, to + 4);
-    put_pair(low % 100, to + 6);
+    put_four((unsigned int)n / 10000, to);
+    put_four((unsigned int)n % 10000, to + 4);
 }
 
 /* All digits of an integer, leading zeros too. */
@@ -236,28 +238,35 @@ static const double power_of_ten[DIGITS] = {1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1
 ** bits, its error is less than 5 10^-7. */
 char *flk_digits_fixed_before(double value, int decimals, char *end)
 {
-    double x = fabs(value), fraction;
-    unsigned int n;
-    int is_zero;
+    double x = fabs(value), rest;
+    unsigned int n, all;
 
     if (decimals < 0 || decimals > 9)
         return NULL;
     x *= power_of_ten[decimals];
     if (!(x < 4e9))
         return NULL;
-    n = (unsigned int)x;
-    fraction = x - (double)n - 0.5;
-    if (fabs(fraction) < 1e-6)
+    n = all = (unsigned int)(x + 0.5);
+    rest = fabs(x - (double)n);
+    if (rest > 0.5 - 1e-6)
         return NULL;
-    n += fraction > 0;
-    is_zero = n == 0;
     if (decimals > 0) {
-        if (decimals % 2 == 1) {
+        if (decimals & 8) {
+            put_eight(n % 100000000, end -= 8);
+            n /= 100000000;
+        }
+        if (decimals & 4) {
+            put_four(n % 10000, end -= 4);
+            n /= 10000;
+        }
+        if (decimals & 2) {
+            put_pair(n % 100, end -= 2);
+            n /= 100;
+        }
+        if (decimals & 1) {
             *--end = (char)('0' + n % 10);
             n /= 10;
         }
-        for (; decimals > 1; decimals -= 2, n /= 100)
-            put_pair(n % 100, end -= 2);
         *--end = '.';
     }
     for (; n >= 100; n /= 100)
@@ -266,7 +275,7 @@ char *flk_digits_fixed_before(double value, int decimals, char *end)
         put_pair(n, end -= 2);
     else
         *--end = (char)('0' + n);
-    if (value < 0 && !is_zero)
+    if (value < 0 && all)
         *--end = '-';
     return end;
 }

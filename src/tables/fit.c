@@ -85,11 +85,6 @@ static void place(filling *f, int subject)
     }
 }
 
-int fit_has(const sheet *s, const style *x)
-{
-    return x->page == s->page || x->page == EACH_PAGE;
-}
-
 int fit_begins_with_angle(const sheet *s)
 {
     const style *styles = s->layout;

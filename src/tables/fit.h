@@ -12,7 +12,7 @@
 int fit_columns(const sheet *s, style *styles);
 
 /* 1 if a column stands on the present page. */
-int fit_has(const sheet *s, const style *x);
+#define FIT_HAS(s, x) ((x)->page == (s)->page || (x)->page == EACH_PAGE)
 
 /* 1 if the first column that is printed is the crank angle. */
 int fit_begins_with_angle(const sheet *s);

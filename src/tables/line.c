@@ -127,23 +127,12 @@ void line_right(line *l, const char *s, size_t length, size_t width)
     line_text(l, s, length);
 }
 
-/* Blanks are copied in one piece, even if fewer are needed. */
-#define BLANKS 16
-
-int line_fixed(line *l, double value, int decimals, size_t width)
+char *line_blanks(line *l, size_t width)
 {
-    char *begin;
-
-    if (!room(l, width + BLANKS))
-        return 0;
-    begin = l->bytes + l->length;
-    memset(begin, ' ', BLANKS);
-    if (width > BLANKS)
-        memset(begin + BLANKS, ' ', width - BLANKS);
-    if (!flk_digits_fixed_before(value, decimals, begin + width))
-        return 0;
+    if (!room(l, width))
+        return NULL;
     l->length += width;
-    return 1;
+    return memset(l->bytes + l->length - width, ' ', width);
 }
 
 void line_field(line *l, const char *s, size_t width)

@@ -37,9 +37,8 @@ size_t line_value(line *l, double value, int digits, size_t width);
 /* Left-aligned text; returns how much longer it is than the field. */
 size_t line_left(line *l, const char *s, size_t width);
 
-/* A right-aligned number.  The caller checks that it leaves a blank in the field.  Returns 0 and writes
-** nothing if line_right has to do it. */
-int line_fixed(line *l, double value, int decimals, size_t width);
+/* So many blanks, in which the caller may write; null, and nothing written, if they exceed the buffer. */
+char *line_blanks(line *l, size_t width);
 
 /* End a line that began at `start`, which line_here gave, without blanks at its end: on a terminal of this
 ** width in letters it is broken at blanks, and goes on below the column `indent`.  Width 0: it stays

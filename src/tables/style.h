@@ -14,6 +14,7 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
+    size_t line;                   /* of the first style: the width of a line of the present page */
     double limit;                  /* numbers below it fit the width, with a sign and a blank */
     double size;                   /* the largest finite magnitude of the column */
     int page;                      /* from fit_columns; EACH_PAGE: on each of them */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/digits.h"
 #include "base/text.h"
 #include "fit.h"
 #include "sheet.h"
@@ -32,7 +33,7 @@ static void put_names(sheet *s, int units)
 
     line_put(&s->l, "#");
     for (k = 0; k < s->v.n_columns; k++)
-        if (fit_has(s, &styles[j = styles[k].column])) {
+        if (FIT_HAS(s, &styles[j = styles[k].column])) {
             line_field(&s->l, units ? s->v.columns[j].unit : s->v.columns[j].name,
                        styles[j].width - hash);
             hash = 0;
@@ -42,12 +43,18 @@ static void put_names(sheet *s, int units)
 
 static void block_begins(sheet *s, fourlink_branch branch)
 {
+    style *styles = s->layout;
+    unsigned long j;
+
     if (s->page > 0)
         line_put(&s->l, "\n");
     else
         line_put(&s->l, s->list ? "\n\n# branch: %s\n" : "# branch: %s\n",
                  fourlink_branch_text((int)branch));
     s->list = "branches";
+    styles[0].line = 0;
+    for (j = 0; j < s->v.n_columns; j++)
+        styles[0].line += FIT_HAS(s, &styles[j]) ? styles[j].width : 0;
     put_names(s, 0);
     put_names(s, 1);
 }
@@ -55,7 +62,7 @@ static void block_begins(sheet *s, fourlink_branch branch)
 /* The field of an extreme, or of its crank angle. */
 static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 {
-    static const style angle = {3, 0, 0, 0, 0, 0, 0, NULL};
+    static const style angle = {3, 0, 0, 0, 0, 0, 0, 0, NULL};
 
     if (x->extreme && at_angle && x->extreme->has_angle)
         style_put(&s->l, x->extreme->angle, &angle, width);
@@ -75,7 +82,7 @@ static void put_extremes(sheet *s, const char *label, int at_angle)
 
     line_put(&s->l, "#");
     for (k = 0; k < s->v.n_columns; k++) {
-        if (!fit_has(s, &styles[j = styles[k].column]))
+        if (!FIT_HAS(s, &styles[j = styles[k].column]))
             continue;
         if (has_lead && k == 0)
             line_field(&s->l, at_angle ? "at" : label, styles[j].width - 1);
@@ -138,21 +145,54 @@ static void put_reason(sheet *s, const sheet_row *row)
     line_put(&s->l, "%s\n", why);
 }
 
+/* A number of any size within its cell; 0 if it leaves no blank there. */
+static int put_in_cell(double value, const style *x, char *end)
+{
+    char number[FORMAT_SIZE];
+    size_t n = (size_t)(style_text(value, x, number) - number);
+
+    if (n >= x->width)
+        return 0;
+    memcpy(end - n, number, n);
+    return 1;
+}
+
+/* The numbers of the present page in a line of blanks; 0, and nothing written, if one does not fit. */
+static int put_aligned(sheet *s, const double *values)
+{
+    const style *styles = s->layout;
+    char *end = line_blanks(&s->l, styles->line + 1);
+    unsigned long k;
+
+    for (k = 0; end && k < s->v.n_columns; k++) {
+        unsigned long j = styles[k].column;
+        const style *x = &styles[j];
+
+        if (!FIT_HAS(s, x))
+            continue;
+        end += x->width;
+        if ((fabs(values[j]) < x->limit && flk_digits_fixed_before(values[j], x->decimals, end)) ||
+            put_in_cell(values[j], x, end))
+            continue;
+        s->l.length -= styles->line + 1;
+        return 0;
+    }
+    if (end)
+        *end = '\n';
+    return end != NULL;
+}
+
 /* The numbers of the present page. */
 static void put_numbers(sheet *s, const double *values)
 {
     const style *styles = s->layout;
-    unsigned long k;
+    unsigned long j, k;
 
-    for (k = 0; k < s->v.n_columns; k++) {
-        unsigned long j = styles[k].column;
-        const style *x = &styles[j];
-
-        if (!fit_has(s, x))
-            continue;
-        if (!(fabs(values[j]) < x->limit) || !line_fixed(&s->l, values[j], x->decimals, x->width))
-            style_put(&s->l, values[j], x, x->width);
-    }
+    if (put_aligned(s, values))
+        return;
+    for (k = 0; k < s->v.n_columns; k++)
+        if (FIT_HAS(s, &styles[j = styles[k].column]))
+            style_put(&s->l, values[j], &styles[j], styles[j].width);
     line_byte(&s->l, '\n');
 }
 

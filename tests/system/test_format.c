@@ -8,6 +8,7 @@
 #include "check.h"
 #include "system/format.h"
 #include "locales.h"
+#include "base/digits.h"
 #include "base/number.h"
 #include "tables/line.h"
 
@@ -291,8 +292,9 @@ static void test_lines(void **unused)
             assert_int_equal(line_value(&l, value, 12, 20), 20);
             line_put(&l, "|");
             fprintf(expected, "%25.3f|%.6g", value, -value);
-            if (!line_fixed(&l, value, 3, 25)) {
+            if (!flk_digits_fixed_before(value, 3, line_blanks(&l, 25) + 25)) {
                 assert_int_not_equal(FLT_EVAL_METHOD | 1, 1);
+                l.length -= 25;
                 line_right(&l, number, strlen(format_fixed(value, 3, number)), 25);
             }
             line_text(&l, "|", 1);
