@@ -14,6 +14,7 @@ while it works; results belong to one thread at a time.
 from __future__ import annotations
 
 import ctypes as c
+import difflib
 import html
 import os
 import re
@@ -139,14 +140,20 @@ class Results:
         first.others = others
         return first
 
-    @staticmethod
-    def _check(status: int, what: str = "") -> None:
+    def _check(self, status: int, what: str = "") -> None:
         if status == _OK:
             return
         words = _lib.fourlink_status_text(status).decode()
         if status == _NO_NAME:
-            raise KeyError(f"{what}: {words}")
+            raise KeyError(f"{what}: {words}{self._meant(what)}")
         raise MemoryError(words) if status == 37 else ValueError(f"{what}: {words}" if what else words)
+
+    def _meant(self, name: str) -> str:
+        """The similar name of this deck, in words; of max(Tz) that with the similar column."""
+        statistic = re.fullmatch(r"(max|min|mean|rms)\((.*)\)", name)
+        known = list(self.names) if statistic else [*self.names, *self.facts, *self.inputs]
+        near = difflib.get_close_matches(statistic[2] if statistic else name, known, 1, 0.5)
+        return f"; did you mean '{statistic[1]}({near[0]})'?" if near and statistic else f"; did you mean '{near[0]}'?" if near else ""
 
     def close(self) -> None:
         """Free the memory."""
@@ -253,7 +260,7 @@ class Results:
             status = _lib.fourlink_results_set_text(self._r, f"{name} = {value}".encode(), c.byref(m))
         else:
             status = _lib.fourlink_results_set(self._r, name.encode(), c.c_double(value), c.byref(m))
-        if m.message:
+        if m.message and status != _NO_NAME:
             raise self._told([m])
         self._check(status, name)
 
@@ -301,11 +308,12 @@ class Results:
     def _repr_html_(self) -> str:
         """Drawing, if the command is installed, and facts, for notebooks."""
         drawing = ""
-        if shutil.which("fourlink"):
+        command = shutil.which("fourlink")
+        if command:
             with tempfile.TemporaryDirectory() as folder:
                 picture, deck = Path(folder) / "mechanism.svg", Path(folder) / (Path(self.name).name or "deck")
                 deck.write_text(self.deck())
-                done = subprocess.run(["fourlink", f"--plot={picture}", "--plot-kind=mechanism", f"--branch={self.branches[0]}", deck.name],
-                                      cwd=folder, capture_output=True)
+                asked = [os.path.abspath(command), f"--plot={picture}", "--plot-kind=mechanism", f"--branch={self.branches[0]}"]
+                done = subprocess.run([*asked, deck.name], cwd=folder, capture_output=True)
                 drawing = picture.read_text() if done.returncode == 0 and picture.exists() else ""
         return f"{drawing}<table>{''.join(self._lines())}</table>"

@@ -90,10 +90,13 @@ def test_mistakes():
         r.set("ground.length", "800 mm")
     with pytest.raises(fourlink.Mistake, match="expected a length"):
         r.set("crank.length", "45 kg")
-    with pytest.raises(KeyError, match="crank.lenght"):
-        r.set("crank.lenght", 3)
-    with pytest.raises(KeyError, match="max"):
-        r["max(T9)"]
+    for value in 3, "3 mm":
+        with pytest.raises(KeyError, match="crank.lenght.*did you mean 'crank.length'"):
+            r.set("crank.lenght", value)
+    with pytest.raises(KeyError, match=r"max\(Tz\).*did you mean 'max\(Ts\)'"):
+        r["max(Tz)"]
+    with pytest.raises(KeyError, match="did you mean 'mu_min'"):
+        r["mu_mim"]
     with pytest.raises(ValueError, match="deg"):
         r.at("theta4 = 100 kg")
     with pytest.raises(FileNotFoundError):
