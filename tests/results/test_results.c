@@ -2,6 +2,8 @@
 **
 ** test_results.c - the public interface of results by name: what each function returns, and leaves alone.
 */
+#include <limits.h>
+
 #include "machines.h"
 
 #define MOST_COLUMNS 200
@@ -490,6 +492,54 @@ TEST(test_inputs_of_many_springs)
 /* ---------------------------------------------------------------------------------------------
 ** Rows
 ** ------------------------------------------------------------------------------------------- */
+
+/* All columns of a deck, in one call, are those of fourlink_results_get, and NaN where there is no row; each more than
+** once, so that they are more than are computed together. */
+TEST(test_rows_of_any_columns)
+{
+    enum { TIMES = 3 };
+    static int handles[600];
+    static double values[10 * 600];
+    fourlink_results *r = opened(linkage(""));
+    const fourlink_value *list;
+    unsigned long n, n_columns, i, j;
+    int fact;
+
+    assert_int_equal(fourlink_results_list(r, FOURLINK_ALL_COLUMNS, &list, &n), FOURLINK_OK);
+    n_columns = TIMES * n;
+    assert_true(n_columns > 64 && n_columns <= COUNT(handles));
+    for (i = 0; i < n_columns; i++)
+        handles[i] = list[(i * 7) % n].handle;
+    assert_int_equal(fourlink_results_rows(r, FOURLINK_CROSSED, 3, 7, n_columns, handles, values),
+                     FOURLINK_OK);
+    for (i = 0; i < 7; i++)
+        for (j = 0; j < n_columns; j++) {
+            fourlink_value v;
+            int status =
+                fourlink_results_get(r, handles[j], FOURLINK_CROSSED, 40.0 * (double)(i + 3), &v);
+            double x = values[i * n_columns + j];
+
+            if (status == FOURLINK_OK && !isnan(v.value))
+                assert_true(x == v.value || fabs(x - v.value) <= 1e-13 * fabs(x));
+            else
+                assert_true(isnan(x));
+        }
+    assert_int_equal(fourlink_results_rows(r, FOURLINK_OPEN, 0, 10, 0, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_rows(r, FOURLINK_OPEN, 10, 1, 1, handles, values),
+                     FOURLINK_NO_SUCH_ROW);
+    assert_int_equal(fourlink_results_rows(r, FOURLINK_OPEN, 1, ULONG_MAX, 1, handles, values),
+                     FOURLINK_NO_SUCH_ROW);
+    assert_int_equal(fourlink_results_rows(r, (fourlink_branch)0, 0, 1, 1, handles, values),
+                     FOURLINK_BAD_BRANCH);
+    assert_int_equal(fourlink_results_rows(NULL, FOURLINK_OPEN, 0, 1, 1, handles, values),
+                     FOURLINK_NULL);
+    fact = handles[0] + FOURLINK_MAX;
+    values[0] = 5;
+    assert_int_equal(fourlink_results_rows(r, FOURLINK_OPEN, 0, 1, 1, &fact, values),
+                     FOURLINK_NO_SUCH_NAME);
+    assert_true(values[0] == 5);
+    fourlink_results_free(r);
+}
 
 static void soil_stack(void)
 {
