@@ -11,6 +11,7 @@
 
 #include "column.h"
 #include "column_list.h"
+#include "deck/schema.h"
 #include "mechanics/kind.h"
 
 /* `from` is what the macros of column_list.h call so: need, traits, denominator, form, x, y. */
@@ -355,14 +356,34 @@ static size_t separator(text t)
     return t.length && t.start[0] == ',' ? 1 : flk_text_blank(t);
 }
 
+/* 1 for the front of a name that goes on behind a blank, `load P` of load P.torque: a section that repeats,
+** without a key. */
+static int goes_on(text front)
+{
+    text section = front, name;
+    section_code code;
+
+    flk_text_cut(front, " ", &section, &name);
+    code = flk_find_section(section);
+    return code != SECTION_COUNT && flk_section_table[code].repeats && !flk_text_count(front, '.');
+}
+
 int flk_column_next_name(text *rest, text *name)
 {
+    text front;
+
     while (separator(*rest))
         *rest = flk_text_from(*rest, separator(*rest));
     *name = *rest;
-    while (rest->length && !separator(*rest))
-        *rest = flk_text_from(*rest, 1);
-    name->length -= rest->length;
+    do {
+        while (rest->length && flk_text_blank(*rest))
+            *rest = flk_text_from(*rest, flk_text_blank(*rest));
+        while (rest->length && !separator(*rest))
+            *rest = flk_text_from(*rest, 1);
+        front = *name;
+        front.length -= rest->length;
+    } while (rest->length && rest->start[0] != ',' && goes_on(front));
+    *name = front;
     return name->length > 0;
 }
 

@@ -126,8 +126,15 @@ void table_put_mark(sheet *s, const sheet_mark *m)
 
 /* ------------------------------------------------------------------------------------------- designs */
 
-#define WIDTH 16 /* of a column */
+#define WIDTH 16 /* of a column, at least */
 #define ALL 17   /* digits of a whole number */
+
+static size_t width_of(const char *name)
+{
+    size_t n = strlen(name) + 2;
+
+    return n < WIDTH ? WIDTH : n;
+}
 
 /* The line of names, or of units. */
 static void put_heading(sheet *s, int units)
@@ -137,10 +144,12 @@ static void put_heading(sheet *s, int units)
     line_put(&s->l, "#");
     line_field(&s->l, units ? "" : s->each ? s->each : "design", 9);
     for (i = 0; i < s->n_variables; i++)
-        line_field(&s->l, units ? s->variables[i].unit : s->variables[i].name, WIDTH);
+        line_field(&s->l, units ? s->variables[i].unit : s->variables[i].name,
+                   width_of(s->variables[i].name));
     line_put(&s->l, units ? "          " : "    branch");
     for (i = 0; i < s->n_header; i++)
-        line_field(&s->l, units ? s->header[i].unit : s->header[i].name, WIDTH);
+        line_field(&s->l, units ? s->header[i].unit : s->header[i].name,
+                   width_of(s->header[i].name));
     line_put(&s->l, "\n");
 }
 
@@ -208,7 +217,8 @@ static void put_value_heading(sheet *s, int units)
     if (s->has_designs)
         line_field(&s->l, units ? "" : "design", DESIGN);
     for (i = 0; i < s->n_header; i++)
-        line_field(&s->l, units ? s->header[i].unit : s->header[i].name, WIDTH);
+        line_field(&s->l, units ? s->header[i].unit : s->header[i].name,
+                   width_of(s->header[i].name));
     line_put(&s->l, s->n_decks > 1 && !units ? "  deck\n" : "\n");
 }
 
@@ -222,14 +232,17 @@ static void put_values(sheet *s, fourlink_branch branch, const sheet_output *out
         line_value(&s->l, (double)s->design, ALL, DESIGN);
     else if (s->has_designs)
         line_field(&s->l, "-", DESIGN);
-    for (i = 0; i < s->n_header; i++)
+    for (i = 0; i < s->n_header; i++) {
+        size_t width = width_of(s->header[i].name);
+
         if (outputs && outputs[i].has_value && outputs[i].v.words)
-            line_field(&s->l, outputs[i].v.words, WIDTH);
+            line_field(&s->l, outputs[i].v.words, width);
         else if (outputs && sheet_column_under(s, i) < 0)
-            line_field(&s->l, "", WIDTH);
+            line_field(&s->l, "", width);
         else
             line_value(&s->l, outputs && outputs[i].has_value ? outputs[i].v.value : GSL_NAN,
-                       outputs ? s->v.problem.digits : 1, WIDTH);
+                       outputs ? s->v.problem.digits : 1, width);
+    }
     if (s->deck_name) {
         line_put(&s->l, "  ");
         line_words(&s->l, s->deck_name, strlen(s->deck_name));
@@ -277,11 +290,11 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     }
     line_value(&s->l, (double)s->design, ALL, 10);
     for (i = 0; i < s->n_variables; i++)
-        line_value(&s->l, s->varied[i], digits, WIDTH);
+        line_value(&s->l, s->varied[i], digits, width_of(s->variables[i].name));
     line_value(&s->l, (double)branch, ALL, 10);
     for (i = 0; i < s->n_header; i++)
         line_value(&s->l, outputs[i].has_value ? outputs[i].v.value : GSL_NAN, digits,
-                   WIDTH); /* of words, their number */
+                   width_of(s->header[i].name)); /* of words, their number */
     line_put(&s->l, "\n");
 }
 

@@ -39,6 +39,35 @@ check 'json' grep -q '^{"deck":null,"branch":"open","mu_min":58.2297[0-9]*,"stat
 run 0 -f csv -c mu_min -b open --set 'sweep.crank.length=17 mm to 19 mm step 1 mm' "$alvi"
 check "a sweep: $(cat out)" grep -q '^design,crank.length (m),branch,mu_min (deg),status$' out
 
+# a name with blanks is one name, with a comma or a blank before and after it; columns are as wide as their names
+cat >loads.deck <<'DECK'
+mechanism = four-bar
+[ground]
+length = 80 mm
+[coupler]
+length = 66 mm
+[rocker]
+length = 56 mm
+[crank]
+length = 20 mm
+[load H]
+link = rocker
+force = 3 N at 20 deg
+at = 10 mm
+[load my own]
+link = rocker
+torque = 2 N m
+DECK
+for separator in ', ' ' ' ','; do
+    run 0 -f csv -b open -c "mu_min${separator}load H.force.size${separator}load my own.torque${separator}crank.length" loads.deck
+    prints 'branch,mu_min (deg),load H.force.size (N),load my own.torque (N.m),crank.length (m),status'
+    check "values: $(cat out)" grep -q '^open,58.22[0-9]*,3,2,0.02,ok$' out
+done
+run 0 -b open -c 'load H.force.size, load my own.torque' loads.deck
+check "as wide as their names: $(cat out)" test "$(awk '{print length($0)}' out | sort -u | wc -l)" -eq 1
+run 2 -c 'load H' loads.deck
+says "unknown column 'load H'"
+
 # what a deck lacks; columns of rows beside values; a mistake of an option is told once
 run 1 -f csv -c 'mu_min, stroke' "$alvi"
 check "a fact that a four-bar has not: $(cat out)" grep -q '^open,58.22[0-9]*,,..*' out
