@@ -87,6 +87,8 @@ static size_t numbers_of(fourlink_results *r, number *numbers)
                 strcpy(now->name + length - 1, parts[k]);
             if (list[i].words || fourlink_results_input(r, now->name, &v) != FOURLINK_OK)
                 continue;
+            if (isnan(v.value) && !is_vector) /* a default */
+                v.value = list[i].value * list[i].to_si / v.to_si;
             now->value = strtod(
                 print("%.6g", v.value == 0 || isnan(v.value) ? 0.01 : 1.003 * v.value), NULL);
             snprintf(now->assignment, sizeof now->assignment, "%s=%.6g %s", now->name, now->value,
