@@ -2,13 +2,21 @@
 **
 ** fourlink.h - kinematics and kinetostatics of four-link mechanisms.
 **
-** The public interface of the library: results by name, of a deck.  They are all that most hosts need: first ten
-** functions, then the rest.  fourlink/structures.h, which this header includes, has mechanisms, motions, forces
-** and synthesis as structures; fourlink/fortran77.h the calls for FORTRAN 77.
+** The public interface of the library: results of a deck, by name.  Ten functions are all that most hosts need:
 **
-** The headers are strict C90 and compile as C++98.  The library keeps no state, prints nothing and never ends the process; every
-** function may be called from several threads at once.  Only fourlink_deck_read and fourlink_results_open allocate memory;
-** fourlink_deck_free and fourlink_results_free release it.
+**    fourlink_results_open, _free     a deck, from its text
+**    fourlink_results_value           any number by its name: Ts at a crank angle, max(Ts), mu_min, crank.length
+**    fourlink_results_find, _get      the same without a search
+**    fourlink_results_list, _facts    what there is: columns, inputs; facts
+**    fourlink_results_row             all columns of a row
+**    fourlink_results_input, _set     a number of the deck, and another value for it, in the unit of its line
+**
+** They stand first.  fourlink/structures.h, which this header includes, has mechanisms, motions, forces and
+** synthesis as structures; fourlink/fortran77.h the calls for FORTRAN 77.
+**
+** The headers are strict C90 and compile as C++98.  The library keeps no state, prints nothing and never ends
+** the process; every function may be called from several threads at once.  Memory is taken where a deck or a
+** design is opened or a number is set, and released by fourlink_results_free and fourlink_deck_free.
 **
 ** Conventions
 **
@@ -19,7 +27,8 @@
 **   Frame    Right-handed, fixed to link 1: origin A, x along A->D (four-bar, inverted slider-crank)
 **            or along the line of stroke from the crankshaft to the piston (slider-crank), z out of
 **            the paper.
-**   Units    SI and radians throughout.  Angles, angular speeds and torques are positive
+**   Units    Results by name are in the units of the deck's results, which each value tells; structures
+**            are in SI units and radians.  Angles, angular speeds and torques are positive
 **            counter-clockwise.
 **   Forces   F_ij is the force that link i exerts ON link j.  Ts is the torque that the ground (the
 **            motor) exerts on the crank; a machine that delivers torque has Ts < 0.

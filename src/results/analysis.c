@@ -11,10 +11,10 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
-#include "analysis.h"
-#include "deck/synthesis.h"
-#include "deck/found.h"
 #include "mechanics/mechanism.h"
+#include "deck/found.h"
+#include "deck/synthesis.h"
+#include "analysis.h"
 
 /* ------------------------------------------------------------------------------------------------ derived */
 

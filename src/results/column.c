@@ -9,10 +9,10 @@
 
 #include <gsl/gsl_math.h>
 
+#include "mechanics/kind.h"
+#include "deck/schema.h"
 #include "column.h"
 #include "column_list.h"
-#include "deck/schema.h"
-#include "mechanics/kind.h"
 
 /* `from` is what the macros of column_list.h call so: need, traits, denominator, form, x, y. */
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \

@@ -4,10 +4,10 @@
 */
 #include <string.h>
 
-#include "deck/schema.h"
-#include "list.h"
 #include "deck/inputs.h"
 #include "deck/numbers.h"
+#include "deck/schema.h"
+#include "list.h"
 
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
 {

@@ -11,13 +11,13 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/quantity.h"
+#include "deck/numbers.h"
+#include "deck/reader.h"
+#include "deck/synthesis.h"
+#include "fact.h"
 #include "mean.h"
 #include "opened.h"
-#include "fact.h"
-#include "deck/numbers.h"
-#include "base/quantity.h"
-#include "deck/synthesis.h"
-#include "deck/reader.h"
 
 /* -------------------------------------------------------------------------------------------------- names */
 

@@ -9,14 +9,14 @@
 
 #include <gsl/gsl_math.h>
 
-#include "mean.h"
+#include "mechanics/kind.h"
+#include "mechanics/mechanics.h"
+#include "deck/numbers.h"
+#include "deck/sweep.h"
 #include "crossing.h"
 #include "expected.h"
 #include "fact.h"
-#include "deck/sweep.h"
-#include "deck/numbers.h"
-#include "mechanics/kind.h"
-#include "mechanics/mechanics.h"
+#include "mean.h"
 
 /* ------------------------------------------------------------------------------------------ opening */
 
