@@ -2,10 +2,10 @@
 **
 ** fourlink.h - kinematics and kinetostatics of four-link mechanisms.
 **
-** The public interface of the library: results of a deck, by name.  Ten functions are all that most hosts need:
+** The public interface of the library: results of a deck, by name.  Most hosts need ten functions only:
 **
 **    fourlink_results_open, _free     a deck, from its text
-**    fourlink_results_value           any number by its name: Ts at a crank angle, max(Ts), mu_min, crank.length
+**    fourlink_results_value           any number by its name: Ts at an angle, max(Ts), mu_min, crank.length
 **    fourlink_results_find, _get      the same without a search
 **    fourlink_results_list, _facts    what there is: columns, inputs; facts
 **    fourlink_results_row             all columns of a row
@@ -366,9 +366,9 @@ FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, i
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NO_SUCH_NAME, FOURLINK_NOT_A_NUMBER, FOURLINK_NULL
 ** Notes:
-** 1) The unit of a line `length = 45 mm` is mm, of `speed = 60 rpm` rpm, of a force `50 N at 30 deg` N, and deg
-**    for its .angle.  A bare number, and a key that the deck does not give, have the unit of [units], SI and
-**    degrees without it.
+** 1) The unit of a line `length = 45 mm` is mm, of `speed = 60 rpm` rpm, of a force `50 N at 30 deg` N, and
+**    deg for its .angle.  A bare number, and a key that the deck does not give, have the unit of [units],
+**    SI and degrees without it.
 ** 2) fourlink_results_value gives the same number in the unit of results.
 */
 FOURLINK_API int fourlink_results_input(fourlink_results *results, const char *name,
@@ -442,8 +442,8 @@ typedef struct fourlink_check {
     int is_short;       /* 1: it has fewer digits than [grading] asks for */
 } fourlink_check;
 
-/* Set a number with a unit: "motion.speed = 60 rpm".  The unit of the line stays as it was: a number set without a
-** unit afterwards is in that.
+/* Set a number with a unit: "motion.speed = 60 rpm".  The unit of the line stays as it was: a number set
+** without a unit afterwards is in that.
 **
 ** Given:
 **    results    as for fourlink_results_set
@@ -573,8 +573,8 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);
 
-/* Open another design of the [sweep] of an open deck, as new results beside those.  The text is not read again, which saves most of the
-** time of fourlink_results_open.
+/* Open another design of the [sweep] of an open deck, as new results beside those.  The text is not read
+** again, which saves most of the time of fourlink_results_open.
 **
 ** Given:
 **    from          results of the deck, or of a design; must not be freed before `results`
@@ -641,10 +641,11 @@ FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigne
 FOURLINK_API int fourlink_results_slips(const fourlink_results *results, unsigned long max_slips,
                                         fourlink_mistake *slips, unsigned long *n_slips);
 
-/* The column that another name means: Ts for torque, omega4 for w4, F12 for force12.  Null if there is none. */
+/* The column that another name means: Ts for torque, omega4 for w4, F12 for force12.  Null if there is
+** none. */
 FOURLINK_API const char *fourlink_results_meant(const fourlink_results *results, const char *name);
 
-/* The deck of results, for the functions above; valid as long as the results.  Null for null. */
+/* The deck of results, for the functions fourlink_deck_...; valid as long as the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
 
 /* The text of a status code: a constant string in English, never null. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** structures.h - mechanisms, their motion and forces, decks and synthesis as structures: a part of fourlink.h,
-** which has the conventions, and includes it.
+** structures.h - mechanisms, their motion and forces, decks and synthesis as structures: a part of
+** fourlink.h, which has the conventions, and includes it.
 */
 #ifndef FOURLINK_STRUCTURES_H
 #define FOURLINK_STRUCTURES_H
