@@ -88,15 +88,9 @@ static double value_of(search *s, fourlink_results *r, fourlink_branch *branch)
 
 /* ---------------------------------------------------------------------------------------- the grid */
 
-/* A value of a variable in the unit of its line, in which it is set. */
 static double in_line_unit(const search *s, unsigned long i, double value)
 {
-    fourlink_value set;
-
-    if (fourlink_results_input(s->in->results, s->variables[i].name, &set) != FOURLINK_OK ||
-        set.to_si == s->variables[i].to_si)
-        return value;
-    return value * s->variables[i].to_si / set.to_si;
+    return input_in_line_unit(s->in->results, s->variables[i].name, s->variables[i].to_si, value);
 }
 
 /* Find the best design of the grid; 0 if none is allowed. */

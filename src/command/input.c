@@ -366,6 +366,15 @@ static int take_answers(input *in, const char *path, const grade_answers *answer
     return status;
 }
 
+double input_in_line_unit(fourlink_results *results, const char *name, double to_si, double value)
+{
+    fourlink_value v;
+
+    if (fourlink_results_input(results, name, &v) != FOURLINK_OK || v.to_si == to_si)
+        return value;
+    return value * to_si / v.to_si;
+}
+
 char *input_deck_text(const fourlink_results *results, unsigned long *length)
 {
     const fourlink_deck *deck = fourlink_results_deck(results);

@@ -61,6 +61,10 @@ void input_close(input *in);
 ** design of a [sweep]. */
 int input_has_values(const input *in);
 
+/* Convert a value of a number of the deck from the unit of results, with this `to_si`, to the unit of its
+** line, in which it is set. */
+double input_in_line_unit(fourlink_results *results, const char *name, double to_si, double value);
+
 /* The text of a deck with the values that are computed: memory to free, null if there is not enough. */
 char *input_deck_text(const fourlink_results *results, unsigned long *length);
 

@@ -34,8 +34,7 @@ typedef struct question {
         result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
     fourlink_value of, result;     /* what is sought, and what is to have a value */
     double low, high, wanted, angle;
-    double to_si; /* of the unit in which the key is set */
-    double turn;  /* of a result that is an angle in a row; 0: none */
+    double turn; /* of a result that is an angle in a row; 0: none */
     fourlink_branch branch;
     double least, most; /* of the results found */
     line *l;
@@ -107,7 +106,6 @@ static int read_angle(question *q, text at)
 static int read_question(question *q)
 {
     text left, right, key, range, low, high, name, value, at;
-    fourlink_value set;
 
     if (!flk_text_cut(flk_text_of(q->in->o->solve), " where ", &left, &right) ||
         !flk_text_cut(left, "=", &key, &range) || !flk_text_cut(range, "..", &low, &high) ||
@@ -121,9 +119,6 @@ static int read_question(question *q)
         !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
         !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
-    set = q->of;
-    fourlink_results_input(q->in->results, q->key, &set); /* a fact cannot be set */
-    q->to_si = set.to_si;
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
     return q->low < q->high || refuse("the range has to rise: LOW .. HIGH");
@@ -134,8 +129,9 @@ static int read_question(question *q)
 /* Set KEY to x, which is in the unit of results. */
 static int set_key(const question *q, double x)
 {
-    return fourlink_results_set(q->in->results, q->key,
-                                q->to_si == q->of.to_si ? x : x * q->of.to_si / q->to_si, NULL);
+    fourlink_results *r = q->in->results;
+
+    return fourlink_results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x), NULL);
 }
 
 /* NAME - VALUE with KEY set to x; NaN where it cannot be computed, or is unbounded. */

@@ -136,13 +136,13 @@ int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char
     return 1;
 }
 
-/* The text of the line that gives a number. */
+/* The text of the line that gives a number: a part that a design or a host has set has that of its vector. */
 static text text_of(const parser *p, const target *t)
 {
     const setting *s = flk_setting_of(&p->uses[t->use], t->key);
     text angle, size;
 
-    if (t->part != PART_NONE && s->parts && IS_SET(&s->parts[t->part]))
+    if (t->part != PART_NONE && s->parts && s->parts[t->part].source == GIVEN_BY_CHANGE)
         return s->parts[t->part].line;
     if (!s->line.start)
         return flk_text_of("");

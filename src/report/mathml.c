@@ -263,40 +263,31 @@ static void begin_group(writer *w, text token)
         token = next_token(w);
 }
 
-/* The markup of tokens that are no symbols: in symbols and with numbers; whether nothing stands before the
-** next token; by how much it is deeper. */
+/* The markup of tokens that are no symbols: in symbols, with numbers, and with many of them, where a
+** fraction is written in a line; whether nothing stands before the next token; by how much it is deeper. */
 static const struct {
-    const char *token, *markup, *with_numbers;
+    const char *token, *markup, *with_numbers, *when_long;
     int is_before, deeper;
-} signs[] = {{"{", "<mfrac><mrow>", NULL, 1, 1},
-             {"|", "</mrow><mrow>", NULL, 1, 0},
-             {"}", "</mrow></mfrac>", NULL, 0, -1},
-             {"[", "<msqrt><mrow>", NULL, 1, 1},
-             {"]", "</mrow></msqrt>", NULL, 0, -1},
-             {"(", LEFT, NULL, 1, 1},
-             {")", RIGHT, NULL, 0, -1},
-             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, 0, -1},
-             {",", "<mo>,</mo>", NULL, 1, 0},
-             {"=", INFIX("="), NULL, 1, 0},
-             {"+", INFIX("+"), NULL, 0, 0},
-             {"-", "<mo>" MINUS "</mo>", NULL, 0, 0},
-             {"*", "<mo>\342\201\242</mo>", INFIX("\302\267"), 0, 0},
-             {"sin", FUNCTION("sin"), NULL, 0, 0},
-             {"cos", FUNCTION("cos"), NULL, 0, 0},
-             {"asin", FUNCTION("arcsin"), NULL, 0, 0},
-             {"acos", FUNCTION("arccos"), NULL, 0, 0},
-             {"atan2", FUNCTION("atan2"), NULL, 0, 0}};
+} signs[] = {{"{", "<mfrac><mrow>", NULL, LEFT, 1, 1},
+             {"|", "</mrow><mrow>", NULL, RIGHT INFIX("/") LEFT, 1, 0},
+             {"}", "</mrow></mfrac>", NULL, RIGHT, 0, -1},
+             {"[", "<msqrt><mrow>", NULL, NULL, 1, 1},
+             {"]", "</mrow></msqrt>", NULL, NULL, 0, -1},
+             {"(", LEFT, NULL, NULL, 1, 1},
+             {")", RIGHT, NULL, NULL, 0, -1},
+             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, NULL, 0, -1},
+             {",", "<mo>,</mo>", NULL, NULL, 1, 0},
+             {"=", INFIX("="), NULL, NULL, 1, 0},
+             {"+", INFIX("+"), NULL, NULL, 0, 0},
+             {"-", "<mo>" MINUS "</mo>", NULL, NULL, 0, 0},
+             {"*", "<mo>\342\201\242</mo>", INFIX("\302\267"), NULL, 0, 0},
+             {"sin", FUNCTION("sin"), NULL, NULL, 0, 0},
+             {"cos", FUNCTION("cos"), NULL, NULL, 0, 0},
+             {"asin", FUNCTION("arcsin"), NULL, NULL, 0, 0},
+             {"acos", FUNCTION("arccos"), NULL, NULL, 0, 0},
+             {"atan2", FUNCTION("atan2"), NULL, NULL, 0, 0}};
 
 #define SIGNS (sizeof signs / sizeof signs[0])
-
-/* The markup of the parts of a fraction that is written in a line; null for other tokens. */
-static const char *markup_of_quotient(text token)
-{
-    return flk_text_same(token, "{")   ? LEFT
-           : flk_text_same(token, "|") ? RIGHT INFIX("/") LEFT
-           : flk_text_same(token, "}") ? RIGHT
-                                       : NULL;
-}
 
 /* 1 for a sign before which a line may end: between terms, and between factors that are numbers. */
 static int begins_piece(const writer *w, text token)
@@ -306,15 +297,13 @@ static int begins_piece(const writer *w, text token)
 }
 
 /* The markup of signs[i]. */
-static const char *markup_of(const writer *w, size_t i, text token, int is_piece)
+static const char *markup_of(const writer *w, size_t i, int is_piece)
 {
-    const char *quotient = w->is_long ? markup_of_quotient(token) : NULL;
-
-    if (quotient)
-        return quotient;
-    if (token.start[0] == '-' && (is_piece || w->is_first))
+    if (signs[i].token[0] == '-' && (is_piece || w->is_first))
         return is_piece ? INFIX(MINUS) : "<mo form=\"prefix\">" MINUS "</mo>";
-    return w->has_numbers && signs[i].with_numbers ? signs[i].with_numbers : signs[i].markup;
+    return w->is_long && signs[i].when_long          ? signs[i].when_long
+           : w->has_numbers && signs[i].with_numbers ? signs[i].with_numbers
+                                                     : signs[i].markup;
 }
 
 static void put_token(writer *w, text token)
@@ -335,10 +324,15 @@ static void put_token(writer *w, text token)
     if (i == SIGNS)
         put_atom(w, token);
     else
-        page_print(w->m->p, "%m", markup_of(w, i, token, is_piece));
+        page_print(w->m->p, "%m", markup_of(w, i, is_piece));
     w->is_first = i < SIGNS && signs[i].is_before;
-    if (i < SIGNS && !(w->is_long && markup_of_quotient(token)))
+    if (i < SIGNS && !(w->is_long && signs[i].when_long))
         w->depth += signs[i].deeper;
+}
+
+static int is_long(const char *equation)
+{
+    return strlen(equation) > LONG_EQUATION;
 }
 
 static void put_equation(math *m, const char *equation, int has_numbers)
@@ -348,7 +342,7 @@ static void put_equation(math *m, const char *equation, int has_numbers)
 
     w.m = m;
     w.has_numbers = has_numbers;
-    w.is_long = has_numbers && strlen(equation) > LONG_EQUATION;
+    w.is_long = has_numbers && is_long(equation);
     w.is_first = 1;
     w.depth = 0;
     w.rest = flk_text_of(equation);
@@ -393,7 +387,7 @@ void math_let(math *m, const char *name, const char *equation, double value)
     open_line(m->p, "numbers");
     page_print(m->p, INFIX("="));
     put_equation(m, equation, 1);
-    if (strlen(equation) > LONG_EQUATION) {
+    if (is_long(equation)) {
         close_line(m->p);
         open_line(m->p, "numbers");
     } else {

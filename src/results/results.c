@@ -197,21 +197,24 @@ int fourlink_results_input(fourlink_results *r, const char *name, fourlink_value
 {
     const char *key;
     unsigned long id;
+    flk_opened *o;
     deck_unit u;
     quantity q;
     double si;
 
     if (!r || !name || !input)
         return FOURLINK_NULL;
-    id = flk_number_find(&r->now->d, flk_text_of(name));
+    o = r->now;
+    id = flk_number_find(&o->d, flk_text_of(name));
     if (!id)
         return FOURLINK_NO_SUCH_NAME;
-    if (!flk_number_unit(&r->first->d, id, &u) ||
-        !flk_list_number_value(&r->now->d, id, r->now->line_unit, input) ||
-        !flk_number_describe(&r->now->d, id, &q, &key, &si))
+    if (!flk_number_unit(&o->d, id, &u) || !flk_number_describe(&o->d, id, &q, &key, &si))
         return FOURLINK_NOT_A_NUMBER;
+    flk_list_describe(&o->d, q, "", input);
+    input->name = key;
+    input->handle = FLK_NUMBER_HANDLE(id);
     input->value = flk_unit_from_si(si, u.unit);
-    input->unit = input->line_unit = strcpy(r->now->line_unit, u.name);
+    input->unit = input->line_unit = strcpy(o->line_unit, u.name);
     input->to_si = u.unit.up / u.unit.down;
     return FOURLINK_OK;
 }

@@ -372,6 +372,8 @@ static void check_line_unit(fourlink_results *r, const written *w, uint64_t *see
         assert_close(si_of(r, w->name), 1.05 * w->number * w->of_line->si, 1e-14);
         assert_int_equal(fourlink_results_input(r, w->name, &v), FOURLINK_OK);
         assert_string_equal(v.unit, w->of_line->name);
+        assert_int_equal(fourlink_results_find(r, w->name, &v), FOURLINK_OK);
+        assert_string_equal(v.line_unit, w->of_line->name);
     }
     factor *= w->number;
     switch ((int)uniform(seed, 0, 3)) {

@@ -104,6 +104,10 @@ def test_mistakes():
     assert r["mu_min"] == before
 
 
+def test_version():
+    assert f'version = "{fourlink.version()}"' in (TOP / "packages" / "python" / "pyproject.toml").read_text()
+
+
 def test_at():
     r = fourlink.open(MATRIX)
     angles = r.at("theta4 = 120 deg")
