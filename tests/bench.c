@@ -313,20 +313,24 @@ static double time_numbers(int by_sprintf)
 
 static double time_printing(FILE *out, int by_fprintf)
 {
+    digits_cell cells[COLUMNS];
     double start = seconds();
-    int i, j, missed = 0;
+    size_t missed = 0;
+    int i, j;
 
+    for (j = 0; j < COLUMNS;
+         j++) /* the first one, in a longer line, so that it is written in the same way */
+        flk_digits_cell(&cells[j], (size_t)j, decimals(j), 1e9, (size_t)(WIDTH * j + 2 * WIDTH));
     for (i = 0; i < ANGLES; i++) {
         line row;
 
         line_start(&row, out);
-        for (j = 0; j < COLUMNS; j++) {
-            if (by_fprintf)
+        if (by_fprintf)
+            for (j = 0; j < COLUMNS; j++)
                 fprintf(out, "%*.*f", WIDTH, decimals(j), table[i][j]);
-            else
-                missed |= !flk_digits_fixed_before(table[i][j], decimals(j),
-                                                   line_blanks(&row, WIDTH) + WIDTH);
-        }
+        else
+            missed +=
+                flk_digits_put(cells, COLUMNS, table[i], line_blanks(&row, WIDTH * (COLUMNS + 1)));
         line_text(&row, "\n", 1);
         line_end(&row);
     }

@@ -234,50 +234,78 @@ static char *put_power(int power, int is_short, char *to)
 static const double power_of_ten[DIGITS] = {1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,
                                             1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17};
 
-/* The rounded product x 10^k is good enough if it is not too near a half: below 4 10^9, which fits into 32
-** bits, its error is less than 5 10^-7. */
-char *flk_digits_fixed_before(double value, int decimals, char *end)
+/* The eight digits of an integer below 10^8 as bytes of a word, the first one lowest: halves, pairs and digits are
+** split off in all places at once by products that stand for quotients. */
+static word eight_digits(unsigned int n)
 {
-    double x = fabs(value), rest;
-    unsigned int n, all;
+    word high = n / 10000, w = high | (word)(n - (unsigned int)high * 10000) << 32, t;
 
-    if (decimals < 0 || decimals > 9)
-        return NULL;
-    x *= power_of_ten[decimals];
-    if (!(x < 4e9))
-        return NULL;
-    n = all = (unsigned int)(x + 0.5);
-    rest = fabs(x - (double)n);
-    if (rest > 0.5 - 1e-6)
-        return NULL;
-    if (decimals > 0) {
-        if (decimals & 8) {
-            put_eight(n % 100000000, end -= 8);
-            n /= 100000000;
-        }
-        if (decimals & 4) {
-            put_four(n % 10000, end -= 4);
-            n /= 10000;
-        }
-        if (decimals & 2) {
-            put_pair(n % 100, end -= 2);
-            n /= 100;
-        }
-        if (decimals & 1) {
-            *--end = (char)('0' + n % 10);
-            n /= 10;
-        }
-        *--end = '.';
+    t = (w * 10486 >> 20) & WIDE(0x7f, 0x7f); /* x / 100 for x < 10^4 */
+    w = t | (w - 100 * t) << 16;
+    t = (w * 103 >> 10) & WIDE(0xf000f, 0xf000f); /* x / 10 for x < 100 */
+    return t | (w - 10 * t) << 8;
+}
+
+/* Put the bytes of a word into memory, the lowest first. */
+static void put_word(word w, char *to)
+{
+    static const word one = 1;
+    int i;
+
+    if (*(const char *)&one == 1) { /* that is how this machine has it */
+        memcpy(to, &w, sizeof w);
+        return;
     }
-    for (; n >= 100; n /= 100)
-        put_pair(n % 100, end -= 2);
-    if (n >= 10)
-        put_pair(n, end -= 2);
-    else
-        *--end = (char)('0' + n);
-    if (value < 0 && all)
-        *--end = '-';
-    return end;
+    for (i = 0; i < 8; i++)
+        to[i] = (char)(w >> 8 * i);
+}
+
+#define EACH_BYTE WIDE(0x01010101, 0x01010101)
+
+void flk_digits_cell(digits_cell *cell, size_t value, int decimals, double limit, size_t end)
+{
+    cell->value = value;
+    cell->end = end;
+    cell->decimals = decimals;
+    cell->scale = cell->limit = 0;
+    if (decimals < 0 || decimals > 8 || end < DIGITS_BEFORE)
+        return;
+    cell->scale = power_of_ten[decimals];
+    cell->limit = limit < 99999999 / cell->scale ? limit : 99999999 / cell->scale;
+}
+
+/* The rounded product x 10^k is good enough if it is not too near a half: below 10^8 its error is less than
+** 2 10^-8.  The decimals are the last digits; the digits of the whole part go a place further left, where bytes
+** without a digit become blanks. */
+size_t flk_digits_put(const digits_cell *cells, size_t n, const double *values, char *line)
+{
+    for (; n > 0; n--) {
+        const digits_cell *cell = &cells[n - 1];
+        double value = values[cell->value], x = fabs(value);
+        char *end = line + cell->end;
+        word digits, shown;
+        int integer;
+
+        if (!(x < cell->limit))
+            break;
+        x *= cell->scale;
+        integer = (int)(x + 0.5);
+        if (fabs(x - integer) > 0.5 - 1e-6)
+            break;
+        digits = eight_digits((unsigned int)integer);
+        if (cell->decimals > 0) {
+            put_word(digits | '0' * EACH_BYTE, end - 8);
+            end -= cell->decimals + 1;
+            *end = '.';
+            digits = digits << 8 * (cell->decimals - 1) << 8;
+        }
+        /* the bit that makes a digit of a blank: in the last byte, and from the first digit that is not 0 */
+        shown = (digits | (0 - digits) | WIDE(0x10000000, 0)) & 0x10 * EACH_BYTE;
+        put_word(digits | shown | ' ' * EACH_BYTE, end - 8);
+        if (value < 0 && integer)
+            end[-1 - (int)((shown >> 4) * EACH_BYTE >> 56)] = '-';
+    }
+    return n;
 }
 
 /* The same by the exact product. */
@@ -305,12 +333,16 @@ static char *put_fixed(double value, int decimals, char *to)
 
 char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE])
 {
-    char common[24], *end = common + sizeof common, *first;
+    char common[DIGITS_BEFORE], *first = common + sizeof common, *end;
+    digits_cell cell;
 
-    first = flk_digits_fixed_before(value, decimals, end);
-    if (first) {
-        memcpy(out, first, (size_t)(end - first));
-        end = out + (end - first);
+    memset(common, ' ', sizeof common);
+    flk_digits_cell(&cell, 0, decimals, DBL_MAX, sizeof common);
+    if (flk_digits_put(&cell, 1, &value, common) == 0) {
+        while (first[-1] != ' ')
+            first--;
+        end = out + (common + sizeof common - first);
+        memcpy(out, first, (size_t)(end - out));
     } else {
         end = put_fixed(value, decimals, out);
     }

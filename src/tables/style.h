@@ -5,6 +5,7 @@
 #ifndef FOURLINK_STYLE_H
 #define FOURLINK_STYLE_H
 
+#include "base/digits.h"
 #include "sheet.h"
 
 #define EACH_PAGE (-1)
@@ -14,13 +15,18 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
-    size_t line;                   /* of the first style: the width of a line of the present page */
-    double limit;                  /* numbers below it fit the width, with a sign and a blank */
-    double size;                   /* the largest finite magnitude of the column */
-    int page;                      /* from fit_columns; EACH_PAGE: on each of them */
+    size_t line,
+        n_cells;  /* of the first style: the width of a line of the present page, its cells */
+    double limit; /* numbers below it fit the width, with a sign and a blank */
+    double size;  /* the largest finite magnitude of the column */
+    int page;     /* from fit_columns; EACH_PAGE: on each of them */
     unsigned long column;          /* of the k-th style: the k-th column that is printed */
     const fourlink_value *extreme; /* that is being written; null: none */
 } style;
+
+/* The layout of a table is a style for each column, and after these the cells of a line. */
+#define STYLE_AND_CELL (sizeof(style) + sizeof(digits_cell))
+#define STYLE_CELLS(s) ((digits_cell *)(void *)((style *)(s)->layout + (s)->v.n_columns))
 
 /* Find the size of each column, in rows spread evenly over the motion that have at least this transmission
 ** angle, rad.  That of a column which is only rounding, compared with others of its quantity, is 0, or

@@ -41,20 +41,34 @@ static void put_names(sheet *s, int units)
     line_put(&s->l, "\n");
 }
 
-static void block_begins(sheet *s, fourlink_branch branch)
+/* The places of the numbers in a line of the present page. */
+static void set_cells(sheet *s)
 {
     style *styles = s->layout;
-    unsigned long j;
+    digits_cell *cells = STYLE_CELLS(s);
+    unsigned long k;
 
+    styles->n_cells = styles->line = 0;
+    for (k = 0; k < s->v.n_columns; k++) {
+        unsigned long j = styles[k].column;
+
+        if (!FIT_HAS(s, &styles[j]))
+            continue;
+        styles->line += styles[j].width;
+        flk_digits_cell(&cells[styles->n_cells++], j, styles[j].decimals, styles[j].limit,
+                        styles->line);
+    }
+}
+
+static void block_begins(sheet *s, fourlink_branch branch)
+{
     if (s->page > 0)
         line_put(&s->l, "\n");
     else
         line_put(&s->l, s->list ? "\n\n# branch: %s\n" : "# branch: %s\n",
                  fourlink_branch_text((int)branch));
     s->list = "branches";
-    styles[0].line = 0;
-    for (j = 0; j < s->v.n_columns; j++)
-        styles[0].line += FIT_HAS(s, &styles[j]) ? styles[j].width : 0;
+    set_cells(s);
     put_names(s, 0);
     put_names(s, 1);
 }
@@ -62,7 +76,7 @@ static void block_begins(sheet *s, fourlink_branch branch)
 /* The field of an extreme, or of its crank angle. */
 static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 {
-    static const style angle = {3, 0, 0, 0, 0, 0, 0, 0, NULL};
+    static const style angle = {3, 0, 0, 0, 0, 0, 0, 0, 0, NULL};
 
     if (x->extreme && at_angle && x->extreme->has_angle)
         style_put(&s->l, x->extreme->angle, &angle, width);
@@ -153,33 +167,30 @@ static int put_in_cell(double value, const style *x, char *end)
 
     if (n >= x->width)
         return 0;
+    memset(end - x->width, ' ', x->width - n);
     memcpy(end - n, number, n);
     return 1;
 }
 
-/* The numbers of the present page in a line of blanks; 0, and nothing written, if one does not fit. */
+/* The numbers of the present page in a line; 0, and nothing written, if one does not fit. */
 static int put_aligned(sheet *s, const double *values)
 {
     const style *styles = s->layout;
-    char *end = line_blanks(&s->l, styles->line + 1);
-    unsigned long k;
+    const digits_cell *cells = STYLE_CELLS(s);
+    size_t n = styles->n_cells;
+    char *begin = line_blanks(&s->l, styles->line + 1);
 
-    for (k = 0; end && k < s->v.n_columns; k++) {
-        unsigned long j = styles[k].column;
-        const style *x = &styles[j];
+    while (begin && (n = flk_digits_put(cells, n, values, begin)) > 0) {
+        size_t j = cells[--n].value;
 
-        if (!FIT_HAS(s, x))
-            continue;
-        end += x->width;
-        if ((fabs(values[j]) < x->limit && flk_digits_fixed_before(values[j], x->decimals, end)) ||
-            put_in_cell(values[j], x, end))
-            continue;
-        s->l.length -= styles->line + 1;
-        return 0;
+        if (!put_in_cell(values[j], &styles[j], begin + cells[n].end)) {
+            s->l.length -= styles->line + 1;
+            return 0;
+        }
     }
-    if (end)
-        *end = '\n';
-    return end != NULL;
+    if (begin)
+        begin[styles->line] = '\n';
+    return begin != NULL;
 }
 
 /* The numbers of the present page. */
@@ -218,7 +229,7 @@ const sheet_format table_format = {
     table_put_design,               /* design */
     table_refuse,                   /* refuse */
     table_close,                    /* close */
-    sizeof(style),                  /* layout_size */
+    STYLE_AND_CELL,                 /* layout_size */
     0,                              /* is_by_angle */
     1,                              /* is_brief */
     table_put_mark,                 /* mark */
