@@ -44,25 +44,21 @@ static const double half_pi[5] = {1.5707962512969971, 7.5497894158615964e-08,
                                   5.3903025299577648e-15, 3.2820031633724233e-22,
                                   3.7950107727212251e-29};
 
-/* x = n pi / 2 + r + rest, with |r| at most a little more than pi / 4.  The first two differences are exact: both
-** sides are multiples of the last bit of x or of a part, and the difference has no more than 53 bits of these. */
+/* x = n pi / 2 + r + rest, with |r| at most a little more than pi / 4 and a rest that is much smaller.  The first two
+** differences are exact: both sides are multiples of the last bit of x or of a part, and the difference has no more
+** than 53 bits of these. */
 static double reduce(double x, int *n, double *rest)
 {
-    double k, y, s, r, lost;
+    double k, y, s, r;
 
     *n = (int)(x * TWO_OVER_PI + (x < 0 ? -0.5 : 0.5));
-    *rest = 0;
-    if (*n == 0)
-        return x;
     k = *n;
     y = (x - k * half_pi[0]) - k * half_pi[1];
     s = y - k * half_pi[2];
-    lost = lost_in_sum(y, -k * half_pi[2], s);
     r = s - k * half_pi[3];
-    lost += lost_in_sum(s, -k * half_pi[3], r) - k * half_pi[4];
-    s = r + lost;
-    *rest = (r - s) + lost;
-    return s;
+    *rest =
+        (lost_in_sum(y, -k * half_pi[2], s) + lost_in_sum(s, -k * half_pi[3], r)) - k * half_pi[4];
+    return r;
 }
 
 /* With z = r^2,
@@ -73,7 +69,7 @@ static double reduce(double x, int *n, double *rest)
 ** and the rounding error of 1 - z / 2 added to the bracket. */
 void flk_sine_cosine(double x, double *sine, double *cosine)
 {
-    double r, rest, z, half, near_one, s, c;
+    double r, rest, z, z2, half, near_one, s, c;
     int n;
 
     if (!(fabs(x) <= LARGEST)) {
@@ -83,20 +79,17 @@ void flk_sine_cosine(double x, double *sine, double *cosine)
     }
     r = reduce(x, &n, &rest);
     z = r * r;
+    z2 = z * z;
     half = 0.5 * z;
     near_one = 1 - half;
-    s = -0.16666666666666632 +
-        z * (0.0083333333333224131 +
-             z * (-0.00019841269829807819 +
-                  z * (2.7557313691921887e-06 +
-                       z * (-2.5050758115840255e-08 + z * 1.589679568451575e-10))));
-    c = 0.041666666666666602 +
-        z * (-0.0013888888888874125 +
-             z * (2.4801587289482184e-05 +
-                  z * (-2.7557314352332913e-07 +
-                       z * (2.0875723273266597e-09 + z * -1.135964780614387e-11))));
+    s = (-0.16666666666666632 + z * 0.0083333333333224131) +
+        z2 * ((-0.00019841269829807819 + z * 2.7557313691921887e-06) +
+              z2 * (-2.5050758115840255e-08 + z * 1.589679568451575e-10));
+    c = (0.041666666666666602 + z * -0.0013888888888874125) +
+        z2 * ((2.4801587289482184e-05 + z * -2.7557314352332913e-07) +
+              z2 * (2.0875723273266597e-09 + z * -1.135964780614387e-11));
     s = r + (r * z * s + rest * near_one);
-    c = near_one + (((1 - near_one) - half) + (z * z * c - r * rest));
+    c = near_one + (((1 - near_one) - half) + (z2 * c - r * rest));
     *sine = n & 1 ? c : s;
     *cosine = n & 1 ? s : c;
     *sine = n & 2 ? -*sine : *sine;
@@ -126,33 +119,31 @@ typedef struct angle {
     double high, low;
 } angle;
 
-/* The angle of (x, y) for 0 <= y <= x, x > 0, as atan(c) + atan(t), with c = 0, 1/2 or 1 so that |t| <= 0.24:
+/* The angle of (x, y) for 0 <= y <= x, x > 0, as atan(c) + atan(t), with c = 0, 1/2 or 1 so that |t| <= 1/4:
 **
 **    t = (y - c x) / (x + c y),   atan(t) = t + t^3 P(t^2)
 **
-** The rounding errors of numerator, denominator and quotient are known, so t has a second part as well. */
+** The numerator is exact, since y and c x differ by a factor of at most 2; the rounding errors of denominator and
+** quotient are known, and give t a second part. */
 static angle of_first_octant(double y, double x)
 {
     static const angle of_c[3] = {{0, 0},
                                   {0.46364760900080609, 2.2698777452961687e-17},
                                   {0.78539816339744828, 3.0616169978683831e-17}};
-    int i = (y > 0.234 * x) + (y > 0.72 * x);
-    double c = 0.5 * i, cx = c * x, cy = c * y, n = y - cx, d = x + cy, t = n / d, p = t * d, t_low;
-    double z = t * t, curve;
+    int i = (y > 0.25 * x) + (y > 0.72 * x);
+    double c = 0.5 * i, cy = c * y, n = y - c * x, d = x + cy, inverse = 1 / d, t = n * inverse,
+           p = t * d, z = t * t;
+    double rest = (n - p) - lost_in_product(t, d, p) - t * ((x - d) + cy), curve;
     angle a;
 
-    t_low = (((n - p) - lost_in_product(t, d, p)) + lost_in_sum(y, -cx, n) -
-             t * lost_in_sum(x, cy, d)) /
-            d;
-    curve = -0.33333333333332915 +
-            z * (0.19999999999763154 +
-                 z * (-0.14285714239861158 +
-                      z * (0.11111106812390574 +
-                           z * (-0.090906856118422849 +
-                                z * (0.076855078041326061 +
-                                     z * (-0.065455654788479423 + z * 0.046963725939535017))))));
+    curve = (-0.33333333333332543 + z * 0.19999999999586682) +
+            z * z *
+                ((-0.14285714211987599 + z * 0.11111104741957636) +
+                 z * z *
+                     ((-0.09090603911057113 + z * 0.076837459309104725) +
+                      z * z * (-0.065259675964982097 + z * 0.046084362919831652)));
     a.high = of_c[i].high + t;
-    a.low = lost_in_sum(of_c[i].high, t, a.high) + (of_c[i].low + t * z * curve + t_low);
+    a.low = ((of_c[i].high - a.high) + t) + (of_c[i].low + t * z * curve + rest * inverse);
     return a;
 }
 
@@ -172,13 +163,13 @@ double flk_angle(double y, double x)
 
     if (!(up >= SMALL && up <= LARGE && along <= LARGE))
         return atan2(y, x);
-    a = is_steep ? of_first_octant(along, up) : of_first_octant(up, along);
+    a = of_first_octant(is_steep ? along : up, is_steep ? up : along);
     if (is_steep != is_left) {
         a.high = -a.high;
         a.low = -a.low;
     }
     sum = from->high + a.high;
-    result = sum + (lost_in_sum(from->high, a.high, sum) + (from->low + a.low));
+    result = sum + (((from->high - sum) + a.high) + (from->low + a.low));
     return y < 0 ? -result : result;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "mechanics/kind.h"
 #include "build_curve.h"
 #include "parser.h"
@@ -17,8 +18,8 @@
 /* 1 if a point repeats another, in all components. */
 static int repeats(const point *c, const point *first)
 {
-    return gsl_hypot(c->y[0] - first->y[0], c->y[1] - first->y[1]) <=
-           1e-9 * gsl_hypot(first->y[0], first->y[1]);
+    return flk_length(c->y[0] - first->y[0], c->y[1] - first->y[1]) <=
+           1e-9 * flk_length(first->y[0], first->y[1]);
 }
 
 /* The period of a curve: the cycle for theta2, a turn for theta4; 0 for other arguments, which are not

@@ -84,7 +84,8 @@ void flk_build_expectations(parser *p)
         e->tolerance_place = tolerance->place;
         e->misprint = is_misprint;
         e->has_at = IS_SET(at) || d->one_instant;
-        e->at_is_time = IS_SET(at) && flk_expects_at_time(use);
+        e->at_is_time =
+            IS_SET(at) && flk_dimension_equal(at->unit.dim, flk_quantities[QUANTITY_TIME].dim);
         e->at = e->at_is_time ? at->si[0]
                 : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
                               : d->motion.from;

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "mechanics/kind.h"
 #include "build.h"
 #include "build_mechanism.h"
@@ -116,7 +117,7 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
     flk_build_place(p, pin, number, &at);
     if (g <= 0)
         g = STANDARD_GRAVITY; /* gravity may be off in the machine, but not in the test */
-    h = gsl_hypot(at.x - link->cg.x, at.y - link->cg.y);
+    h = flk_length(at.x - link->cg.x, at.y - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
         flk_mistake(p->mistakes, pin->place,
@@ -190,7 +191,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
                     "of length",
                     s->value, kind->link[link]);
     else
-        flk_piece_size(p, s, QUANTITY_LENGTH, gsl_hypot(at->x, at->y));
+        flk_piece_size(p, s, QUANTITY_LENGTH, flk_length(at->x, at->y));
 }
 
 /* The mass data in the section of a link. */
@@ -370,7 +371,7 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
     const setting *angle = flk_setting_find(p, KEY_LEVER_ANGLE),
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *offset = flk_setting_find(p, KEY_LEVER_OFFSET);
-    double distance = fabs(design->link[FOURLINK_FOLLOWER].length * sin(design->angle));
+    double distance = fabs(design->link[FOURLINK_FOLLOWER].length * flk_sine(design->angle));
     int first = kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK;
     char at[MESSAGE_SIZE], most[MESSAGE_SIZE];
 

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "card.h"
 #include "curve_point.h"
 #include "curve_text.h"
@@ -94,7 +95,7 @@ static int note_unit(parser *p, const setting *s, quantity q)
     for (i = 0; s->curve && i < s->n_points; i++) {
         if (s->curve[i].has_unit)
             return 1;
-        largest = GSL_MAX(largest, gsl_hypot(s->curve[i].y[0], s->curve[i].y[1]));
+        largest = GSL_MAX(largest, flk_length(s->curve[i].y[0], s->curve[i].y[1]));
     }
     if (largest > 0)
         flk_mistake(NOTES(p), s->place,

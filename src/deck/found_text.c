@@ -10,6 +10,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "mechanics/kind.h"
 #include "found_text.h"
 #include "numbers.h"
@@ -153,7 +154,7 @@ static void put_line(page *g, const char *format, ...)
 /* The factor by which rounding grows on the way from the task to a position. */
 static double growth(const fourlink_solution *s, double mu)
 {
-    double factor = s->ratio / GSL_MAX(sin(mu), 1e-3);
+    double factor = s->ratio / GSL_MAX(flk_sine(mu), 1e-3);
 
     return factor > 0 && factor < 1e6 ? factor : 1e6;
 }

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
 #include "build.h"
@@ -74,7 +75,7 @@ static void check_bare(parser *p, quantity q, double most, const char *other)
             const setting *s = flk_setting_of(&p->uses[i], k);
 
             if (flk_key_table[k].q != q || flk_key_table[k].form == FORM_UNIT ||
-                !is_bare(p, s, q) || gsl_hypot(s->si[0], s->si[1]) <= most)
+                !is_bare(p, s, q) || flk_length(s->si[0], s->si[1]) <= most)
                 continue;
             flk_mistake(NOTES(p), s->place, "'%t' is read as %s: write %t %s or %t %s", s->value,
                         own, s->value, own, s->value, other);
@@ -114,11 +115,11 @@ static void check_body(parser *p, int number)
             "the radius of gyration of the %s is %.4g m, the longest link has %.4g m: is the "
             "unit right%s?",
             name, k, longest, IS_SET(inertia) ? ", kg m2 or kg mm2" : "");
-    if (IS_SET(cg) && link->mass > 0 && gsl_hypot(link->cg.x, link->cg.y) > FAR * longest)
+    if (IS_SET(cg) && link->mass > 0 && flk_length(link->cg.x, link->cg.y) > FAR * longest)
         flk_mistake(NOTES(p), cg->place,
                     "the centre of mass of the %s is %.4g m from its origin, the longest link has "
                     "%.4g m: is the unit right?",
-                    name, gsl_hypot(link->cg.x, link->cg.y), longest);
+                    name, flk_length(link->cg.x, link->cg.y), longest);
 }
 
 /* -------------------------------------------------------------------------------------------- numbers */

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "numbers.h"
 #include "parser.h"
 #include "settings.h"
@@ -130,8 +131,8 @@ int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char
     *q = flk_target_quantity(p, &t);
     *key = t.part == PART_NONE ? flk_key_table[t.key].name : flk_part_names[t.part];
     *si = !IS_SET(s)             ? GSL_NAN
-          : t.part == PART_SIZE  ? gsl_hypot(s->si[0], s->si[1])
-          : t.part == PART_ANGLE ? atan2(s->si[1], s->si[0])
+          : t.part == PART_SIZE  ? flk_length(s->si[0], s->si[1])
+          : t.part == PART_ANGLE ? flk_angle(s->si[1], s->si[0])
                                  : s->si[t.part == PART_Y];
     return 1;
 }

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "parser.h"
 #include "pieces.h"
 #include "vector.h"
@@ -16,8 +17,7 @@ void flk_vector_direction(double angle, double *x, double *y)
 {
     double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
 
-    *x = cos(angle);
-    *y = sin(angle);
+    flk_sine_cosine(angle, y, x);
     if (fabs(quarters - whole) < 1e-14 && fabs(whole) < 1e6) {
         static const double exact[4] = {1, 0, -1, 0};
         int i = (int)whole % 4;
@@ -193,8 +193,8 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
 
     part[PART_X] = s->si[0];
     part[PART_Y] = s->si[1];
-    part[PART_SIZE] = gsl_hypot(s->si[0], s->si[1]);
-    part[PART_ANGLE] = atan2(s->si[1], s->si[0]);
+    part[PART_SIZE] = flk_length(s->si[0], s->si[1]);
+    part[PART_ANGLE] = flk_angle(s->si[1], s->si[0]);
     for (i = 0; i < PART_NONE; i++) {
         setting *own = &s->parts[i];
 

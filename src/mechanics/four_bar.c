@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
 #include "turns.h"
 
@@ -238,8 +239,9 @@ static void four_bar_ranges(const fourlink_mechanism *mechanism, fourlink_reach 
     const fourlink_link *link = mechanism->design.link;
     double ad4 = 4 * link[2].length * link[1].length;
     int far = mechanism->stretched < 0, near = mechanism->folded < 0;
-    double farthest = far ? 2 * acos(flk_kind_clamp(sqrt(-mechanism->stretched / ad4))) : M_PI;
-    double nearest = near ? 2 * asin(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
+    double farthest =
+        far ? 2 * flk_arc_cosine(flk_kind_clamp(sqrt(-mechanism->stretched / ad4))) : M_PI;
+    double nearest = near ? 2 * flk_arc_sine(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
 
     flk_kind_set_ranges(reach, near, nearest, far, farthest, 2 * M_PI);
 }
@@ -247,7 +249,7 @@ static void four_bar_ranges(const fourlink_mechanism *mechanism, fourlink_reach 
 /* The angle opposite the side z of a triangle x, y, z, by the law of cosines. */
 static double angle_in_triangle(double x, double y, double z)
 {
-    return acos(flk_kind_clamp((x * x + y * y - z * z) / (2 * x * y)));
+    return flk_arc_cosine(flk_kind_clamp((x * x + y * y - z * z) / (2 * x * y)));
 }
 
 /* The angle between coupler and rocker ranges between its values at the smallest and the largest distance BD.
@@ -316,7 +318,7 @@ static void four_bar_limits(const fourlink_mechanism *mechanism, fourlink_branch
 static double in_triangle(const fourlink_mechanism *mechanism, const fourlink_state *state,
                           double sine, double cosine, int turned)
 {
-    double angle = atan2(sine, cosine), branch = (double)state->branch;
+    double angle = flk_angle(sine, cosine), branch = (double)state->branch;
     double theta2 = state->link[2].theta;
     int is_signed = mechanism->design.link[1].length == mechanism->design.link[2].length;
 

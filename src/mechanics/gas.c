@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/trig.h"
 #include "machine.h"
 #include "switch.h"
 
@@ -33,10 +34,13 @@ static void act_on_piston(double side, double force, double offset, fourlink_loa
 ** point of the slide beside D, or at C. */
 static void act_in_cylinder(const fourlink_design *design, double force, fourlink_load load[2])
 {
+    double sine, cosine;
+
     load[0].frame = load[1].frame = FOURLINK_FRAME_LINK;
     load[0].force.x = force;
-    load[1].force.x = -force * cos(design->angle);
-    load[1].force.y = -force * sin(design->angle);
+    flk_sine_cosine(design->angle, &sine, &cosine);
+    load[1].force.x = -force * cosine;
+    load[1].force.y = -force * sine;
     load[1].at.x = design->link[FOURLINK_FOLLOWER].length;
     load[1].at.y = design->offset;
 }

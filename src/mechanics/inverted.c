@@ -10,6 +10,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
 #include "turns.h"
 
@@ -35,13 +36,15 @@ static void inverted_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_design *design = &mechanism->design;
     double a = design->link[2].length, d = design->link[1].length, c = design->link[4].length;
-    double gamma = c > 0 ? design->angle : 0;
-    double h = design->offset - c * sin(gamma);
-    double slack = fabs(a - d) - fabs(h), folded = slack * (fabs(a - d) + fabs(h));
+    double sine, cosine, h, slack, folded;
 
+    flk_sine_cosine(c > 0 ? design->angle : 0, &sine, &cosine);
+    h = design->offset - c * sine;
+    slack = fabs(a - d) - fabs(h);
+    folded = slack * (fabs(a - d) + fabs(h));
     mechanism->h = h;
-    mechanism->lever.x = cos(gamma);
-    mechanism->lever.y = -sin(gamma);
+    mechanism->lever.x = cosine;
+    mechanism->lever.y = -sine;
     mechanism->stretched = 0;
     mechanism->change_stretched = 0;
     mechanism->change_folded = fabs(folded) <= FLK_DEAD * h * h ||
@@ -105,7 +108,7 @@ static void inverted_position(const fourlink_mechanism *mechanism, fourlink_stat
 
 static void inverted_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
-    state->mu = mechanism->h == 0 ? M_PI_2 : atan(fabs(state->s / mechanism->h));
+    state->mu = mechanism->h == 0 ? M_PI_2 : flk_angle(fabs(state->s), fabs(mechanism->h));
 }
 
 /* Velocity, with beta = theta3 - theta2, here for unit crank speed:
@@ -189,7 +192,7 @@ static void inverted_ranges(const fourlink_mechanism *mechanism, fourlink_reach 
     const fourlink_link *link = mechanism->design.link;
     double ad4 = 4 * link[2].length * link[1].length;
     int near = mechanism->folded < 0;
-    double nearest = near ? 2 * asin(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
+    double nearest = near ? 2 * flk_arc_sine(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
 
     flk_kind_set_ranges(reach, near, nearest, 0, M_PI, 2 * M_PI);
 }
@@ -206,8 +209,9 @@ static void swing_of_lever(const fourlink_mechanism *mechanism, fourlink_branch 
 {
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, d = link[1].length, h = mechanism->h;
-    double phi1 = asin(flk_kind_clamp((a + h) / d)), phi2 = asin(flk_kind_clamp((a - h) / d));
-    double swing = phi1 + phi2, gamma = atan2(-mechanism->lever.y, mechanism->lever.x);
+    double phi1 = flk_arc_sine(flk_kind_clamp((a + h) / d)),
+           phi2 = flk_arc_sine(flk_kind_clamp((a - h) / d));
+    double swing = phi1 + phi2, gamma = flk_angle(-mechanism->lever.y, mechanism->lever.x);
     int is_open = branch == FOURLINK_OPEN;
 
     limits->has_swing = 1;
@@ -235,14 +239,15 @@ static void inverted_limits(const fourlink_mechanism *mechanism, fourlink_branch
     int turns_fully = mechanism->folded > 0;
     fourlink_type type = inverted_type(mechanism);
 
-    limits->mu_max = acos(flk_kind_clamp(fabs(h) / (a + d)));
+    limits->mu_max = flk_arc_cosine(flk_kind_clamp(fabs(h) / (a + d)));
     limits->mu_min = h == 0        ? M_PI_2
-                     : turns_fully ? acos(flk_kind_clamp(fabs(h) / fabs(a - d)))
+                     : turns_fully ? flk_arc_cosine(flk_kind_clamp(fabs(h) / fabs(a - d)))
                                    : 0;
     if (type == FOURLINK_SLOTTED_LEVER) {
         swing_of_lever(mechanism, branch, limits);
     } else if (type == FOURLINK_WHITWORTH) {
-        sigma = acos(flk_kind_clamp((d - h) / a)) + acos(flk_kind_clamp((d + h) / a));
+        sigma = flk_arc_cosine(flk_kind_clamp((d - h) / a)) +
+                flk_arc_cosine(flk_kind_clamp((d + h) / a));
         if (sigma > M_PI) /* by rounding, if D is at A */
             sigma = M_PI;
         limits->time_ratio = (2 * M_PI - sigma) / sigma;
@@ -256,14 +261,14 @@ static double angle_of_slide(const fourlink_mechanism *mechanism, const fourlink
 
     if (mechanism->change_folded && mechanism->h == 0)
         return state->branch == FOURLINK_OPEN ? line : line - M_PI;
-    return line - atan2(mechanism->h, state->s);
+    return line - flk_angle(mechanism->h, state->s);
 }
 
 static double inverted_turns(const fourlink_mechanism *mechanism, const fourlink_state *state,
                              int link)
 {
     return angle_of_slide(mechanism, state) +
-           (link == FOURLINK_COUPLER ? 0 : atan2(mechanism->lever.y, mechanism->lever.x));
+           (link == FOURLINK_COUPLER ? 0 : flk_angle(mechanism->lever.y, mechanism->lever.x));
 }
 
 /* Counterweights (balance.c), link 3 at the angle gamma to link 4:

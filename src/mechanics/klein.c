@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "mechanics.h"
 
 /* Klein's construction, point by point, O the origin, B the crank pin, P the piston, u = (P - B) / l:
@@ -55,8 +56,8 @@ static void find_crank_effort(const fourlink_mechanism *mechanism, fourlink_vect
     k_G.y = B.x + k3 * r.x;
     a_G.x = -B.x - kk3 * r.y - k3 * k3 * r.x;
     a_G.y = -B.y + kk3 * r.x - k3 * k3 * r.y;
-    F_C = rod->mass * gsl_hypot(a_G.x, a_G.y);
-    W_C = rod->mass * gsl_hypot(g->x, g->y);
+    F_C = rod->mass * flk_length(a_G.x, a_G.y);
+    W_C = rod->mass * flk_length(g->x, g->y);
     by_inertia = rod->mass * FLK_DOT(a_G, k_G) + rod->inertia * kk3 * k3;
     by_weight = rod->mass * FLK_DOT(*g, k_G);
     klein->IX = fabs(k3) < 1e-12 || W_C <= 0 ? FLK_UNDEFINED : by_weight / (W_C * fabs(k3));

@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
 #include "closed_form.h"
 #include "mechanism.h"
@@ -102,8 +103,7 @@ static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return FOURLINK_BAD_NUMBER;
     if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
         return FOURLINK_BAD_BRANCH;
-    at->half_sine = sin(0.5 * theta2);
-    at->half_cosine = cos(0.5 * theta2);
+    flk_sine_cosine(0.5 * theta2, &at->half_sine, &at->half_cosine);
     status = kind->reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
     if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
         at->sine = -at->sine;
@@ -135,18 +135,12 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     kind->position(mechanism, state);
 }
 
-/* The angle of an axis, in (-pi, pi]: rounding does not turn 180 deg into -180 deg.  atan of a quotient is
-** much faster than atan2. */
+/* The angle of an axis, in (-pi, pi]: rounding does not turn 180 deg into -180 deg. */
 static double angle_of(const fourlink_vector *axis)
 {
-    double x = fabs(axis->x), y = fabs(axis->y), angle;
-
-    if (y < 4e-16 && x > 0)
+    if (fabs(axis->y) < 4e-16)
         return axis->x < 0 ? M_PI : 0;
-    angle = y < x ? atan(y / x) : M_PI_2 - atan(x / y);
-    if (axis->x < 0)
-        angle = M_PI - angle;
-    return axis->y < 0 ? -angle : angle;
+    return flk_angle(axis->y, axis->x);
 }
 
 static void measure_angles(const flk_kind *kind, const fourlink_mechanism *mechanism,

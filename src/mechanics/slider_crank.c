@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "balance.h"
 #include "kind.h"
 
@@ -182,8 +183,8 @@ static void slider_crank_ranges(const fourlink_mechanism *mechanism, fourlink_re
 {
     double r = mechanism->design.link[2].length;
     int high = mechanism->stretched < 0, low = mechanism->folded < 0;
-    double highest = high ? asin(flk_kind_clamp(1 + mechanism->stretched / r)) : M_PI_2;
-    double lowest = low ? asin(flk_kind_clamp(-1 - mechanism->folded / r)) : -M_PI_2;
+    double highest = high ? flk_arc_sine(flk_kind_clamp(1 + mechanism->stretched / r)) : M_PI_2;
+    double lowest = low ? flk_arc_sine(flk_kind_clamp(-1 - mechanism->folded / r)) : -M_PI_2;
 
     flk_kind_set_ranges(reach, low, lowest, high, highest, M_PI);
 }
@@ -200,8 +201,8 @@ static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branc
                              fourlink_limits *limits)
 {
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
-    double e = mechanism->design.offset, inner = asin(flk_kind_clamp(e / (l + r))),
-           outer = M_PI + asin(flk_kind_clamp(e / (l - r))),
+    double e = mechanism->design.offset, inner = flk_arc_sine(flk_kind_clamp(e / (l + r))),
+           outer = M_PI + flk_arc_sine(flk_kind_clamp(e / (l - r))),
            slow = M_PI + fabs(outer - M_PI - inner), half_turn = M_PI;
 
     if (branch == FOURLINK_CROSSED) {
@@ -222,8 +223,8 @@ static void slider_crank_limits(const fourlink_mechanism *mechanism, fourlink_br
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
     double e = fabs(mechanism->design.offset);
 
-    limits->mu_min = turns_fully(mechanism) ? acos((r + e) / l) : 0;
-    limits->mu_max = e <= r ? M_PI_2 : acos(flk_kind_clamp((e - r) / l));
+    limits->mu_min = turns_fully(mechanism) ? flk_arc_cosine((r + e) / l) : 0;
+    limits->mu_max = e <= r ? M_PI_2 : flk_arc_cosine(flk_kind_clamp((e - r) / l));
     if (turns_fully(mechanism))
         stroke_of_piston(mechanism, branch, limits);
 }
@@ -241,10 +242,11 @@ static double slider_crank_turns(const fourlink_mechanism *mechanism, const four
     if (mechanism->change_stretched && mechanism->change_folded)
         return state->branch == FOURLINK_OPEN ? -theta2 : M_PI + theta2;
     if (mechanism->change_stretched)
-        return atan2(e3->x, -e3->y) - M_PI_2;
+        return flk_angle(e3->x, -e3->y) - M_PI_2;
     if (mechanism->change_folded)
-        return M_PI_2 - atan2(e3->x, e3->y);
-    return state->branch == FOURLINK_OPEN ? atan2(e3->y, e3->x) : M_PI + atan2(-e3->y, -e3->x);
+        return M_PI_2 - flk_angle(e3->x, e3->y);
+    return state->branch == FOURLINK_OPEN ? flk_angle(e3->y, e3->x)
+                                          : M_PI + flk_angle(-e3->y, -e3->x);
 }
 
 /* Counterweights (balance.c), with r e^(i theta2) + l e^(i theta3) = X + i e:

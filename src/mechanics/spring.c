@@ -18,6 +18,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
 #include "spring.h"
 #include "turns.h"
@@ -78,7 +79,7 @@ static double beyond(const fourlink_mechanism *mechanism, const fourlink_state *
                spring->turns[state->branch == FOURLINK_OPEN ? 0 : 1] - spring->free_length;
     find_end(state, spring->link, &spring->at, &P, &v);
     find_end(state, spring->to, &spring->to_at, &Q, &v);
-    return gsl_hypot(Q.x - P.x, Q.y - P.y) - spring->free_length;
+    return flk_length(Q.x - P.x, Q.y - P.y) - spring->free_length;
 }
 
 /* 1 if a buffer or a rope does not act. */
@@ -100,7 +101,7 @@ static int linear_at(const fourlink_state *state, const fourlink_spring *spring,
     find_end(state, spring->to, &spring->to_at, &Q, &v_Q);
     e.x = Q.x - P.x;
     e.y = Q.y - P.y;
-    s->length = gsl_hypot(e.x, e.y);
+    s->length = flk_length(e.x, e.y);
     if (s->length > 0) {
         e.x /= s->length;
         e.y /= s->length;

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
 #include "turns.h"
 
@@ -23,12 +24,12 @@ double flk_turns_of_B(const fourlink_mechanism *mechanism, const fourlink_state 
     double d = mechanism->design.link[FOURLINK_GROUND].length, theta2 = state->link[2].theta;
     const fourlink_vector *e2 = &state->link[2].axis;
 
-    *r = gsl_hypot(a * e2->x - d, a * e2->y);
+    *r = flk_length(a * e2->x - d, a * e2->y);
     if (a < d)
-        return M_PI + atan2(-a * e2->y, d - a * e2->x);
+        return M_PI + flk_angle(-a * e2->y, d - a * e2->x);
     if (a > d)
-        return theta2 + atan2(d * e2->y, a - d * e2->x);
-    *r = 2 * a * sin(theta2 / 2);
+        return theta2 + flk_angle(d * e2->y, a - d * e2->x);
+    *r = 2 * a * flk_sine(theta2 / 2);
     return theta2 / 2 + M_PI_2;
 }
 

@@ -10,6 +10,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
 #include "deck/found.h"
@@ -62,8 +63,8 @@ static void derive_freudenstein(const fourlink_design *design, const fourlink_ve
 /* The angle BCD between coupler and rocker, whose axes point from B to C and from D to C. */
 static double angle_at_C(const fourlink_vector *coupler, const fourlink_vector *rocker)
 {
-    return atan2(fabs(coupler->x * rocker->y - coupler->y * rocker->x),
-                 coupler->x * rocker->x + coupler->y * rocker->y);
+    return flk_angle(fabs(coupler->x * rocker->y - coupler->y * rocker->x),
+                     coupler->x * rocker->x + coupler->y * rocker->y);
 }
 
 /* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
@@ -160,16 +161,16 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 {
     const fourlink_link *link = &mechanism->design.link[i];
     const fourlink_link_state *at = &state->link[i];
-    double r = gsl_hypot(link->cg.x, link->cg.y), a_G, terms;
+    double r = flk_length(link->cg.x, link->cg.y), a_G, terms;
     fourlink_vector a;
     flk_offset_force F;
 
     fourlink_point(state, i, &link->cg, NULL, NULL, &a);
-    a_G = gsl_hypot(a.x, a.y);
-    terms = gsl_hypot(at->acceleration.x, at->acceleration.y) +
+    a_G = flk_length(a.x, a.y);
+    terms = flk_length(at->acceleration.x, at->acceleration.y) +
             (fabs(at->alpha) + at->omega * at->omega) * r;
     F.size = link->mass * a_G;
-    F.direction = F.size > 0 ? atan2(-a.y + 0.0, -a.x + 0.0) : FLK_UNDEFINED;
+    F.direction = F.size > 0 ? flk_angle(-a.y + 0.0, -a.x + 0.0) : FLK_UNDEFINED;
     F.couple = 0 - link->inertia * at->alpha;
     F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
     return F;
@@ -187,12 +188,12 @@ static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
 {
     const fourlink_vector *D = &state->link[4].origin;
     double parts =
-        gsl_hypot(f->F12x, f->F12y) + gsl_hypot(f->F14x, f->F14y) + fabs(acting->gas_force);
+        flk_length(f->F12x, f->F12y) + flk_length(f->F14x, f->F14y) + fabs(acting->gas_force);
 
     e->Fsx = -f->F12x - f->F14x + acting->ground.x;
     e->Fsy = -f->F12y - f->F14y + acting->ground.y;
     e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) + acting->ground_moment;
-    if (gsl_hypot(e->Fsx, e->Fsy) <= ROUNDING * parts)
+    if (flk_length(e->Fsx, e->Fsy) <= ROUNDING * parts)
         e->Fsx = e->Fsy = 0;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "column.h"
 #include "column_list.h"
 #include "mechanics/mechanics.h"
@@ -26,7 +27,7 @@ static double point_value(const flk_column *c, const flk_row *row)
 
     fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
     if (IS_SIZE_OF_POINT(c))
-        return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
+        return flk_length(u[i - 5].x, u[i - 5].y) * c->scale;
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
 }
 
@@ -76,14 +77,14 @@ void flk_column_vector(const flk_column *c, const flk_row *row, double *x, doubl
         return;
     size = c->info->form == POLAR_SIZE ? *x : *y;
     direction = c->info->form == POLAR_SIZE ? *y : *x;
-    *x = size == 0 ? 0 : size * cos(direction);
-    *y = size == 0 ? 0 : size * sin(direction);
+    *x = size == 0 ? 0 : size * flk_cosine(direction);
+    *y = size == 0 ? 0 : size * flk_sine(direction);
 }
 
 /* A zero vector has no direction. */
 static double direction_of(double x, double y)
 {
-    return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);
+    return x == 0 && y == 0 ? FLK_UNDEFINED : flk_angle(y, x);
 }
 
 /* 1 for nearly all columns: a number of the row. */
@@ -116,7 +117,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
     if (is_number(c))
         return x * c->scale;
     y = number_at(row, c->info->y);
-    x = c->info->form == SIZE        ? gsl_hypot(x, y)
+    x = c->info->form == SIZE        ? flk_length(x, y)
         : c->info->form == DIRECTION ? direction_of(x, y)
         : c->info->form == PRODUCT   ? x * y
                                      : x - y;

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "mean.h"
@@ -228,7 +229,7 @@ static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
     fourlink_type_of(mechanism, &type);
     if (type != FOURLINK_CRANK_ROCKER)
         return 0;
-    return sin(theta4) > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    return flk_sine(theta4) > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 }
 
 /* The angles that link 4 can have if all joints are pins.  Read from D to A, the linkage has link 4 as its
@@ -309,9 +310,9 @@ typedef struct counterweight_facts {
 static void add_counterweight(listing *t, const counterweight_facts *code,
                               const fourlink_vector *moment, double mass)
 {
-    add_fact(t, code->moment, gsl_hypot(moment->x, moment->y));
+    add_fact(t, code->moment, flk_length(moment->x, moment->y));
     if (moment->x != 0 || moment->y != 0)
-        add_fact(t, code->angle, atan2(moment->y, moment->x));
+        add_fact(t, code->angle, flk_angle(moment->y, moment->x));
     if (t->d->balance.radius > 0)
         add_fact(t, code->mass, mass);
 }

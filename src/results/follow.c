@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "follow.h"
 
 #define INSIDE 5e-11  /* rad, from an end into the piece */
@@ -79,8 +80,8 @@ double flk_follow_corner(const flk_follower *f, double s)
 
     return s <= 0    ? f->piece.from
            : s >= 1  ? f->piece.to
-           : s < 0.5 ? f->piece.from + length * gsl_pow_2(sin(M_PI_2 * s))
-                     : f->piece.to - length * gsl_pow_2(sin(M_PI_2 * (1 - s)));
+           : s < 0.5 ? f->piece.from + length * gsl_pow_2(flk_sine(M_PI_2 * s))
+                     : f->piece.to - length * gsl_pow_2(flk_sine(M_PI_2 * (1 - s)));
 }
 
 double flk_follow_inside(const flk_follower *f, double s)
@@ -102,7 +103,7 @@ double flk_follow_passed(const flk_follower *f, double s)
 
 double flk_follow_rate(const flk_follower *f, double s)
 {
-    return (f->piece.to - f->piece.from) * M_PI_2 * sin(M_PI * s);
+    return (f->piece.to - f->piece.from) * M_PI_2 * flk_sine(M_PI * s);
 }
 
 double flk_follow_angle(const flk_follower *f, double passed)
@@ -412,8 +413,8 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
     if (l->n == 1)
         return u / gsl_pow_int(x, l->order);
     v = flk_polynomial_value(&l->of[1], x);
-    return t->turn > 0 ? flk_followed_nearest(t, atan2(v, u) * t->c->scale, near)
-                       : gsl_hypot(u, v) / gsl_pow_int(x, l->order);
+    return t->turn > 0 ? flk_followed_nearest(t, flk_angle(v, u) * t->c->scale, near)
+                       : flk_length(u, v) / gsl_pow_int(x, l->order);
 }
 
 #define VANISHES \
@@ -424,11 +425,11 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
                         const best b[2], double size, flk_limit *l)
 {
-    double error = b[0].error, here = b[0].size, length = gsl_hypot(b[0].value, b[1].value), least;
+    double error = b[0].error, here = b[0].size, length = flk_length(b[0].value, b[1].value), least;
 
     if (l->n == 2) {
-        error = gsl_hypot(error, b[1].error);
-        here = gsl_hypot(here, b[1].size);
+        error = flk_length(error, b[1].error);
+        here = flk_length(here, b[1].size);
     }
     size = GSL_MAX_DBL(here, t->turn > 0 ? 0 : size);
     least = GSL_MAX_DBL(4 * error, EXACT * size);

@@ -206,6 +206,8 @@ static int find_way(const fourlink_solution *s, const fourlink_reach *reach)
 
 /* The transmission angle has its extremes over a turn at multiples of 90 deg, for all kinds; in a range it is
 ** smallest there or at an end.  Angles of a full turn are counted from 0. */
+#define ROUNDING 1e-12 /* smaller differences are none */
+
 static void find_transmission(fourlink_solution *s, const fourlink_mechanism *mechanism)
 {
     double low = GSL_MIN_DBL(s->from, s->to), high = GSL_MAX_DBL(s->from, s->to);
@@ -225,12 +227,12 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
 
         if (fourlink_position(mechanism, s->branch, theta2, &state) == FOURLINK_OK)
             mu = state.mu;
-        if (mu < s->mu_min) {
+        if (mu < s->mu_min * (1 - ROUNDING)) {
             s->mu_min = mu;
             s->mu_min_at = theta2;
         }
     }
-    if (high - low >= 2 * M_PI)
+    if (high - low >= 2 * M_PI * (1 - ROUNDING))
         s->mu_min_at -= 2 * M_PI * floor(s->mu_min_at / (2 * M_PI));
 }
 
