@@ -61,7 +61,7 @@ musl() {
         -DCMOCKA_INCLUDE_DIR="$usr/include" -DCMOCKA_LIBRARY="$usr/lib/libcmocka.a"
 }
 
-# compile MACHINE TARGET: fourlink or all, to be run by qemu.
+# compile MACHINE TARGET: fourlink_command or all, to be run by qemu.
 compile() {
     build "$1" "$2"
     case $1 in
@@ -89,7 +89,7 @@ for machine in $machines; do
     s390x) processor s390x s390x s390x-linux-gnu s390x-linux-gnu ;;
     musl) musl ;;
     esac
-    compile "$machine" fourlink
+    compile "$machine" fourlink_command
     compare "$machine"
 done
 for machine in $machines; do

@@ -115,7 +115,7 @@ static void put_guided(report *r, math *m)
     const fourlink_solution *s = r->request->found;
     const fourlink_link *link = s->design.link;
     int slides = is_slider_crank(s), i;
-    fourlink_vector A = s->origin, D = beside(s, A, link[FOURLINK_GROUND].length, 0), B, C;
+    fourlink_vector A = s->origin, D = beside(s, A, link[FOURLINK_GROUND].length, 0), B = A, C = A;
 
     put_words(
         r, slides ? "In the axes of the task, A is the centre of a circle through the places of B:"
