@@ -70,6 +70,7 @@ extern "C" {
 ** Slider-crank: open, the piston is on the +x side of the crank pin; crossed, on the -x side.
 ** Inverted:     open, B lies on the positive side of the foot of the perpendicular from D, looking along
 **               the slide; crossed, on the negative side.
+** Scotch yoke:  one mode, called open.
 **
 ** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for a
 ** slider-crank at +90 or -90 deg, for an inverted one at 0) passes smoothly from one side to the other.  The
@@ -717,6 +718,7 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_BAD_SPRING, 47,                                                                    \
       "a spring is between a link and itself, or its damping is negative")                        \
     X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")                  \
+    X(FOURLINK_PARALLEL_SLOT, 61, "the slot of the yoke is parallel to its guide")                \
     X(FOURLINK_BAD_MOTOR, 49,                                                                     \
       "a motor has no such kind, no ratio, no power, or a curve whose speeds do not rise")        \
     X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")     \

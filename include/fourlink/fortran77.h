@@ -21,16 +21,18 @@
 **       CALL FLSLCR(LINKS, OFFSET, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
 **       CALL FLINVS(LINKS, OFFSET, ANGLE, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, SLIDE, FORCES,
 **                   ISTAT)
+**       CALL FLYOKE(LINKS, OFFSET, ANGLE, GRAV, CRANK, NLOADS, LOADS, STATE, SLIDE, FORCES, ISTAT)
 **       CALL FLTEXT(ISTAT, TEXT)
 **
-** The analysis of one crank position of a four-bar linkage, a slider-crank, or an inverted slider-crank.
+** The analysis of one crank position of a four-bar linkage, a slider-crank, an inverted slider-crank, or
+** a Scotch yoke.
 **
 ** Given:
-**    LINKS      by link number: length (m; unused for a piston or slider; lever: DC, or 0), mass (kg), moment
+**    LINKS      by link number: length (m; unused for piston, slider, yoke; lever: DC, or 0), mass (kg), moment
 **               of inertia about the centre of mass (kg m2), x and y of the centre of mass in the link's own
 **               axes (m)
-**    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; inverted: as in fourlink_design
-**    ANGLE      rad, angle of the slide from the line DC of a lever with a length
+**    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; others: as in fourlink_design
+**    ANGLE      rad, angle of the slide from the line DC of a lever with a length; of the slot from the guide
 **    GRAV       m/s2, in the frame of link 1
 **    IBRNCH     1 open, -1 crossed
 **    CRANK      theta2 (rad), omega2 (rad/s), alpha2 (rad/s2)
@@ -42,7 +44,7 @@
 **               ay (m/s2) of the link's origin; link 1 is 0
 **    SLIDE      slide (m), slide_v (m/s), slide_a and coriolis (m/s2), as in fourlink_state
 **    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces; M34 in
-**               place of M14 for an inverted slider-crank
+**               place of M14 for an inverted slider-crank; FLYOKE: M14, and M34 as an eleventh number
 **    ISTAT      0, or a status; then STATE and FORCES are unchanged
 **
 ** FLTEXT gives the text of a status, padded with blanks.  The type of the length is that of gfortran 8 and
@@ -62,6 +64,10 @@ FOURLINK_API void flinvs_(const double links[20], const double *offset, const do
                           const double grav[2], const int *ibrnch, const double crank[3],
                           const int *nloads, const double *loads, double state[36], double slide[4],
                           double forces[10], int *istat);
+FOURLINK_API void flyoke_(const double links[20], const double *offset, const double *angle,
+                          const double grav[2], const double crank[3], const int *nloads,
+                          const double *loads, double state[36], double slide[3], double forces[11],
+                          int *istat);
 FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 
 /* Results by name, in the deck's units.

@@ -17,7 +17,8 @@
 typedef enum fourlink_kind {
     FOURLINK_FOUR_BAR = 1,
     FOURLINK_SLIDER_CRANK = 2,
-    FOURLINK_INVERTED_SLIDER_CRANK = 4
+    FOURLINK_INVERTED_SLIDER_CRANK = 4,
+    FOURLINK_SCOTCH_YOKE = 8
 } fourlink_kind;
 
 /* A joint of links `from` and `on`.  It has two of the nine unknowns: what `from` exerts on `on`.
@@ -37,12 +38,13 @@ typedef struct fourlink_joint {
 /* What a kind of mechanism consists of.  Arrays of links are by number; [0] is unused. */
 typedef struct fourlink_kind_facts {
     fourlink_kind kind;
-    const char *name;        /* as in a deck */
-    const char *words;       /* in a sentence */
-    const char *link[5];     /* ground, crank; coupler, rod or slider; rocker, piston or lever */
-    int slides_on[5];        /* the link on which it slides; 0: it has only pins */
-    int has_stroke;          /* 1: link 4 is a piston, which slides on the ground */
-    int has_slot;            /* 1: link 4 is a lever, and link 3 slides on it */
+    const char *name;    /* as in a deck */
+    const char *words;   /* in a sentence */
+    const char *link[5]; /* ground, crank; coupler, rod or slider; rocker, piston, lever or yoke */
+    int slides_on[5];    /* the link on which it slides; 0: it has only pins */
+    int has_stroke;      /* 1: link 4 is a piston or yoke, which slides on the ground */
+    int has_slot;        /* 1: link 4 is a lever or yoke, and link 3 slides on it */
+    int has_one_branch;  /* 1: it has one assembly mode, the open branch */
     fourlink_joint joint[4]; /* in the order of the unknowns: the last is at the origin of link 4 */
 } fourlink_kind_facts;
 
@@ -53,11 +55,12 @@ typedef struct fourlink_vector {
 } fourlink_vector;
 
 /* One link.  Its own axes: origin at A (crank), B (coupler, rod, slider), D (rocker, lever) or C
-** (piston); x along its line towards its other pin (piston: parallel to the line of stroke; slider:
-** along the slide; lever: towards C, or along the slide if its length is 0), y to the left of that.
+** (piston; yoke: where the line of its slot meets the line of its guide); x along its line towards its
+** other pin (piston, yoke: parallel to the line of stroke; slider: along the slide; lever: towards C, or
+** along the slide if its length is 0), y to the left of that.
 */
 typedef struct fourlink_link {
-    double length;      /* m; unused for piston and slider; lever: DC, or 0 */
+    double length;      /* m; unused for piston, slider and yoke; lever: DC, or 0 */
     double mass;        /* kg; 0 for a massless link */
     double inertia;     /* kg m2, moment of inertia about the centre of mass */
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
@@ -67,25 +70,30 @@ typedef struct fourlink_link {
 typedef struct fourlink_design {
     fourlink_kind kind;
     fourlink_link
-        link[5];   /* by link number; [0] is unused, [1] has only a length (not slider-crank) */
-    double offset; /* m, of either sign; slider-crank: the line of stroke is y = offset; inverted:
-                      the slide passes D, or C, at this distance on its left */
+        link[5]; /* by link number; [0] is unused, [1] has only a length (four-bar, inverted) */
+    double
+        offset; /* m, of either sign; slider-crank: the line of stroke is y = offset; Scotch yoke:
+                      that of the guide; inverted: the slide passes D, or C, at this distance on its
+                      left */
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
-    double angle; /* rad, inverted, lever with a length: angle of the slide from the line DC */
+    double angle; /* rad, inverted, lever with a length: angle of the slide from the line DC; Scotch
+                     yoke: angle of the slot from the guide, not a multiple of pi */
 } fourlink_design;
 
 /* A checked design, with the constants that every crank position needs.  fourlink_prepare fills it; the
 ** members may be read but not changed. */
 typedef struct fourlink_mechanism {
     fourlink_design design;
-    double stretched;      /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
-    double folded;         /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m;
+    double stretched;     /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
+    double folded;        /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m;
                               inverted: (a - d)^2 - h^2, m2 */
-    int change_stretched;  /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
-    int change_folded;     /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
-    double dead_centre;    /* m, slider-crank: distance of the inner dead centre from A, along x */
-    double h;              /* m, inverted: distance at which the slide passes D on its left */
+    int change_stretched; /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
+    int change_folded;    /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
+    double dead_centre;   /* m, slider-crank, Scotch yoke: distance of the inner dead centre from A,
+                              along x */
+    double h;             /* m, inverted: distance at which the slide passes D on its left */
     fourlink_vector lever; /* 1, inverted: axis of the lever in the slider's own axes */
+    fourlink_vector slot;  /* 1, Scotch yoke: direction of the slot */
 } fourlink_mechanism;
 
 /* ---------------------------------------------------------------------------------------------
@@ -119,20 +127,22 @@ typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted:
-                       s / BD. Positive on the open branch, negative on the crossed one; beyond a
+                       s / BD; Scotch yoke: sine of the slot's angle. Positive on the open branch, negative on the crossed one; beyond a
                        change point the signs are swapped (see fourlink_branch). 0 in a dead
                        position; 1/|sine| is the condition number of the position: the factor by
                        which relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
-    double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
-                       inner dead centre, positive away from it, and its derivatives */
+    double x, v, a; /* m, m/s, m/s2, slider-crank, Scotch yoke: displacement of piston or yoke from
+                       its inner dead centre, positive away from it, and its derivatives */
     double slide, slide_v,
         slide_a;     /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
                         if the lever has no length, from the foot of the perpendicular
-                        from D; its derivatives, the motion of B relative to the lever */
+                        from D; its derivatives, the motion of B relative to the lever; Scotch
+                        yoke: coordinate of B along the slot from C */
     double coriolis; /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
-    double s;        /* m, inverted: coordinate of B from the foot of that perpendicular */
+    double s;        /* m, inverted: coordinate of B from the foot of that perpendicular; Scotch
+                        yoke: slide */
 } fourlink_state;
 
 /* ---------------------------------------------------------------------------------------------
@@ -159,25 +169,28 @@ typedef struct fourlink_forces {
     double F12x, F12y; /* N, ground on crank, at A */
     double F23x, F23y; /* N, crank on coupler, at B */
     double F34x, F34y; /* N, coupler on link 4, at C; slider on lever, at B, including friction */
-    double F14x, F14y; /* N, ground on link 4: at D, or the guide on the piston (then F14x = 0) */
-    double M14;        /* N m, slider-crank: couple of the guide on the piston; four-bar: 0 */
-    double Ts;         /* N m, ground on crank: the driving torque */
-    double Ts_work;    /* N m, the same from virtual work, without the nine equations */
-    double residual;   /* 1, power balance for unit crank speed: Ts - Ts_work relative to the
+    double F14x,
+        F14y; /* N, ground on link 4: at D, or the guide on piston or yoke (then F14x is its friction) */
+    double M14;      /* N m, slider-crank, Scotch yoke: couple of the guide on link 4; others: 0 */
+    double Ts;       /* N m, ground on crank: the driving torque */
+    double Ts_work;  /* N m, the same from virtual work, without the nine equations */
+    double residual; /* 1, power balance for unit crank speed: Ts - Ts_work relative to the
                           largest term of the balance, including the products of components in
                           F23.v_B and F34.v_B; 0 if every term is 0 */
-    double N34; /* N, inverted: normal force of the slider on the lever, at B, to the left of the
-                   slide; without friction F34 is this force */
-    double M34; /* N m, inverted: couple of the slider on the lever */
+    double N34; /* N, inverted, Scotch yoke: normal force of the slider on link 4, at B, to the left
+                   of the slide; without friction F34 is this force */
+    double M34; /* N m, inverted, Scotch yoke: couple of the slider on link 4 */
 } fourlink_forces;
 
 /* Coulomb friction.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_friction {
     double circle[4]; /* m, radius of the friction circles of pins A, B, C, D: coefficient times
                          radius of the pin; unused if the joint is a guide */
-    double guide;     /* 1, coefficient of friction of piston or slider; unused if there is none */
+    double guide; /* 1, coefficient of friction of piston, slider or yoke in its guide; unused if
+                         there is none */
     double guide_length; /* m, length of the block; 0: the couple of the guide causes no friction */
     int direction; /* for a crank at rest: -1, it starts clockwise; otherwise counter-clockwise */
+    double slot, slot_length; /* 1, m, the same for the block of a Scotch yoke in its slot */
 } fourlink_friction;
 
 #define FOURLINK_FRICTION_LOADS 6
@@ -187,6 +200,7 @@ typedef struct fourlink_losses {
     double Ts0;        /* N m, the driving torque without friction */
     double pin[4];     /* N m, >= 0, friction moments at A, B, C, D */
     double guide;      /* N, >= 0, friction force in the guide */
+    double slot;       /* N, >= 0, Scotch yoke: friction force in the slot */
     double power;      /* W, >= 0, lost */
     double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
                           friction prevents the load from driving; NaN where both are 0 */
@@ -282,7 +296,8 @@ typedef struct fourlink_motor {
     X(FOURLINK_SLOTTED_LEVER, 13, "crank and slotted lever")                                \
     X(FOURLINK_WHITWORTH, 14, "Whitworth, the lever turns fully")                           \
     X(FOURLINK_INVERTED_ROCKER, 15, "inverted slider-crank, the crank does not turn fully") \
-    X(FOURLINK_CHANGE_POINT_INVERTED, 16, "inverted slider-crank with change point")
+    X(FOURLINK_CHANGE_POINT_INVERTED, 16, "inverted slider-crank with change point")        \
+    X(FOURLINK_YOKE, 17, "Scotch yoke")
 
 #define FOURLINK_TYPE_CODE_(name, value, text) name = value,
 typedef enum fourlink_type {
@@ -308,10 +323,12 @@ typedef struct fourlink_limits {
                             of a piston whose line of stroke has an offset; for a lever that turns
                             fully, of the strokes of a tool whose line of stroke passes through D at
                             right angles to AD; 0: none */
-    int has_stroke;      /* 1: the piston moves between two dead centres */
+    int has_stroke;      /* 1: piston or yoke moves between two dead centres */
     double stroke;       /* m */
     double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston is farthest
-                            from, and nearest to, the crankshaft */
+                            from, and nearest to, the crankshaft; the yoke is farthest along +x, -x */
+    int has_slide;       /* 1: Scotch yoke */
+    double slide_min, slide_max; /* m, between which the block moves in the slot */
 } fourlink_limits;
 
 /* ---------------------------------------------------------------------------------------------

@@ -44,6 +44,9 @@ void flk_build_curve_ends(parser *p);
 void flk_build_notes(parser *p);
 
 void flk_build_expectations(parser *p);
+
+/* Refuse a branch that the mechanism does not have. */
+void flk_build_check_branch(parser *p, const setting *branch);
 void flk_build_grading(parser *p);
 
 #endif

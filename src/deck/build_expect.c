@@ -94,6 +94,7 @@ void flk_build_expectations(parser *p)
         if (e->at_is_time && !d->drive.by_time)
             flk_mistake(p->mistakes, at->place,
                         "a time is for rows by time: expected a crank angle, such as 40 deg");
+        flk_build_check_branch(p, branch);
         e->has_branch = IS_SET(branch);
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN

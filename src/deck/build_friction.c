@@ -50,6 +50,8 @@ void flk_build_friction(parser *p)
     const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
     const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
                   *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH),
+                  *slot = flk_setting_find(p, KEY_FRICTION_SLOT),
+                  *slot_length = flk_setting_find(p, KEY_FRICTION_SLOT_LENGTH),
                   *mu = flk_setting_find(p, KEY_FRICTION_MU),
                   *radius = flk_setting_find(p, KEY_FRICTION_RADIUS), *own;
     fourlink_friction *friction = &p->d->machine.friction;
@@ -71,10 +73,15 @@ void flk_build_friction(parser *p)
     if (IS_SET(length) && !IS_SET(guide) && !use->is_mistaken)
         flk_mistake(p->mistakes, length->place,
                     "'guide_length' needs 'guide', the coefficient of friction");
-    if (!has_pins && !IS_SET(guide) && !IS_SET(radius) && !use->is_mistaken)
+    if (IS_SET(slot_length) && !IS_SET(slot) && !use->is_mistaken)
+        flk_mistake(p->mistakes, slot_length->place,
+                    "'slot_length' needs 'slot', the coefficient of friction");
+    if (!has_pins && !IS_SET(guide) && !IS_SET(slot) && !IS_SET(radius) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
     friction->guide = guide->si[0];
     friction->guide_length = length->si[0];
+    friction->slot = slot->si[0];
+    friction->slot_length = slot_length->si[0];
     if (p->d->drive.mode == DRIVE_GIVEN)
         friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
     else /* from rest it starts towards the last row */

@@ -76,9 +76,8 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
 /* Refuse an argument that the mechanism does not have. */
 static void check_over(parser *p, const setting *over)
 {
-    static const int kinds[] = {
-        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED,
-        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED};
+    static const int kinds[] = {ANY_KIND, WITH_PIN_D, WITH_STROKE, WITH_SLOT,
+                                ANY_KIND, WITH_PIN_D, WITH_STROKE, WITH_SLOT};
     int kind = (int)p->d->machine.mechanism.design.kind;
 
     if (IS_SET(over) && !(kinds[over->word] & kind))

@@ -137,19 +137,26 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
 ** which for e = 0 is r = S/2.  The longest stroke has r = l - |e|, the longest crank that turns fully:
-** S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots. */
+** S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots.  A yoke has no rod,
+** and S = 2 a. */
 static void build_stroke(parser *p)
 {
-    fourlink_link *link = p->d->machine.mechanism.design.link;
+    fourlink_design *design = &p->d->machine.mechanism.design;
+    fourlink_link *link = design->link;
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
-    double S, l = link[3].length, e = fabs(p->d->machine.mechanism.design.offset), rest;
+    double S, l = link[3].length, e = fabs(design->offset), rest;
 
-    if (l <= 0 || !flk_build_has(p, KEY_CRANK_STROKE))
+    if (!flk_build_has(p, KEY_CRANK_STROKE))
         return;
     if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
     S = s->si[0];
     link[2].length = S / 2;
+    if (flk_build_has(p, KEY_YOKE_ANGLE) && fabs(design->angle - M_PI_2) > 1e-12)
+        flk_mistake(p->mistakes, s->place,
+                    "a stroke is for a slot at 90 deg; with this angle give the crank's length");
+    if (l <= 0)
+        return;
     rest = 4 * l * l - S * S;
     if (S * S > 4 * l * (l - e))
         flk_mistake(p->mistakes, s->place, "%s",
@@ -350,6 +357,8 @@ static void build_slide(parser *p)
     p->d->machine.mechanism.design.offset =
         IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
     p->d->machine.mechanism.design.angle = angle->si[0];
+    if (flk_build_has(p, KEY_YOKE_ANGLE))
+        p->d->machine.mechanism.design.angle = flk_setting_or(p, KEY_YOKE_ANGLE, M_PI_2);
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
@@ -391,6 +400,17 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
                     length_in(p, offset, sum, most));
 }
 
+/* A slot and one turned by half a turn are the same. */
+static void check_slot(parser *p)
+{
+    const setting *angle = flk_setting_find(p, KEY_YOKE_ANGLE);
+
+    if (IS_SET(angle) && !(angle->si[0] > 1e-7 && angle->si[0] < M_PI - 1e-7))
+        flk_mistake(p->mistakes, angle->place,
+                    "the slot's angle from the guide must be between 0 and 180 deg, not %t",
+                    angle->value);
+}
+
 /* A linkage can be assembled at some angle if no link is longer than the sum of the other three.  A linkage
 ** with a slide can be assembled if the other links reach it. */
 static void check_reach(parser *p, const flk_kind *kind)
@@ -409,6 +429,10 @@ static void check_reach(parser *p, const flk_kind *kind)
         sum += link[i].length;
         if (link[i].length > link[longest].length)
             longest = i;
+    }
+    if (flk_build_has(p, KEY_YOKE_ANGLE)) {
+        check_slot(p);
+        return;
     }
     if (flk_kind_has_slide(kind->kind)) {
         check_slide(p, kind, sum);

@@ -12,13 +12,25 @@
 #include "parser.h"
 #include "settings.h"
 
+void flk_build_check_branch(parser *p, const setting *branch)
+{
+    const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
+
+    if (kind->has_one_branch && IS_SET(branch) && branch->word && branch->word != BRANCH_OPEN)
+        flk_mistake(p->mistakes, branch->place, "%s %s has one assembly mode: open",
+                    flk_text_article(kind->words), kind->words);
+}
+
 void flk_build_table(parser *p)
 {
     const setting *columns = flk_setting_find(p, KEY_TABLE_COLUMNS),
                   *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
+    flk_build_check_branch(p, flk_setting_find(p, KEY_TABLE_BRANCH));
     p->d->asks_for_both = branches == BRANCH_BOTH;
+    if (flk_kind_of(p->d->machine.mechanism.design.kind)->has_one_branch)
+        branches = BRANCH_OPEN;
     if (!branches && flk_machine_count(&p->d->machine, &flk_gas_type))
         branches = BRANCH_OPEN; /* the usual branch of engines */
     p->d->open = branches != BRANCH_CROSSED;

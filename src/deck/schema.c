@@ -27,6 +27,7 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR)                           \
     X(TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK)                   \
     X(TOP_MECHANISM, "inverted-slider-crank", FOURLINK_INVERTED_SLIDER_CRANK) \
+    X(TOP_MECHANISM, "scotch-yoke", FOURLINK_SCOTCH_YOKE)                     \
     X(TOP_SERIES, "none", FOURLINK_EXACT)                                     \
     X(TOP_SERIES, "piston", FOURLINK_SERIES_PISTON)                           \
     X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)                                 \
@@ -89,15 +90,12 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
 static const word_info words_of_keys[] = {WORD_LIST(WORD_INFO){KEY_COUNT, NULL, 0}};
 
 /* The links of all kinds of mechanism; the ground is the first. */
-static const word_info links[] = {{KEY_COUNT, "ground", FOURLINK_GROUND},
-                                  {KEY_COUNT, "crank", FOURLINK_CRANK},
-                                  {KEY_COUNT, "coupler", FOURLINK_COUPLER},
-                                  {KEY_COUNT, "rod", FOURLINK_COUPLER},
-                                  {KEY_COUNT, "slider", FOURLINK_COUPLER},
-                                  {KEY_COUNT, "rocker", FOURLINK_FOLLOWER},
-                                  {KEY_COUNT, "piston", FOURLINK_FOLLOWER},
-                                  {KEY_COUNT, "lever", FOURLINK_FOLLOWER},
-                                  {KEY_COUNT, NULL, 0}};
+static const word_info links[] = {
+    {KEY_COUNT, "ground", FOURLINK_GROUND},   {KEY_COUNT, "crank", FOURLINK_CRANK},
+    {KEY_COUNT, "coupler", FOURLINK_COUPLER}, {KEY_COUNT, "rod", FOURLINK_COUPLER},
+    {KEY_COUNT, "slider", FOURLINK_COUPLER},  {KEY_COUNT, "rocker", FOURLINK_FOLLOWER},
+    {KEY_COUNT, "piston", FOURLINK_FOLLOWER}, {KEY_COUNT, "lever", FOURLINK_FOLLOWER},
+    {KEY_COUNT, "yoke", FOURLINK_FOLLOWER},   {KEY_COUNT, NULL, 0}};
 
 /* The list that has the words of a key. */
 static const word_info *words_for(key_code key)

@@ -12,7 +12,11 @@
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define ANY_KIND FLK_EVERY_KIND
-#define WITH_GUIDE (FOURLINK_SLIDER_CRANK | INVERTED)
+#define SCOTCH_YOKE FOURLINK_SCOTCH_YOKE
+#define WITH_GUIDE (FOURLINK_SLIDER_CRANK | INVERTED | SCOTCH_YOKE)
+#define WITH_STROKE (FOURLINK_SLIDER_CRANK | SCOTCH_YOKE)
+#define WITH_SLOT (INVERTED | SCOTCH_YOKE)
+#define WITH_TASKS (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK | INVERTED)
 #define WITH_PIN_C (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
 #define WITH_PIN_D (FOURLINK_FOUR_BAR | INVERTED)
 #define SECTION_LIST(X)                                             \
@@ -24,8 +28,9 @@
     X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)    \
     X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)         \
     X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)  \
-    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)               \
+    X(SLIDER, "slider", 0, WITH_SLOT, KEY_SLIDER_MASS)              \
     X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                \
+    X(YOKE, "yoke", 0, SCOTCH_YOKE, KEY_YOKE_ANGLE)                 \
     X(GAS, "gas", 0, WITH_GUIDE, KEY_GAS_BORE)                      \
     X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
     X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                \
@@ -37,7 +42,7 @@
     X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)  \
-    X(SYNTHESIS, "synthesis", 0, ANY_KIND, KEY_SYNTHESIS_TASK)      \
+    X(SYNTHESIS, "synthesis", 0, WITH_TASKS, KEY_SYNTHESIS_TASK)    \
     X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)               \
     X(GRADING, "grading", 0, ANY_KIND, KEY_GRADING_TOLERANCE)       \
     X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                 \
@@ -118,12 +123,12 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       A_UNIT)                                                                                      \
     X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND, A_UNIT)                 \
     X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "length")                  \
-    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK,                      \
-      "offset of the line of stroke")                                                              \
+    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, WITH_STROKE,                                \
+      "offset of the line of stroke or guide")                                                     \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "direction of the ground link")      \
     LINK_KEYS(X, CRANK)                                                                            \
-    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK,                  \
-      "stroke of the piston")                                                                      \
+    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_STROKE,                            \
+      "stroke of the piston or yoke")                                                              \
     LINK_KEYS(X, COUPLER)                                                                          \
     LINK_KEYS(X, ROCKER)                                                                           \
     LINK_KEYS(X, ROD)                                                                              \
@@ -134,6 +139,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND,                                       \
       "angle of the slide from the line D-C")                                                      \
     LINK_KEYS(X, LEVER)                                                                            \
+    X(YOKE, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "angle of the slot from the guide")    \
+    MASS_KEYS(X, YOKE)                                                                             \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \
@@ -218,12 +225,16 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "coefficient of friction of the guide")                                                      \
     X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE,              \
       "length of the guided block")                                                                \
+    X(FRICTION, SLOT, "slot", QUANTITY, NUMBER, NOT_NEGATIVE, SCOTCH_YOKE,                         \
+      "coefficient of friction of the slot")                                                       \
+    X(FRICTION, SLOT_LENGTH, "slot_length", QUANTITY, LENGTH, POSITIVE, SCOTCH_YOKE,               \
+      "length of the block in the slot")                                                           \
     X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND,                               \
       "which way it moves at a row of speed 0")                                                    \
     X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND, "a counterweight on the crank")        \
     X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, WITH_PIN_D,                                    \
       "a counterweight on the rocker or lever")                                                    \
-    X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK,        \
+    X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, WITH_STROKE,                  \
       "balanced share of reciprocating mass")                                                      \
     X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND,                             \
       "radius of the counterweights")                                                              \
@@ -260,7 +271,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "time ratio")     \
     X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D,                            \
       "swing of the rocker or lever")                                                              \
-    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_GUIDE, "stroke")               \
+    X(SYNTHESIS, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_TASKS, "stroke")               \
     X(SYNTHESIS, SLOW, "slow", WORD, NUMBER, ANY, WITH_PIN_C,                                      \
       "the slow stroke: with or against the crank")                                                \
     X(SYNTHESIS, TYPE, "type", WORD, NUMBER, ANY, INVERTED, "the type of quick return")            \

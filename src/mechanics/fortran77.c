@@ -67,6 +67,21 @@ static void put_state(const fourlink_state *state, double *numbers)
     }
 }
 
+/* Ten numbers; eleven if there are two couples. */
+static void put_forces(const fourlink_forces *forces, int has_two, double *numbers)
+{
+    double list[FLK_FORCES];
+    int i;
+
+    flk_list_forces(forces, list);
+    for (i = 0; i < 8; i++)
+        numbers[i] = list[i];
+    numbers[8] = has_two ? list[8] : list[8] + list[9];
+    numbers[9] = list[10];
+    if (has_two)
+        numbers[10] = list[9];
+}
+
 /* `design` is complete except for links and gravity, which are still in the caller's arrays. */
 static int analyse(fourlink_design *design, const double *links, const double *grav, int branch,
                    const double *crank_numbers, int n_loads, const double *load_numbers,
@@ -88,7 +103,7 @@ static int analyse(fourlink_design *design, const double *links, const double *g
                                      (unsigned long)n_loads, state, &forces);
     if (status == FOURLINK_OK) {
         put_state(state, state_numbers);
-        flk_list_forces(&forces, force_numbers);
+        put_forces(&forces, design->kind == FOURLINK_SCOTCH_YOKE, force_numbers);
     }
     return status;
 }
@@ -136,6 +151,26 @@ void flinvs_(const double links[20], const double *offset, const double *angle,
     slide[1] = at.slide_v;
     slide[2] = at.slide_a;
     slide[3] = at.coriolis;
+}
+
+void flyoke_(const double links[20], const double *offset, const double *angle,
+             const double grav[2], const double crank[3], const int *nloads, const double *loads,
+             double state[36], double slide[3], double forces[11], int *istat)
+{
+    fourlink_design design;
+    fourlink_state at;
+
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_SCOTCH_YOKE;
+    design.offset = *offset;
+    design.angle = *angle;
+    *istat =
+        analyse(&design, links, grav, FOURLINK_OPEN, crank, *nloads, loads, &at, state, forces);
+    if (*istat != FOURLINK_OK)
+        return;
+    slide[0] = at.slide;
+    slide[1] = at.slide_v;
+    slide[2] = at.slide_a;
 }
 
 void fltext_(const int *istat, char *text, unsigned long length)

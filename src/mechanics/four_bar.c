@@ -27,7 +27,7 @@
 ** cos(theta2/2) or 2 sqrt(ad) sin(theta2/2), which passes smoothly through 0 and changes sign.  So the side
 ** on which C lies follows from the angle alone, not from earlier rows.
 */
-static void four_bar_prepare(fourlink_mechanism *mechanism)
+static int four_bar_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
@@ -43,6 +43,7 @@ static void four_bar_prepare(fourlink_mechanism *mechanism)
                                fabs(a - d + b - c) <= FLK_ROUNDING * sum;
     mechanism->stretched = mechanism->change_stretched ? 0 : stretched;
     mechanism->folded = mechanism->change_folded ? 0 : folded;
+    return FOURLINK_OK;
 }
 
 static int four_bar_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
@@ -377,6 +378,7 @@ const flk_kind flk_four_bar = {
     "four-bar linkage",
     {NULL, "ground", "crank", "coupler", "rocker"},
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH},
+    0,
     FOURLINK_CRANK_ROCKER,
     FOURLINK_CHANGE_POINT_LINKAGE,
     0,

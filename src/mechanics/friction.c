@@ -141,13 +141,27 @@ int flk_friction_sense(double omega2, const fourlink_friction *friction)
     return omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1;
 }
 
+/* 1 if joint i is the slot of a mechanism that has a guide as well. */
+static int is_slot(const flk_kind *kind, int i)
+{
+    return kind->joint[i].slider == FOURLINK_COUPLER && kind->joint[3].slider;
+}
+
+/* The coefficient of friction of a guide or slot, and the length of its block. */
+static double guide_of(const flk_kind *kind, int i, const fourlink_friction *friction,
+                       double *block)
+{
+    *block = is_slot(kind, i) ? friction->slot_length : friction->guide_length;
+    return is_slot(kind, i) ? friction->slot : friction->guide;
+}
+
 /* List the joints that have friction and move, with the senses of `held` if that is given. */
 static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
                                 const fourlink_state *state, const fourlink_state *held,
                                 const fourlink_friction *friction, equations *e)
 {
     int sense = flk_friction_sense((held ? held : state)->link[FOURLINK_CRANK].omega, friction);
-    double length = mechanism->design.link[FOURLINK_CRANK].length;
+    double length = mechanism->design.link[FOURLINK_CRANK].length, block = 0;
     int k;
 
     e->n = e->n_coupled = 0;
@@ -158,8 +172,9 @@ static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *
 
         j->number = i;
         j->is_guide = at->slider != 0;
-        j->factor = j->is_guide ? friction->guide * length : friction->circle[i];
-        j->couple = friction->guide_length > 0 ? 2 / friction->guide_length : 0;
+        j->factor =
+            j->is_guide ? guide_of(kind, i, friction, &block) * length : friction->circle[i];
+        j->couple = block > 0 ? 2 / block : 0;
         j->speed = flk_friction_speed(mechanism, held ? held : state, at) * sense;
         j->n_loads = 0;
         if (!(j->factor > 0) || fabs(j->speed) <= STANDSTILL)
@@ -461,7 +476,7 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
 {
     int i, k;
 
-    losses->guide = losses->power = 0;
+    losses->guide = losses->slot = losses->power = 0;
     losses->n_loads = FOURLINK_FRICTION_LOADS;
     for (i = 0; i < JOINTS; i++)
         losses->pin[i] = 0;
@@ -471,7 +486,7 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
         const joint *j = &e->joint[k];
 
         if (j->is_guide)
-            losses->guide = e->y[k] / length;
+            *(is_slot(kind, j->number) ? &losses->slot : &losses->guide) = e->y[k] / length;
         else
             losses->pin[j->number] = e->y[k];
         losses->power += e->y[k] * fabs(j->speed * omega2);
@@ -481,7 +496,8 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
     }
 }
 
-/* Add friction to the force of a guide, besides its normal force: F14 on a piston, F34 on a lever. */
+/* Add friction to the force of a guide or slot, besides its normal force: F14 on a piston or yoke, F34 on a lever or
+** yoke. */
 static void add_guide(const flk_kind *kind, const equations *e, fourlink_forces *forces)
 {
     int k;
@@ -502,10 +518,13 @@ static void add_guide(const flk_kind *kind, const equations *e, fourlink_forces 
 
 static int check_friction(const fourlink_friction *friction)
 {
-    int i, is_negative = friction->guide < 0 || friction->guide_length < 0;
+    int i, is_negative = friction->guide < 0 || friction->guide_length < 0 || friction->slot < 0 ||
+                         friction->slot_length < 0;
 
     if (!FLK_WITHIN(friction->guide, FOURLINK_NUMBER_MAX) ||
-        !FLK_WITHIN(friction->guide_length, FOURLINK_LENGTH_MAX))
+        !FLK_WITHIN(friction->slot, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(friction->guide_length, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(friction->slot_length, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
     for (i = 0; i < JOINTS; i++) {
         if (!FLK_WITHIN(friction->circle[i], FOURLINK_LENGTH_MAX))

@@ -32,7 +32,7 @@
 ** Where the bracket, `folded`, is 0 the mechanism has a change point, at 0 deg, and the root of s^2 passes
 ** smoothly through 0 and changes sign there.
 */
-static void inverted_prepare(fourlink_mechanism *mechanism)
+static int inverted_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_design *design = &mechanism->design;
     double a = design->link[2].length, d = design->link[1].length, c = design->link[4].length;
@@ -50,6 +50,7 @@ static void inverted_prepare(fourlink_mechanism *mechanism)
     mechanism->change_folded = fabs(folded) <= FLK_DEAD * h * h ||
                                fabs(slack) <= FLK_ROUNDING * (a + d + c + fabs(design->offset));
     mechanism->folded = mechanism->change_folded ? 0 : folded;
+    return FOURLINK_OK;
 }
 
 static int inverted_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
@@ -295,6 +296,7 @@ const flk_kind flk_inverted = {
     "inverted slider-crank",
     {NULL, "ground", "crank", "slider", "lever"},
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH, FLK_LENGTH_OR_NONE},
+    0,
     FOURLINK_SLOTTED_LEVER,
     FOURLINK_CHANGE_POINT_INVERTED,
     0,

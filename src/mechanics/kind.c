@@ -8,7 +8,8 @@
 
 #include "kind.h"
 
-static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank, &flk_inverted};
+static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank, &flk_inverted,
+                                        &flk_scotch_yoke};
 
 /* clang-format off */
 #define UNKNOWN(member) {#member, offsetof(fourlink_forces, member)}
@@ -65,6 +66,11 @@ int flk_kind_has_slide(fourlink_kind kind)
            fourlink_slides((int)kind, FOURLINK_FOLLOWER);
 }
 
+int flk_kind_has_branch(const flk_kind *kind, fourlink_branch branch)
+{
+    return branch == FOURLINK_OPEN || (branch == FOURLINK_CROSSED && !kind->has_one_branch);
+}
+
 int fourlink_slides(int kind, int link)
 {
     const flk_kind *found = flk_kind_of((fourlink_kind)kind);
@@ -94,6 +100,7 @@ int fourlink_kind_of(int kind, fourlink_kind_facts *facts)
     }
     facts->has_stroke = facts->slides_on[FOURLINK_FOLLOWER] == FOURLINK_GROUND;
     facts->has_slot = facts->slides_on[FOURLINK_COUPLER] == FOURLINK_FOLLOWER;
+    facts->has_one_branch = found->has_one_branch;
     memcpy(facts->joint, found->joint, sizeof facts->joint);
     return FOURLINK_OK;
 }
@@ -120,14 +127,15 @@ int fourlink_unknowns(const fourlink_mechanism *mechanism, const fourlink_forces
     return FOURLINK_OK;
 }
 
-void flk_list_forces(const fourlink_forces *forces, double list[10])
+void flk_list_forces(const fourlink_forces *forces, double list[FLK_FORCES])
 {
     int i;
 
     for (i = 0; i < 8; i++)
         list[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]);
-    list[8] = forces->M14 + forces->M34; /* no mechanism has both */
-    list[9] = forces->Ts;
+    list[8] = forces->M14;
+    list[9] = forces->M34;
+    list[10] = forces->Ts;
 }
 
 const char *fourlink_type_text(int type)
@@ -176,7 +184,7 @@ int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch bran
 
     if (status != FOURLINK_OK)
         return status;
-    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+    if (!flk_kind_has_branch(kind, branch))
         return FOURLINK_BAD_BRANCH;
     memset(limits, 0, sizeof *limits);
     kind->limits(mechanism, branch, limits);

@@ -42,7 +42,7 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 /* The functions are called in this order.  The crank and its pin B are placed before `position`,
 ** moved before `velocity`, accelerated before `acceleration`.
 **
-** prepare       sets the constants of the mechanism, from its lengths
+** prepare       sets the constants of the mechanism, from its lengths; a status
 ** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that
 **               of the open branch, smooth through change points
 ** position, velocity, acceleration
@@ -64,10 +64,11 @@ typedef struct flk_kind {
     const char *words;   /* in a sentence */
     const char *link[5]; /* names of the links, by number */
     int has_length[5];   /* FLK_NO_LENGTH ... */
+    int has_one_branch;  /* 1: there is one assembly mode, the open branch */
     fourlink_type first_type, last_type;
     double folded; /* rad, theta2 of the folded change point; half a turn from the stretched one */
     fourlink_joint joint[4]; /* in the order of the unknowns */
-    void (*prepare)(fourlink_mechanism *mechanism);
+    int (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
                  double *sine);
     void (*position)(const fourlink_mechanism *mechanism, fourlink_state *state);
@@ -86,13 +87,16 @@ typedef struct flk_kind {
                     fourlink_balance *balance);
 } flk_kind;
 
-extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted;
+extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted, flk_scotch_yoke;
 
 /* The record of a kind; null if the kind does not exist. */
 const flk_kind *flk_kind_of(fourlink_kind kind);
 
 /* 1 if two links of this kind slide on each other; 0: all joints are pins. */
 int flk_kind_has_slide(fourlink_kind kind);
+
+/* 1 if it can be assembled on this branch. */
+int flk_kind_has_branch(const flk_kind *kind, fourlink_branch branch);
 
 /* The record of a prepared mechanism, for a function with this output: FOURLINK_OK, FOURLINK_NULL,
 ** FOURLINK_BAD_KIND. */

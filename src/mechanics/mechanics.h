@@ -46,8 +46,9 @@
 /* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 
-/* F12x, F12y, F23x ... F14y, the couple of the slider, Ts (kind.c). */
-void flk_list_forces(const fourlink_forces *forces, double list[10]);
+/* F12x, F12y, F23x ... F14y, M14, M34, Ts (kind.c). */
+#define FLK_FORCES 11
+void flk_list_forces(const fourlink_forces *forces, double list[FLK_FORCES]);
 
 /* Turn a vector from a link's own axes into the frame of link 1: v is the arm from the link's origin to its
 ** point `at`, or a force that turns with the link. */

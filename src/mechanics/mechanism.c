@@ -84,8 +84,8 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
     mechanism->dead_centre = 0;
     mechanism->h = 0;
     mechanism->lever.x = mechanism->lever.y = 0;
-    kind->prepare(mechanism);
-    return FOURLINK_OK;
+    mechanism->slot.x = mechanism->slot.y = 0;
+    return kind->prepare(mechanism);
 }
 
 /* Sine and cosine of half the crank angle, and the sine of the position on this branch, or why there is
@@ -101,7 +101,7 @@ static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
 
     if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+    if (!flk_kind_has_branch(kind, branch))
         return FOURLINK_BAD_BRANCH;
     flk_sine_cosine(0.5 * theta2, &at->half_sine, &at->half_cosine);
     status = kind->reach(mechanism, at->half_sine, at->half_cosine, &at->sine);

@@ -23,7 +23,7 @@
 ** `folded`, is 0 the mechanism has a change point, at +90 deg or at -90 deg, and the root of u1 or u2 passes
 ** smoothly through 0 and changes sign there.
 */
-static void slider_crank_prepare(fourlink_mechanism *mechanism)
+static int slider_crank_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
     double r = link[2].length, l = link[3].length, e = mechanism->design.offset;
@@ -37,6 +37,7 @@ static void slider_crank_prepare(fourlink_mechanism *mechanism)
     mechanism->stretched = mechanism->change_stretched ? 0 : stretched;
     mechanism->folded = mechanism->change_folded ? 0 : folded;
     mechanism->dead_centre = reach2 > 0 ? sqrt(reach2) : 0;
+    return FOURLINK_OK;
 }
 
 static int slider_crank_reach(const fourlink_mechanism *mechanism, double half_sine,
@@ -275,6 +276,7 @@ const flk_kind flk_slider_crank = {
     "slider-crank",
     {NULL, "ground", "crank", "rod", "piston"},
     {FLK_NO_LENGTH, FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH},
+    0,
     FOURLINK_ENGINE,
     FOURLINK_CHANGE_POINT_SLIDER,
     -M_PI_2,

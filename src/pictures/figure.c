@@ -48,20 +48,22 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
 
     pins.A = state->link[2].origin;
     pins.B = state->link[3].origin;
-    pins.C = geometry_end(&p->v, state, FOURLINK_COUPLER);
     pins.D = state->link[4].origin;
+    pins.C = p->v.kind.has_stroke ? pins.D : geometry_end(&p->v, state, FOURLINK_COUPLER);
     if (p->v.kind.has_stroke)
         pins.D.y = 0;
     return pins;
 }
 
-/* The way of what slides, with a margin at both ends. */
-static void find_way(const picture *p, fourlink_branch branch, double margin, double *from,
-                     double *to)
+/* The way of what slides in a guide or slot, with a margin at both ends. */
+typedef void way_finder(const view *v, fourlink_branch branch, double *near, double *far);
+
+static void find_way(const picture *p, way_finder *find, fourlink_branch branch, double margin,
+                     double *from, double *to)
 {
     double near, far;
 
-    geometry_find_way(&p->v, branch, &near, &far);
+    find(&p->v, branch, &near, &far);
     *from = GSL_MIN_DBL(near, far) - margin;
     *to = GSL_MAX_DBL(near, far) + margin;
 }
@@ -93,7 +95,7 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     if (p->v.kind.has_slot) {
-        find_way(p, state->branch, margin, &from, &to);
+        find_way(p, geometry_find_way, state->branch, margin, &from, &to);
         sketch_include(s, geometry_on_slide(state, from));
         sketch_include(s, geometry_on_slide(state, to));
     }
@@ -154,7 +156,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     } else {
         double h = FIGURE_HIGH * figure_block(s), y = p->v.design->offset, from, to;
 
-        find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
+        find_way(p, geometry_find_guide, state->branch, 1.5 * figure_block(s), &from, &to);
         sketch_ground(s, from, to, y - h, -1);
         sketch_ground(s, from, to, y + h, 1);
     }
@@ -207,7 +209,7 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
     fourlink_vector D = state->link[FOURLINK_FOLLOWER].origin;
     double root = geometry_root(&p->v), from, to;
 
-    find_way(p, state->branch, 1.5 * figure_block(s), &from, &to);
+    find_way(p, geometry_find_way, state->branch, 1.5 * figure_block(s), &from, &to);
     put_rectangle(s, kind, geometry_on_slide(state, 0), &state->link[FOURLINK_COUPLER].axis, from,
                   to, FIGURE_HIGH * figure_block(s));
     sketch_mark(s, geometry_on_slide(state, from), "S1");
@@ -228,6 +230,8 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
 
     if (p->v.kind.has_slot) {
         figure_lever(s, p, state, follower);
+        if (p->v.kind.has_stroke)
+            figure_piston(s, follower, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
         figure_piston(s, coupler, pins.B, &state->link[FOURLINK_COUPLER].axis);
     } else {
         sketch_line(s, coupler, pins.B, pins.C);
@@ -352,7 +356,7 @@ static void put_steady_letters(sketch *s, const picture *p, const fourlink_state
 
     sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
     figure_letter(s, pins.B, pins.A, pins.A, "B");
-    if (!p->v.kind.has_slot)
+    if (!p->v.kind.has_slot || p->v.kind.has_stroke)
         figure_letter(s, pins.C, p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D,
                       p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D, "C");
     if (!p->v.kind.has_stroke)
@@ -368,9 +372,10 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     if (p->v.kind.has_slot) {
         fourlink_vector C = geometry_on_slide(state, geometry_root(&p->v));
 
-        if (p->v.design->link[FOURLINK_FOLLOWER].length > 0)
+        if (p->v.design->link[FOURLINK_FOLLOWER].length > 0 || p->v.kind.has_stroke)
             figure_letter(s, C, pins.D, pins.B, "C");
-        figure_letter(s, pins.D, pins.B, pins.B, "D");
+        if (!p->v.kind.has_stroke)
+            figure_letter(s, pins.D, pins.B, pins.B, "D");
     } else if (p->v.kind.has_stroke) {
         figure_letter(s, pins.C, pins.B, pins.B, "C");
     } else {
@@ -406,7 +411,8 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
     put_angle(s, p, pins.A, FOURLINK_CRANK, fmod(state->link[2].theta, 2 * M_PI), 0.09,
               FIGURE_THETA SUB_2);
     if (!p->v.kind.has_slot || p->v.design->angle != 0)
-        put_angle(s, p, pins.B, FOURLINK_COUPLER, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
+        put_angle(s, p, p->v.kind.has_stroke && p->v.kind.has_slot ? pins.C : pins.B,
+                  FOURLINK_COUPLER, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
     if (!p->v.kind.has_stroke)
         put_angle(s, p, pins.D, FOURLINK_FOLLOWER, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
 }

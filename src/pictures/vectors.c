@@ -376,10 +376,10 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 {
     unsigned long i;
 
-    if (b->is_slider)
-        figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
-    else if (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
+    if (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
+    else if (b->is_slider)
+        figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
     for (i = 0; i < p->v.problem.n_loads; i++)
@@ -391,7 +391,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         sketch_centre(s, b->G, "G");
     }
     draw_pin(s, p, b, 0);
-    if (!b->is_slider)
+    if (!b->is_slider || (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER))
         draw_pin(s, p, b, 1);
 }
 
@@ -417,7 +417,7 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
     if (p->on.motion && p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
-        sketch_hold(s, tracks_vector(&r->numbers, "D"));
+        sketch_hold(s, tracks_vector(&r->numbers, p->v.kind.joint[3].letter));
     else if (p->on.motion)
         sketch_hold(s, place_middle(b->first, b->second));
 }

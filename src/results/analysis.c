@@ -216,7 +216,7 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
 /* The unknowns as forces: couples are divided by a length.  The friction of a guide is one of the loads
 ** and is left out. */
 static void list_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                        const fourlink_forces *forces, double list[10])
+                        const fourlink_forces *forces, double list[FLK_FORCES])
 {
     const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
     double length = mechanism->design.link[FOURLINK_CRANK].length;
@@ -230,6 +230,7 @@ static void list_forces(const fourlink_mechanism *mechanism, const fourlink_stat
         list[6] = 0;
     list[8] /= length;
     list[9] /= length;
+    list[10] /= length;
 }
 
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -240,7 +241,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     fourlink_state rest = *state;
     fourlink_forces of_loads, of_inertia;
     double largest = 0, difference = 0;
-    double whole[10], part[10], other[10];
+    double whole[FLK_FORCES], part[FLK_FORCES], other[FLK_FORCES];
     int status, i;
 
     weightless.design.gravity.x = 0;
@@ -257,7 +258,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     list_forces(mechanism, state, forces, whole);
     list_forces(mechanism, state, &of_loads, part);
     list_forces(mechanism, state, &of_inertia, other);
-    for (i = 0; i < 10; i++) {
+    for (i = 0; i < FLK_FORCES; i++) {
         difference = GSL_MAX(difference, fabs(part[i] + other[i] - whole[i]));
         largest = GSL_MAX(largest, GSL_MAX(fabs(part[i]), fabs(other[i])));
     }

@@ -67,7 +67,7 @@ static int is_hidden(const deck *d, point_code code)
     return 0;
 }
 
-/* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of link 4. */
+/* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of a lever, the origin of a yoke. */
 static const char *find_C(const deck *d, int *link, fourlink_vector *at)
 {
     const fourlink_joint *joint = &flk_kind_of(d->machine.mechanism.design.kind)->joint[2];
@@ -75,7 +75,7 @@ static const char *find_C(const deck *d, int *link, fourlink_vector *at)
     *link = joint->slider ? FOURLINK_FOLLOWER : joint->at;
     if (joint->slider || joint->is_tip)
         at->x = d->machine.mechanism.design.link[*link].length;
-    return joint->slider && at->x <= 0 ? "needs a lever with a length" : NULL;
+    return joint->slider && at->x <= 0 && !joint[1].slider ? "needs a lever with a length" : NULL;
 }
 
 /* Returns why a deck does not have this point, or null: then *link is its link and *at its place in the
@@ -319,6 +319,20 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
     return "needs a rod whose centre of mass is on its line";
 }
 
+/* The kinds of a set in words. */
+static const char *list_kinds(int kinds, char out[MESSAGE_SIZE])
+{
+    const char *words[9] = {NULL};
+    size_t n = 0;
+    int kind;
+
+    for (kind = 1; kind < FLK_EVERY_KIND; kind *= 2)
+        if ((kinds & kind) && flk_kind_of((fourlink_kind)kind))
+            words[n++] = fourlink_kind_text(kind);
+    flk_text_list(words, ", the ", " and the ", out, MESSAGE_SIZE);
+    return out;
+}
+
 static void note_missing(const flk_analysis *a, const deck *d, text name, mistakes *m)
 {
     const char *nearest;
@@ -334,15 +348,14 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            int kinds = table[i].kinds & ALL, first = kinds & -kinds, second = kinds & ~first;
+            char owners[MESSAGE_SIZE];
 
-            if (kinds & (int)d->machine.mechanism.design.kind)
+            if (table[i].kinds & (int)d->machine.mechanism.design.kind)
                 flk_mistake(m, d->columns.place, "the column '%t' %s", name,
                             why_missing(d, &table[i]));
-            else /* at most two of the three kinds */
-                flk_mistake(m, d->columns.place, "the column '%t' belongs to the %s%s%s", name,
-                            fourlink_kind_text(first), second ? " and the " : "",
-                            second ? fourlink_kind_text(second) : "");
+            else
+                flk_mistake(m, d->columns.place, "the column '%t' belongs to the %s", name,
+                            list_kinds(table[i].kinds, owners));
             return;
         }
     nearest = flk_column_nearest(a, name);

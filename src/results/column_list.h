@@ -51,7 +51,11 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define FOUR_BAR FOURLINK_FOUR_BAR
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
-#define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
+#define YOKE FOURLINK_SCOTCH_YOKE
+#define PINNED (FOUR_BAR | INVERTED)    /* link 4 turns about D */
+#define STROKE (SLIDER_CRANK | YOKE)    /* link 4 slides on the ground */
+#define SLOT (INVERTED | YOKE)          /* link 3 slides on link 4 */
+#define TURNING (PINNED | SLIDER_CRANK) /* link 3 turns */
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
 #define USUAL_ACTUAL 0x200 /* the same, if the motion is not given */
@@ -156,12 +160,16 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
     X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_CRANK(crank.alpha2),                    \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
-    X(theta3, ANGLE, ALL | USUAL, OF_ANGLE(link[3].theta), "angle of the coupler, rod or slide",   \
-      "beta (Alvi), thetab (ME3491)")                                                              \
-    X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                 \
+    X(theta3, ANGLE, TURNING | USUAL, OF_ANGLE(link[3].theta),                                     \
+      "angle of the coupler, rod or slide", "beta (Alvi), thetab (ME3491)")                        \
+    X(omega3, ANGULAR_SPEED, TURNING | USUAL, OF_STATE(link[3].omega),                             \
       "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
-    X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                          \
+    X(alpha3, ANGULAR_ACCELERATION, TURNING | USUAL, OF_STATE(link[3].alpha),                      \
       "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
+    X(theta3, ANGLE, YOKE, OF_ANGLE(link[3].theta), "angle of the slot", "")                       \
+    X(omega3, ANGULAR_SPEED, YOKE, OF_STATE(link[3].omega), "0: the block does not turn", "")      \
+    X(alpha3, ANGULAR_ACCELERATION, YOKE, OF_STATE(link[3].alpha), "0: the block does not turn",   \
+      "")                                                                                          \
     X(theta4, ANGLE, PINNED | USUAL, OF_ANGLE(link[4].theta), "angle of the rocker or lever",      \
       "phi (Alvi), thetac (ME3491)")                                                               \
     X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
@@ -170,33 +178,35 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")               \
     X(phi, ANGLE, SLIDER_CRANK, OF_ANGLE(phi), "obliquity of the rod to the line of stroke",       \
       "beta (ME3491), phi (DFA)")                                                                  \
-    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
-      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
-    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                 \
-      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
-    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
-      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
-    X(slide, LENGTH, INVERTED | USUAL, OF_STATE(slide),                                            \
+    X(x, LENGTH, STROKE | USUAL, OF_STATE(x),                                                      \
+      "displacement of piston or yoke from its inner dead centre", "x (ME3491, DFA)")              \
+    X(v, SPEED, STROKE | USUAL, OF_STATE(v),                                                       \
+      "velocity of piston or yoke, away from the inner dead centre", "v (ME3491), V_p (DFA)")      \
+    X(a, ACCELERATION, STROKE | USUAL, OF_STATE(a),                                                \
+      "acceleration of piston or yoke, away from inner dead centre", "a (ME3491), a_p (DFA)")      \
+    X(slide, LENGTH, SLOT | USUAL, OF_STATE(slide),                                                \
       "coordinate of the crank pin B along the slide", "")                                         \
-    X(slide_v, SPEED, INVERTED | USUAL, OF_STATE(slide_v),                                         \
-      "velocity of B relative to the lever, along the slide", "")                                  \
-    X(slide_a, ACCELERATION, INVERTED | USUAL, OF_STATE(slide_a),                                  \
-      "acceleration of B relative to the lever, along the slide", "")                              \
+    X(slide_v, SPEED, SLOT | USUAL, OF_STATE(slide_v),                                             \
+      "velocity of B relative to link 4, along the slide", "")                                     \
+    X(slide_a, ACCELERATION, SLOT | USUAL, OF_STATE(slide_a),                                      \
+      "acceleration of B relative to link 4, along the slide", "")                                 \
     X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
       "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
-    X(mu, ANGLE, ALL | USUAL, OF_ANGLE(mu), "transmission angle, acute: 0 to 90 deg", "")          \
+    X(mu, ANGLE, TURNING | USUAL, OF_ANGLE(mu), "transmission angle, acute: 0 to 90 deg", "")      \
+    X(mu, ANGLE, YOKE, OF_ANGLE(mu), "transmission angle, acute: that of slot and guide", "")      \
     X(gamma, ANGLE, FOUR_BAR, OF_MOTION(gamma), "angle between coupler and rocker, 0 to 180 deg",  \
       "")                                                                                          \
     COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
     COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
     COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
-    X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                                \
-      "force of slider on lever at B, to the left of the slide", "")                               \
-    X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                      \
+    X(N34, FORCE, SLOT | USUAL, OF_FORCES(N34),                                                    \
+      "force of slider on link 4 at B, to the left of the slide", "")                              \
+    X(M34, TORQUE, SLOT, OF_FORCES(M34), "couple of slider on link 4", "")                         \
     COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                         \
-    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
-      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
+    X(N, FORCE, STROKE | USUAL, OF_FORCES(F14y),                                                   \
+      "guide on piston or yoke, along +y; unlike side_thrust exact", "")                           \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
+    X(M14, TORQUE, YOKE | USUAL, OF_FORCES(M14), "couple of the guide on the yoke", "")            \
     X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
       "X(9), Ts (ME3491)")                                                                         \
     RESULTANT(X, F12, ALL)                                                                         \
@@ -222,7 +232,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     INERTIA_FORCE(X, 4)                                                                            \
     X(mechanical_advantage, NUMBER, ALL,                                                           \
       OF_POLES(mechanical_advantage, flk_denominator_advantage),                                   \
-      "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+      "omega2 / omega4; of a piston or yoke: r omega2 / v", "")                                    \
     X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
       "A (Alvi), P (ME3491)")                                                                      \
     X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
@@ -232,9 +242,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     X(structural_error, ANGLE, FOUR_BAR, OF_WANTED, "theta4 - wanted theta4, of --synthesis", "")  \
     X(structural_error, LENGTH, SLIDER_CRANK, OF_WANTED, "C.x - wanted C.x, of --synthesis", "")   \
-    X(I13x, LENGTH, ALL, OF_POLES(I13.x, flk_denominator_13),                                      \
+    X(I13x, LENGTH, TURNING, OF_POLES(I13.x, flk_denominator_13),                                  \
       "instantaneous centre of links 1 and 3, x", "")                                              \
-    X(I13y, LENGTH, ALL, OF_POLES(I13.y, flk_denominator_13),                                      \
+    X(I13y, LENGTH, TURNING, OF_POLES(I13.y, flk_denominator_13),                                  \
       "instantaneous centre of links 1 and 3, y", "")                                              \
     X(I24x, LENGTH, ALL, OF_POLES(I24.x, flk_denominator_24),                                      \
       "instantaneous centre of links 2 and 4, x", "")                                              \
@@ -258,8 +268,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     RUBBING(X, B, 1, ALL)                                                                          \
     RUBBING(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                      \
     RUBBING(X, D, 3, PINNED)                                                                       \
-    X(friction_guide, FORCE, SLIDER_CRANK | INVERTED, OF_LOSSES(guide),                            \
+    X(friction_guide, FORCE, STROKE | INVERTED, OF_LOSSES(guide),                                  \
       "force of friction in the guide", "")                                                        \
+    X(friction_slot, FORCE, YOKE, OF_LOSSES(slot), "force of friction in the slot", "")            \
     X(Fs_primary, FORCE, SLIDER_CRANK, OF_BALANCE(primary),                                        \
       "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
     X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \
@@ -283,7 +294,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
-    X(gas_force, FORCE, SLIDER_CRANK | INVERTED, OF_GAS,                                           \
+    X(gas_force, FORCE, STROKE | INVERTED, OF_GAS,                                                 \
       "gas on piston, towards the crank; on a rod, along the slide",                               \
       "F_p (ME3491), (P1 - P2) A (DFA)")                                                           \
     ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \

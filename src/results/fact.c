@@ -41,6 +41,8 @@
     X(STROKE, "stroke", LENGTH, LIMITS, "distance between the dead centres")                       \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, LIMITS, "farthest from the crankshaft")       \
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "nearest to the crankshaft")          \
+    X(SLIDE_MIN, "slide_min", LENGTH, LIMITS, "smallest slide: one end of the slot")               \
+    X(SLIDE_MAX, "slide_max", LENGTH, LIMITS, "largest slide: the other end")                      \
     X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, LIMITS, "mass moment of its counterweight")     \
     X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, LIMITS, "its direction, from the crank")  \
     X(BALANCE_MASS, "balance_mass", MASS, LIMITS, "mass of the crank's counterweight")             \
@@ -349,6 +351,10 @@ static void add_limits(listing *t)
     }
     if (limits.time_ratio > 0)
         add_fact(t, FACT_TIME_RATIO, limits.time_ratio);
+    if (limits.has_slide) {
+        add_fact(t, FACT_SLIDE_MIN, limits.slide_min);
+        add_fact(t, FACT_SLIDE_MAX, limits.slide_max);
+    }
     if (limits.has_stroke) {
         add_fact(t, FACT_STROKE, limits.stroke);
         add_fact(t, FACT_INNER_DEAD_CENTRE, limits.inner);

@@ -284,18 +284,20 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
 }
 
 /* Check what a function on a branch is given: that nothing is null, and the branch. */
-static int check_branch(int is_given, int branch)
+static int check_branch(const fourlink_results *r, int is_given, int branch)
 {
-    if (!is_given)
+    if (!r || !is_given)
         return FOURLINK_NULL;
-    return branch == FOURLINK_OPEN || branch == FOURLINK_CROSSED ? FOURLINK_OK
-                                                                 : FOURLINK_BAD_BRANCH;
+    return flk_kind_has_branch(flk_kind_of(r->now->d.machine.mechanism.design.kind),
+                               (fourlink_branch)branch)
+               ? FOURLINK_OK
+               : FOURLINK_BAD_BRANCH;
 }
 
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
                            const fourlink_value **facts, unsigned long *n)
 {
-    int status = check_branch(r && facts && n, branch ? branch : FOURLINK_OPEN);
+    int status = check_branch(r, facts && n, branch ? branch : FOURLINK_OPEN);
 
     if (status != FOURLINK_OK)
         return status;
@@ -339,7 +341,7 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
                          double *values, fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_branch(r != NULL, (int)branch);
+    int status = check_branch(r, 1, (int)branch);
     flk_row row;
 
     if (status != FOURLINK_OK)
@@ -371,7 +373,7 @@ int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned 
                           unsigned long n, unsigned long n_columns, const int *handles,
                           double *values)
 {
-    int status = check_branch(r && ((handles && values) || !n || !n_columns), (int)branch), needs;
+    int status = check_branch(r, (handles && values) || !n || !n_columns, (int)branch), needs;
     unsigned long rows = r ? r->now->a.crank_motion.range.n_rows : 0, i, k, some;
     flk_column columns[COLUMNS];
     flk_row row;
@@ -399,7 +401,7 @@ int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned 
 int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
                         fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_branch(r != NULL, (int)branch);
+    int status = check_branch(r, 1, (int)branch);
     double at;
     flk_row row;
 
@@ -414,7 +416,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
                                double value, unsigned long max, double *angles, unsigned long *n)
 {
-    int status = check_branch(r && name && n && (angles || !max), (int)branch);
+    int status = check_branch(r, name && n && (angles || !max), (int)branch);
     flk_column c;
 
     if (status != FOURLINK_OK)
@@ -447,7 +449,7 @@ int fourlink_results_find(fourlink_results *r, const char *name, fourlink_value 
 int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch, double angle,
                          fourlink_value *value)
 {
-    int status = check_branch(r && value, (int)branch);
+    int status = check_branch(r, value != NULL, (int)branch);
     flk_name n;
 
     if (status != FOURLINK_OK)
@@ -459,7 +461,7 @@ int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,
                            double angle, fourlink_value *value)
 {
-    int status = check_branch(r && name && value, (int)branch);
+    int status = check_branch(r, name && value, (int)branch);
     fourlink_value found;
 
     if (status == FOURLINK_OK)
@@ -470,7 +472,7 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
 
 int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
 {
-    int status = check_branch(r && angle, (int)branch);
+    int status = check_branch(r, angle != NULL, (int)branch);
     const flk_actual_facts *actual;
 
     if (status != FOURLINK_OK)
@@ -483,7 +485,7 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
 
 int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourlink_turning *turning)
 {
-    int status = check_branch(r && turning, (int)branch);
+    int status = check_branch(r, turning != NULL, (int)branch);
     const fourlink_turning *found;
 
     if (status != FOURLINK_OK)

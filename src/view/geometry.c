@@ -34,16 +34,26 @@ static double outer_end(const fourlink_mechanism *mechanism)
                : mechanism->dead_centre - 2 * d->link[FOURLINK_CRANK].length;
 }
 
-/* A slider is at its ends with the crank at 0 and at 180 deg. */
+void geometry_find_guide(const view *v, fourlink_branch branch, double *near, double *far)
+{
+    const fourlink_mechanism *m = v->mechanism;
+    double sign = (double)branch, stroke = 2 * v->design->link[FOURLINK_CRANK].length;
+
+    *near = v->kind.has_slot ? m->dead_centre - stroke / fabs(m->slot.y) : sign * outer_end(m);
+    *far = sign * m->dead_centre;
+}
+
+/* A slider is at its ends with the crank at 0 and at 180 deg, that of a yoke at +-90 deg. */
 void geometry_find_way(const view *v, fourlink_branch branch, double *near, double *far)
 {
     const fourlink_mechanism *m = v->mechanism;
-    double sum = v->design->link[FOURLINK_CRANK].length + v->design->link[FOURLINK_GROUND].length;
+    double a = v->design->link[FOURLINK_CRANK].length, e = v->design->offset;
+    double sum = a + v->design->link[FOURLINK_GROUND].length;
     double sign = (double)branch;
 
     if (v->kind.has_stroke) {
-        *near = sign * outer_end(m);
-        *far = sign * m->dead_centre;
+        *near = (-a - e) / m->slot.y;
+        *far = (a - e) / m->slot.y;
         return;
     }
     *far = sign * sqrt(fabs((sum - m->h) * (sum + m->h)));

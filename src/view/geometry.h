@@ -14,8 +14,10 @@ fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fo
 /* A link's second pin. */
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link);
 
-/* The way of what slides on a branch, from its end near the crankshaft or the foot of the perpendicular
-** from D to the other: of a piston, x; of a slider, along its slide from that foot. */
+/* The way of a piston or yoke on a branch, x, from its end near the crankshaft to the other. */
+void geometry_find_guide(const view *v, fourlink_branch branch, double *near, double *far);
+
+/* The way of a slider on a branch, along its slide from the foot of the perpendicular from D, or from C in a yoke. */
 void geometry_find_way(const view *v, fourlink_branch branch, double *near, double *far);
 
 /* A point of the slide: so far along it from the foot of the perpendicular from D. */

@@ -40,6 +40,13 @@ static const scene_side coriolis[] = {
     {"a", "Cor", "", "b4'", "_k", "aK", 5},  {"a", "BB4", "", "_k", "b'", "aS", 3},
     {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
+/* a_B = a_B4 + slide_a u: a yoke does not turn */
+static const scene_side without_turning[] = {{"a", "B", "n", "o'", "_b", "aBn", 2},
+                                             {"a", "B", "t", "_b", "b'", "aBt", 2},
+                                             {"a", "B4", "", "o'", "b4'", "aB4", 4},
+                                             {"a", "BB4", "", "b4'", "b'", "aS", 3},
+                                             {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+
 #define VELOCITY "Velocity", QUANTITY_SPEED, "all velocities are zero"
 #define ACCELERATION "Acceleration", QUANTITY_ACCELERATION, "all accelerations are zero"
 
@@ -52,7 +59,11 @@ const scene_polygon *scene_polygons(const view *v)
         {VELOCITY, sliding, {{NULL, NULL}, {NULL, NULL}}, "", "v"},
         {ACCELERATION, coriolis, {{"o'", "b'"}, {"o'", "b4'"}}, "'", "a"}};
 
-    return v->kind.has_slot ? of_slider : of_rod;
+    static const scene_polygon of_yoke[] = {
+        {VELOCITY, sliding, {{NULL, NULL}, {NULL, NULL}}, "", "v"},
+        {ACCELERATION, without_turning, {{"o'", "b'"}, {NULL, NULL}}, "'", "a"}};
+
+    return !v->kind.has_slot ? of_rod : v->kind.has_stroke ? of_yoke : of_slider;
 }
 
 /* ------------------------------------------------------------------------------------------- springs */

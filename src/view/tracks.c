@@ -112,7 +112,9 @@ static void put_points(tracks *t, const fourlink_state *state)
 
     put_place(t, "A", zero);
     put_place(t, "B", state->link[FOURLINK_COUPLER].origin);
-    if (!t->v->kind.has_slot)
+    if (t->v->kind.has_stroke)
+        put_place(t, "C", state->link[FOURLINK_FOLLOWER].origin);
+    else if (!t->v->kind.has_slot)
         put_place(t, "C", geometry_end(t->v, state, FOURLINK_COUPLER));
     if (!t->v->kind.has_stroke)
         put_place(t, "D", state->link[FOURLINK_FOLLOWER].origin);
@@ -164,7 +166,7 @@ static void put_rod(tracks *t, const fourlink_state *state)
 }
 
 /* v_B = v_B4 + slide_v u; a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u, B4 the point of the lever
-** at B */
+** at B; a yoke does not turn, and a_B = a_B4 + slide_a u */
 static void put_sliding(tracks *t, const fourlink_state *state)
 {
     const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
@@ -172,10 +174,14 @@ static void put_sliding(tracks *t, const fourlink_state *state)
                           *u = &state->link[FOURLINK_COUPLER].axis;
     fourlink_vector r = place_at(B->x - lever->origin.x, B->y - lever->origin.y);
 
-    put(t, "vB4", QUANTITY_SPEED, place_in(zero, r, 0, lever->omega));
+    put(t, "vB4", QUANTITY_SPEED, place_in(lever->velocity, r, 0, lever->omega));
     put(t, "vS", QUANTITY_SPEED, place_in(zero, *u, state->slide_v, 0));
-    put_parts(t, "aB4n", "aB4t", lever, r);
-    put(t, "aK", QUANTITY_ACCELERATION, place_in(zero, *u, 0, state->coriolis));
+    if (t->v->kind.has_stroke)
+        put(t, "aB4", QUANTITY_ACCELERATION, lever->acceleration);
+    else
+        put_parts(t, "aB4n", "aB4t", lever, r);
+    if (!t->v->kind.has_stroke)
+        put(t, "aK", QUANTITY_ACCELERATION, place_in(zero, *u, 0, state->coriolis));
     put(t, "aS", QUANTITY_ACCELERATION, place_in(zero, *u, state->slide_a, 0));
 }
 

@@ -41,7 +41,7 @@ static void cut_end(view *v)
 
 static void stretch(view *v, const fourlink_vector *at)
 {
-    if (at->y != 0)
+    if (at->y != 0 && !v->kind.has_stroke)
         return;
     v->lever_low = GSL_MIN_DBL(v->lever_low, at->x);
     v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
@@ -49,7 +49,8 @@ static void stretch(view *v, const fourlink_vector *at)
 
 #define REACH_LOADS 128 /* a drawing has fewer */
 
-/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis. */
+/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis; a yoke, to all along its
+** guide. */
 static void find_reach(view *v)
 {
     const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];
