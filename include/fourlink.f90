@@ -45,11 +45,11 @@ module fourlink
     fourlink_constant = 50, fourlink_not_a_number = 51, fourlink_dependent = 52, &
     fourlink_infinite_link = 53, fourlink_no_linkage = 54, fourlink_no_length = 55, &
     fourlink_no_full_turn = 56, fourlink_none_found = 57, fourlink_bad_points = 58, &
-    fourlink_bad_time_ratio = 59, fourlink_bad_choice = 60
+    fourlink_bad_time_ratio = 59, fourlink_bad_choice = 60, fourlink_parallel_slot = 61
 
   ! Kinds of mechanisms, branches, links, frames of loads.
   integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2, &
-    fourlink_inverted_slider_crank = 4
+    fourlink_inverted_slider_crank = 4, fourlink_scotch_yoke = 8
   integer(c_int), parameter :: fourlink_open = 1, fourlink_crossed = -1
   integer(c_int), parameter :: fourlink_ground = 1, fourlink_crank_link = 2, &
     fourlink_coupler = 3, fourlink_follower = 4
@@ -87,7 +87,7 @@ module fourlink
     real(c_double) :: stretched, folded
     integer(c_int) :: change_stretched, change_folded
     real(c_double) :: dead_centre, h
-    type(fourlink_vector) :: lever
+    type(fourlink_vector) :: lever, slot
   end type fourlink_mechanism
 
   ! A crank position.

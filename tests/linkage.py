@@ -18,9 +18,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'pic
 from listing import listing as listing_of  # noqa: E402
 
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
-KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank')
+KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank', 'scotch-yoke')
 NAMES = {'four-bar': ('ground', 'crank', 'coupler', 'rocker'), 'slider-crank': ('ground', 'crank', 'rod', 'piston'),
-         'inverted-slider-crank': ('ground', 'crank', 'slider', 'lever')}
+         'inverted-slider-crank': ('ground', 'crank', 'slider', 'lever'),
+         'scotch-yoke': ('ground', 'crank', 'slider', 'yoke')}
 SI = {'1': 1, 'm': 1, 'mm': 1e-3, 'cm': 1e-2, 'in': 0.0254, 'ft': 0.3048, 's': 1, 'min': 60, 'N': 1, 'kN': 1e3, 'kg': 1, 'J': 1,
       'W': 1, 'kW': 1e3, 'Pa': 1, 'lb': 0.45359237, 'psi': 4.4482216152605 / 0.0254**2,
       'hp': 550 * 0.3048 * 4.4482216152605, 'rad': 1, 'deg': math.pi / 180, 'lbf': 4.4482216152605}
@@ -125,7 +126,8 @@ class Deck:
             self.text = text.read()
         self.kind = re.search(r'^\s*mechanism\s*=\s*([\w-]+)', self.text, re.M).group(1)
         self.links = NAMES[self.kind]
-        self.slides, self.slot = self.kind == KINDS[1], self.kind == KINDS[2]
+        self.yoke = self.kind == KINDS[3]
+        self.slides, self.slot = self.kind == KINDS[1] or self.yoke, self.kind == KINDS[2] or self.yoke
         self.inputs, self.units = {}, {}
         for row in csv.DictReader(io.StringIO(program.run('--summary', '-f', 'csv', '--columns=theta2', *options, path))):
             if '.' in row['name'] and '(' not in row['name']:
@@ -136,7 +138,8 @@ class Deck:
 
     def table(self, *options, columns='all'):
         """Rows of the table by branch."""
-        text = self.program.run('-f', 'csv', '--columns=' + columns, *(self.options + options), self.path)
+        options = [x for x in options if not (self.yoke and x == '--branch=both')]  # it has one
+        text = self.program.run('-f', 'csv', '--columns=' + columns, *self.options, *options, self.path)
         lines = list(csv.reader(io.StringIO(text)))
         names = []
         for head in lines[0]:
@@ -224,6 +227,8 @@ class Deck:
     def has_change_point(self):
         """1 if all links can lie in one line, where both branches meet."""
         a, b, c, d = (self.length(link) for link in (2, 3, 4, 1))
+        if self.yoke:
+            return False
         if self.slides:
             return abs(b - a) <= abs(self.number('ground.offset')) + 1e-9 * b and \
                 abs(abs(b - a) - abs(self.number('ground.offset'))) < 1e-9 * b
@@ -232,11 +237,17 @@ class Deck:
         return min(abs(a + d - b - c), abs(a - d - b + c), abs(a - d + b - c)) < 1e-9 * (a + b + c + d)
 
     def offset_of_slide(self):
-        """h: the slide passes D at this distance, on the left of its axis."""
+        """h: the slide passes D at this distance, on the left of its axis; in a yoke the origin is on it."""
+        if self.yoke:
+            return 0
         if 'lever.offset' in self.inputs:
             return self.number('lever.offset')
         gamma = self.number('lever.angle') * si_of(self.units.get('lever.angle', 'deg'))
         return -self.length(4) * math.sin(gamma)
+
+    def slot_angle(self):
+        """rad, of the slot of a yoke"""
+        return self.number('yoke.angle', 90) * si_of(self.units.get('yoke.angle', 'deg'))
 
     def place(self, theta2, branch, like=None):
         """The position, from lengths and the crank angle in rad.  Past a change point the branch is that whose coupler or
@@ -258,16 +269,22 @@ class Deck:
     def dead_centre(self):
         """How far from A, along x, the piston can go: rod and crank in one line."""
         e = self.number('ground.offset')
+        if self.yoke:  # the crank is at right angles to the slot
+            return e / math.tan(self.slot_angle()) + self.length(2) / math.sin(self.slot_angle())
         return math.sqrt((self.length(2) + self.length(3)) ** 2 - e * e)
 
     def nearest(self):
         """How near to A, along x, the piston comes: rod and crank in one line, folded.  A crank that does not turn fully
         has no such position; then the guide is as long as without an offset."""
         r, l, e = self.length(2), self.length(3), self.number('ground.offset')
+        if self.yoke:
+            return e / math.tan(self.slot_angle()) - r / math.sin(self.slot_angle())
         return math.sqrt((l - r) ** 2 - e * e) if l - r >= abs(e) else self.dead_centre() - 2 * r
 
     def slide_range(self, side):
         """The smallest and the largest coordinate of B along the slide."""
+        if self.yoke:
+            return tuple((k * self.length(2) - self.number('ground.offset')) / math.sin(self.slot_angle()) for k in (-1, 1))
         h, a, d = self.offset_of_slide(), self.length(2), self.length(1)
         far = math.sqrt((a + d) ** 2 - h * h)
         near = math.sqrt(max((a - d) ** 2 - h * h, 0))
@@ -283,6 +300,9 @@ class Position:
                       if `side` is 1
     slider-crank      C = x + i e, |C - B| = l, on the +x side of B if `side` is 1
     inverted          B - D = (s + i h) u,  u along the slide,  s = side sqrt(|B - D|^2 - h^2)
+    yoke              B - C = s u,  C = x + i e
+
+    `joint` is where links 3 and 4 act on each other.
     """
 
     def __init__(self, deck, theta2, side):
@@ -291,7 +311,12 @@ class Position:
         self.A, self.B = 0j, cmath.rect(a, theta2)
         self.D = complex(deck.length(1), 0)
         self.axis = {2: cmath.rect(1, theta2)}
-        if deck.slides:
+        if deck.yoke:
+            u = cmath.rect(1, deck.slot_angle())
+            self.s = (self.B.imag - deck.number('ground.offset')) / u.imag
+            self.axis[3], self.axis[4] = u, 1
+            self.C = self.D = self.end = self.B - self.s * u
+        elif deck.slides:
             e = deck.number('ground.offset')
             self.C = self.B.real + side * math.sqrt(max(b * b - (e - self.B.imag) ** 2, 0)) + 1j * e
             self.axis[3], self.axis[4] = (self.C - self.B) / b, 1
@@ -310,6 +335,7 @@ class Position:
             across = math.sqrt(max(b * b - along * along, 0))
             self.C = self.B + f / abs(f) * complex(along, side * across)
             self.axis[3], self.axis[4] = (self.C - self.B) / b, (self.C - self.D) / c
+        self.joint = self.B if deck.slot else self.C
         self.origin = {1: 0j, 2: self.A, 3: self.B, 4: self.C if deck.slides else self.D}
 
     def point(self, link, at):
@@ -327,7 +353,14 @@ class Position:
         self.omega, self.alpha = {1: 0, 2: omega2}, {1: 0, 2: alpha2}
         vB, aB = 1j * omega2 * self.B, (1j * alpha2 - omega2 ** 2) * self.B
         r3 = self.C - self.B
-        if self.deck.slides:
+        if self.deck.yoke:  # v_B = v_C + s' u: along y alone s' is left
+            u = self.axis[3]
+            self.slide_v, self.slide_a = vB.imag / u.imag, aB.imag / u.imag
+            self.omega.update({3: 0, 4: 0})
+            self.alpha.update({3: 0, 4: 0})
+            self.v0 = {2: 0, 3: vB, 4: vB - self.slide_v * u}
+            self.a0 = {2: 0, 3: aB, 4: aB - self.slide_a * u}
+        elif self.deck.slides:
             w = -vB.imag / r3.real
             alpha = -(aB.imag - w * w * r3.imag) / r3.real
             self.omega.update({3: w, 4: 0})
@@ -393,7 +426,8 @@ class Checks:
 # Of each kind: without and with masses, turned, loads that jump, friction, a motor, given accelerations, one instant
 CHOSEN = ('alvi-5.1', 'me3491-matrix', 'me3491-exercise-4', 'sarkar-1.11', 'coupler-point', 'n-four-bar', 'rubbing-four-bar',
           'dfa-example-2-vertical', 'eccentric-60', 'khurmi-16.11', 'gerstmayr-run-up', 'steam-engine-240', 'gas-engine',
-          'rubbing-piston', 'oscillating-cylinder', 'rubbing-lever', 'slotted-lever')
+          'rubbing-piston', 'oscillating-cylinder', 'rubbing-lever', 'slotted-lever', 'scotch-yoke-pump', 'scotch-yoke-actuator',
+          'rubbing-yoke')
 
 
 def decks_of(program, folders):

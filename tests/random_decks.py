@@ -6,13 +6,13 @@ import os
 import random
 import sys
 
-KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank')
+KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank', 'scotch-yoke')
 
 
 class Maker:
     def __init__(self, seed):
         self.r = random.Random(seed)
-        self.kind = KINDS[seed % 3]
+        self.kind = KINDS[seed % 4]
         self.lines = []
 
     def between(self, low, high):
@@ -42,6 +42,13 @@ class Maker:
             self.put('[rod]', 'length = %s mm' % self.between(90, 250))
             self.body(80)
             self.put('[piston]', 'mass = %s kg' % self.between(0.1, 3), '[ground]', 'offset = %s mm' % self.between(-10, 10))
+        elif self.kind == 'scotch-yoke':
+            self.put('[ground]', 'offset = %s mm' % self.between(-30, 30), '[slider]')
+            self.body(10)
+            self.put('[yoke]')
+            if self.chance(0.6):
+                self.put('angle = %s deg' % self.between(40, 140))
+            self.body(100)
         else:
             self.put('[ground]', 'length = %s mm' % self.between(70, 150), '[slider]')
             self.body(30)
@@ -50,12 +57,12 @@ class Maker:
 
     def links(self):
         return {'four-bar': ('crank', 'coupler', 'rocker'), 'slider-crank': ('crank', 'rod', 'piston'),
-                'inverted-slider-crank': ('crank', 'slider', 'lever')}[self.kind]
+                'inverted-slider-crank': ('crank', 'slider', 'lever'), 'scotch-yoke': ('crank', 'slider', 'yoke')}[self.kind]
 
     def load(self, name):
         link = self.r.choice(self.links())
         self.put('[load %s]' % name, 'link = ' + link)
-        if link == 'piston':
+        if link in ('piston', 'yoke'):
             self.put('force = %s N' % self.between(-300, 300))
         elif self.chance(0.5):
             self.put('torque = %s N m' % self.between(-10, 10))
@@ -69,7 +76,7 @@ class Maker:
     def spring(self):
         link = self.links()[2]
         self.put('[spring S]', 'link = ' + link, 'to = ground')
-        if link == 'piston' or self.chance(0.5):
+        if link in ('piston', 'yoke') or self.chance(0.5):
             self.put('at = (%s, 0) mm' % self.between(0, 1 if link == 'piston' else 60),
                      'to_at = (%s, %s) mm' % (self.between(100, 250), self.between(100, 250)),
                      'stiffness = %s N/m' % self.between(10, 3000), 'free_length = %s mm' % self.between(50, 200))
@@ -81,10 +88,14 @@ class Maker:
 
     def friction(self):
         self.put('[friction]')
-        for pin in 'ABD' if self.kind == 'inverted-slider-crank' else 'ABC':
+        for pin in {'inverted-slider-crank': 'ABD', 'scotch-yoke': 'AB'}.get(self.kind, 'ABC'):
             self.put('%s = %s' % (pin, self.between(0.02, 0.15)), 'radius_%s = %s mm' % (pin, self.between(2, 8)))
         if self.kind != 'four-bar':
             self.put('guide = %s' % self.between(0.02, 0.15))
+        if self.kind == 'scotch-yoke':
+            self.put('slot = %s' % self.between(0.02, 0.15))
+            if self.chance(0.5):
+                self.put('slot_length = %s mm' % self.between(10, 40))
 
     def motion(self):
         if self.chance(0.25):
@@ -145,8 +156,8 @@ class MotorMaker(Maker):
 
     def on(self, link):
         """What acts on a link, a force or a torque; sets its unit."""
-        self.unit = 'N' if link == 'piston' else 'N m'
-        return 'force' if link == 'piston' else 'torque'
+        self.unit = 'N' if link in ('piston', 'yoke') else 'N m'
+        return 'force' if link in ('piston', 'yoke') else 'torque'
 
     def load_over_angle(self, name):
         link = self.r.choice(self.links())
@@ -158,7 +169,8 @@ class MotorMaker(Maker):
     def load_over_speed(self, name):
         link, over, unit = self.r.choice([('crank', 'omega2', 'rad/s')] + {
             'four-bar': [('rocker', 'omega4', 'rad/s')], 'slider-crank': [('piston', 'v', 'm/s')],
-            'inverted-slider-crank': [('lever', 'omega4', 'rad/s'), ('lever', 'slide_v', 'm/s')]}[self.kind])
+            'inverted-slider-crank': [('lever', 'omega4', 'rad/s'), ('lever', 'slide_v', 'm/s')],
+            'scotch-yoke': [('yoke', 'v', 'm/s'), ('yoke', 'slide_v', 'm/s')]}[self.kind])
         key = self.on(link)
         reach = self.speed * (0.05 if unit == 'm/s' else 1)
         self.put('[load %s]' % name, 'link = ' + link, 'over = ' + over)
@@ -171,7 +183,8 @@ class MotorMaker(Maker):
     def load_over_position(self, name):
         link, over, unit, low, high = {
             'four-bar': ('rocker', 'theta4', 'deg', 0, 360), 'slider-crank': ('piston', 'x', 'mm', 0, 120),
-            'inverted-slider-crank': self.r.choice((('lever', 'theta4', 'deg', 0, 360), ('lever', 'slide', 'mm', 10, 200)))}[self.kind]
+            'inverted-slider-crank': self.r.choice((('lever', 'theta4', 'deg', 0, 360), ('lever', 'slide', 'mm', 10, 200))),
+            'scotch-yoke': self.r.choice((('yoke', 'x', 'mm', 0, 120), ('yoke', 'slide', 'mm', -50, 50)))}[self.kind]
         key = self.on(link)
         self.put('[load %s]' % name, 'link = ' + link, 'over = ' + over,
                  '%s = %s' % (key, self.points(unit, low, high, self.r.randrange(3, 6))))
@@ -186,7 +199,7 @@ class MotorMaker(Maker):
     def loads(self):
         for name in 'KLMN'[:self.r.randrange(5)]:
             self.r.choice((self.load, self.load, self.load_over_angle, self.load_over_speed, self.load_over_position))(name)
-        if self.kind == 'slider-crank' and self.chance(0.2):
+        if self.kind in ('slider-crank', 'scotch-yoke') and self.chance(0.2):
             self.gas()
         if self.chance(0.3):
             self.spring()
@@ -239,7 +252,7 @@ class MotorMaker(Maker):
         else:
             self.put('turns = %.6g' % (self.sense * (1 if self.mode == 'steady' else self.r.choice((0.5, 1, 2, 3)))),
                      'interval = %d deg' % self.r.choice((7, 10, 15)))
-        self.put('[table]', 'branch = ' + self.r.choice(('open', 'crossed')))
+        self.put('[table]', 'branch = ' + ('open' if self.kind == 'scotch-yoke' else self.r.choice(('open', 'crossed'))))
 
     def deck(self):
         self.mechanism()

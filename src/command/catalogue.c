@@ -63,6 +63,8 @@ static void put_deck(char *deck, int kind, const char *motion)
             has_guide = 1;
         else
             deck += sprintf(deck, PIN("%s"), k.joint[i].letter, k.joint[i].letter);
+    if (k.has_slot && k.has_stroke)
+        deck += sprintf(deck, "slot = 0.1\n");
     if (has_guide)
         deck += sprintf(deck, "guide = 0.1\n%s", k.has_slot ? "guide_length = 10 mm\n" : "");
     sprintf(deck, "%s", motion);

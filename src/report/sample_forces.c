@@ -109,7 +109,7 @@ static void put_centre(report *r, math *m, const body *b, int link)
 static void put_crank_pin(report *r, math *m)
 {
     const fourlink_vector *a = &r->now.state.link[3].acceleration;
-    int is_r = r->v.kind.has_stroke;
+    int is_r = r->v.kind.has_stroke && !r->v.kind.has_slot;
 
     page_print(m->p, "<p>Pin B:</p>\n");
     math_let(m, "aBx",
@@ -137,7 +137,10 @@ static void put_centres(report *r, math *m, const body bodies[5])
             put_crank_pin(r, m);
         if (link == 4 && r->v.kind.has_stroke)
             math_let(m, "aG4x", "aC", bodies[4].a.x);
-        else
+        else if (link == 3 && r->v.kind.has_one_branch) { /* it does not turn */
+            math_let(m, "aG3x", "aBx", bodies[3].a.x);
+            math_let(m, "aG3y", "aBy", bodies[3].a.y);
+        } else
             put_centre(r, m, &bodies[link], link);
     }
 }

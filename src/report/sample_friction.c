@@ -35,29 +35,52 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
     math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i]);
 }
 
-/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at
-** right angles; a slider and its lever press on each other with both. */
-static void put_guide(const report *r, math *m, const fourlink_friction *friction)
+/* A guide or slot: what its friction is called, and the products it can be. */
+typedef struct way {
+    const char *name, *force, *length, *N, *M;
+    const char *product, *of_edges, *resultant;
+} way;
+
+static const way
+    on_ground = {"guide", "Fguide", "lguide", "N", "M14", "mu * N", "mu * { 2 * M14 | lguide }",
+                 ""},
+    on_lever = {"guide",
+                "Fguide",
+                "lguide",
+                "N34",
+                "M34",
+                "mu * N34",
+                "mu * { 2 * M34 | lguide }",
+                "[ N34 ^2 + Fguide ^2 ]"},
+    in_yoke = {"slot",
+               "Fslot",
+               "lslot",
+               "N34",
+               "M34",
+               "mu * N34",
+               "mu * { 2 * M34 | lslot }",
+               "[ N34 ^2 + Fslot ^2 ]"};
+
+/* It has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at right angles; a
+** slider and its lever or yoke press on each other with both. */
+static void put_way(const report *r, math *m, const way *w, double mu, double l, double y)
 {
-    static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
-                                               {"mu * N34", "mu * { 2 * M34 | lguide }"}};
-    int is_on_lever = r->v.kind.has_slot;
     const fourlink_forces *f = &r->now.forces;
-    double N = is_on_lever ? f->N34 : f->F14y, M = is_on_lever ? f->M34 : f->M14;
-    double l = friction->guide_length;
+    int is_slot = w != &on_ground;
+    double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
     int has_edges = l > 0 && 2 * fabs(M) > fabs(N) * l;
 
-    if (!(r->now.losses.guide > 0)) {
-        page_print(m->p, "<p>The guide has none here: nothing moves or presses in it.</p>\n");
+    if (!(y > 0)) {
+        page_print(m->p, "<p>The %s has none here: nothing moves or presses in it.</p>\n", w->name);
         return;
     }
-    math_set(m, "mu", friction->guide);
-    math_set(m, "lguide", l);
-    math_set(m, is_on_lever ? "N34" : "N", fabs(N));
-    math_set(m, is_on_lever ? "M34" : "M14", fabs(M));
-    math_let(m, "Fguide", products[is_on_lever][has_edges], r->now.losses.guide);
-    if (is_on_lever)
-        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y));
+    math_set(m, "mu", mu);
+    math_set(m, w->length, l);
+    math_set(m, w->N, fabs(N));
+    math_set(m, w->M, fabs(M));
+    math_let(m, w->force, has_edges ? w->of_edges : w->product, y);
+    if (is_slot)
+        math_let(m, "F34", w->resultant, gsl_hypot(f->F34x, f->F34y));
 }
 
 static void put_loads_of_joint(report *r, unsigned long joint)
@@ -72,8 +95,10 @@ static void put_loads_of_joint(report *r, unsigned long joint)
             (load->torque == 0 && load->force.x == 0 && load->force.y == 0))
             continue;
         page_row(&r->page, "%s, on the %s|%.6g|%.6g|%.6g",
-                 load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
-                 load->force.x, load->force.y, load->torque);
+                 load->torque != 0                          ? pins[joint].pin
+                 : r->v.kind.has_stroke && joint < PINS - 1 ? "slot"
+                                                            : "guide",
+                 r->v.kind.link[info.link], load->force.x, load->force.y, load->torque);
     }
 }
 
@@ -85,8 +110,10 @@ static void put_loads(report *r)
     unsigned long joint;
 
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
+    if (r->now.losses.slot > 0)
+        page_print(p, "; the force of the slot acts at B");
     if (r->now.losses.guide > 0)
-        page_print(p, "; the force of the guide acts at %s", r->v.kind.has_slot ? "B" : "C");
+        page_print(p, "; the force of the guide acts at %s", r->v.kind.has_stroke ? "C" : "B");
     page_print(p, ":</p>\n");
     page_table_of(p, "facts friction", "Forces and moments of friction",
                   "Load|x (N)|y (N)|moment (N\302\267m)");
@@ -106,14 +133,20 @@ void sample_put_friction(report *r, math *m)
                "<h3>Friction</h3>\n<p>Friction is among the loads above, and depends on the "
                "forces that they give: both are found together.  A pin has the moment \317\201 F, "
                "where \317\201 = \316\274 r is the radius of its friction circle%s%s.</p>\n",
-               friction.guide > 0 ? "; the guide has the force \316\274 |N|" : "",
-               friction.guide > 0 && friction.guide_length > 0
+               friction.slot > 0    ? "; slot and guide have the force \316\274 |N|"
+               : friction.guide > 0 ? "; the guide has the force \316\274 |N|"
+                                    : "",
+               (friction.guide > 0 && friction.guide_length > 0) ||
+                       (friction.slot > 0 && friction.slot_length > 0)
                    ? ", or \316\274 2 |M| / l if the couple presses its edges more"
                    : "");
     for (i = 0; i < PINS; i++) /* C and D may be sliders */
         if (friction.circle[i] > 0 && !r->v.kind.joint[i].slider)
             put_pin(r, m, &friction, i);
+    if (friction.slot > 0)
+        put_way(r, m, &in_yoke, friction.slot, friction.slot_length, r->now.losses.slot);
     if (friction.guide > 0)
-        put_guide(r, m, &friction);
+        put_way(r, m, r->v.kind.has_stroke ? &on_ground : &on_lever, friction.guide,
+                friction.guide_length, r->now.losses.guide);
     put_loads(r);
 }

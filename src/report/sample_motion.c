@@ -134,6 +134,16 @@ static void put_four_bar(report *r, math *m)
 
 /* ------------------------------------------------------------------------------ slider-crank */
 
+static void put_from_dead_centre(report *r, math *m)
+{
+    page_print(m->p,
+               "<p>In the tables the %s is counted from its inner dead centre: x = %.6g m, "
+               "v = %.6g m/s, a = %.6g m/s\302\262.</p>\n",
+               r->v.kind.link[4], math_settled(m, r->now.state.x, MATH_M),
+               math_settled(m, r->now.state.v, MATH_M_S),
+               math_settled(m, r->now.state.a, MATH_M_S2));
+}
+
 static void put_slider_crank_position(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
@@ -180,11 +190,7 @@ static void put_slider_crank(report *r, math *m)
              "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2 - l * alpha3 * sin "
              "theta3 - l * omega3 ^2 * cos theta3",
              link[4].acceleration.x);
-    page_print(m->p,
-               "<p>In the tables the piston is counted from its inner dead centre: x = %.6g m, "
-               "v = %.6g m/s, a = %.6g m/s\302\262.</p>\n",
-               math_settled(m, r->now.state.x, MATH_M), math_settled(m, r->now.state.v, MATH_M_S),
-               math_settled(m, r->now.state.a, MATH_M_S2));
+    put_from_dead_centre(r, m);
 }
 
 /* ------------------------------------------------------------------------------ inverted */
@@ -255,6 +261,51 @@ static void put_inverted(report *r, math *m)
     math_let(m, "acor", "2 * omega3 * sdot", now->coriolis);
 }
 
+/* ------------------------------------------------------------------------------ Scotch yoke */
+
+static void put_yoke_position(report *r, math *m)
+{
+    const fourlink_state *now = &r->now.state;
+    double a = r->v.design->link[2].length, e = r->v.design->offset, beta = r->v.design->angle;
+    double theta2 = r->now.row.crank.theta2, s = now->s, X = now->link[4].origin.x;
+
+    put_words(m, "s runs along the slot from C, where its line meets the line of the guide; x "
+                 "along the guide:");
+    math_let(m, "s", "{ a * sin theta2 <e - e > | sin beta }", s);
+    math_let(m, "xC", "a * cos theta2 - s * cos beta", X);
+    put_words(m, "The loop A, B, C closes along x and along y:");
+    math_zero(m, "a * cos theta2 - s * cos beta - xC", a * cos(theta2) - s * cos(beta) - X,
+              a + fabs(s), MATH_M);
+    math_zero(m, "a * sin theta2 - s * sin beta <e - e >", a * sin(theta2) - s * sin(beta) - e,
+              a + fabs(s), MATH_M);
+}
+
+/* See scotch_yoke.c. */
+static void put_yoke(report *r, math *m)
+{
+    const fourlink_state *now = &r->now.state;
+
+    math_given(m, "a", r->v.design->link[2].length);
+    math_given(m, "beta", r->v.design->angle);
+    math_given(m, "e", r->v.design->offset);
+    end_given(r, m);
+    put_yoke_position(r, m);
+    put_heading(m, "Velocity");
+    put_words(m, "Block and yoke do not turn.");
+    put_derived(m, 0, "differentiated by time:");
+    math_let(m, "sdot", "{ a * omega2 * cos theta2 | sin beta }", now->slide_v);
+    math_let(m, "vC", "- a * omega2 * sin theta2 - sdot * cos beta", now->link[4].velocity.x);
+    put_heading(m, "Acceleration");
+    put_derived(m, 0, "differentiated once more:");
+    math_let(m, "sddot",
+             "{ <alpha2 a * alpha2 * cos theta2 > - a * omega2 ^2 * sin theta2 | sin beta }",
+             now->slide_a);
+    math_let(m, "aC",
+             "<alpha2 - a * alpha2 * sin theta2 > - a * omega2 ^2 * cos theta2 - sddot * cos beta",
+             now->link[4].acceleration.x);
+    put_from_dead_centre(r, m);
+}
+
 void sample_put_motion(report *r, math *m)
 {
     put_heading(m, "Given");
@@ -267,7 +318,9 @@ void sample_put_motion(report *r, math *m)
         put_slider_crank(r, m);
         break;
     case FOURLINK_INVERTED_SLIDER_CRANK:
-    default:
         put_inverted(r, m);
+        break;
+    case FOURLINK_SCOTCH_YOKE:
+        put_yoke(r, m);
     }
 }

@@ -24,6 +24,7 @@ linkage() {
     case $2 in
     four-bar) set -- "$1" "$2" 'ground 80' 'crank 20' 'coupler 66' 'rocker 56' ;;
     slider-crank) set -- "$1" "$2" 'crank 50' 'rod 200' ;;
+    scotch-yoke) set -- "$1" "$2" 'crank 50' ;;
     *) set -- "$1" "$2" 'ground 300' 'crank 50' ;;
     esac
     file=$1
@@ -41,6 +42,7 @@ for example in example.*; do
     kind=four-bar
     grep -Eq '^\[(piston|gas)\]' $example && kind=slider-crank
     grep -Eq '^\[(slider|lever)\]' $example && kind=inverted-slider-crank
+    grep -q '^\[yoke\]' $example && kind=scotch-yoke
     if grep -q '^\[synthesis' $example; then
         { printf 'mechanism = four-bar\n[ground]\nlength = 80 mm\n' && cat $example; } >$example.task
         run 0 --synthesis $example.task

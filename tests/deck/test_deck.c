@@ -22,6 +22,7 @@
     "length = 20 mm\n"
 
 /* Five lines to the end of [ground]; the lever is open. */
+#define YOKE "mechanism = scotch-yoke\n[crank]\nlength = 40 mm\n"
 #define INVERTED                          \
     "mechanism = inverted-slider-crank\n" \
     "[crank]\n"                           \
@@ -193,16 +194,40 @@ static const mistaken all_mistaken[] = {
 
     /* the mechanism */
     {"[ground]\nlength = 1 m\n", 1,
-     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
-     "inverted-slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank', 'mechanism = "
+     "inverted-slider-crank' or 'mechanism = scotch-yoke' before the first section"},
     {"", 1,
-     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
-     "inverted-slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank', 'mechanism = "
+     "inverted-slider-crank' or 'mechanism = scotch-yoke' before the first section"},
     {"title = x\nmechanism = fourbar\n", 2,
-     "expected four-bar, slider-crank or inverted-slider-crank, not 'fourbar'; did you mean "
+     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'fourbar'; did "
+     "you mean "
      "'four-bar'?"},
     {"mechanism = scotch yoke\n", 1,
-     "expected four-bar, slider-crank or inverted-slider-crank, not 'scotch yoke'"},
+     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'scotch yoke'; "
+     "did you mean 'scotch-yoke'?"},
+    {YOKE "[table]\nbranch = crossed\n", 5, "a Scotch yoke has one assembly mode: open"},
+    {YOKE "[table]\nbranch = both\n", 5, "a Scotch yoke has one assembly mode: open"},
+    {YOKE "[expect]\nbranch = crossed\nx = 1 mm\n", 5, "a Scotch yoke has one assembly mode: open"},
+    {YOKE "[yoke]\nangle = 0\n", 5,
+     "the slot's angle from the guide must be between 0 and 180 deg, not 0"},
+    {YOKE "[yoke]\nangle = 180 deg\n", 5,
+     "the slot's angle from the guide must be between 0 and 180 deg, not 180 deg"},
+    {YOKE "[yoke]\nlength = 1 m\n", 5,
+     "unknown key 'length' in [yoke]; it belongs in a section such as [ground]"},
+    {YOKE "[lever]\nmass = 1 kg\n", 4, "a Scotch yoke has no [lever]"},
+    {YOKE "[rod]\nlength = 1 m\n", 4, "a Scotch yoke has no [rod]; its link 3 is the [slider]"},
+    {YOKE "[ground]\nlength = 1 m\n", 5, "the ground of a Scotch yoke has no length"},
+    {YOKE "[friction]\nslot_length = 9 mm\nguide = 0.1\n", 5,
+     "'slot_length' needs 'slot', the coefficient of friction"},
+    {YOKE "[friction]\nC = 0.1\n", 5, "the friction of a Scotch yoke has no C"},
+    {YOKE "[load]\nlink = rocker\ntorque = 1 N m\n", 5,
+     "a Scotch yoke has no rocker: its links are crank, slider and yoke"},
+    {YOKE "[load]\nlink = yoke\nover = theta4\ntorque = 0 deg 1 N m, 9 deg 2 N m\n", 6,
+     "a Scotch yoke has no theta4"},
+    {"mechanism = scotch-yoke\n[crank]\nstroke = 80 mm\n[yoke]\nangle = 60 deg\n", 3,
+     "a stroke is for a slot at 90 deg; with this angle give the crank's length"},
+    {"mechanism = scotch-yoke\n[crank]\nmass = 1 kg\n", 2, "[crank] has no length, and no stroke"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 66 mm\n[rocker]\nmass = 1 kg\n",
      8, "[rocker] has no length"},

@@ -247,14 +247,14 @@ TEST(test_not_prepared)
 /* Every type belongs to one kind. */
 TEST(test_types)
 {
-    static const int kinds[3] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
-                                 FOURLINK_INVERTED_SLIDER_CRANK};
-    int type, i, counts[3] = {0};
+    static const int kinds[4] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                                 FOURLINK_INVERTED_SLIDER_CRANK, FOURLINK_SCOTCH_YOKE};
+    int type, i, counts[4] = {0};
 
     for (type = -1; type < 40; type++) {
         int n = 0, is_known = strcmp(fourlink_type_text(type), "unknown type") != 0;
 
-        for (i = 0; i < 3; i++) {
+        for (i = 0; i < 4; i++) {
             counts[i] += fourlink_has_type(kinds[i], type);
             n += fourlink_has_type(kinds[i], type);
         }
@@ -263,6 +263,7 @@ TEST(test_types)
     }
     assert_int_equal(counts[0], 9);
     assert_int_equal(counts[1], 3);
+    assert_int_equal(counts[3], 1);
     assert_int_equal(counts[2], 4);
     assert_int_equal(fourlink_has_type(FOURLINK_SLIDER_CRANK, FOURLINK_ENGINE), 1);
     assert_int_equal(fourlink_has_type(FOURLINK_SLIDER_CRANK, FOURLINK_WHITWORTH), 0);

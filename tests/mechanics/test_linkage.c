@@ -265,7 +265,7 @@ TEST(test_type_names)
 
         assert_non_null(name);
         assert_true(*name);
-        if (i < FOURLINK_CRANK_ROCKER || i > FOURLINK_CHANGE_POINT_INVERTED)
+        if (i < FOURLINK_CRANK_ROCKER || i > FOURLINK_YOKE)
             assert_string_equal(name, "unknown type");
     }
 }

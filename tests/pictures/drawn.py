@@ -97,7 +97,7 @@ def check_block(panel, what, style, at, axis, size):
     mine = [box for box in boxes(panel, style) if abs(box[0] - at) < 1e-5 * size]
     if not checks.that(mine, what, 'at', at, 'in', panel.title):
         return 0
-    along, across = mine[0][1:]
+    along, across = min(mine, key=lambda box: abs(cross(box[1], axis)) / abs(box[1]))[1:]  # a slot may be around it
     checks.near('axis of the ' + what, cross(along, axis), 0, 2e-5 * abs(along) + 1e-6 * size, 1)
     checks.near('corners of the ' + what, dot(along, across) / abs(across), 0, 2e-5 * abs(along) + 1e-5 * size, 1)
     checks.that(1.2 * abs(across) < abs(along) < 2 * abs(across), 'sides of the', what)
@@ -261,6 +261,9 @@ def check_places(panel, deck, position, row, size, has_angles=True):
     for letter, at in (('A', position.A), ('B', position.B), ('C', position.C), ('D', position.D)):
         if letter == 'D' and deck.slides:
             continue
+        if letter == 'C' and deck.yoke:
+            has_label(panel, letter)
+            continue
         has_disc(panel, 'pin ' + letter, at, size, 'white')
         if letter != 'C' or not deck.slot:
             has_label(panel, letter)
@@ -279,8 +282,8 @@ def check_places(panel, deck, position, row, size, has_angles=True):
     if has_angles:
         unit = si_of(deck.unit('angle'))
         check_angle(panel, 'θ₂', position.A, math.fmod(row['theta2'] * unit, 2 * math.pi), unit, size)
-        if not deck.slot or deck.number('lever.angle'):
-            check_angle(panel, 'θ₃', position.B, row['theta3'] * unit, unit, size)
+        if not deck.slot or deck.yoke or deck.number('lever.angle'):
+            check_angle(panel, 'θ₃', position.C if deck.yoke else position.B, row['theta3'] * unit, unit, size)
         if not deck.slides:
             check_angle(panel, 'θ₄', position.D, row['theta4'] * unit, unit, size)
     check_sense(panel, position.A, row['omega2'] if 'omega2' in row else 0, size)
@@ -418,7 +421,7 @@ def check_velocities(panel, deck, position, row):
     unit, k = deck.unit('speed'), deck.factor('speed', 'length')
     vB = k * position.velocity(3, 0)
     if deck.slot:
-        vB4 = k * 1j * position.omega[4] * (position.B - position.D)
+        vB4 = k * (position.velocity(4, 0) + 1j * position.omega[4] * (position.B - position.D))
         sides = [('vB', 0, vB), ('vB4', 0, vB4), ('vBB4', vB4, row['slide_v'] * position.axis[3])]
         ways, corners = (['vB'], ['vB4', 'vBB4']), ('o', 'b', 'b4')
     else:
@@ -441,7 +444,12 @@ def check_accelerations(panel, deck, position, row):
     aBn, aBt = parts(2, position.B)
     sides = [('aBn', 0, aBn), ('aBt', aBn, aBt)]
     aB = aBn + aBt
-    if deck.slot:
+    if deck.yoke:
+        aB4 = k * position.acceleration(4, 0)
+        sides += [('aB4', 0, aB4), ('aBB4', aB4, row['slide_a'] * position.axis[3])]
+        ways, corners = (['aBn', 'aBt'], ['aB4', 'aBB4']), ("o'", "b'", "b4'")
+        lines = [(0, aB)]
+    elif deck.slot:
         n, t = parts(4, position.B - position.D)
         u = position.axis[3]
         cor = 1j * u * row['coriolis']
@@ -501,9 +509,9 @@ def acting_on(deck, position, row, link, is_free=True):
     if link == 2:
         found += [Acting('F₁₂', position.A, row.vector('F12'), pin='A'), Acting('F₃₂', position.B, -row.vector('F23'), pin='B')]
     elif link == 3:
-        found += [Acting('F₂₃', position.B, row.vector('F23'), pin='B'), Acting('F₄₃', position.C, -row.vector('F34'), pin='C')]
+        found += [Acting('F₂₃', position.B, row.vector('F23'), pin='B'), Acting('F₄₃', position.joint, -row.vector('F34'), pin='C')]
     else:
-        found.append(Acting('F₃₄', position.C, row.vector('F34'), pin='C'))
+        found.append(Acting('F₃₄', position.joint, row.vector('F34'), pin='C'))
         if deck.slides:
             found.append(Acting('N', position.C, 1j * row['N']))
         else:
@@ -538,7 +546,7 @@ def acting_on(deck, position, row, link, is_free=True):
         # against the motion of the piston; that of a slider on its lever is in F34
         force = complex(-math.copysign(row['friction_guide'], position.velocity(4, 0).real), 0)
         found.append(Acting('friction', position.C, force, kind=LOAD))
-    if 'gas_force' in row and row['gas_force'] and (deck.slides and link == 4 or deck.slot and link in (3, 4)):
+    if 'gas_force' in row and row['gas_force'] and (link == 4 if deck.slides else deck.slot and link in (3, 4)):
         if deck.slides:
             force = complex(-position.side * row['gas_force'], 0)
         else:
@@ -644,7 +652,9 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     scale = check_scale(body, deck, largest, lines)
     if not scale or not checks.that(len(lines) == len(shown), 'arrows of the', where, len(lines), [x.name for x in shown]):
         return
-    length = abs(position.B - position.A) if link == 4 and deck.slides or deck.slot and link == 3 else \
+    crank = abs(position.B - position.A)
+    length = max(map(abs, deck.slide_range(1))) if link == 4 and deck.yoke else \
+        crank if link == 4 and deck.slides or deck.slot and link == 3 else \
         abs(position.origin[link] - (position.B if link == 2 or deck.slot else position.C))
     checks.near('the longest arrow of the ' + where, max(abs(line.vector) for line in lines), 0.8 * length, 1e-4 * length + 1e-5 * size, 1)
     coarse = 1e-6 * size / (scale * largest) * 20  # seven digits of places far from the origin
@@ -693,7 +703,9 @@ def check_free_body(body, polygon, deck, position, row, link, size):
 def check_body_outline(body, deck, position, link, row, size):
     """The body between its pins, with their letters."""
     pins = {2: (position.A, position.B), 3: (position.B, position.C), 4: (position.C, position.D)}[link]
-    if deck.slides and link == 4:
+    if deck.yoke and link == 4:
+        letters = 'BC'
+    elif deck.slides and link == 4:
         check_block(body, 'piston', FOLLOWER, position.C, 1, size)
         letters = 'C'
     elif deck.slot and link == 3:
@@ -1021,8 +1033,8 @@ def is_sound(deck, row):
     """Away from dead positions, where numbers are limited by rounding, and from where friction in a guide changes its sign."""
     if not row.is_ok or row['mu'] * si_of(deck.unit('angle')) <= 0.02:
         return False
-    speed = row['v'] if 'v' in row.values else row['slide_v'] if 'slide_v' in row.values else 1
-    return abs(speed) * si_of(deck.unit('speed')) > 1e-9 or 'friction.guide' not in deck.inputs
+    speed = min([abs(row[name]) for name in ('v', 'slide_v') if name in row.values], default=1)
+    return speed * si_of(deck.unit('speed')) > 1e-9 or not {'friction.guide', 'friction.slot'} & set(deck.inputs)
 
 
 def check_deck(deck, folder):
@@ -1039,7 +1051,7 @@ def check_deck(deck, folder):
             position = own.at(row)
             at = ('--branch=' + branch, '--plot-at=' + row.values['theta2']) + own.options
             check_vectors(own, own.program.listing(own, 'vectors', *at), row, position)
-            if own.slides and k % 4 < 2 and not is_slow(own):
+            if own.slides and not own.yoke and k % 4 < 2 and not is_slow(own):
                 check_klein(own, own.program.listing(own, 'klein', *at), row, position)
             if (k % 4 == 1 or k % 8 == 2) and not is_slow(own):
                 check_mechanism(own, own.program.listing(own, 'mechanism', *at), row, position, rows)

@@ -74,9 +74,10 @@ def check_swing(checks, deck, panel, side):
 
 
 def check_stroke(checks, deck, panel, side):
-    """x^2 + e^2 = (l + r)^2 and (l - r)^2"""
+    """x^2 + e^2 = (l + r)^2 and (l - r)^2; of a yoke linkage.py has them"""
     r, l, e = deck.length(2), deck.length(3), deck.number('ground.offset')
-    wanted = sorted(side * math.sqrt((l + k * r) ** 2 - e * e) for k in (1, -1))
+    wanted = sorted((deck.nearest(), deck.dead_centre()) if deck.yoke else
+                    [side * math.sqrt((l + k * r) ** 2 - e * e) for k in (1, -1)])
     found = sorted(line.end.real for line in heads(panel))
     if checks.that(len(found) == 2, 'two ends of the stroke', found):
         for x, y in zip(found, wanted):

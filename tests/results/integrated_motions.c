@@ -172,6 +172,18 @@ static int place_inverted(const fourlink_design *design, double side, linkage *l
     return 1;
 }
 
+/* B = C + s u, with C on the guide: the part of B off the guide is the sum of C's, 0, and of s u's. */
+static int place_yoke(const fourlink_design *design, linkage *l)
+{
+    double complex u = cexp(I * design->angle);
+    jet B = l->origin[3], y = scaled(-0.5 * (double complex)I, minus(B, conjugate(B)));
+
+    l->axis[3] = constant(u);
+    l->axis[4] = constant(1);
+    l->origin[4] = minus(B, scaled(u / cimag(u), minus(y, constant(design->offset))));
+    return 1;
+}
+
 /* All links at a crank angle; 0 if they do not reach it. */
 static int place(const machine *m, double theta2, linkage *l)
 {
@@ -187,6 +199,8 @@ static int place(const machine *m, double theta2, linkage *l)
         return place_four_bar(design, side, l);
     case FOURLINK_SLIDER_CRANK:
         return place_slider_crank(design, side, l);
+    case FOURLINK_SCOTCH_YOKE:
+        return place_yoke(design, l);
     default:
         return place_inverted(design, side, l);
     }
@@ -1276,7 +1290,7 @@ static void compare(machine *m)
 enum { KINDS, MODES, MOTORS, PARTS, GROUPS, MOST = 8 };
 
 static const char *const names[GROUPS][MOST] = {
-    {"four-bar linkages", "slider-cranks", "inverted slider-cranks"},
+    {"four-bar linkages", "slider-cranks", "inverted slider-cranks", "Scotch yokes"},
     {"free", "run-up", "steady", "by time"},
     {"no motor", "constant torque", "balance", "line", "curve", "power"},
     {"friction", "springs", "gas", "loads over a speed or a position", "flywheel found"}};
@@ -1295,7 +1309,10 @@ static void count_categories(const machine *m)
 {
     int kind = (int)m->problem.mechanism.design.kind;
 
-    count(KINDS, kind == FOURLINK_FOUR_BAR ? 0 : kind == FOURLINK_SLIDER_CRANK ? 1 : 2);
+    count(KINDS, kind == FOURLINK_FOUR_BAR                ? 0
+                 : kind == FOURLINK_SLIDER_CRANK          ? 1
+                 : kind == FOURLINK_INVERTED_SLIDER_CRANK ? 2
+                                                          : 3);
     count(MODES, m->problem.by_time ? 3 : m->problem.mode - FOURLINK_MODE_FREE);
     count(MOTORS, m->balances            ? 2
                   : m->stall_torque != 0 ? 3

@@ -168,9 +168,9 @@ TEST(test_columns_that_cannot_be_chosen)
         {"torque", "unknown column 'torque'; see --list"}, /* no masses */
         {"w", "unknown column 'w'; see --list"},
         {"xyzzy", "unknown column 'xyzzy'; see --list"},
-        {"theta4, x", "the column 'x' belongs to the slider-crank"},
-        {"friction_guide",
-         "the column 'friction_guide' belongs to the slider-crank and the inverted slider-crank"},
+        {"theta4, x", "the column 'x' belongs to the slider-crank and the Scotch yoke"},
+        {"friction_guide", "the column 'friction_guide' belongs to the slider-crank, the inverted "
+                           "slider-crank and the Scotch yoke"},
         {"friction_D", "the column 'friction_D' needs a [friction] section; the deck has none"},
         {"B.x, G3.vx", "the column 'G3.vx' needs a mass of that link"},
         {"C.x, G5.x", "unknown column 'G5.x'; see --list"},

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""scale.py FOURLINK PRINTED_ROWS DECK [PICTURE] - time and memory over the number of rows and designs.
+"""scale.py FOURLINK PRINTED_ROWS DECK [PICTURE] - time over the number of rows and designs.
 
-Each line of the table is one process: wall time and the largest resident size.  The same rows by printed_rows.c, by
+Each cell of the table is a process: seconds on the wall.  The same rows by printed_rows.c, by
 batched.py (numpy), and positions alone by pylinkage, where it is installed; designs in one process, and in parts on all
 cores by GNU parallel.  The picture is an SVG file of the same numbers.
 """
@@ -19,7 +19,7 @@ swept = ["--set", "sweep.output=mu_min, swing", deck]
 
 
 def rows(n):
-    return [fourlink, "--branch=open", "--set", "solver=dyad", "--columns=" + columns, f"--interval={360 / n!r} deg", deck]
+    return [fourlink, "--branch=open", "--set", "solver=dyad", "--columns=" + columns, f"--interval={360 / (n - 1)!r} deg", deck]
 
 
 def designs(n, part=""):
@@ -56,14 +56,13 @@ programs = [
 def run(command):
     start = time.monotonic()
     child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(child.pid, 0)
-    child.returncode = status
-    return time.monotonic() - start, usage.ru_maxrss / 1024, status
+    status = child.wait()
+    return time.monotonic() - start, status
 
 
 def slope(points):
     """Of log time over log number, from the last two decades."""
-    (n1, t1, _), (n2, t2, _) = points[-3], points[-1]
+    (n1, t1), (n2, t2) = points[-3], points[-1]
     return math.log(t2 / t1) / math.log(n2 / n1)
 
 
@@ -71,21 +70,21 @@ measured = []
 for what, name, command, most in programs:
     points = []
     for exponent in range(2 if what == "designs" else 3, most + 1):
-        seconds, size, status = min(run(command(10**exponent)) for _ in range(3 if exponent < 6 else 1))
+        seconds, status = min(run(command(10**exponent)) for _ in range(3 if exponent < 6 else 1))
         if status:
             print("skipped:", name, file=sys.stderr)
             break
-        points.append((10**exponent, seconds, size))
+        points.append((10**exponent, seconds))
     if len(points) > 2:
         measured.append((what, name, points))
 for unit in ("rows", "designs"):
     of_unit = [(name, points) for what, name, points in measured if what == unit]
     most = max(points[-1][0] for _, points in of_unit)
     exponents = range(2 if unit == "designs" else 3, round(math.log10(most)) + 1)
-    print(f"| {unit}: s (MB) |" + "".join(f" 10^{k} |" for k in exponents) + " slope |")
+    print(f"| seconds for so many {unit} |" + "".join(f" 10^{k} |" for k in exponents) + " slope |")
     print("|---|" + "---|" * (len(exponents) + 1))
     for name, points in of_unit:
-        cells = {n: f"{seconds:.3g} ({size:.0f})" for n, seconds, size in points}
+        cells = {n: f"{seconds:.3g}" for n, seconds in points}
         print(f"| {name} |" + "".join(f" {cells.get(10**k, '')} |" for k in exponents) + f" {slope(points):.2f} |")
     print()
 
@@ -106,7 +105,7 @@ if len(sys.argv) > 4:
                    f'text-anchor="end">{label}</text>')
     out.append(f'<text x="{(left + x(1e8)) / 2}" y="{height - 6}" text-anchor="middle">rows or designs</text>')
     for (what, name, points), colour, dash in zip(measured, looks, dashes):
-        line = " ".join(f"{x(n):.1f},{y(max(seconds, 1e-3)):.1f}" for n, seconds, _ in points)
+        line = " ".join(f"{x(n):.1f},{y(max(seconds, 1e-3)):.1f}" for n, seconds in points)
         out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2" stroke-dasharray="{dash}"/>')
     for i, ((what, name, _), colour, dash) in enumerate(zip(measured, looks, dashes)):
         out.append(f'<path d="M{left + 10} {y(1000) + 12 + 18 * i}h34" stroke="{colour}" stroke-width="2" '
