@@ -147,12 +147,11 @@ static int is_slot(const flk_kind *kind, int i)
     return kind->joint[i].slider == FOURLINK_COUPLER && kind->joint[3].slider;
 }
 
-/* The coefficient of friction of a guide or slot, and the length of its block. */
-static double guide_of(const flk_kind *kind, int i, const fourlink_friction *friction,
-                       double *block)
+double flk_friction_of(const flk_kind *kind, int i, const fourlink_friction *friction)
 {
-    *block = is_slot(kind, i) ? friction->slot_length : friction->guide_length;
-    return is_slot(kind, i) ? friction->slot : friction->guide;
+    return !kind->joint[i].slider ? friction->circle[i]
+           : is_slot(kind, i)     ? friction->slot
+                                  : friction->guide;
 }
 
 /* List the joints that have friction and move, with the senses of `held` if that is given. */
@@ -161,7 +160,7 @@ static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *
                                 const fourlink_friction *friction, equations *e)
 {
     int sense = flk_friction_sense((held ? held : state)->link[FOURLINK_CRANK].omega, friction);
-    double length = mechanism->design.link[FOURLINK_CRANK].length, block = 0;
+    double length = mechanism->design.link[FOURLINK_CRANK].length, block;
     int k;
 
     e->n = e->n_coupled = 0;
@@ -172,8 +171,8 @@ static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *
 
         j->number = i;
         j->is_guide = at->slider != 0;
-        j->factor =
-            j->is_guide ? guide_of(kind, i, friction, &block) * length : friction->circle[i];
+        j->factor = flk_friction_of(kind, i, friction) * (j->is_guide ? length : 1);
+        block = is_slot(kind, i) ? friction->slot_length : friction->guide_length;
         j->couple = block > 0 ? 2 / block : 0;
         j->speed = flk_friction_speed(mechanism, held ? held : state, at) * sense;
         j->n_loads = 0;

@@ -45,9 +45,7 @@ static size_t list_joint_switches(const flk_machine *m, flk_switch *list)
     int joint;
 
     for (joint = 1; joint < 4 && m->has_friction; joint++) {
-        double size = kind->joint[joint].slider ? m->friction.guide : m->friction.circle[joint];
-
-        if (!(size > 0))
+        if (!(flk_friction_of(kind, joint, &m->friction) > 0))
             continue;
         if (list) {
             flk_switch_at_zero(FLK_THETA2, &list[n]);

@@ -713,6 +713,18 @@ static double fact(const machine *m, const char *name)
     return status == FOURLINK_OK ? v.value * v.to_si : NAN;
 }
 
+/* Where the friction of a yoke's slot and guide reverses: the crank is across the guide, or across the slot. */
+static void add_reversals(machine *m)
+{
+    double beta = m->problem.mechanism.design.angle;
+    int i;
+
+    for (i = -1; i <= 1 && m->n_corners + 2 <= CORNERS; i += 2) {
+        m->corner[m->n_corners++] = i * PI / 2;
+        m->corner[m->n_corners++] = beta + i * PI / 2;
+    }
+}
+
 /* Crank angles of loads and of the gas: all numbers of degrees in their sections. */
 static void read_corners(const char *deck, machine *m)
 {
@@ -831,6 +843,8 @@ static int open_machine(const char *name, machine *m)
     for (i = 0; i < m->problem.n_springs && i < SPRINGS; i++)
         fourlink_deck_spring(m->deck, i, NULL, &m->spring[i]);
     read_corners(text, m);
+    if (m->problem.has_friction && m->problem.mechanism.design.kind == FOURLINK_SCOTCH_YOKE)
+        add_reversals(m);
     read_motor(text, m);
     return 1;
 }

@@ -42,6 +42,9 @@ static int seldom(double share)
 
 /* ------------------------------------------------------------------------------------------- decks */
 
+#define SEED_OF_YOKES 1000 /* and above: decks of Scotch yokes alone */
+static int only_yokes;
+
 static char text[20000];
 static size_t length;
 static double corners[200]; /* rad; where something happens, in every cycle */
@@ -208,14 +211,37 @@ static void write_inverted(double unit, double cycle)
     write_gas(0.3, 0.3, a, unit, cycle);
 }
 
+/* Slots of all directions, some with friction in slot and guide. */
+static void write_yoke(double unit, double cycle)
+{
+    double a = between(0.1, 1), e = seldom(0.5) ? 0 : between(-1, 1) * a;
+
+    write("mechanism = scotch-yoke\n[ground]\noffset = %.17g m\n", e * unit);
+    if (seldom(0.3))
+        write("angle = %.17g deg\n", between(-180, 180));
+    write("[crank]\nlength = %.17g m\n", a * unit);
+    write_mass(a * unit);
+    write("[slider]\n");
+    write_mass(0.3 * unit);
+    write("[yoke]\n");
+    if (seldom(0.6))
+        write("angle = %.17g deg\n", seldom(0.1) ? between(2, 10) : between(20, 160));
+    write_mass(a * unit);
+    write_gas(0.4, 0.5, a, unit, cycle);
+}
+
+enum { FOUR_BAR, SLIDER_CRANK, INVERTED, YOKE };
+
 static void write_loads(int slides, double unit, double cycle)
 {
-    static const char *const links[3][3] = {
-        {"crank", "coupler", "rocker"}, {"crank", "rod", "piston"}, {"crank", "slider", "lever"}};
+    static const char *const links[4][3] = {{"crank", "coupler", "rocker"},
+                                            {"crank", "rod", "piston"},
+                                            {"crank", "slider", "lever"},
+                                            {"crank", "slider", "yoke"}};
     int n = one_of(3), i;
 
     for (i = 0; i < n; i++) {
-        int link = one_of(3), turns = !(slides == 1 && link == 2),
+        int link = one_of(3), turns = !(slides == SLIDER_CRANK && link == 2),
             has_torque = turns && seldom(0.6);
 
         write("[load L%d]\nlink = %s\n", i, links[slides][link]);
@@ -277,17 +303,23 @@ static void write_motion(double cycle)
 static void make_deck(void)
 {
     double cycle = seldom(0.2) ? 720 : 360, unit = pow(10, between(-1.5, 0.5));
-    static const char *const carriers[] = {"coupler", "rod", "slider"};
-    int slides = seldom(0.35) ? 1 : seldom(0.25) ? 2 : 0, n = one_of(3), i;
+    static const char *const carriers[] = {"coupler", "rod", "slider", "yoke"};
+    int slides = only_yokes     ? YOKE
+                 : seldom(0.35) ? SLIDER_CRANK
+                 : seldom(0.25) ? INVERTED
+                                : FOUR_BAR;
+    int n = one_of(3), i;
 
     length = 0;
     n_corners = 0;
     if (seldom(0.9))
         write("solver = dyad\n");
-    if (slides == 1)
+    if (slides == SLIDER_CRANK)
         write_slider_crank(unit, cycle);
-    else if (slides == 2)
+    else if (slides == INVERTED)
         write_inverted(unit, cycle);
+    else if (slides == YOKE)
+        write_yoke(unit, cycle);
     else
         write_four_bar(unit);
     write_loads(slides, unit, cycle);
@@ -308,6 +340,8 @@ static void make_deck(void)
 static void begin_chance(long seed, long i)
 {
     int k;
+
+    only_yokes = seed >= SEED_OF_YOKES;
 
     state = 0x9E3779B97F4A7C15ULL * (unsigned long long)(seed * 1000003 + i + 1);
     for (k = 0; k < 10; k++)
