@@ -22,12 +22,12 @@ for deck in "$data"/*.deck "$decks"/*.deck; do
     case ${3-}$deck in
     */bad.deck | */mistakes.deck | */reach.deck) continue ;;
     all* | */alvi-5.1.deck | */me3491-*.deck | */sarkar-*.deck | */coupler-point.deck | */rubbing-*.deck | */dfa-*.deck | */eccentric-60.deck | \
-        */gerstmayr-run-up.deck | */khurmi-16.11.deck | */oscillating-cylinder.deck | */gas-engine.deck | */slotted-lever.deck) ;;
+        */gerstmayr-run-up.deck | */khurmi-16.11.deck | */oscillating-cylinder.deck | */gas-engine.deck | */slotted-lever.deck | */scotch-yoke-*.deck) ;;
     *) continue ;;
     esac
     sample "$deck" --branch=open
     [ "${3-}" ] || continue
-    sample "$deck" --branch=crossed
+    grep -q '^mechanism = scotch-yoke' "$deck" || sample "$deck" --branch=crossed
     python3 "$tests/page.py" r-$n.html "$deck" >wrong 2>&1
     check "$deck: $(tail -n 3 wrong)" test ! -s wrong
 done
