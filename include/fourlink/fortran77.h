@@ -28,9 +28,9 @@
 ** a Scotch yoke.
 **
 ** Given:
-**    LINKS      by link number: length (m; unused for piston, slider, yoke; lever: DC, or 0), mass (kg), moment
-**               of inertia about the centre of mass (kg m2), x and y of the centre of mass in the link's own
-**               axes (m)
+**    LINKS      by link number: length (m; unused for piston, slider, yoke; lever: DC, or 0), mass (kg),
+**               moment of inertia about the centre of mass (kg m2), x and y of the centre of mass in the
+**               link's own axes (m)
 **    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; others: as in fourlink_design
 **    ANGLE      rad, angle of the slide from the line DC of a lever with a length; of the slot from the guide
 **    GRAV       m/s2, in the frame of link 1

@@ -127,10 +127,10 @@ typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted:
-                       s / BD; Scotch yoke: sine of the slot's angle. Positive on the open branch, negative on the crossed one; beyond a
-                       change point the signs are swapped (see fourlink_branch). 0 in a dead
-                       position; 1/|sine| is the condition number of the position: the factor by
-                       which relative errors of the data can grow */
+                       s / BD; Scotch yoke: sine of the slot's angle. Positive on the open branch,
+                       negative on the crossed one; beyond a change point the signs are swapped
+                       (see fourlink_branch). 0 in a dead position; 1/|sine| is the condition number
+                       of the position: the factor by which relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
     double x, v, a; /* m, m/s, m/s2, slider-crank, Scotch yoke: displacement of piston or yoke from

@@ -234,8 +234,8 @@ static char *put_power(int power, int is_short, char *to)
 static const double power_of_ten[DIGITS] = {1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,
                                             1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17};
 
-/* The eight digits of an integer below 10^8 as bytes of a word, the first one lowest: halves, pairs and digits are
-** split off in all places at once by products that stand for quotients. */
+/* The eight digits of an integer below 10^8 as bytes of a word, the first one lowest: halves, pairs and
+** digits are split off in all places at once by products that stand for quotients. */
 static word eight_digits(unsigned int n)
 {
     word high = n / 10000, w = high | (word)(n - (unsigned int)high * 10000) << 32, t;
@@ -274,8 +274,8 @@ void flk_digits_cell(digits_cell *cell, size_t value, int decimals, double limit
     cell->limit = limit < 99999999 / cell->scale ? limit : 99999999 / cell->scale;
 }
 
-/* The rounded product x 10^k is good enough if it is not too near a half: below 10^8 its error is less than
-** 2 10^-8.  The decimals are the last digits; the digits of the whole part go a place further left, where bytes
+/* The rounded product x 10^k is good enough if it is not too near a half: below 10^8 its error is less than 2
+** 10^-8. The decimals are the last digits; the digits of the whole part go a place further left, where bytes
 ** without a digit become blanks. */
 size_t flk_digits_put(const digits_cell *cells, size_t n, const double *values, char *line)
 {

@@ -24,14 +24,14 @@ typedef struct digits_cell {
     double scale, limit; /* 10^decimals; smaller numbers are written */
 } digits_cell;
 
-/* Set a cell for numbers below `limit`.  All of DIGITS_BEFORE bytes before its end may become blanks; where the line
-** has fewer, no number is written. */
+/* Set a cell for numbers below `limit`. All of DIGITS_BEFORE bytes before its end may become blanks; where
+** the line has fewer, no number is written. */
 #define DIGITS_BEFORE 20
 void flk_digits_cell(digits_cell *cell, size_t value, int decimals, double limit, size_t end);
 
-/* Write the numbers of n cells, as flk_digits_fixed, from right to left since they blank what is on their left.
-** Returns 0, or the number of cells that are left where the last of them has a number whose digits are not certain or
-** that is too large: the caller writes it. */
+/* Write the numbers of n cells, as flk_digits_fixed, from right to left since they blank what is on their
+** left. Returns 0, or the number of cells that are left where the last of them has a number whose digits are
+** not certain or that is too large: the caller writes it. */
 size_t flk_digits_put(const digits_cell *cells, size_t n, const double *values, char *line);
 
 /* Write any number with at most 17 significant digits and a short exponent (1e6), for messages.  The last

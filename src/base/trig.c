@@ -38,15 +38,15 @@ static double lost_in_product(double x, double y, double p)
 #define LARGEST 1e9
 #define TWO_OVER_PI 0.63661977236758138
 
-/* pi / 2 in parts.  The first four have 23 bits, so that their products with an integer below 2^30 are exact; what
-** all five leave is less than 2^-147. */
+/* pi / 2 in parts. The first four have 23 bits, so that their products with an integer below 2^30 are exact;
+** what all five leave is less than 2^-147. */
 static const double half_pi[5] = {1.5707962512969971, 7.5497894158615964e-08,
                                   5.3903025299577648e-15, 3.2820031633724233e-22,
                                   3.7950107727212251e-29};
 
-/* x = n pi / 2 + r + rest, with |r| at most a little more than pi / 4 and a rest that is much smaller.  The first two
-** differences are exact: both sides are multiples of the last bit of x or of a part, and the difference has no more
-** than 53 bits of these. */
+/* x = n pi / 2 + r + rest, with |r| at most a little more than pi / 4 and a rest that is much smaller. The
+** first two differences are exact: both sides are multiples of the last bit of x or of a part, and the
+** difference has no more than 53 bits of these. */
 static double reduce(double x, int *n, double *rest)
 {
     double k, y, s, r;
@@ -123,8 +123,8 @@ typedef struct angle {
 **
 **    t = (y - c x) / (x + c y),   atan(t) = t + t^3 P(t^2)
 **
-** The numerator is exact, since y and c x differ by a factor of at most 2; the rounding errors of denominator and
-** quotient are known, and give t a second part. */
+** The numerator is exact, since y and c x differ by a factor of at most 2; the rounding errors of denominator
+** and quotient are known, and give t a second part. */
 static angle of_first_octant(double y, double x)
 {
     static const angle of_c[3] = {{0, 0},

@@ -136,8 +136,8 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
-** which for e = 0 is r = S/2.  The longest stroke has r = l - |e|, the longest crank that turns fully:
-** S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots.  A yoke has no rod,
+** which for e = 0 is r = S/2. The longest stroke has r = l - |e|, the longest crank that turns fully: S^2 =
+** (l + r)^2 - e^2 = 4 l (l - |e|). A longer stroke would require the sum of the two roots. A yoke has no rod,
 ** and S = 2 a. */
 static void build_stroke(parser *p)
 {

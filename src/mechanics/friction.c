@@ -495,8 +495,8 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
     }
 }
 
-/* Add friction to the force of a guide or slot, besides its normal force: F14 on a piston or yoke, F34 on a lever or
-** yoke. */
+/* Add friction to the force of a guide or slot, besides its normal force: F14 on a piston or yoke, F34 on a
+** lever or yoke. */
 static void add_guide(const flk_kind *kind, const equations *e, fourlink_forces *forces)
 {
     int k;

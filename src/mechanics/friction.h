@@ -19,7 +19,8 @@ int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state
                        unsigned long n_loads, const fourlink_friction *friction, int closed_form,
                        fourlink_forces *forces, fourlink_losses *losses);
 
-/* The radius of the friction circle of pin i, or the coefficient of a guide or slot: above 0 where it has friction. */
+/* The radius of the friction circle of pin i, or the coefficient of a guide or slot: above 0 where it has
+** friction. */
 double flk_friction_of(const flk_kind *kind, int i, const fourlink_friction *friction);
 
 #endif

@@ -2,8 +2,9 @@
 **
 ** scotch_yoke.c - the Scotch yoke.
 **
-** Links: crank a = AB; block, pinned to the crank at B, which slides in the slot of the yoke; yoke, which slides along
-** the guide y = e.  C is the point where the slot's line meets the guide line.  Only the crank turns.
+** Links: crank a = AB; block, pinned to the crank at B, which slides in the slot of the yoke; yoke, which
+** slides along the guide y = e. C is the point where the slot's line meets the guide line. Only the crank
+** turns.
 */
 #include <math.h>
 
@@ -12,8 +13,8 @@
 #include "base/trig.h"
 #include "kind.h"
 
-/* With beta the angle of the slot, u = (cos(beta), sin(beta)) its direction, n = u turned left by 90 deg, s along the
-** slot from C, X along the guide from A:
+/* With beta the angle of the slot, u = (cos(beta), sin(beta)) its direction, n = u turned left by 90 deg, s
+** along the slot from C, X along the guide from A:
 **
 **    a e2 = (X, e) + s u
 **    s = (a sin(theta2) - e) / sin(beta)
@@ -47,7 +48,8 @@ static int yoke_reach(const fourlink_mechanism *mechanism, double half_sine, dou
     return FOURLINK_OK;
 }
 
-/* x = X_max - X, the displacement from the inner dead centre, as of a piston: a (1 - cos(theta2)) for a slot at 90 deg
+/* x = X_max - X, the displacement from the inner dead centre, as of a piston: a (1 - cos(theta2)) for a slot
+** at 90 deg
 */
 static void yoke_position(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
@@ -150,7 +152,8 @@ static double one_turn(double angle)
     return angle < 0 ? angle + 2 * M_PI : angle;
 }
 
-/* The yoke stands still where the crank is at right angles to the slot; the slot is as long as the block's way in it.
+/* The yoke stands still where the crank is at right angles to the slot; the slot is as long as the block's
+** way in it.
 */
 static void yoke_limits(const fourlink_mechanism *mechanism, fourlink_branch branch,
                         fourlink_limits *limits)
@@ -177,7 +180,8 @@ static double yoke_turns(const fourlink_mechanism *mechanism, const fourlink_sta
     return link == FOURLINK_COUPLER ? flk_angle(mechanism->slot.y, mechanism->slot.x) : 0;
 }
 
-/* Counterweights (balance.c), of a fraction of the yoke's mass, whose X is a pure sine turned by 90 deg - beta:
+/* Counterweights (balance.c), of a fraction of the yoke's mass, whose X is a pure sine turned by 90 deg -
+** beta:
 **
 **    sum m r = const + e^(i theta2) [m2 z2 + m3 a] + X m4
 **    X = const + Re[a e^(i theta2) e^(i (90 deg - beta)) / sin(beta)]

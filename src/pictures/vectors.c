@@ -324,8 +324,8 @@ static void touch(free_body *b, int pin)
             touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
 }
 
-/* The distance of its pins; of a block the length of the crank; of a yoke, and of a lever in a motion, whose pins move
-** apart, how far its slider goes. */
+/* The distance of its pins; of a block the length of the crank; of a yoke, and of a lever in a motion, whose
+** pins move apart, how far its slider goes. */
 static double length_of(const picture *p, const picture_row *r, const free_body *b)
 {
     double length = place_distance(b->first, b->second), near, far;

@@ -61,8 +61,8 @@ static const way
                "mu * { 2 * M34 | lslot }",
                "[ N34 ^2 + Fslot ^2 ]"};
 
-/* It has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at right angles; a
-** slider and its lever or yoke press on each other with both. */
+/* It has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l). N and y are at right
+** angles; a slider and its lever or yoke press on each other with both. */
 static void put_way(const report *r, math *m, const way *w, double mu, double l, double y)
 {
     const fourlink_forces *f = &r->now.forces;

@@ -67,7 +67,8 @@ static int is_hidden(const deck *d, point_code code)
     return 0;
 }
 
-/* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of a lever, the origin of a yoke. */
+/* The pin C: the joint of links 3 and 4 or, if these slide on each other, the end of a lever, the origin of a
+** yoke. */
 static const char *find_C(const deck *d, int *link, fourlink_vector *at)
 {
     const fourlink_joint *joint = &flk_kind_of(d->machine.mechanism.design.kind)->joint[2];

@@ -17,7 +17,8 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
 /* The way of a piston or yoke on a branch, x, from its end near the crankshaft to the other. */
 void geometry_find_guide(const view *v, fourlink_branch branch, double *near, double *far);
 
-/* The way of a slider on a branch, along its slide from the foot of the perpendicular from D, or from C in a yoke. */
+/* The way of a slider on a branch, along its slide from the foot of the perpendicular from D, or from C in a
+** yoke. */
 void geometry_find_way(const view *v, fourlink_branch branch, double *near, double *far);
 
 /* A point of the slide: so far along it from the foot of the perpendicular from D. */

@@ -49,8 +49,8 @@ static void stretch(view *v, const fourlink_vector *at)
 
 #define REACH_LOADS 128 /* a drawing has fewer */
 
-/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis; a yoke, to all along its
-** guide. */
+/* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis; a yoke, to all
+** along its guide. */
 static void find_reach(view *v)
 {
     const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_trig.c - sine, cosine, angle and length: values of MPFR with 200 bits, rounded, and what must hold of all.
-** trig_trial.c has many more arguments.
+** test_trig.c - sine, cosine, angle and length: values of MPFR with 200 bits, rounded, and what must hold of
+** all. trig_trial.c has many more arguments.
 */
 #include <float.h>
 

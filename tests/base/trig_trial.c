@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** trig_trial.c [COUNT [SEED]] - sine, cosine, angle, arc sine, arc cosine and length of random arguments against
-** MPFR's, with 200 bits: of all sizes up to 10^9, beside multiples of 90 deg and of 180 deg, of whole degrees, of unit
-** vectors.  It prints the worst error of each in ulp, and fails if one is beyond what trig.h says.
+** trig_trial.c [COUNT [SEED]] - sine, cosine, angle, arc sine, arc cosine and length of random arguments
+** against MPFR's, with 200 bits: of all sizes up to 10^9, beside multiples of 90 deg and of 180 deg, of whole
+** degrees, of unit vectors. It prints the worst error of each in ulp, and fails if one is beyond what trig.h
+** says.
 */
 #include <math.h>
 #include <stdint.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_scotch_yoke.c - the Scotch yoke: values of an independent program (absolute coordinates with multipliers),
-** Newton's and Euler's equations written out here, central differences, identities, friction in slot and guide.
+** test_scotch_yoke.c - the Scotch yoke: values of an independent program (absolute coordinates with
+** multipliers), Newton's and Euler's equations written out here, central differences, identities, friction in
+** slot and guide.
 */
 #include "check.h"
 #include "samples.h"
@@ -262,7 +263,8 @@ static void add_loads(const sample *s, int link, fourlink_vector about, double *
     }
 }
 
-/* The nine equations of the free bodies with the unknowns that were found; accelerations by central differences. */
+/* The nine equations of the free bodies with the unknowns that were found; accelerations by central
+** differences. */
 TEST(test_equations)
 {
     uint64_t seed = 2;
@@ -357,7 +359,8 @@ TEST(test_equations)
         fail_msg("equations %g, differences %g", worst, difference);
 }
 
-/* A slider-crank with a very long rod moves as a yoke at 90 deg; a slot at beta as one at 90 deg with another crank. */
+/* A slider-crank with a very long rod moves as a yoke at 90 deg; a slot at beta as one at 90 deg with another
+** crank. */
 TEST(test_limits_and_phases)
 {
     uint64_t seed = 3;
@@ -428,8 +431,8 @@ TEST(test_limits_and_phases)
     }
 }
 
-/* A light yoke with a slot at 90 deg, driven by the crank or driving it: Ts / Ts0 = 1 / (1 -+ f), f = 2 mu |s| / l; it
-** locks where the guide is shorter than 2 mu |s|. */
+/* A light yoke with a slot at 90 deg, driven by the crank or driving it: Ts / Ts0 = 1 / (1 -+ f), f = 2 mu
+** |s| / l; it locks where the guide is shorter than 2 mu |s|. */
 TEST(test_friction)
 {
     uint64_t seed = 4;

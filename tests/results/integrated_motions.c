@@ -713,7 +713,8 @@ static double fact(const machine *m, const char *name)
     return status == FOURLINK_OK ? v.value * v.to_si : NAN;
 }
 
-/* Where the friction of a yoke's slot and guide reverses: the crank is across the guide, or across the slot. */
+/* Where the friction of a yoke's slot and guide reverses: the crank is across the guide, or across the slot.
+** */
 static void add_reversals(machine *m)
 {
     double beta = m->problem.mechanism.design.angle;

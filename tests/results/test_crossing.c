@@ -101,8 +101,8 @@ TEST(test_against_scan)
             check_scan(load, columns[i], shares[j]);
 }
 
-/* A column that passes through infinity has no value there.  Beside a pole its reciprocal is continuous: a scan
-** looks for changes of sign of that where the column is large, and of the column elsewhere. */
+/* A column that passes through infinity has no value there. Beside a pole its reciprocal is continuous: a
+** scan looks for changes of sign of that where the column is large, and of the column elsewhere. */
 static int crosses(double last, double now, double level)
 {
     if (fmin(fabs(last), fabs(now)) > fabs(level) / 10)

@@ -493,8 +493,8 @@ TEST(test_inputs_of_many_springs)
 ** Rows
 ** ------------------------------------------------------------------------------------------- */
 
-/* All columns of a deck, in one call, are those of fourlink_results_get, and NaN where there is no row; each more than
-** once, so that they are more than are computed together. */
+/* All columns of a deck, in one call, are those of fourlink_results_get, and NaN where there is no row; each
+** more than once, so that they are more than are computed together. */
 TEST(test_rows_of_any_columns)
 {
     enum { TIMES = 3 };

@@ -46,11 +46,13 @@ int main(int argc, char **argv)
         crank.theta2 = 360 / rows * i * degree;
         if (fourlink_analyse_dyad(&m, FOURLINK_OPEN, &crank, &load, 1, &s, &f) != FOURLINK_OK)
             return EXIT_FAILURE;
-        printf("%10.4f%10.4f%10.4f%10.3f%10.4f%10.4f%10.3f%10.4f%10.5f%10.5f%10.5f%10.5f%10.5f%10.5f%10.5f%10.5f"
+        printf("%10.4f%10.4f%10.4f%10.3f%10.4f%10.4f%10.3f%10.4f%10.5f%10.5f%10.5f%10.5f%10.5f%10."
+               "5f%10.5f%10.5f"
                "%12.7f%10.4f%10.4f%12.7f\n",
                crank.theta2 / degree, s.link[3].theta / degree, s.link[3].omega, s.link[3].alpha,
-               s.link[4].theta / degree, s.link[4].omega, s.link[4].alpha, s.mu / degree, f.F12x, f.F12y, f.F23x,
-               f.F23y, f.F34x, f.F34y, f.F14x, f.F14y, f.Ts, crank.omega2, crank.alpha2, f.Ts * crank.omega2);
+               s.link[4].theta / degree, s.link[4].omega, s.link[4].alpha, s.mu / degree, f.F12x,
+               f.F12y, f.F23x, f.F23y, f.F34x, f.F34y, f.F14x, f.F14y, f.Ts, crank.omega2,
+               crank.alpha2, f.Ts * crank.omega2);
     }
     return EXIT_SUCCESS;
 }

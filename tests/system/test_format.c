@@ -317,8 +317,8 @@ static void test_lines(void **unused)
     fclose(out);
 }
 
-/* Numbers side by side in lines of random cells, with some too large for a cell, ties, zeros, infinities, NaN: the
-** function writes those of which it is certain, and leaves every byte between them as it was. */
+/* Numbers side by side in lines of random cells, with some too large for a cell, ties, zeros, infinities,
+** NaN: the function writes those of which it is certain, and leaves every byte between them as it was. */
 static void test_cells(void **unused)
 {
     uint64_t seed = 17;

@@ -5,9 +5,9 @@
 **    scenes DECK [report]
 **    scenes DECK FRAMES EVERY
 **
-** Prints the scene as JSON, with the crank angle where the page begins, "from"; or the report that the page saves.  With the
-** name of a file, that gets every so many of the drawings as they were before they became one motion: lines "@ PANEL STEP",
-** each before an SVG.  Exit status 1: there is none.
+** Prints the scene as JSON, with the crank angle where the page begins, "from"; or the report that the page
+** saves. With the name of a file, that gets every so many of the drawings as they were before they became one
+** motion: lines "@ PANEL STEP", each before an SVG. Exit status 1: there is none.
 */
 #include "drawing/svg.h"
 #include "program.c"
