@@ -51,9 +51,10 @@ static void put_link(line *l, const rows *t, int link)
 {
     const fourlink_joint *ends = &t->v.kind.joint[link - FOURLINK_CRANK];
     int is_block = t->v.kind.slides_on[link], n = 0, on;
-    const char *shape = t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "lever"
-                        : is_block                                      ? "block"
-                                                                        : "bar";
+    const char *shape = t->v.kind.has_slot && link == FOURLINK_FOLLOWER
+                            ? (is_block ? "yoke" : "lever")
+                        : is_block ? "block"
+                                   : "bar";
     unsigned long i;
     char name[TRACKS_NAME];
 

@@ -7,7 +7,8 @@ C     and mistakes.
 C
       PROGRAM CONSUM
       DOUBLE PRECISION LINKS(5,4), GRAV(2), CRANK(3), LOADS(7,1)
-      DOUBLE PRECISION STATE(9,4), SLIDE(4), FORCES(10), PI, RADIAN
+      DOUBLE PRECISION STATE(9,4), SLIDE(4), FORCES(10)
+      DOUBLE PRECISION FRCYOK(11), PI, RADIAN
       INTEGER NLOADS, ISTAT, I, J
       CHARACTER*80 TEXT
 
@@ -93,6 +94,23 @@ C     values of an independent solver.
      &            LOADS, STATE, SLIDE, FORCES, ISTAT)
       IF (ISTAT .EQ. 0) STOP 7
       IF (NINT(SLIDE(1)) .NE. 7) STOP 7
+
+C     A Scotch yoke at 90 deg: F = 400 N along the guide, a = 60 mm.
+      LINKS(1,2) = 0.06D0
+      LINKS(2,2) = 0
+      LINKS(2,3) = 0
+      LINKS(2,4) = 0
+      CRANK(1) = 40 * RADIAN
+      CRANK(3) = 0
+      LOADS(1,1) = 4
+      LOADS(3,1) = -400
+      LOADS(4,1) = 0
+      CALL FLYOKE(LINKS, 0.0D0, 90 * RADIAN, GRAV, CRANK, NLOADS, LOADS,
+     &            STATE, SLIDE, FRCYOK, ISTAT)
+      CALL CHECK(ISTAT, 0)
+      IF (ABS(STATE(4,4) - 0.06D0 * COS(40 * RADIAN)) .GT. 1D-9) STOP 8
+      IF (ABS(SLIDE(1) - 0.06D0 * SIN(40 * RADIAN)) .GT. 1D-9) STOP 8
+      IF (ABS(FRCYOK(10) + 24 * SIN(40 * RADIAN)) .GT. 1D-8) STOP 9
 
 C     A length that is none: the outputs are as they were.
       LINKS(1,2) = -1

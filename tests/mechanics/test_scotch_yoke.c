@@ -4,6 +4,8 @@
 ** multipliers), Newton's and Euler's equations written out here, central differences, identities, friction in
 ** slot and guide.
 */
+#include <complex.h>
+
 #include "check.h"
 #include "samples.h"
 
@@ -480,6 +482,40 @@ TEST(test_friction)
     assert_true(locked > 10);
 }
 
+/* A counterweight for all of the yoke's mass leaves no force of inertia along the guide, one for none of it no rotating
+** one. */
+TEST(test_balance)
+{
+    uint64_t seed = 5;
+    int n, whole;
+
+    for (n = 0; n < n_samples; n++)
+        for (whole = 0; whole < 2; whole++) {
+            fourlink_balance balance;
+            double complex sum;
+            double a, w2;
+            sample s;
+
+            draw(&seed, &s);
+            s.crank.alpha2 = 0;
+            assert_int_equal(
+                fourlink_analyse_dyad(&s.mechanism, s.branch, &s.crank, NULL, 0, &s.state, NULL),
+                0);
+            assert_int_equal(fourlink_balance_of(&s.mechanism, whole, &balance), FOURLINK_OK);
+            a = s.design.link[2].length;
+            w2 = s.crank.omega2 * s.crank.omega2;
+            sum = s.design.link[2].mass * (s.design.link[2].cg.x + I * s.design.link[2].cg.y) +
+                  s.design.link[3].mass * a + balance.crank.x + I * balance.crank.y;
+            sum *= -w2 * cexp(I * s.crank.theta2);
+            if (whole)
+                assert_near(creal(sum) + s.design.link[4].mass * s.state.link[4].acceleration.x, 0,
+                            1e-12 * (1 + w2) * 5 * (1 + a / fabs(sin(s.design.angle))));
+            else
+                assert_near(cabs(sum), 0, 1e-13 * (1 + w2) * 20);
+            assert_near(balance.rocker.x, 0, 0);
+        }
+}
+
 TEST(test_refused)
 {
     static const double parallel[] = {0, PI, -PI, 1e-8, 2 * PI - 1e-9};
@@ -502,6 +538,54 @@ TEST(test_refused)
     assert_int_equal(fourlink_limits_of(&m, FOURLINK_CROSSED, &limits), FOURLINK_BAD_BRANCH);
     assert_int_equal(fourlink_reach_of(&m, &reach), FOURLINK_OK);
     assert_true(reach.n_ranges == 1 && reach.from[0] == 0 && reach.to[0] == 2 * PI);
+}
+
+/* The call for FORTRAN 77: both couples among the forces. */
+TEST(test_fortran)
+{
+    static const double gravity[2] = {0, -9.81};
+    double links[20] = {0}, loads[14], crank[3], state[36], slide[3], forces[11];
+    int i, n_loads = 2, status = -1;
+    fourlink_friction friction;
+    sample s;
+
+    make_reference(2, &s, &friction);
+    s.crank.theta2 = 110 * DEG;
+    s.crank.omega2 = 12;
+    s.crank.alpha2 = -40;
+    for (i = 1; i <= 4; i++) {
+        const fourlink_link *link = &s.design.link[i];
+        const double numbers[5] = {link->length, link->mass, link->inertia, link->cg.x, link->cg.y};
+
+        memcpy(&links[5 * (i - 1)], numbers, sizeof numbers);
+    }
+    for (i = 0; i < 2; i++) {
+        const fourlink_load *load = &s.load[i];
+        const double numbers[7] = {load->link, load->frame, load->force.x, load->force.y,
+                                   load->at.x, load->at.y,  load->torque};
+
+        memcpy(&loads[7 * i], numbers, sizeof numbers);
+    }
+    crank[0] = s.crank.theta2;
+    crank[1] = s.crank.omega2;
+    crank[2] = s.crank.alpha2;
+    flyoke_(links, &s.design.offset, &s.design.angle, gravity, crank, &n_loads, loads, state, slide,
+            forces, &status);
+    assert_int_equal(status, FOURLINK_OK);
+    assert_near(state[30], reference[2].value[0], 1e-13);
+    assert_near(slide[0], reference[2].value[3], 1e-13);
+    assert_near(slide[1], reference[2].value[4], 1e-13);
+    assert_near(slide[2], reference[2].value[5], 1e-12);
+    assert_near(forces[7], reference[2].value[13], 1e-11);
+    assert_near(forces[8], reference[2].value[12], 1e-11);
+    assert_near(forces[9], reference[2].value[14], 1e-11);
+    assert_near(forces[10], reference[2].value[11], 1e-12);
+    s.design.angle = 0;
+    forces[9] = 7;
+    flyoke_(links, &s.design.offset, &s.design.angle, gravity, crank, &n_loads, loads, state, slide,
+            forces, &status);
+    assert_int_equal(status, FOURLINK_PARALLEL_SLOT);
+    assert_near(forces[9], 7, 0);
 }
 
 int main(int argc, char **argv)

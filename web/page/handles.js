@@ -35,8 +35,11 @@ function pins() {
     const list = [], A = () => planeOf("A"), B = () => planeOf("B"), D = () => planeOf("D");
     const along = (p) => dot(minus(p, A()), times(1 / size(minus(B(), A())), minus(B(), A())));
     list.push({at: "B", words: "pin B", settings: lengthOf(2, along)});
-    if (!data.links.some((link) => link.shape === "lever")) {
-        const slides = data.links[2].shape === "block";
+    const shape = data.links[2].shape;
+    if (shape === "yoke") {
+        list.push({at: "C", words: "C, on the guide", settings: [{section: "ground", key: "offset", value: (p) => p[1]}]});
+    } else if (shape !== "lever") {
+        const slides = shape === "block";
         const onStroke = (p) => editor.text && web.text.find(editor.text(), "ground", "offset") ? p : [p[0], planeOf("C")[1]];
         list.push({at: "C", words: "pin C", settings: slides
             ? lengthOf(3, (p) => size(minus(onStroke(p), B()))).concat({section: "ground", key: "offset", value: (p) => p[1]})
@@ -59,9 +62,9 @@ function points() {
 
 /* The origin of a link's own axes, and the direction of its x axis where the point does not show it. */
 function axesOf(link) {
-    const pin = link.link === 2 ? "A" : link.link === 3 ? "B" : link.shape === "block" ? "C" : "D";
+    const pin = link.link === 2 ? "A" : link.link === 3 ? "B" : link.shape === "block" || link.shape === "yoke" ? "C" : "D";
     const [from, to] = link.shape === "bar" ? [pin, link.pins.find((x) => x !== pin)] : ["S1", "S2"];
-    const u = planeOf(from) && planeOf(to) ? minus(planeOf(to), planeOf(from)) : [1, 0];
+    const u = link.shape !== "yoke" && planeOf(from) && planeOf(to) ? minus(planeOf(to), planeOf(from)) : [1, 0];
     return {origin: planeOf(pin), angle: Math.atan2(u[1], u[0])};
 }
 

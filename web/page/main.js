@@ -377,7 +377,7 @@ find("name").addEventListener("change", () => {
 /* ------------------------------------------------------------------------------------------------ the rest */
 
 const KINDS = [["four-bar", "Four-bar linkages"], ["slider-crank", "Slider-cranks"],
-               ["inverted-slider-crank", "Inverted slider-cranks"]];
+               ["inverted-slider-crank", "Inverted slider-cranks"], ["scotch-yoke", "Scotch yokes"]];
 const titleOf = (text) => {
     const found = /^\s*title\s*=\s*"?(.*?)"?\s*$/m.exec(text);
     return found ? found[1].replace(/\s[#;].*/, "") : "";
