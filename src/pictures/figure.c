@@ -327,6 +327,8 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     sketch_pin(s, pins.B, "B");
     if (!p->v.kind.has_slot) /* C is B */
         sketch_pin(s, pins.C, "C");
+    else if (p->v.kind.has_stroke)
+        sketch_mark(s, pins.C, "C");
 }
 
 /* The unit vector from one place to another; 0 if they are the same. */

@@ -297,6 +297,7 @@ async function tryDragging() {
         ["B", [20, 2], "length"], ["C", [15, -20], "length", "length"], ["D", [18, 3], "length"],
         ["G2", [6, -3], "cg"], ["G4", [8, 9], "cg"], ["P0", [-10, 12], "at"]]);
     await tryKnobs("me3491-example-1.deck", [["B", [9, -8], "stroke"], ["C", [25, 2], "length"], ["G3", [12, 3], "cg"]]);
+    await tryKnobs("new-scotch-yoke.deck", [["B", [10, -8], "length"], ["C", [3, -12], "offset"], ["G4", [20, -4], "cg"]]);
     await tryKnobs("oscillating-cylinder.deck", [["B", [10, 0], "length"], ["D", [20, 0], "length"]]);
     await load("me3491-exercise-4.deck");
     await b.until(`document.querySelector('[data-knob="G4"]')`, "rings");
@@ -380,7 +381,7 @@ async function tryAddress() {
 async function tryExamples() {
     const groups = await b.evaluate(`[...document.querySelectorAll("#example optgroup")].map((group) =>
         [group.label, [...group.children].map((x) => x.value)])`);
-    check("groups: " + groups.map((x) => x[0]), groups.length === 4 && groups[0][0] === "New deck" && groups[0][1].length === 3);
+    check("groups: " + groups.map((x) => x[0]), groups.length === 5 && groups[0][0] === "New deck" && groups[0][1].length === 4);
     const shown = groups.slice(1).flatMap((x) => x[1]).sort().join();
     check("all examples: " + shown, shown === fs.readdirSync(path.join(root, "data")).filter((x) => x.endsWith(".deck")).sort().join());
     const kinds = new Set();
@@ -392,7 +393,7 @@ async function tryExamples() {
         const look = await b.evaluate(`(() => { const x = getComputedStyle(document.querySelector(".panel.whole path.crank")); return [x.stroke, x.fill, x.strokeWidth]; })()`);
         check(name + ", the look of the crank: " + look, look.join() === "rgb(10, 47, 122),none,5px");
     }
-    check("mechanisms: " + [...kinds], kinds.size === 3);
+    check("mechanisms: " + [...kinds], kinds.size === 4);
 }
 
 /* Places in per cent of a link, and `mid`, can be dragged; they stay per cent. */
