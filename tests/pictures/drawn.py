@@ -491,12 +491,13 @@ class Acting:
         self.name, self.at, self.force, self.torque, self.pin, self.kind = name, at, force, torque, pin, kind
 
 
-def is_on(load, theta2):
-    """Whether a load acts at a crank angle in degrees: within [from, to], if it has them."""
+def is_on(load, theta2, omega2):
+    """Whether a load acts at a crank angle in degrees: within from and to, if it has them; at an edge, if the crank enters."""
     if 'from' not in load and 'to' not in load:
         return True
     start, end = float(load.get('from', 0)), float(load.get('to', 360))
-    return (theta2 - start) % 360 <= (end - start) % 360 or abs(end - start) >= 360
+    passed, all_of_it = (theta2 - start) % 360, (end - start) % 360
+    return abs(end - start) >= 360 or (passed < all_of_it if omega2 >= 0 else 0 < passed <= all_of_it)
 
 
 def is_torsional(deck, name):
@@ -526,7 +527,7 @@ def acting_on(deck, position, row, link, is_free=True):
         section = ('load ' + name).strip()
         own = deck.vector(section + '.force') * (position.axis[link] if load.get('frame') == 'link' else 1)
         at = position.point(link, deck.vector(section + '.at'))
-        active = is_on(load, row['theta2'] * si_of(deck.unit('angle')) / si_of('deg'))
+        active = is_on(load, row['theta2'] * si_of(deck.unit('angle')) / si_of('deg'), row['omega2'])
         torque = load.get('torque', 0)
         torque = math.nan if torque == 'a curve' else float(torque) if active else 0  # nan: as equilibrium has it
         found.append(Acting(name, at, own if active else 0, torque, kind=LOAD))
@@ -1051,7 +1052,8 @@ def check_deck(deck, folder):
             position = own.at(row)
             at = ('--branch=' + branch, '--plot-at=' + row.values['theta2']) + own.options
             check_vectors(own, own.program.listing(own, 'vectors', *at), row, position)
-            if own.slides and not own.yoke and k % 4 < 2 and not is_slow(own):
+            # in a construction with a rod as long as the crank, K and L are one point
+            if own.slides and not own.yoke and own.length(2) != own.length(3) and k % 4 < 2 and not is_slow(own):
                 check_klein(own, own.program.listing(own, 'klein', *at), row, position)
             if (k % 4 == 1 or k % 8 == 2) and not is_slow(own):
                 check_mechanism(own, own.program.listing(own, 'mechanism', *at), row, position, rows)

@@ -16,7 +16,8 @@ from linkage import Checks, si_of  # noqa: E402
 fourlink, decks = sys.argv[1], sys.argv[2:]
 checks = Checks()
 PINS = {'four-bar': {'A': (2, 1), 'B': (3, 2), 'C': (4, 3), 'D': (4, 1)}, 'slider-crank': {'A': (2, 1), 'B': (3, 2), 'C': (4, 3)},
-        'inverted-slider-crank': {'A': (2, 1), 'B': (3, 2), 'D': (4, 1)}}
+        'inverted-slider-crank': {'A': (2, 1), 'B': (3, 2), 'D': (4, 1)},
+        'scotch-yoke': {'A': (2, 1), 'B': (3, 2)}}
 
 
 def rows(deck, columns, *options):
@@ -35,7 +36,7 @@ def check(deck):
     radii = {key[7:]: float(number) * si_of(unit) for key, number, unit in re.findall(r'^(radius(?:_[A-D])?) = (\S+) (\S+)', friction[1], re.M)}
     pins = {pin: links for pin, links in PINS[kind].items() if radii.get(pin, radii.get('', 0)) > 0}
     names = ['rubbing_' + pin for pin in pins]
-    speeds = ['omega2', 'omega3'] + ([] if kind == 'slider-crank' else ['omega4'])
+    speeds = ['omega2', 'omega3'] + ([] if kind in ('slider-crank', 'scotch-yoke') else ['omega4'])
     found = rows(deck, speeds + names)
     for row in found:
         for pin, (high, low) in pins.items():
