@@ -2,6 +2,7 @@
 **
 ** kind.c - the table of kinds: names, the nine unknowns, properties of the mechanism as a whole.
 */
+#include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -219,4 +220,10 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 double flk_kind_clamp(double x)
 {
     return x < -1 ? -1 : x > 1 ? 1 : x;
+}
+
+double flk_kind_one_turn(double angle)
+{
+    angle = fmod(angle, 2 * M_PI);
+    return angle < 0 ? angle + 2 * M_PI : angle;
 }

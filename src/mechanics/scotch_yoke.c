@@ -146,12 +146,6 @@ static void yoke_ranges(const fourlink_mechanism *mechanism, fourlink_reach *rea
     flk_kind_set_ranges(reach, 0, 0, 0, M_PI, 2 * M_PI);
 }
 
-static double one_turn(double angle)
-{
-    angle = fmod(angle, 2 * M_PI);
-    return angle < 0 ? angle + 2 * M_PI : angle;
-}
-
 /* The yoke stands still where the crank is at right angles to the slot; the slot is as long as the block's
 ** way in it.
 */
@@ -167,8 +161,8 @@ static void yoke_limits(const fourlink_mechanism *mechanism, fourlink_branch bra
     limits->mu_min = limits->mu_max = flk_angle(fabs(u->y), fabs(u->x));
     limits->has_stroke = 1;
     limits->stroke = 2 * a / fabs(u->y);
-    limits->inner = one_turn(inner);
-    limits->outer = one_turn(inner + M_PI);
+    limits->inner = flk_kind_one_turn(inner);
+    limits->outer = flk_kind_one_turn(inner + M_PI);
     limits->has_slide = 1;
     limits->slide_min = one < other ? one : other;
     limits->slide_max = one < other ? other : one;

@@ -190,12 +190,6 @@ static void slider_crank_ranges(const fourlink_mechanism *mechanism, fourlink_re
     flk_kind_set_ranges(reach, low, lowest, high, highest, M_PI);
 }
 
-static double one_turn(double angle)
-{
-    angle = fmod(angle, 2 * M_PI);
-    return angle < 0 ? angle + 2 * M_PI : angle;
-}
-
 /* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C.  `slow`
 ** is the crank angle of the slower stroke. */
 static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branch branch,
@@ -214,8 +208,8 @@ static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branc
     if (e != 0)
         limits->time_ratio = slow / (2 * M_PI - slow);
     limits->stroke = sqrt((l + r - e) * (l + r + e)) - sqrt((l - r - e) * (l - r + e));
-    limits->inner = one_turn(inner);
-    limits->outer = one_turn(outer);
+    limits->inner = flk_kind_one_turn(inner);
+    limits->outer = flk_kind_one_turn(outer);
 }
 
 static void slider_crank_limits(const fourlink_mechanism *mechanism, fourlink_branch branch,

@@ -176,12 +176,12 @@ static void put_sliding(tracks *t, const fourlink_state *state)
 
     put(t, "vB4", QUANTITY_SPEED, place_in(lever->velocity, r, 0, lever->omega));
     put(t, "vS", QUANTITY_SPEED, place_in(zero, *u, state->slide_v, 0));
-    if (t->v->kind.has_stroke)
+    if (t->v->kind.has_stroke) {
         put(t, "aB4", QUANTITY_ACCELERATION, lever->acceleration);
-    else
+    } else {
         put_parts(t, "aB4n", "aB4t", lever, r);
-    if (!t->v->kind.has_stroke)
         put(t, "aK", QUANTITY_ACCELERATION, place_in(zero, *u, 0, state->coriolis));
+    }
     put(t, "aS", QUANTITY_ACCELERATION, place_in(zero, *u, state->slide_a, 0));
 }
 
