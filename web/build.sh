@@ -26,12 +26,12 @@ export NODE_PATH=/usr/share/nodejs LC_ALL=C.UTF-8
 
 # The parts of GSL that the program uses, and those that these need.
 parts='err sys utils complex min roots interpolation poly linalg blas cblas matrix vector block permutation rng randist
-    sort statistics integration'
+    sort statistics integration multimin'
 
 # configure does not know the machine; WebAssembly has no extended registers.  GSL's messages of errors name its
 # files: by relative paths, which are the same everywhere.
 build_parts() {
-    [ -e web/gsl/done ] && return
+    [ "$(cat web/gsl/done 2>/dev/null)" = "$parts" ] && return
     sources_of gsl
     rm -rf web/gsl
     mkdir -p web/gsl
@@ -42,22 +42,20 @@ build_parts() {
             for part in gsl $parts; do
                 emmake make -j2 -C "$part" || exit 1
             done &&
-            touch done
+            echo "$parts" >done
     ) >web/gsl.log 2>&1 || { tail -n 20 web/gsl.log >&2; exit 1; }
 }
 
-# The library, the tables and the report; of the operating system, what web/system.c has.  All is compiled anew after
-# a change.
+# The whole program; of the operating system it has what web/system.c has.  All is compiled anew after a change.
 build_program() {
     hash=$(sh "$source/web/sources.sh" '\.(c|h|sh)$')
     [ "$(cat web/objects/done 2>/dev/null)" = "$hash" ] && return
     rm -rf web/objects
     mkdir -p web/objects
-    (cd "$source" && find src web -name '*.c' ! -path 'src/command/*' \
-        ! -name 'system_*.c' ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
+    (cd "$source" && find src web -name '*.c' ! -name 'system_*.c' ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
         cd "$1" && work=$2 && shift 2
         for file; do
-            emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -O2 -ffp-contract=off -Iinclude -Isrc -I"$work/web/gsl" \
+            emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -O2 -ffp-contract=off -Dmain=web_main -Iinclude -Isrc -I"$work/web/gsl" \
                 -c "$file" -o "$work/web/objects/$(echo "${file%.c}" | tr / -).o" || exit 255
         done' sh "$source" "$work"
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
@@ -99,6 +97,7 @@ build_page() {
     gzip -9n <web/fourlink.wasm | base64 -w 0 >web/fourlink.base64
     put_json "$source/data" >web/examples.json
     put_json "$source/web/templates" >web/templates.json
+    put_json "$source/data/synthesis" >web/designs.json
     for manual in fourlink-deck.5 fourlink.1; do
         put_manual "$source/doc/man/$manual"
     done >web/manual.txt
@@ -110,11 +109,13 @@ build_page() {
         @REPORT_SCRIPT@) sh "$report/embed.sh" elements.js player.js cursor.js typed.js controls.js ;;
         @EXAMPLES@) cat web/examples.json ;;
         @TEMPLATES@) cat web/templates.json ;;
+        @DESIGNS@) cat web/designs.json ;;
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;
-        @SCRIPT@) cat "$web/page/text.js" "$web/page/editor.js" "$web/page/program.js" "$web/page/handles.js" \
-            "$web/page/tables.js" "$web/page/link.js" "$web/page/main.js" ;;
+        @SCRIPT@) for part in text editor program zoom handles tables link draw questions manual files main; do
+            cat "$web/page/$part.js"
+        done ;;
         *) printf '%s\n' "$line" ;;
         esac
     done <web/frame.html >web/page.html

@@ -14,18 +14,20 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "command/command.h"
 #include "drawing/svg.h"
 #include "pictures/plot.h"
 #include "report/interactive.h"
-#include "report/report.h"
 #include "tables/json_text.h"
-#include "tables/sheet.h"
-#include "tables/content.h"
-#include "tables/formats.h"
+#include "system.h"
 
 #define CALLED(name) __attribute__((export_name(#name)))
 #define MOST_MISTAKES 100
 #define CURVE_DIGITS 12
+#define HELD_STRIDE 4 /* from step to step of a drawing in which something is dragged */
+#define WIDTH 520     /* of the mechanism and of a curve alone, which stand beside each other */
+
+int web_main(int argc, char **argv); /* of src/command/main.c */
 
 static char *input;  /* the text of the next call */
 static char *deck;   /* the name and the text of the deck */
@@ -196,9 +198,11 @@ static void put_deck(void)
     put_names("all", FOURLINK_ALL_COLUMNS);
 }
 
-/* Open the deck whose name, of this length and with its final zero, and whose text are in the room.
-** Answers with its messages and, if it has no mistakes, what there is to see.  Returns a status. */
-CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
+/* Open the deck whose name, of this length and with its final zero, and whose text are in the room, with a
+** solution of its [synthesis], from 1.  Answers with its messages and, if it has no mistakes, what there is to
+** see.  Returns a status. */
+CALLED(web_open)
+int web_open(unsigned long name_length, unsigned long length, unsigned long solution)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
     unsigned long n = 0;
@@ -215,7 +219,7 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     source.text = deck + name_length;
     source.length = length;
     source.design = FOURLINK_ANY_DESIGN;
-    source.synthesis = 1;
+    source.synthesis = solution;
     source.deck_units = 1;
     if (list)
         status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
@@ -239,20 +243,31 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
 
 /* ---------------------------------------------------------------------------------- drawing, curves */
 
-/* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN; while
-** something is held they keep their range. */
+/* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN.  While
+** something is held it is the mechanism alone at fewer steps, which keeps its range. */
 CALLED(web_scene) int web_scene(int branch, double at, int is_held)
 {
     static place_box ranges[2];
     fourlink_branch one = (fourlink_branch)branch;
     rows *t = malloc(sizeof *t);
-    int done = 0, i;
+    interactive_form form;
+    int done = 0, k;
 
+    form.start = at;
+    form.width = WIDTH;
+    form.is_brief = is_held;
+    form.ranges = ranges;
+    for (k = 0; k < 2 && !is_held; k++)
+        ranges[k] = place_nothing;
+    for (k = 0; k < v.n_branches && v.branches[k] != one; k++)
+        ;
+    if (branch && k < v.n_branches)
+        form.ranges = &ranges[k];
     if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
-        for (i = 0; i < 2 && !is_held; i++)
-            ranges[i] = place_nothing;
-        done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at,
-                                 ranges);
+        if (is_held)
+            rows_thin(t, HELD_STRIDE);
+        done =
+            interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, &form);
         done &= end_answer();
     }
     if (t)
@@ -287,6 +302,7 @@ static int put_figure(const fourlink_source *chosen, const rows *t)
     request.kind = PLOT_COLUMNS;
     request.x = flk_text_join(over, sizeof over, t->v.columns[0].name, (char *)NULL);
     request.is_figure = 1;
+    request.lone_width = WIDTH;
     request.opened = t->v.results;
     if (drawn_plot) {
         made = plot_make(drawn_plot, chosen, &request, &mistake);
@@ -330,7 +346,7 @@ CALLED(web_curve) int web_curve(void)
     return done;
 }
 
-/* -------------------------------------------------------------------------- numbers, sheets, report */
+/* -------------------------------------------------------------------------- numbers, the command */
 
 /* Rows of the deck's columns: for each its values and then its status.  Null without memory. */
 CALLED(web_rows) const double *web_rows(int branch, unsigned long first, unsigned long n)
@@ -355,53 +371,43 @@ CALLED(web_status_text) const char *web_status_text(int status)
     return fourlink_status_text(status);
 }
 
-/* Answer with a sheet in a format, by its number in formats_all.  Returns 0 without memory. */
-CALLED(web_sheet) int web_sheet(int format, int content)
+/* Run the command: the room has `n` arguments, each with its final zero, and then the text of the deck, whose
+** name is the last of them.  What it prints goes to the streams of worker.js.  Returns its exit status; 3
+** without memory. */
+CALLED(web_command) int web_command(int n, unsigned long length)
 {
-    int done = 0;
-    sheet *s = calloc(1, sizeof *s);
-    fourlink_source written = source;
-    fourlink_results *results = NULL;
+    char **arguments = calloc((size_t)n + 1, sizeof *arguments), *at = input;
+    int i, status;
 
-    written.deck_units = formats_all[format] == &table_format;
-    if (s && fourlink_results_open(&written, 0, &results, NULL, NULL) == FOURLINK_OK &&
-        begin_answer()) {
-        s->format = formats_all[format];
-        s->content = (sheet_content)content;
-        s->n_decks = 1;
-        fourlink_results_list(results, FOURLINK_COLUMNS, &s->header, &s->n_header);
-        content_begin(s, out, 1);
-        content_write(s, results, source.name, NULL);
-        done = end_answer() && !s->out_of_memory;
+    for (i = 0; arguments && i < n; i++) {
+        arguments[i] = at;
+        at += strlen(at) + 1;
     }
-    fourlink_results_free(results);
-    free(s);
-    return done;
+    if (!arguments)
+        return EXIT_FILES;
+    web_system_put(arguments[n - 1], at, length);
+    status = web_main(n, arguments);
+    fflush(NULL);
+    free(arguments);
+    return status;
 }
 
-/* Answer with the report; the room has the crank angle of its sample calculation, or nothing: a deck
-** with one crank angle has no other.  Returns 0 without memory, 2 if the answer is a mistake. */
-CALLED(web_report) int web_report(void)
+/* A file that the command has written: its name, or null if there are no more of them, and its contents. */
+CALLED(web_written_name) const char *web_written_name(int k)
 {
-    report_outcome outcome;
-    fourlink_mistake mistake;
-    report_request request;
-    int done;
+    const web_file *file = web_system_written(k);
 
-    if (!begin_answer())
-        return 0;
-    request.opened = v.results;
-    request.found = NULL;
-    request.at = *input && !v.problem.one_instant ? input : NULL;
-    done = report_write(out, &source, &request, &outcome, &mistake);
-    if (!end_answer() || done < 0)
-        return 0;
-    if (done > 0)
-        return 1;
-    if (!begin_answer())
-        return 0;
-    line_put(&l, "%s", mistake.message);
-    return end_answer() ? 2 : 0;
+    return file ? file->name : NULL;
+}
+
+CALLED(web_written) const char *web_written(int k)
+{
+    return web_system_written(k)->text;
+}
+
+CALLED(web_written_length) unsigned long web_written_length(int k)
+{
+    return (unsigned long)web_system_written(k)->length;
 }
 
 /* Answer with the style sheet of all drawings; returns 0 without memory. */

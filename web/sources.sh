@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 export LC_ALL=C
 
 {
-    find include src web data doc/man -type f ! -path 'src/command/*' \
+    find include src web data doc/man -type f \
         \( -name '*.[ch]' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o -name '*.sh' -o -name '*.deck' \
         -o -name '*.[15]' \) ! -path web/fourlink.html
 } | grep -E -e "${1-.}" | sort | xargs sha256sum | {

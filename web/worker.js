@@ -7,34 +7,54 @@
 */
 "use strict";
 
-let program = null, ready = null, isOpen = false; /* a deck without mistakes */
+let code = null, program = null, ready = null, isOpen = false; /* a deck without mistakes */
 const encoder = new TextEncoder(), decoder = new TextDecoder();
-const bytes = (from, length) => new Uint8Array(program.memory.buffer, from, length);
+const bytes = (from, length, of = program) => new Uint8Array(of.memory.buffer, from, length);
+const ENOSYS = 52; /* of WASI */
 
-/* The program uses neither files nor clock: what it imports answers that there is no such thing. */
+/* A new instance of the program.  It has neither files nor clock: what it imports answers that there is no such thing,
+** but for the streams 1 and 2, which `write` takes. */
+function instance(write) {
+    const imports = {};
+    let made = null;
+    for (const {module: from, name} of WebAssembly.Module.imports(code)) {
+        imports[from] = imports[from] || {};
+        imports[from][name] = from === "env" ? () => 0 : () => ENOSYS;
+    }
+    imports.wasi_snapshot_preview1.fd_write = (stream, parts, count, total) => {
+        const view = new DataView(made.memory.buffer);
+        let sum = 0;
+        for (let k = 0; k < count; k++) {
+            const from = view.getUint32(parts + 8 * k, true), length = view.getUint32(parts + 8 * k + 4, true);
+            write(stream, bytes(from, length, made).slice());
+            sum += length;
+        }
+        view.setUint32(total, sum, true);
+        return 0;
+    };
+    made = new WebAssembly.Instance(code, imports).exports;
+    if (made._initialize)
+        made._initialize();
+    return made;
+}
+
 async function start(packed) {
     if (!self.DecompressionStream)
         throw new Error("the page needs a browser of 2023 or later");
-    const code = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-    const module = new WebAssembly.Module(code), imports = {};
-    for (const {module: from, name} of WebAssembly.Module.imports(module)) {
-        imports[from] = imports[from] || {};
-        imports[from][name] = from === "env" ? () => 0 : () => 52; /* ENOSYS of WASI */
-    }
-    program = new WebAssembly.Instance(module, imports).exports;
-    if (program._initialize)
-        program._initialize();
+    const whole = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+    code = new WebAssembly.Module(whole);
+    program = instance(() => {});
 }
 
 /* Put texts, each with a final zero, into the room for the next call; returns their lengths with it. */
-function give(...texts) {
+function give(texts, to = program) {
     const parts = texts.map((text) => encoder.encode(text + "\0"));
-    const length = parts.reduce((sum, part) => sum + part.length, 0), room = program.web_room(length);
+    const length = parts.reduce((sum, part) => sum + part.length, 0), room = to.web_room(length);
     if (!room)
         throw new Error("not enough memory");
     let at = room;
     for (const part of parts) {
-        bytes(at, part.length).set(part);
+        bytes(at, part.length, to).set(part);
         at += part.length;
     }
     return parts.map((part) => part.length);
@@ -46,19 +66,19 @@ function answer(done) {
     return decoder.decode(bytes(program.web_answer(), program.web_answer_length()));
 }
 
-function textAt(place) {
+function textAt(place, of = program) {
     let end = place;
-    while (bytes(end, 1)[0])
+    while (bytes(end, 1, of)[0])
         end++;
-    return decoder.decode(bytes(place, end - place));
+    return decoder.decode(bytes(place, end - place, of));
 }
 
 const tasks = {
     /* Open a deck; with its drawing if there is one. */
-    open({name, text, at, branch, held}) {
+    open({name, text, at, branch, held, solution}) {
         isOpen = false;
-        const [nameLength, length] = give(name, text);
-        const status = program.web_open(nameLength, length - 1);
+        const [nameLength, length] = give([name, text]);
+        const status = program.web_open(nameLength, length - 1, solution || 1);
         const tellsWhy = status === 36 || status >= 52 && status <= 57; /* mistakes; there is no linkage */
         if (status !== 0 && !tellsWhy)
             throw new Error(textAt(program.web_status_text(status)));
@@ -72,7 +92,7 @@ const tasks = {
         return {text: answer(program.web_style())};
     },
     curve({names}) {
-        give("table.columns=" + names.join());
+        give(["table.columns=" + names.join()]);
         if (!program.web_curve())
             throw new Error("the deck has more loads or points than a drawing shows");
         const text = answer(true), end = text.indexOf("\n");
@@ -90,30 +110,28 @@ const tasks = {
         }
         return {rows};
     },
-    sheet({format, content}) {
-        return {text: answer(program.web_sheet({table: 0, csv: 1, json: 2}[format],
-                                               {rows: 0, summary: 1, check: 2}[content]))};
+    /* Run the command, `fourlink ARGUMENTS NAME`, in an instance of its own: what it prints, and the files it writes. */
+    run({name, text, options}) {
+        const printed = {1: [], 2: []}, files = [];
+        const whole = (parts) => parts.map((part) => decoder.decode(part, {stream: true})).join("") + decoder.decode();
+        const made = instance((stream, part) => (printed[stream] || []).push(part));
+        const lengths = give(["fourlink", ...options, "--", name, text], made);
+        const status = made.web_command(options.length + 3, lengths[lengths.length - 1] - 1);
+        for (let k = 0, at; (at = made.web_written_name(k)); k++)
+            files.push({name: textAt(at, made), text: decoder.decode(bytes(made.web_written(k), made.web_written_length(k), made))});
+        return {status, out: whole(printed[1]), messages: whole(printed[2]), files};
     },
-    /* The facts, and their names typeset: max(F12) as max and the label of F12. */
-    facts() {
-        const {text} = tasks.sheet({format: "json", content: "summary"}), facts = JSON.parse(text).facts || [];
-        return {facts: facts.map((fact) => {
-            const [, of, name] = /^(?:(\w+)\()?(.*?)\)?$/.exec(fact.name);
-            give(name);
-            return {...fact, of: of || "", label: JSON.parse(answer(program.web_label()))};
+    /* The names of facts and columns, typeset. */
+    labels({names}) {
+        return {labels: names.map((name) => {
+            give([name]);
+            return JSON.parse(answer(program.web_label()));
         })};
-    },
-    report({angle}) {
-        give(angle || "");
-        const done = program.web_report(), text = answer(done);
-        if (done === 2)
-            throw new Error(text);
-        return {text};
     },
     /* Quantities in SI units; null where a text is none. */
     quantities({lengths, angles}) {
         const read = (isAngle) => (text) => {
-            give(text);
+            give([text]);
             const value = program.web_quantity(isAngle);
             return Number.isNaN(value) ? null : value;
         };
@@ -130,7 +148,7 @@ self.onmessage = async ({data}) => {
     try {
         await ready;
         const begun = performance.now();
-        if (data.task !== "open" && data.task !== "style" && !isOpen)
+        if (!["open", "style", "run"].includes(data.task) && !isOpen)
             throw new Error("no deck is open");
         const made = tasks[data.task](data);
         self.postMessage({id: data.id, time: performance.now() - begun, ...made});

@@ -180,9 +180,9 @@ static const double widths[] = {760, 500, 340}, heights[] = {0, 320, 250};
 #define LOWEST 2.2
 #define HIGHEST 1.25
 
-static double height_of_mechanism(const picture *p)
+static double height_of_mechanism(const picture *p, double width)
 {
-    return floor(widths[MOVING_WHOLE] / GSL_MIN_DBL(LOWEST, GSL_MAX_DBL(HIGHEST, size_aspect(p))));
+    return floor(width / GSL_MIN_DBL(LOWEST, GSL_MAX_DBL(HIGHEST, size_aspect(p))));
 }
 
 static void name(const picture *p, const drawn *x, char out[80])
@@ -234,8 +234,9 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     panel->size = what.subject == MECHANISM ? MOVING_WHOLE
                   : what.subject == BODY    ? MOVING_THIRD
                                             : MOVING_HALF;
-    panel->width = widths[panel->size];
-    panel->height = panel->size == MOVING_WHOLE ? height_of_mechanism(&x->p) : heights[panel->size];
+    panel->width = panel->size == MOVING_WHOLE && x->width > 0 ? x->width : widths[panel->size];
+    panel->height = panel->size == MOVING_WHOLE ? height_of_mechanism(&x->p, panel->width)
+                                                : heights[panel->size];
     name(&x->p, &what, panel->title);
     motion_open(&panel->list, x->steps.n);
     display_open(&step);

@@ -39,6 +39,7 @@ typedef struct moving {
     plot_request request;
     fourlink_branch branch;
     moving_steps steps;
+    double width;    /* of the mechanism, in pixels; 0: that of a report */
     double largest;  /* force, N */
     place_box range; /* of the mechanism; empty until it is drawn */
     int out_of_memory;

@@ -72,6 +72,7 @@ typedef struct plot_request {
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
     int is_figure;            /* 1: of a page, which has the title, and of one design of a sweep */
+    double lone_width;        /* of a single panel, in pixels; 0: as usual */
     fourlink_results *opened; /* of the deck */
     /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
     fourlink_results **kept;

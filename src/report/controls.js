@@ -30,7 +30,10 @@ function controls(find, seen) {
     let data = null, drawing = null, last = 0, playing = null;
 
     function go(i) {
+        const before = drawing.row();
         drawing.show(i);
+        if (playing !== null && drawing.row() === before)
+            return;
         slider.value = drawing.row();
         shown.textContent = fourlink.stepText(data, drawing.row());
         slider.setAttribute("aria-valuetext", drawing.name());
@@ -46,8 +49,8 @@ function controls(find, seen) {
         button.textContent = "Play";
         status.textContent = drawing.name();
     }
-    /* Once through the motion in eight seconds; slower for who wants less motion.  Rows without a position are
-    ** passed over. */
+    /* Once through the motion in eight seconds, at the screen's rate; slower for who wants less motion.  Rows without a
+    ** position are passed over. */
     function play() {
         const slow = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
         let before = null, rest = 0;
@@ -59,8 +62,7 @@ function controls(find, seen) {
                 i = i === last ? 0 : i + 1;
                 rest -= drawing.reason(i) ? 0 : 1;
             }
-            if (i !== drawing.row())
-                go(i);
+            go(i + Math.min(rest, 0.999));
             playing = requestAnimationFrame(step);
         };
         button.textContent = "Pause";
@@ -139,7 +141,7 @@ function controls(find, seen) {
         if (drawing)
             drawing.layOut();
     });
-    return {take, renew, go, stop};
+    return {take, renew, go, stop, play};
 }
 
 /* Show the buttons that save a table as a file. */

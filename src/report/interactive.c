@@ -125,21 +125,24 @@ static void put_reasons(line *l, const rows *t)
     line_put(l, "},\n");
 }
 
-/* Write the drawings of a branch; 0 without memory. */
-static int put_panels(line *l, const rows *t, place_box *range)
+/* Write the drawings of a branch, the k-th; 0 without memory. */
+static int put_panels(line *l, const rows *t, const interactive_form *form, int branch)
 {
     moving *x = calloc(1, sizeof *x);
     moving_panel *panel = malloc(sizeof *panel);
     moving_steps steps;
-    int done, n = 0, k;
+    int done, n = 0, count, k;
 
     steps.at = t->steps;
     steps.n = t->n;
     done = x && panel && moving_open(x, t->source, t->v.results, t->branch, &steps);
     line_put(l, "\"panels\":[");
-    if (done && range)
-        x->range = *range;
-    for (k = 0; done && k < moving_count(x); k++) {
+    if (done && form->ranges)
+        x->range = form->ranges[branch];
+    if (done)
+        x->width = form->width;
+    count = !done ? 0 : form->is_brief ? 1 : moving_count(x);
+    for (k = 0; done && k < count; k++) {
         if (moving_draw(x, k, panel)) {
             interactive_put_comma(l, &n);
             done = moving_json_put(l, panel);
@@ -148,8 +151,8 @@ static int put_panels(line *l, const rows *t, place_box *range)
         done = done && !x->out_of_memory;
     }
     line_put(l, "],\n");
-    if (done && range)
-        *range = x->range;
+    if (done && form->ranges)
+        form->ranges[branch] = x->range;
     if (x)
         moving_close(x);
     free(x);
@@ -157,13 +160,14 @@ static int put_panels(line *l, const rows *t, place_box *range)
     return done;
 }
 
-static int put_branch(line *l, const rows *t, const style *styles, place_box *range)
+static int put_branch(line *l, const rows *t, const style *styles, const interactive_form *form,
+                      int branch)
 {
     int done;
 
     line_put(l, "{\"name\":\"%s\",\n", fourlink_branch_text((int)t->branch));
     put_reasons(l, t);
-    done = put_panels(l, t, range);
+    done = put_panels(l, t, form, branch);
     put_table(l, t, styles);
     line_put(l, "}");
     return done;
@@ -183,8 +187,8 @@ static void put_steps(line *l, const rows *t, double start)
     line_put(l, "],\n\"start\":%lu,\n", first);
 }
 
-int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start,
-                      place_box *ranges)
+int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n,
+                      const interactive_form *form)
 {
     style *styles = malloc((t->v.n_columns + 1) * sizeof *styles);
     int i, done = styles != NULL;
@@ -194,14 +198,14 @@ int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n
     line_put(&l, "{\n");
     if (styles) {
         put_columns(&l, t, styles);
-        put_steps(&l, t, start);
+        put_steps(&l, t, form->start);
         interactive_put_scene(&l, t);
     }
     line_put(&l, "\"branches\":[\n");
     for (i = 0; done && i < n; i++) {
         rows_compute(t, branches[i]);
         line_put(&l, i ? ",\n" : "");
-        done = put_branch(&l, t, styles, ranges ? &ranges[i] : NULL);
+        done = put_branch(&l, t, styles, form, i);
     }
     line_put(&l, "]}\n");
     line_end(&l);
@@ -228,7 +232,10 @@ static const char *const controls[] = {
 static void put_drawing(report *r, rows *t, double start)
 {
     page *p = &r->page;
+    interactive_form form;
 
+    memset(&form, 0, sizeof form);
+    form.start = start;
     page_print(p, "<div class=\"drawing\">\n");
     put_lines(p, controls);
     page_print(p, "<div id=\"fourlink-panels\" data-why=\"%s\" hidden=\"hidden\"></div>\n", r->why);
@@ -236,7 +243,7 @@ static void put_drawing(report *r, rows *t, double start)
     page_print(p, "<div id=\"fourlink-more\" hidden=\"hidden\"></div>\n"
                   "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
                   "<script type=\"application/json\" id=\"fourlink-rows\">");
-    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start, NULL);
+    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, &form);
     page_print(p, "</script>\n");
 }
 

@@ -11,11 +11,18 @@
 #include "rows.h"
 #include "tables/line.h"
 
-/* Write drawings and rows of branches, beginning at the step nearest to `start`, a crank angle or a time in
-** the deck's unit. `ranges` are those of the mechanism by branch, and empty ones are found; null: all are.
-** Returns 0 without memory. */
-int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start,
-                      place_box *ranges);
+typedef struct interactive_form {
+    double
+        start; /* it begins at the step nearest to this one, a crank angle or a time in the deck's unit */
+    double width; /* of the mechanism, in pixels; 0: that of a report */
+    int is_brief; /* 1: the mechanism is the only drawing */
+    place_box
+        *ranges; /* of the mechanism by branch, of which empty ones are found; null: all are */
+} interactive_form;
+
+/* Write drawings and rows of branches.  Returns 0 without memory. */
+int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n,
+                      const interactive_form *form);
 
 /* What can be dragged, in scene_json.c: links and tracer points, by the names of their pins and discs.
 ** Members of an object with a comma after the last. */

@@ -10,7 +10,7 @@ fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
-const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c and display.h */
+const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18, MOST_ZOOM = 12; /* as in svg.c and display.h */
 const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
 
 /* ---------------------------------------------------------------------------------------------------- places */
@@ -33,12 +33,12 @@ function numbersOf(words) {
     return list;
 }
 
-/* Where all places of a panel are at step i. */
-function placesAt(tracks, i) {
-    const list = [];
+/* Where all places of a panel are at step i and a part of the way to the next. */
+function placesAt(tracks, i, part) {
+    const list = [], at = (track) => part ? track[i] + part * (track[i + 1] - track[i]) : track[i];
     for (const [p, q, a, b, c] of tracks) {
         if (typeof p === "object") {
-            list.push([p[i], q[i]]);
+            list.push([at(p), at(q)]);
         } else if (a === undefined) {
             list.push([p, q]);
         } else if (b === undefined) {
@@ -98,7 +98,8 @@ function arcWay([centre, turns], [first, last]) {
 const quarters = ([x, y], r) => [1, -1].map((s) => wayOf([[x, y], [x + s * r, y]]) + "A" + r + "," + r + " 0 0 1 " + digits(x) + "," +
                                                    digits(y + s * r) + "z").join("");
 
-/* What is drawn for an item, and how its elements are set from its places: {elements, set}. */
+/* What is drawn for an item, and how its elements are set from its places: {elements, set}.  A text is not scaled: it is
+** set with the scale and the shift of the sheet. */
 const makers = {
     path: (item, kind) => ({elements: [svg("path", {...kind, d: item.d})], set() {}}),
     line: (item, kind) => {
@@ -126,9 +127,9 @@ const makers = {
     },
     text: (item, kind) => {
         const made = svg("text", {...kind, "text-anchor": item.anchor || "middle"}, ...svgWords(item.words)), values = valuesOf(item);
-        return {elements: [made], isText: true, set: ([at, off], i, k) => {
-            made.setAttribute("x", digits(k * at[0] + off[0]));
-            made.setAttribute("y", digits(k * at[1] + off[1] + BASELINE));
+        return {elements: [made], isText: true, set: ([at, off], i, scale, shift) => {
+            made.setAttribute("x", digits(scale * at[0] + shift[0] + off[0]));
+            made.setAttribute("y", digits(scale * at[1] + shift[1] + off[1] + BASELINE));
             if (item.values)
                 made.replaceChildren(...svgWords([...item.words, ...values(i), ...item.unit]));
         }};
@@ -145,7 +146,7 @@ function makePanel(title, size) {
     const drawing = svg("svg", {class: "fourlink sheet", role: "img"}, ink, texts, handle);
     const caption = html("span", {}, title), key = html("p", {class: "key"}), list = html("ul", {class: "values"});
     const figure = html("figure", {class: "panel " + size}, drawing, html("figcaption", {}, caption), key, list);
-    let data = null, tracks = [], parts = [], notes = [], now = 0, scale = 1, cranks = null;
+    let data = null, tracks = [], parts = [], notes = [], now = 0, cranks = null, scale = 1, zoom = 1, shift = [0, 0];
 
     /* Take the drawing of a branch. */
     function take(newData) {
@@ -163,17 +164,29 @@ function makePanel(title, size) {
     }
     /* Take the width that the page gives the sheet. */
     function layOut() {
-        const width = drawing.clientWidth || data.sheet[2];
-        scale = width / data.sheet[2];
-        const height = scale * data.sheet[3] + LINE * Math.max(0, 1 - scale); /* the scale below has its words in full */
+        drawing.style.setProperty("--aspect", data.sheet[2] / data.sheet[3]);
+        const width = drawing.clientWidth || data.sheet[2], whole = width / data.sheet[2];
+        const height = whole * data.sheet[3] + LINE * Math.max(0, 1 - whole); /* the scale below has its words in full */
+        scale = zoom * whole;
+        shift = [[width, 0], [height, 1]].map(([size, k]) => Math.min(0, Math.max(size * (1 - zoom), shift[k])));
         drawing.setAttribute("viewBox", "0 0 " + width + " " + height);
         drawing.style.aspectRatio = width / height;
-        drawing.setAttribute("data-box", data.box.map((x) => x * scale).join(" "));
+        drawing.setAttribute("data-box", data.box.map((x, k) => x * scale + (shift[k] || 0)).join(" "));
         drawing.setAttribute("data-axes", data.axes.join(" "));
-        ink.setAttribute("transform", "scale(" + scale + ")");
+        ink.setAttribute("transform", "translate(" + shift.map(digits) + ") scale(" + scale + ")");
     }
-    function show(i, name) {
-        const places = placesAt(tracks, i);
+    /* Make what is at a place of the sheet larger; show its other parts. */
+    function zoomBy(factor, at) {
+        const next = Math.max(1, Math.min(MOST_ZOOM, zoom * factor));
+        shift = shift.map((x, k) => at[k] - (at[k] - x) * next / zoom);
+        zoom = next;
+    }
+    function moveBy(way) {
+        shift = shift.map((x, k) => x + way[k]);
+    }
+    /* Show step i and a part of the way to the next. */
+    function show(i, part, name) {
+        const places = placesAt(tracks, i, part);
         now = i;
         drawing.setAttribute("aria-label", title + ": " + name);
         for (const {item, elements, set} of parts) {
@@ -181,7 +194,7 @@ function makePanel(title, size) {
             if (item.gone)
                 elements.forEach((x) => { x.setAttribute("display", gone ? "none" : "inline"); });
             if (!gone)
-                set((item.at || []).map((k) => places[k]), i, scale);
+                set((item.at || []).map((k) => places[k]), i, scale, shift);
         }
         for (const {item, made, values} of notes) {
             made.hidden = isGone(item, i);
@@ -191,7 +204,7 @@ function makePanel(title, size) {
     /* Of a pin or a point at step i, in pixels of the sheet; null where it is not there. */
     function place(name, i = now) {
         const item = data.items.find((x) => x.name === name && (x.as === "disc" || x.as === "centre"));
-        return item && !isGone(item, i) ? placesAt(tracks, i)[item.at[0]].map((x) => scale * x) : null;
+        return item && !isGone(item, i) ? placesAt(tracks, i, 0)[item.at[0]].map((x, k) => scale * x + shift[k]) : null;
     }
     /* The step whose crank points to a place: of several, the nearest to the present one. */
     function rowAt([x, y], count) {
@@ -208,10 +221,17 @@ function makePanel(title, size) {
     /* Of a place in the sheet, in the unit of the axes, turned to and fro by the angle by which the x axis rises. */
     function planeOf(at, turn) {
         const [left, top, width, height] = data.box, [x0, x1, y0, y1] = data.axes, c = Math.cos(turn), s = Math.sin(turn);
-        const x = x0 + (at[0] / scale - left) / width * (x1 - x0), y = y1 - (at[1] / scale - top) / height * (y1 - y0);
+        const [p, q] = at.map((x, k) => (x - shift[k]) / scale);
+        const x = x0 + (p - left) / width * (x1 - x0), y = y1 - (q - top) / height * (y1 - y0);
         return [c * x + s * y, c * y - s * x];
     }
-    return {title, figure, drawing, caption, handle, take, layOut, show, place, rowAt, planeOf,
+    function sheetOf([p, q], turn) {
+        const [left, top, width, height] = data.box, [x0, x1, y0, y1] = data.axes, c = Math.cos(turn), s = Math.sin(turn);
+        const x = c * p - s * q, y = s * p + c * q;
+        return [left + (x - x0) / (x1 - x0) * width, top + (y1 - y) / (y1 - y0) * height].map((z, k) => scale * z + shift[k]);
+    }
+    return {title, figure, drawing, caption, handle, take, layOut, zoomBy, moveBy, show, place, rowAt, planeOf, sheetOf,
+            isSeen: () => !figure.closest("[hidden]"), zoom: () => zoom,
             pixel: () => (data.axes[1] - data.axes[0]) / data.box[2] / scale};
 }
 
@@ -241,9 +261,9 @@ function tableRow(data, place) {
 /* ------------------------------------------------------------------------------------------------------ the page */
 
 /* What the drawings consist of, whatever their numbers. */
+const head = (data) => JSON.stringify([data.over, data.units, data.columns.map((c) => [c.name, c.unit])]);
 function structure(data) {
-    return JSON.stringify([data.over, data.units, data.columns.map((c) => [c.name, c.unit]),
-                           data.branches.map((b) => [b.name, b.panels.map((panel) => panel.title)])]);
+    return JSON.stringify([head(data), data.branches.map((b) => [b.name, b.panels.map((panel) => panel.title)])]);
 }
 
 /* Make the drawings in `place`, an element, from `data`, all but the mechanism in `more` if it is given; returns their
@@ -252,17 +272,23 @@ function draw(data, place, more) {
     const panels = data.branches[0].panels.map(({title, size}) => makePanel(title, size)), main = panels[0];
     const grid = html("div", {class: "panels"}, ...panels.slice(more ? 1 : 0).map((panel) => panel.figure));
     const showRow = tableRow(data, grid);
-    let branch = data.branches[0], now = data.start;
+    let branch = data.branches[0], now = data.start, isBrief = false;
     place.replaceChildren(more ? html("div", {class: "panels"}, main.figure) : grid);
     if (more)
         more.replaceChildren(grid);
 
     const name = () => (data.branches.length > 1 ? branch.name + ", " : "") +
         (data.over === "time" ? "t = " : "θ₂ = ") + stepText(data, now);
+    /* Show a step; between two of them, which have positions, what moves is between their places. */
     function show(i) {
-        now = Math.max(0, Math.min(data.steps.length - 1, i));
+        const row = Math.max(0, Math.min(data.steps.length - 1, Math.floor(i))), isNew = row !== now;
+        now = row;
+        const part = i > row && row + 1 < data.steps.length && !branch.reasons[row] && !branch.reasons[row + 1] ? i - row : 0;
         for (const panel of panels)
-            panel.show(now, name());
+            if (isBrief ? panel === main : panel.isSeen())
+                panel.show(now, part, name());
+        if (part && !isNew)
+            return;
         main.caption.textContent = main.title + " at " + name() +
             (data.why && now === data.start && branch === data.branches[0] ? ", " + data.why : "");
         putHandle(main);
@@ -273,25 +299,42 @@ function draw(data, place, more) {
             panel.layOut();
         show(now);
     }
+    const branchNow = () => data.branches.findIndex((x) => x.name === branch.name);
     function choose(k) {
         branch = data.branches[k];
         panels.forEach((panel, j) => panel.take(branch.panels[j]));
         show(now);
     }
+    /* Take other numbers while something is dragged: of the branch that is shown, the mechanism alone; false if it is
+    ** another mechanism. */
+    function updateBriefly(next) {
+        const [only] = next.branches;
+        if (head(next) !== head(data) || only.name !== branch.name || only.panels[0].title !== main.title)
+            return false;
+        isBrief = true;
+        const i = now / Math.max(1, data.steps.length - 1);
+        Object.assign(data, {...next, branches: data.branches});
+        branch = only;
+        main.take(only.panels[0]);
+        show(Math.round(i * (data.steps.length - 1)));
+        return true;
+    }
     /* Take other numbers of the same mechanism; false if it is another one. */
     function update(next) {
-        const k = data.branches.indexOf(branch);
+        const k = branchNow();
         if (structure(next) !== structure(data))
             return false;
+        isBrief = false;
         Object.assign(data, next);
         choose(k);
         return true;
     }
     choose(0);
-    return {panels, show, choose, layOut, update, name, row: () => now, branch: () => data.branches.indexOf(branch),
+    return {panels, show, choose, layOut, update, updateBriefly, name, row: () => now, branch: branchNow,
             reason: (i) => branch.reasons[i] || "",
             main: {panel: main, handle: main.handle, place: (name) => main.place(name), pixel: main.pixel,
-                   rowAt: (at) => main.rowAt(at, data.steps.length), planeOf: (at) => main.planeOf(at, data.turn)}};
+                   rowAt: (at) => main.rowAt(at, data.steps.length), planeOf: (at) => main.planeOf(at, data.turn),
+                   sheetOf: (p) => main.sheetOf(p, data.turn)}};
 }
 
 return draw;

@@ -169,6 +169,17 @@ void rows_close(rows *t)
     free(t->table);
 }
 
+void rows_thin(rows *t, unsigned long stride)
+{
+    unsigned long i, n = 0;
+
+    if (t->v.problem.by_time)
+        return;
+    for (i = 0; i < t->n; i += stride)
+        t->steps[n++] = t->steps[i];
+    t->n = n;
+}
+
 void rows_compute(rows *t, fourlink_branch branch)
 {
     unsigned long i;

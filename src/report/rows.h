@@ -34,6 +34,9 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
 double rows_step_of(const rows *t, const fourlink_instant *now);
 void rows_close(rows *t);
 
+/* Leave only every so many of the steps, unless they are rows of the deck. */
+void rows_thin(rows *t, unsigned long stride);
+
 /* Compute a branch. */
 void rows_compute(rows *t, fourlink_branch branch);
 

@@ -107,6 +107,37 @@ static void put_tracers(line *l, const rows *t)
     line_put(l, "],\n");
 }
 
+/* ------------------------------------------------------------------------------------------- synthesis */
+
+/* Of a linkage found for positions: where A is in the axes of the task, and the direction of x there. */
+static void put_origin(line *l, const rows *t, const fourlink_solution *x)
+{
+    line_put(l, "{\"origin\":[");
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, x->origin.x), 17);
+    line_put(l, ",");
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, x->origin.y), 17);
+    line_put(l, "],\"direction\":");
+    json_text_number(l, x->direction, 17);
+    line_put(l, "}");
+}
+
+static void put_wanted(line *l, const rows *t)
+{
+    fourlink_solution *list = NULL;
+    unsigned long chosen, count;
+
+    line_put(l, "\"wanted\":");
+    if (fourlink_deck_solutions(t->v.deck, 0, NULL, &chosen, &count) == FOURLINK_OK &&
+        (list = malloc((chosen + 1) * sizeof *list)) != NULL)
+        fourlink_deck_solutions(t->v.deck, chosen + 1, list, &chosen, &count);
+    if (list && list[chosen].has_point)
+        put_origin(l, t, &list[chosen]);
+    else
+        line_put(l, "null");
+    line_put(l, ",\n");
+    free(list);
+}
+
 /* ----------------------------------------------------------------------------------------------- the rest */
 
 static void put_units(line *l, const rows *t)
@@ -131,4 +162,5 @@ void interactive_put_scene(line *l, const rows *t)
     line_put(l, ",\n");
     put_links(l, t);
     put_tracers(l, t);
+    put_wanted(l, t);
 }

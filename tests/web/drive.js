@@ -205,6 +205,7 @@ function changes(before, after) {
 }
 
 async function tryTyping() {
+    await load("alvi-5.1.deck");
     const good = fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8");
     await typeDeck(good.replace("length = 66 mm", "lenght = 66 mm"));
     check("a mistake as one types: " + await messages(), (await messages())[0] ===
@@ -416,7 +417,6 @@ async function tryShares() {
 /* Several curves, a diagram for each unit, with their extremes: those of the command's picture.  A click goes to a row. */
 async function tryCurves() {
     await load("me3491-exercise-4.deck");
-    await click("tab-curve");
     await b.evaluate(`for (const [id, name] of [["curve-y", "omega4"], ["curve-y2", "F12"], ["curve-y3", "F14"]]) {
         document.getElementById(id).value = name;
         document.getElementById(id).dispatchEvent(new Event("change"));
@@ -445,7 +445,7 @@ async function tryCurves() {
         document.getElementById("curve-y").dispatchEvent(new Event("change"));`);
     await settled();
     check("one again", await b.evaluate(`document.querySelectorAll("#curve-place g.panel").length === 1`));
-    await click("tab-drawing");
+    await click("tab-table");
 }
 
 /* A [synthesis]: a mark for each wanted position, on the path of the point, of pin C, or of the piston. */
@@ -516,12 +516,12 @@ async function tryPhone() {
         check(width + " px: the notice covers the drawing", !covered);
         await b.evaluate("history.replaceState(null, '', location.pathname)");
     }
-    /* no blank block between the deck and its results where they are below each other */
-    await b.size(768, 900);
+    /* no blank block between the drawing and the deck where they are below each other */
+    await b.size(700, 900);
     await load("alvi-5.1.deck");
-    const gap = await b.evaluate(`document.querySelector(".result-side").getBoundingClientRect().top -
-        document.querySelector(".editor").getBoundingClientRect().bottom`);
-    check("768 px: a blank block of " + gap + " px", gap < 40);
+    const gap = await b.evaluate(`document.querySelector(".deck-side").getBoundingClientRect().top -
+        document.querySelector("#curve-place svg").getBoundingClientRect().bottom`);
+    check("700 px: a blank block of " + gap + " px", gap < 40);
     await b.size(1280, 900);
 }
 
@@ -530,13 +530,13 @@ async function tryHostile() {
     await put(evil + ".deck", "title = \"" + evil + "\"\nmechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n" +
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n[point " + evil.replace(/[[\]=]/g, "") + "]\nlink = coupler\nat = (1, 2) mm\n" +
               "[load " + evil.replace(/[[\]=]/g, "") + "]\nlink = rocker\ntorque = 1 N m\n[motion]\nspeed = 1 rad/s\n[expect]\ntype = " + evil + "\n" + evil);
-    for (const tab of ["curve", "table", "facts", "checks", "drawing"]) {
+    for (const tab of ["table", "facts", "diagrams", "solutions", "checks", "table"]) {
         await click("tab-" + tab);
         await settled();
     }
     await put("x.deck", "title = \"" + evil + "\"\nmechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n" +
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n[point <b>P</b>]\nlink = coupler\nat = (1, 2) mm\n");
-    for (const tab of ["curve", "table", "facts", "checks", "drawing"]) {
+    for (const tab of ["table", "facts", "diagrams", "solutions", "checks", "table"]) {
         await click("tab-" + tab);
         await settled();
     }
@@ -561,7 +561,7 @@ async function tryLimits() {
     await b.evaluate(`document.getElementById("stop").click()`);
     await put("alvi-5.1.deck", good);
     check("the page goes on", (await messages()).length === 0);
-    await click("tab-drawing");
+    await click("tab-table");
     const answer = await b.evaluate(`(async () => {
         const input = document.getElementById("open"), list = new DataTransfer();
         list.items.add(new File([new Uint8Array(65e6)], "huge.deck"));
@@ -596,7 +596,7 @@ async function column(name) {
 
 async function tryExercises() {
     for (const exercise of exercisesOf(root)) {
-        await click("tab-drawing");
+        await click("tab-table");
         await typeDeck(exercise.deck);
         check(exercise.name + ": " + await messages(), !(await messages()).some((x) => /error/.test(x)));
         for (const [name, wanted] of exercise.row || [])
@@ -619,7 +619,7 @@ async function tryExercises() {
             check(exercise.name + ": " + found, found.endsWith("# score: " + exercise.score) && found === wanted);
         }
     }
-    await click("tab-drawing");
+    await click("tab-table");
 }
 
 /* --------------------------------------------------------------------------------------------- time, keyboard, layout */
@@ -660,7 +660,7 @@ async function tryKeyboard() {
             return e.id || e.getAttribute("data-knob") || e.name || e.textContent.slice(0, 20);
         })()`));
     }
-    for (const id of ["example", "open", "undo", "deck", "name", "fourlink-angle", "fourlink-play", "tab-drawing", "change", "B", "P0"])
+    for (const id of ["example", "open", "undo", "deck", "name", "fourlink-angle", "fourlink-play", "tab-table", "change", "ask-words", "zoom-in", "B", "P0"])
         check("Tab reaches " + id + ": " + [...seen], seen.has(id) || (id === "undo" && !seen.has(id)));
     await click("change");
     const nameless = await b.evaluate(`[...document.querySelectorAll("button, input, select, textarea, [role]")].filter((e) =>
@@ -674,13 +674,13 @@ async function tryLayout() {
         await b.size(width, 900);
         for (const name of ["me3491-exercise-4.deck", "alvi-5.1.deck"]) {
             await load(name);
-            for (const tab of ["drawing", "curve", "table", "facts", "checks", "manual"]) {
+            for (const tab of ["table", "facts", "diagrams", "solutions", "checks", "manual"]) {
                 await click("tab-" + tab);
                 await settled();
                 const wide = await b.evaluate("document.documentElement.scrollWidth");
                 check(width + " px, " + tab + ": " + wide, wide <= width);
             }
-            await click("tab-drawing");
+            await click("tab-table");
         }
     }
     await b.size(1280, 900);

@@ -2,11 +2,9 @@
 **
 ** scenes.c - what the page draws of a deck, by its own program compiled for this machine.
 **
-**    scenes DECK [report]
-**    scenes DECK FRAMES EVERY
+**    scenes DECK [FRAMES EVERY]
 **
-** Prints the scene as JSON, with the crank angle where the page begins, "from"; or the report that the page
-** saves. With the name of a file, that gets every so many of the drawings as they were before they became one
+** Prints the scene as JSON, with the crank angle where the page begins, "from".  With the name of a file, that gets every so many of the drawings as they were before they became one
 ** motion: lines "@ PANEL STEP", each before an SVG. Exit status 1: there is none.
 */
 #include "drawing/svg.h"
@@ -15,6 +13,14 @@
 static FILE *frames;
 static size_t every;
 static long panel = -1;
+
+/* The command is not called. */
+int web_main(int argc, char **argv)
+{
+    (void)argc;
+    (void)argv;
+    return 3;
+}
 
 /* The linker calls these in place of motion_add. */
 void __real_motion_add(motion *m, size_t step, const display *d);
@@ -47,7 +53,7 @@ int main(int argc, char **argv)
     size_t length = 0, name = argc > 1 ? strlen(argv[1]) + 1 : 0;
     char *text, *room;
 
-    if (argc < 2 || argc > 4)
+    if (argc != 2 && argc != 4)
         return 2;
     if (argc == 4) {
         frames = fopen(argv[2], "w");
@@ -62,19 +68,9 @@ int main(int argc, char **argv)
     memcpy(room, argv[1], name);
     memcpy(room + name, text, length + 1);
     free(text);
-    if (web_open(name, length) != FOURLINK_OK || !web_scene(0, v.problem.motion.from, 0)) {
+    if (web_open(name, length, 1) != FOURLINK_OK || !web_scene(0, v.problem.motion.from, 0)) {
         fprintf(stderr, "%s", web_answer() ? web_answer() : "nothing");
         return 1;
-    }
-    if (argc == 3) { /* the report that the page saves */
-        room = web_room(1);
-        if (!room)
-            return 2;
-        *room = '\0';
-        if (web_report() != 1)
-            return 1;
-        fputs(web_answer(), stdout);
-        return 0;
     }
     printf("{\"from\":%.17g,%s", v.problem.motion.from, web_answer() + 1);
     return frames && fclose(frames) != 0;

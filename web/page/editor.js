@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** editor.js - the text of the deck: line numbers, messages at their lines, undo.
+** editor.js - the text of the deck: line numbers, colours, messages at their lines, undo.
 **
-** The text is a textarea.  It has an undo of its own, since dragging in the drawing changes the text too.
+** The text is a textarea whose letters are not seen: behind it they stand again, in colours.  It has an undo of its own,
+** since dragging in the drawing changes the text too.
 */
 web.editor = function (area, gutter, layer, changed) {
 
+const colours = layer.querySelector("pre");
 const {html} = fourlink;
 const LINE = 20, MOST_STEPS = 500;
 let steps = [], undone = [], present = {text: "", from: 0, to: 0}, group = null, time = 0, lines = 0, marks = [];
@@ -33,6 +35,24 @@ function number() {
     if (count !== lines)
         gutter.firstChild.textContent = Array.from({length: count}, (_, i) => i + 1).join("\n");
     lines = count;
+    colour();
+}
+
+const escaped = (words) => words.replace(/&/g, "&amp;").replace(/</g, "&lt;");
+const inColour = (kind, words) => words && "<span class=\"in-" + kind + "\">" + escaped(words) + "</span>";
+const withNumbers = (words) => words.split(/(?<![\w.])([-+\u2212]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)/)
+    .map((part, k) => k % 2 ? inColour("number", part) : escaped(part)).join("");
+
+/* A line as markup: its section, key, numbers and comment in colours. */
+function lineInColour(line) {
+    const words = web.text.bare(line), setting = /^(\s*)([^=\[\s][^=]*?)(\s*=)(.*)$/.exec(words);
+    const shown = /^\s*\[/.test(words) ? inColour("section", words)
+        : setting ? setting[1] + inColour("key", setting[2]) + setting[3] + withNumbers(setting[4]) : withNumbers(words);
+    return shown + inColour("comment", line.slice(words.length));
+}
+
+function colour() {
+    colours.innerHTML = area.value.split("\n").map(lineInColour).join("\n");
 }
 
 function scroll() {
@@ -54,7 +74,7 @@ function mark(messages) {
         made.firstChild.style.marginLeft = "calc(" + (wide + 2) + "ch)";
         return made;
     });
-    layer.firstChild.replaceChildren(...marks);
+    layer.firstChild.replaceChildren(...marks, colours);
     area.setAttribute("aria-invalid", messages.some((m) => m.kind === "error") ? "true" : "false");
 }
 

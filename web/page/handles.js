@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** handles.js - pins, centres of mass and tracer points that can be dragged: each changes numbers of the deck.
+** handles.js - pins, centres of mass, tracer points, places of loads, and what a [synthesis] wants, to be dragged: each changes
+** numbers of the deck.
 **
-** A handle knows which settings of the text it changes and how a place in the plane of the mechanism becomes their
-** values, in the drawing's unit of length.
+** A handle knows where it is, the settings of the text that it changes, and how a place in the plane of the mechanism becomes
+** their values, in the drawing's unit of length.
 */
 web.handles = function (editor, ask) {
 
@@ -60,6 +61,32 @@ function points() {
     return centres.concat(tracers);
 }
 
+/* Where loads act.  Nothing is drawn there that has a name: the place follows from the link's axes. */
+function loads() {
+    const text = editor.text();
+    return web.text.sections(text).filter((name) => /^load\b/i.test(name)).map((name) => {
+        const on = web.text.value(text, name, "link"), link = data.links.find((x) => x.name === on && x.shape !== "block");
+        const handle = {id: name, words: "where " + name + " acts", link, settings: [{section: name, key: "at"}]};
+        handle.frame = () => axesOf(link);
+        handle.where = () => {
+            const numbers = planeOf("A") && web.text.numbers(editor.text(), name, "at"), axes = axesOf(link);
+            return numbers && drawing.main.sheetOf(add(axes.origin, turned(localOf(editor.text(), numbers, link), axes.angle)));
+        };
+        return handle;
+    }).filter((handle) => handle.link);
+}
+
+/* What a [synthesis] wants: positions and pivots, in its own axes. */
+function targets() {
+    if (!data.wanted)
+        return [];
+    const frame = () => ({angle: -data.wanted.direction, origin: turned(times(-1, data.wanted.origin), -data.wanted.direction)});
+    const inTask = (at, words, key, index) => ({at, words, link: {}, frame, settings: [{section: "synthesis", key, index}]});
+    const isFixed = (key) => /^fixed/.test(web.text.value(editor.text(), "synthesis", key) || "");
+    return web.text.pairs(editor.text(), "synthesis", "positions").map((_, k) => inTask("wanted " + (k + 1), "wanted position " + (k + 1), "positions", k))
+        .concat([["A", "left"], ["D", "right"]].filter(([, key]) => isFixed(key)).map(([at, key]) => inTask(at, "pivot " + at, key, 0)));
+}
+
 /* The origin of a link's own axes, and the direction of its x axis where the point does not show it. */
 function axesOf(link) {
     const pin = link.link === 2 ? "A" : link.link === 3 ? "B" : link.shape === "block" || link.shape === "yoke" ? "C" : "D";
@@ -83,7 +110,9 @@ function factorOf(number) {
 
 /* The numbers of the settings of a handle that stand in the text: [{setting, numbers}]. */
 function present(text, handle) {
-    return handle.settings.map((setting) => ({setting, numbers: web.text.numbers(text, setting.section, setting.key)}))
+    const numbersOf = ({section, key, index}) => index === undefined ? web.text.numbers(text, section, key)
+        : web.text.pairs(text, section, key)[index];
+    return handle.settings.map((setting) => ({setting, numbers: numbersOf(setting)}))
         .filter((x) => x.numbers && (x.numbers[0].name !== "share" || handle.link.shape === "bar"));
 }
 
@@ -103,6 +132,8 @@ const lengthNow = (link) => size(minus(planeOf(link.pins[1]), planeOf(link.pins[
 
 /* Where a point is in its link: the axes that take its own coordinates to its place. */
 function frameOf(text, handle, numbers) {
+    if (handle.frame)
+        return handle.frame();
     const axes = axesOf(handle.link), local = localOf(text, numbers, handle.link), g = minus(planeOf(handle.at), axes.origin);
     if (size(local) > 1e-9 * size(g) && size(g) > 0)
         axes.angle = Math.atan2(g[1], g[0]) - Math.atan2(local[1], local[0]);
@@ -146,8 +177,10 @@ function changed(text, handle, frame, p) {
 
 /* ------------------------------------------------------------------------------------------------ to drag them */
 
+const placeOf = (handle) => handle.where ? handle.where() : drawing.main.place(handle.at);
+
 function place(handle) {
-    const at = drawing.main.place(handle.at);
+    const at = placeOf(handle);
     handle.mark.style.display = at ? "" : "none";
     if (at)
         for (const part of handle.mark.children) {
@@ -177,7 +210,7 @@ function listen(handle) {
     handle.mark.addEventListener("keydown", (event) => {
         const far = event.shiftKey ? 10 : 1;
         const way = {ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far]}[event.key];
-        const at = drawing.main.place(handle.at);
+        const at = placeOf(handle);
         if (!way || !at || event.ctrlKey || event.metaKey || event.altKey)
             return;
         event.preventDefault();
@@ -200,16 +233,18 @@ function release(event) {
 }
 let released = () => {};
 
+const everything = () => [...pins(), ...points(), ...loads(), ...targets()];
+
 function make() {
     group.replaceChildren();
-    handles = on && data ? pins().concat(points()) : [];
+    handles = on && data ? everything() : [];
     handles = handles.filter((handle) => {
         const found = present(editor.text(), handle);
         return found.length && found.some((x) => x.numbers.every(factorOf));
     });
     for (const handle of handles) {
         const names = present(editor.text(), handle).map((x) => x.setting.section + "." + x.setting.key).join(", ");
-        handle.mark = svg("g", {class: "knob", tabindex: 0, role: "button", "data-knob": handle.at,
+        handle.mark = svg("g", {class: "knob", tabindex: 0, role: "button", "data-knob": handle.id || handle.at,
                                 "aria-label": "Move " + handle.words + ": changes " + names + "; arrow keys move it"},
                           svg("circle", {r: 17, class: "reach"}), svg("circle", {r: 8, class: "ring"}));
         group.append(handle.mark);
@@ -224,7 +259,7 @@ async function prepare() {
     if (!on || !data)
         return make();
     wanted.lengths.add("1 " + data.units.length);
-    for (const handle of pins().concat(points()))
+    for (const handle of everything())
         for (const {numbers} of present(text, handle))
             numbers.filter((number) => number.name !== "share").forEach((number) => wanted[kindOf(number)].add("1" + number.unit));
     const lists = {lengths: [...wanted.lengths], angles: [...wanted.angles]};

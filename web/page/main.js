@@ -4,15 +4,18 @@
 */
 (function () {
 
-const {html, save} = fourlink;
+const {html} = fourlink;
 const find = (id) => document.getElementById(id);
-const examples = JSON.parse(find("examples").textContent), templates = JSON.parse(find("templates").textContent);
-const CURVES = ["curve-y", "curve-y2", "curve-y3", "curve-y4"];
+const [examples, templates, designs] = ["examples", "templates", "designs"].map((id) => JSON.parse(find(id).textContent));
+const FIRST = "new-four-bar.deck"; /* the template that the page begins with */
+const CURVES = ["curve-y", "curve-y2", "curve-y3", "curve-y4"], NOTICE = 12000;
 const MOST_TEXT = 1e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
 const TOO_LARGE = "larger than 100 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
 let instant = null, fresh = true; /* a new deck begins at its own crank angle */
-let first = 0, shown = {}, filling = 0, halted = null; /* a view that was stopped */
+let first = 0, shown = {}, asked = new Set(), filling = 0, halted = null; /* a view that was stopped */
+let solution = 1, textOfSolution = null; /* of its [synthesis], and the text whose solution was chosen */
+let startAt = null; /* the crank angle at which a linkage was drawn */
 
 const program = web.program((is) => { find("busy").hidden = !is; });
 const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
@@ -21,6 +24,7 @@ const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
     evaluate();
 });
 const handles = web.handles(editor, program.ask);
+const zoom = web.zoom(find, () => handles.show());
 let curve = null; /* the cursor of the curves */
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
 
@@ -34,8 +38,22 @@ let quiet = null;
 function tell(words) {
     find("notice").textContent = words;
     clearTimeout(quiet);
-    quiet = setTimeout(() => { find("notice").textContent = ""; }, 12000);
+    quiet = setTimeout(() => { find("notice").textContent = ""; }, NOTICE);
 }
+
+/* ------------------------------------------------------------------------------------------------ the command */
+
+/* The options of what is shown: of a [sweep] one design, of a [synthesis] the solution that was chosen. */
+function ofShown() {
+    return [...(deck && deck.designs ? ["--design=" + deck.design] : []), ...(hasTask() ? ["--solution=" + solution] : [])];
+}
+const hasTask = () => web.text.sections(editor.text()).some((x) => x.toLowerCase() === "synthesis");
+
+/* Run the command on the deck: its status, what it prints, the files it writes. */
+function run(options) {
+    return program.ask("run", {name, text: editor.text(), options: [...(hasTask() ? ["--synthesis"] : []), ...options]});
+}
+const runShown = (options) => run([...ofShown(), ...options]);
 
 /* ------------------------------------------------------------------------------------------------ the deck */
 
@@ -63,13 +81,14 @@ function showMessages(list, more, others) {
     place.append(...others.map((words) => html("li", {class: "page"}, words)));
 }
 
-/* The row of the drawing that is nearest to the angle or the time now shown. */
+/* The step of a drawing that is nearest to an angle or a time. */
+function nearestStep(of, wanted) {
+    return of.steps.reduce((best, x, i) => Math.abs(x - wanted) < Math.abs(of.steps[best] - wanted) ? i : best, of.start);
+}
+
+/* The step of the next drawing that is nearest to what is now shown. */
 function sameRow(next) {
-    const now = data && drawing && data.over === next.over ? data.steps[drawing.row()] : undefined;
-    let best = next.start;
-    if (now !== undefined)
-        next.steps.forEach((x, i) => { best = Math.abs(x - now) < Math.abs(next.steps[best] - now) ? i : best; });
-    return best;
+    return data && drawing && data.over === next.over ? nearestStep(next, data.steps[drawing.row()]) : next.start;
 }
 
 function take(answer) {
@@ -77,7 +96,8 @@ function take(answer) {
     const next = answer.scene && JSON.parse(answer.scene);
     deck = answer.deck;
     showMessages(deck.messages, deck.more, limits());
-    find("results").classList.toggle("stale", !deck.usable);
+    for (const part of document.querySelectorAll("#results, .shown"))
+        part.classList.toggle("stale", !deck.usable);
     find("stale").hidden = deck.usable;
     if (!deck.usable)
         return;
@@ -86,20 +106,30 @@ function take(answer) {
     if (next && next.branches.length) {
         const row = fresh || (deck.instant && deck.from !== instant) ? next.start : sameRow(next);
         instant = deck.instant ? deck.from : null;
-        if (drawing && drawing.update(next)) {
+        if (handles.isHeld() && drawing && drawing.updateBriefly(next)) {
+            controls.renew(drawing.row());
+        } else if (drawing && drawing.update(next)) {
             controls.renew(row);
         } else {
             data = next;
-            drawing = fourlink.draw(data, find("fourlink-panels"));
+            drawing = fourlink.draw(data, find("fourlink-panels"), find("diagrams"));
             controls.take(data, drawing, row);
         }
+        if (startAt !== null) {
+            controls.go(nearestStep(next, startAt));
+            startAt = null;
+        }
+        zoom(drawing);
         handles.take(data, drawing);
         window.fourlinkPage.firstDrawing = window.fourlinkPage.firstDrawing || performance.now();
         window.fourlinkPage.times.push(performance.now() - begun);
     } else {
         data = drawing = null;
         find("fourlink-panels").replaceChildren();
+        find("diagrams").replaceChildren();
     }
+    if (handles.isHeld())
+        return; /* the rest is shown when it is let go */
     shown = {};
     offer();
     fill();
@@ -119,8 +149,10 @@ async function evaluate() {
     }
     working = true;
     again = false;
+    if (text !== textOfSolution)
+        solution = 1;
     try {
-        const answer = await program.ask("open", {name, text, held: handles.isHeld()});
+        const answer = await program.ask("open", {name, text, held: handles.isHeld(), branch: handles.isHeld() ? branchNumber() : 0, solution});
         take(answer);
         fresh = false;
     } catch (error) {
@@ -183,16 +215,39 @@ const branchNumber = () => data && data.branches[branchNow()] && data.branches[b
 
 function seen(i) {
     handles.show();
-    if (!find("view-curve").hidden && curve)
+    if (handles.isHeld())
+        return;
+    if (curve)
         curve(i, branchNow());
-    if (!find("view-table").hidden && shown.table !== branchNumber() + ":" + first)
-        fill();
+    fillOne("table"); /* of the other branch */
+    markRow(i);
+}
+
+/* Mark the row of the table that is nearest to what is shown. */
+let rowValues = [];
+function markRow(i) {
+    const marked = find("table-place").querySelector("tr.now"), lines = find("table-place").querySelectorAll("tbody tr");
+    if (!data || !rowValues.length)
+        return;
+    const nearest = rowValues.reduce((best, x, k) => Math.abs(x - data.steps[i]) < Math.abs(rowValues[best] - data.steps[i]) ? k : best, 0);
+    if (marked === lines[nearest])
+        return;
+    if (marked)
+        marked.classList.remove("now");
+    lines[nearest].classList.add("now");
+    if (!find("view-table").hidden)
+        keepInSight(find("table-place"), lines[nearest]);
+}
+function keepInSight(place, line) {
+    const head = place.querySelector("thead").offsetHeight, from = line.offsetTop - head, to = line.offsetTop + line.offsetHeight;
+    if (from < place.scrollTop || to > place.scrollTop + place.clientHeight)
+        place.scrollTop = from - (place.clientHeight - head) / 2;
 }
 
 /* The names that the curve can have. */
 function offer() {
     const names = deck.all.map((c) => c.name), further = html("option", {value: ""}, "none");
-    for (const [id, usual] of [["curve-x", "theta2"], ["curve-y", "theta4"], ["curve-y2", ""], ["curve-y3", ""], ["curve-y4", ""]]) {
+    for (const [id, usual] of [["curve-x", "theta2"], ["curve-y", names.includes("Ts") ? "Ts" : "theta4"], ["curve-y2", ""], ["curve-y3", ""], ["curve-y4", ""]]) {
         const select = find(id), before = select.value || usual;
         if (select.dataset.names !== names.join()) {
             const fallback = id === "curve-x" ? names[0] : usual ? (deck.columns.find((c) => c.name !== "theta2") || deck.all[0]).name : "";
@@ -202,7 +257,6 @@ function offer() {
             select.value = names.includes(before) || before === "" ? before : fallback;
         }
     }
-    find("tab-checks").disabled = false;
 }
 
 const views = {
@@ -210,42 +264,71 @@ const views = {
         const x = find("curve-x").value, names = [...new Set(CURVES.map((id) => find(id).value).filter((name) => name))];
         const {over, figure} = await program.ask("curve", {names: [x, ...names]});
         find("curve-place").innerHTML = figure;
+        const sheet = find("curve-place").querySelector("svg");
+        if (sheet)
+            sheet.style.setProperty("--aspect", sheet.viewBox.baseVal.width / sheet.viewBox.baseVal.height);
         curve = fourlink.cursor(find("curve-place"), over, (i) => controls.go(i));
         curve(drawing ? drawing.row() : 0, branchNow());
     },
     async table() {
         const branch = branchNumber(), count = Math.min(PAGE, deck.rows - first), width = deck.columns.length;
         const {rows} = await program.ask("rows", {branch, first, count, width});
+        const over = Math.max(0, deck.columns.findIndex((c) => c.name === data.over));
         web.tables.table(find("table-place"), deck.columns, data.columns, rows);
+        rowValues = deck.columns[over].name === data.over ? rows.map((row) => row.values[over]) : [];
+        find("table-place").querySelectorAll("tbody tr").forEach((line, k) => line.addEventListener("click", () => {
+            controls.stop();
+            if (rowValues.length)
+                controls.go(nearestStep(data, rowValues[k]));
+        }));
+        find("pages").hidden = deck.rows <= PAGE;
         find("rows-shown").textContent = "rows " + (first + 1) + " to " + (first + count) + " of " + deck.rows +
             (data.branches.length > 1 ? ", " + data.branches[branchNow()].name : "");
         find("rows-before").disabled = first === 0;
         find("rows-after").disabled = first + count >= deck.rows;
-        shown.table = branch + ":" + first;
+        markRow(drawing.row());
     },
     async facts() {
-        const {facts} = await program.ask("facts", {});
-        web.tables.facts(find("facts-place"), facts, data ? data.units.angle : "deg");
+        const {out} = await runShown(["--summary", "--format=json"]), facts = JSON.parse(out || "{}").facts || [];
+        const parts = facts.map((fact) => /^(?:(\w+)\()?(.*?)\)?$/.exec(fact.name));
+        const {labels} = await program.ask("labels", {names: parts.map((part) => part[2])});
+        const list = facts.map((fact, k) => ({...fact, of: parts[k][1] || "", label: labels[k]}));
+        web.tables.facts(find("facts-place"), list, data ? data.units.angle : "deg", (angle) => {
+            controls.stop();
+            controls.go(nearestStep(data, angle));
+        });
     },
     async checks() {
-        const {text} = deck.expected ? await program.ask("sheet", {format: "table", content: "check"}) : {text: ""};
+        const {out} = deck.expected ? await runShown(["--check"]) : {out: ""};
         find("no-checks").hidden = deck.expected > 0;
-        web.tables.checks(find("checks-place"), text, editor.select);
+        web.tables.checks(find("checks-place"), out, editor.select);
+    },
+    async solutions() {
+        find("no-solutions").hidden = hasTask();
+        const {out} = hasTask() ? await runShown([]) : {out: ""};
+        web.tables.solutions(find("solutions-place"), out, solution, (k) => {
+            solution = k;
+            textOfSolution = editor.text();
+            evaluate();
+        });
     }
 };
 
-/* Fill the view that is open, unless it is up to date. */
-async function fill() {
-    const which = Object.keys(views).find((id) => !find("view-" + id).hidden);
-    if (!which || !deck || !deck.usable || (which === "table" && !data))
+const isOpen = (id) => id === "curve" || !find("view-" + id).hidden;
+
+/* Of the table, what it shows: a branch, and its first row. */
+const stateOf = (which) => which === "table" ? branchNumber() + ":" + first : true;
+
+/* Fill a view, unless it is up to date; once more, if something has changed meanwhile. */
+async function fillOne(which) {
+    if (!deck.usable || !isOpen(which) || (which === "table" && !data))
         return;
-    if (which === "table")
-        first = Math.min(first, Math.floor((deck.rows - 1) / PAGE) * PAGE);
-    if (shown[which] === true || halted === which)
+    first = Math.min(first, Math.floor((deck.rows - 1) / PAGE) * PAGE);
+    if (shown[which] === stateOf(which) || halted === which || asked.has(which))
         return;
-    if (which !== "table")
-        shown[which] = true;
+    shown[which] = stateOf(which);
     filling++;
+    asked.add(which);
     try {
         await views[which]();
     } catch (error) {
@@ -254,7 +337,15 @@ async function fill() {
         halted = which;
         evaluate(); /* the program begins anew, and has no deck yet */
     }
+    asked.delete(which);
     filling--;
+    fillOne(which);
+}
+
+/* Fill the views that are open. */
+function fill() {
+    if (deck && deck.usable)
+        Object.keys(views).filter(isOpen).forEach(fillOne);
 }
 
 const tabs = [...document.querySelectorAll("[role=tab]")];
@@ -264,7 +355,7 @@ function openTab(tab) {
         x.tabIndex = x === tab ? 0 : -1;
         find(x.getAttribute("aria-controls")).hidden = x !== tab;
     }
-    if (tab.id === "tab-drawing" && drawing)
+    if (tab.id === "tab-diagrams" && drawing)
         drawing.layOut();
     handles.show();
     halted = null;
@@ -285,59 +376,30 @@ tabs.forEach((tab, k) => {
 
 /* --------------------------------------------------------------------------------------------- files and links */
 
-const own = (id) => find(id).textContent.trimStart();
-const stem = () => name.replace(/\.deck$/, "");
-
-async function saveSheet(format, type) {
-    if (!deck || !deck.usable)
-        return tell("The deck has mistakes.");
-    if (deck.rows > MOST_ROWS)
-        return tell(limits()[0]);
-    save(stem() + "." + format, type, (await program.ask("sheet", {format, content: "rows"})).text);
-}
-
-const actions = {
-    async copy() {
-        try {
-            await navigator.clipboard.writeText(editor.text());
-            tell("The deck is copied.");
-        } catch (error) {
-            find("deck").select();
-            tell(document.execCommand("copy") ? "The deck is copied." : "The browser does not allow it to be copied.");
-        }
-    },
-    deck: () => save(name, "text/plain", editor.text()),
-    csv: () => saveSheet("csv", "text/csv"),
-    json: () => saveSheet("json", "application/json"),
-    async report() {
+web.files(find, {
+    name: () => name, text: editor.text, tell, relink, branch: () => data ? data.branches[branchNow()].name : "both",
+    /* The crank angle of the drawing, for a deck that does not have one only. */
+    angle: () => data && data.over === "theta2" && !deck.instant ? data.steps[drawing.row()] + " " + data.units.angle : "",
+    run(options) {
         if (!deck || !deck.usable)
-            return tell("The deck has mistakes.");
-        const at = data && data.over === "theta2" ? data.steps[drawing.row()] + " " + data.units.angle : "";
-        const {text} = await program.ask("report", {angle: at});
-        const end = text.lastIndexOf("@SCRIPT@\n"); /* the deck may have such a line too, before it */
-        save(stem() + ".html", "text/html", text.slice(0, end).replace("@STYLE@\n", () => own("report-style")) +
-             own("report-script") + text.slice(end + 9));
-    },
-    async link() {
-        await relink();
-        try {
-            await navigator.clipboard.writeText(location.href);
-            tell("The link is in the address bar, and copied.");
-        } catch (error) {
-            tell("The link is in the address bar.");
-        }
-    },
-    print: () => window.print()
-};
-for (const id in actions)
-    find("save-" + id).addEventListener("click", async () => {
-        try {
-            await actions[id]();
-        } catch (error) {
-            fail(error);
-        }
-        find("save-menu").open = false;
-    });
+            throw new Error("the deck has mistakes");
+        if (deck.rows > MOST_ROWS)
+            throw new Error(limits()[0]);
+        return options[0].startsWith("--format") && !hasTask() ? run(options) : runShown(options);
+    }
+});
+web.questions(find, run, (text) => load(nameFor(text), text));
+web.manual(find);
+web.draw(find, (text) => {
+    rename(nameFor(text));
+    editor.put(text);
+}, (angle) => {
+    startAt = angle;
+    fresh = true;
+    evaluate();
+    handles.set(true);
+    find("change").setAttribute("aria-pressed", "true");
+});
 
 find("open").addEventListener("change", async () => {
     const file = find("open").files[0];
@@ -385,15 +447,34 @@ const titleOf = (text) => {
 const offerGroup = (label, files, words) => find("example").append(html("optgroup", {label},
     ...files.map((file) => html("option", {value: file}, words(file)))));
 
-offerGroup("New deck", Object.keys(templates), (file) => titleOf(templates[file]));
+offerGroup("New deck", Object.keys(templates).filter((file) => file.startsWith("new-")), (file) => titleOf(templates[file]));
+const TASKS = [["function", "A function"], ["motion", "Three positions"], ["path", "A path"], ["quick-return", "A quick return"], ["cognate", "A cognate"]];
 for (const [kind, label] of KINDS)
     offerGroup(label, Object.keys(examples).filter((file) => (/^\s*mechanism\s*=\s*(\S+)/m.exec(examples[file]) || [])[1] === kind),
                (file) => titleOf(examples[file]) || file);
-find("example").addEventListener("change", () => {
-    const file = find("example").value, text = {...examples, ...templates}[file];
-    if (text !== undefined)
+for (const [task, label] of TASKS) {
+    const files = Object.keys({...templates, ...designs}).filter((file) => web.text.value({...templates, ...designs}[file], "synthesis", "task") === task);
+    if (files.length)
+        find("design").append(html("optgroup", {label}, ...files.map((file) => html("option", {value: file}, titleOf({...templates, ...designs}[file]) || file))));
+}
+for (const id of ["example", "design"])
+    find(id).addEventListener("change", () => {
+        const file = find(id).value, text = {...examples, ...templates, ...(id === "design" ? designs : {})}[file];
+        find(id).value = "";
+        if (text === undefined)
+            return;
         load(file, text);
-    find("example").value = "";
+        if (id === "design")
+            openTab(find("tab-solutions"));
+    });
+find("add").append(...[["point", "a point"], ["load", "a load"], ["masses", "masses"]].map(([value, words]) => html("option", {value}, words)));
+find("add").addEventListener("change", () => {
+    const kind = find("add").value;
+    find("add").value = "";
+    if (kind) {
+        editor.close();
+        editor.put(web.added[kind](editor.text()));
+    }
 });
 find("undo").addEventListener("click", () => editor.undo());
 find("redo").addEventListener("click", () => editor.redo());
@@ -427,14 +508,38 @@ window.addEventListener("resize", () => handles.show()); /* the drawing has foun
 /* For the tests: whether all is answered and drawn, and how long that took, in ms. */
 window.fourlinkPage = {isIdle: () => !working && !again && filling === 0, firstDrawing: 0, times: []};
 
+/* The page begins in motion; whoever touches it, or wants less motion, has it still. */
+function playFirst() {
+    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches)
+        return;
+    let waits = setInterval(() => {
+        if (!drawing)
+            return;
+        clearInterval(waits);
+        waits = null;
+        controls.play();
+    }, 50);
+    const still = (event) => {
+        clearInterval(waits);
+        if (event.target !== find("fourlink-play"))
+            controls.stop();
+        for (const kind of ["pointerdown", "keydown", "input", "change"])
+            document.removeEventListener(kind, still, true);
+    };
+    for (const kind of ["pointerdown", "keydown", "input", "change"])
+        document.addEventListener(kind, still, true);
+}
+
 async function begin(isFirst) {
     if (isFirst)
         document.head.append(html("style", {}, (await program.ask("style", {})).text));
     const linked = await web.link.read(location.hash);
     if (linked)
         load(linked.name, linked.text, isFirst);
-    else if (isFirst)
-        load("alvi-5.1.deck", examples["alvi-5.1.deck"], true);
+    else if (isFirst) {
+        load("crank-rocker.deck", templates[FIRST], true);
+        playFirst();
+    }
     if (!linked && /^#(deck|plain)=/.test(location.hash))
         tell("The link is damaged: it has no deck.");
 }

@@ -54,9 +54,16 @@ function pairsOf(extremes) {
     return [...pairs.values()];
 }
 
-function facts(place, list, angleUnit) {
+/* Facts and extremes; `go` goes to the crank angle of one. */
+function facts(place, list, angleUnit, go) {
     const figure = (f) => html("td", {class: "figure"}, f ? shown(f.value, 6) : "");
-    const at = (f) => html("td", {class: "figure"}, !f || f.theta2 === null ? "" : withUnit(shown(f.theta2, 6), angleUnit));
+    const at = (f) => {
+        if (!f || typeof f.theta2 !== "number")
+            return html("td", {class: "figure"});
+        const button = html("button", {type: "button", class: "plain"}, withUnit(shown(f.theta2, 6), angleUnit));
+        button.addEventListener("click", () => go(f.theta2));
+        return html("td", {class: "figure"}, button);
+    };
     const isExtreme = (f) => f.of === "max" || f.of === "min";
     const put = (kind, names, lines) => html("table", {class: kind}, head(...names), html("tbody", {}, ...lines));
     const single = list.filter((f) => !isExtreme(f)).map((f) => html("tr", {},
@@ -86,5 +93,18 @@ function checks(place, text, select) {
     })));
 }
 
-return {table, facts, checks, shown};
+/* The solutions of a [synthesis], as --synthesis lists them; `choose` takes one of them. */
+function solutions(place, text, chosen, choose) {
+    const head = text.split("\n").filter((x) => /^#/.test(x)), parts = head.map((line) => /^#\s+(\d+): (.*)$/.exec(line));
+    const offered = parts.filter((x) => x).map(([, k, words]) => {
+        const radio = html("input", {type: "radio", name: "solution", value: k});
+        radio.checked = Number(k) === chosen;
+        radio.addEventListener("change", () => choose(Number(k)));
+        return html("li", {}, html("label", {}, radio, " " + words));
+    });
+    const end = text.search(/^(?!#)/m), rest = text.slice(0, end).split("\n").filter((line) => !/^#\s+\d+: |^# Found/.test(line));
+    place.replaceChildren(html("ol", {class: "solutions"}, ...offered), html("pre", {}, rest.map((line) => line.slice(2)).join("\n")));
+}
+
+return {table, facts, checks, solutions, shown};
 }());

@@ -63,6 +63,28 @@ function numbers(text, section, key) {
     return list;
 }
 
+/* The value of a key in words; null if there is none. */
+function value(text, section, key) {
+    const place = find(text, section, key);
+    return place && text.slice(place.from, place.to);
+}
+
+/* The names of the sections that a text has, such as "load F". */
+const sections = (text) => text.split("\n").map((line) => /^\s*\[([^\]]*)\]/.exec(bare(line))).filter((x) => x).map((x) => x[1].trim());
+
+/* The points of a value, "(1, 2) mm ... (3, 4) mm": [[{name, from, to, unit}, ...], ...]. */
+function pairs(text, section, key) {
+    const place = find(text, section, key);
+    if (!place)
+        return [];
+    const one = new RegExp("(\\(\\s*)(" + NUMBER + ")(\\s*,\\s*)(" + NUMBER + ")\\s*\\)(\\s*[a-zA-Z]*)", "g");
+    return [...text.slice(place.from, place.to).matchAll(one)].map((found) => {
+        const x = place.from + found.index + found[1].length, y = x + found[2].length + found[3].length;
+        return [{name: "x", from: x, to: x + found[2].length, unit: found[5]},
+                {name: "y", from: y, to: y + found[4].length, unit: found[5]}];
+    });
+}
+
 const read = (text, number) => number.name === "share" ? number.value : Number(text.slice(number.from, number.to).replace("\u2212", "-"));
 
 /* A number rounded to 1, 10, 0.1 ... of which `step` is the eye's share. */
@@ -79,5 +101,5 @@ function replace(text, changes) {
     return text;
 }
 
-return {find, numbers, read, rounded, replace};
+return {bare, find, value, numbers, pairs, sections, read, rounded, replace};
 }());
