@@ -244,25 +244,27 @@ int web_open(unsigned long name_length, unsigned long length, unsigned long solu
 /* ---------------------------------------------------------------------------------- drawing, curves */
 
 /* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN.  While
-** something is held it is the mechanism alone at fewer steps, which keeps its range. */
+** something is held it is the mechanism alone at fewer steps, on the sheet that it had. */
 CALLED(web_scene) int web_scene(int branch, double at, int is_held)
 {
-    static place_box ranges[2];
+    static moving_sheet sheets[2];
     fourlink_branch one = (fourlink_branch)branch;
     rows *t = malloc(sizeof *t);
     interactive_form form;
     int done = 0, k;
 
-    form.start = at;
-    form.width = WIDTH;
-    form.is_brief = is_held;
-    form.ranges = ranges;
-    for (k = 0; k < 2 && !is_held; k++)
-        ranges[k] = place_nothing;
-    for (k = 0; k < v.n_branches && v.branches[k] != one; k++)
+    for (k = 0; k < 2 && !is_held; k++) {
+        sheets[k].width = WIDTH;
+        sheets[k].height = 0;
+        sheets[k].range = place_nothing;
+    }
+    for (k = 0; branch && k < v.n_branches && v.branches[k] != one; k++)
         ;
-    if (branch && k < v.n_branches)
-        form.ranges = &ranges[k];
+    k = k < v.n_branches ? k : 0; /* a linkage found anew may have another branch */
+    one = v.branches[k];
+    form.start = at;
+    form.is_brief = is_held;
+    form.sheets = &sheets[k];
     if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
         if (is_held)
             rows_thin(t, HELD_STRIDE);
@@ -300,7 +302,9 @@ static int put_figure(const fourlink_source *chosen, const rows *t)
 
     memset(&request, 0, sizeof request);
     request.kind = PLOT_COLUMNS;
-    request.x = flk_text_join(over, sizeof over, t->v.columns[0].name, (char *)NULL);
+    flk_text_join(over, sizeof over, t->v.columns[0].name, (char *)NULL);
+    if (strcmp(over, t->v.problem.by_time ? "time" : "theta2") != 0)
+        request.x = over;
     request.is_figure = 1;
     request.lone_width = WIDTH;
     request.opened = t->v.results;

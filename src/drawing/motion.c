@@ -27,16 +27,17 @@ void motion_close(motion *m)
     memset(m, 0, sizeof *m);
 }
 
-/* A list with room for n entries; null if out of memory, then it is as it was. */
+/* A list with room for n entries, which may be none; null if out of memory, then it is as it was. */
 static void *grow(motion *m, void *list, size_t *capacity, size_t n, size_t size)
 {
     size_t most = *capacity;
     void *new;
 
-    if (n <= most)
+    if (list && n <= most)
         return list;
-    while (most < n)
+    do
         most = 2 * most + 64;
+    while (most < n);
     new = realloc(list, most * size);
     m->out_of_memory |= !new;
     if (new)

@@ -185,6 +185,23 @@ static double height_of_mechanism(const picture *p, double width)
     return floor(width / GSL_MIN_DBL(LOWEST, GSL_MAX_DBL(HIGHEST, size_aspect(p))));
 }
 
+/* The size of a panel; that of the mechanism is kept with its range. */
+static void set_size(moving *x, moving_panel *panel)
+{
+    moving_sheet *sheet = &x->sheet;
+
+    panel->width = widths[panel->size];
+    panel->height = heights[panel->size];
+    if (panel->size != MOVING_WHOLE)
+        return;
+    if (!(sheet->width > 0))
+        sheet->width = panel->width;
+    if (!(sheet->height > 0))
+        sheet->height = height_of_mechanism(&x->p, sheet->width);
+    panel->width = sheet->width;
+    panel->height = sheet->height;
+}
+
 static void name(const picture *p, const drawn *x, char out[80])
 {
     if (x->subject == MECHANISM)
@@ -205,7 +222,7 @@ int moving_open(moving *x, const fourlink_source *source, fourlink_results *resu
     x->request.is_figure = 1;
     x->request.opened = results;
     x->branch = branch;
-    x->range = place_nothing;
+    x->sheet.range = place_nothing;
     x->steps = *steps;
     x->out_of_memory = !picture_open(&x->p, source, &x->request);
     if (x->out_of_memory)
@@ -234,9 +251,7 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     panel->size = what.subject == MECHANISM ? MOVING_WHOLE
                   : what.subject == BODY    ? MOVING_THIRD
                                             : MOVING_HALF;
-    panel->width = panel->size == MOVING_WHOLE && x->width > 0 ? x->width : widths[panel->size];
-    panel->height = panel->size == MOVING_WHOLE ? height_of_mechanism(&x->p, panel->width)
-                                                : heights[panel->size];
+    set_size(x, panel);
     name(&x->p, &what, panel->title);
     motion_open(&panel->list, x->steps.n);
     display_open(&step);
@@ -244,8 +259,8 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     x->p.on.is_bare = 1;
     x->p.on.head = 0;
     x->p.on.turn = geometry_turn(&x->p.v);
-    moving_run(&x->p, what.subject == MECHANISM ? &x->range : &found, (int)x->steps.n, draw_step,
-               &what);
+    moving_run(&x->p, what.subject == MECHANISM ? &x->sheet.range : &found, (int)x->steps.n,
+               draw_step, &what);
     x->out_of_memory |= x->p.out_of_memory | step.out_of_memory | panel->list.out_of_memory;
     display_close(&step);
     return !x->out_of_memory && panel->list.n_items > 0;

@@ -33,15 +33,20 @@ typedef struct moving_steps {
     unsigned long n;
 } moving_steps;
 
+/* Where the mechanism is drawn. */
+typedef struct moving_sheet {
+    double width, height; /* pixels; 0: as in a report, and as high as it needs */
+    place_box range;      /* empty: it is found */
+} moving_sheet;
+
 /* What a motion is drawn from. */
 typedef struct moving {
     picture p;
     plot_request request;
     fourlink_branch branch;
     moving_steps steps;
-    double width;    /* of the mechanism, in pixels; 0: that of a report */
-    double largest;  /* force, N */
-    place_box range; /* of the mechanism; empty until it is drawn */
+    double largest; /* force, N */
+    moving_sheet sheet;
     int out_of_memory;
 } moving;
 

@@ -58,8 +58,8 @@ function save(file, type, words) {
 
 /* Where a pointer is in a drawing, in its pixels. */
 function placeOf(event, sheet) {
-    const box = sheet.getBoundingClientRect(), view = sheet.viewBox.baseVal;
-    return [(event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height];
+    const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(sheet.getScreenCTM().inverse());
+    return [x, y];
 }
 
 /* Let a drawing have all that a pointer does until it is up. */

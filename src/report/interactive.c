@@ -137,10 +137,8 @@ static int put_panels(line *l, const rows *t, const interactive_form *form, int 
     steps.n = t->n;
     done = x && panel && moving_open(x, t->source, t->v.results, t->branch, &steps);
     line_put(l, "\"panels\":[");
-    if (done && form->ranges)
-        x->range = form->ranges[branch];
-    if (done)
-        x->width = form->width;
+    if (done && form->sheets)
+        x->sheet = form->sheets[branch];
     count = !done ? 0 : form->is_brief ? 1 : moving_count(x);
     for (k = 0; done && k < count; k++) {
         if (moving_draw(x, k, panel)) {
@@ -151,8 +149,8 @@ static int put_panels(line *l, const rows *t, const interactive_form *form, int 
         done = done && !x->out_of_memory;
     }
     line_put(l, "],\n");
-    if (done && form->ranges)
-        form->ranges[branch] = x->range;
+    if (done && form->sheets)
+        form->sheets[branch] = x->sheet;
     if (x)
         moving_close(x);
     free(x);

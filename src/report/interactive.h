@@ -11,13 +11,11 @@
 #include "rows.h"
 #include "tables/line.h"
 
+/* The drawings that are wanted. */
 typedef struct interactive_form {
-    double
-        start; /* it begins at the step nearest to this one, a crank angle or a time in the deck's unit */
-    double width; /* of the mechanism, in pixels; 0: that of a report */
-    int is_brief; /* 1: the mechanism is the only drawing */
-    place_box
-        *ranges; /* of the mechanism by branch, of which empty ones are found; null: all are */
+    double start; /* crank angle or time in the deck's unit: they begin at the nearest step */
+    int is_brief; /* 1: the mechanism alone */
+    moving_sheet *sheets; /* of the mechanism by branch; they keep what is found; null: none */
 } interactive_form;
 
 /* Write drawings and rows of branches.  Returns 0 without memory. */

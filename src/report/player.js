@@ -299,7 +299,7 @@ function draw(data, place, more) {
             panel.layOut();
         show(now);
     }
-    const branchNow = () => data.branches.findIndex((x) => x.name === branch.name);
+    const branchNow = () => Math.max(0, data.branches.findIndex((x) => x.name === branch.name));
     function choose(k) {
         branch = data.branches[k];
         panels.forEach((panel, j) => panel.take(branch.panels[j]));
@@ -309,7 +309,7 @@ function draw(data, place, more) {
     ** another mechanism. */
     function updateBriefly(next) {
         const [only] = next.branches;
-        if (head(next) !== head(data) || only.name !== branch.name || only.panels[0].title !== main.title)
+        if (head(next) !== head(data) || only.panels[0].title !== main.title)
             return false;
         isBrief = true;
         const i = now / Math.max(1, data.steps.length - 1);

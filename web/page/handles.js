@@ -237,6 +237,8 @@ const everything = () => [...pins(), ...points(), ...loads(), ...targets()];
 
 function make() {
     group.replaceChildren();
+    if (drawing)
+        drawing.main.panel.drawing.setAttribute("role", on ? "group" : "img"); /* what is in an image cannot be focused */
     handles = on && data ? everything() : [];
     handles = handles.filter((handle) => {
         const found = present(editor.text(), handle);

@@ -55,6 +55,12 @@ function run(options) {
 }
 const runShown = (options) => run([...ofShown(), ...options]);
 
+/* Of all designs of a [sweep]; with a [synthesis], of the deck of the linkage that it finds. */
+async function runRows(options) {
+    const text = hasTask() ? (await runShown([])).out : editor.text();
+    return program.ask("run", {name, text, options});
+}
+
 /* ------------------------------------------------------------------------------------------------ the deck */
 
 /* What the page leaves to the program itself. */
@@ -86,6 +92,17 @@ function nearestStep(of, wanted) {
     return of.steps.reduce((best, x, i) => Math.abs(x - wanted) < Math.abs(of.steps[best] - wanted) ? i : best, of.start);
 }
 
+const TURN = {deg: 360, rad: 2 * Math.PI, mrad: 2000 * Math.PI, rev: 1};
+
+/* Go to a crank angle; turns are not counted. */
+function goToAngle(angle) {
+    if (!data || data.over !== "theta2")
+        return;
+    const turn = TURN[data.units.angle], off = data.steps.map((x) => Math.abs(x - angle - turn * Math.round((x - angle) / turn)));
+    controls.stop();
+    controls.go(off.indexOf(Math.min(...off)));
+}
+
 /* The step of the next drawing that is nearest to what is now shown. */
 function sameRow(next) {
     return data && drawing && data.over === next.over ? nearestStep(next, data.steps[drawing.row()]) : next.start;
@@ -106,8 +123,9 @@ function take(answer) {
     if (next && next.branches.length) {
         const row = fresh || (deck.instant && deck.from !== instant) ? next.start : sameRow(next);
         instant = deck.instant ? deck.from : null;
-        if (handles.isHeld() && drawing && drawing.updateBriefly(next)) {
-            controls.renew(drawing.row());
+        if (handles.isHeld()) {
+            if (drawing.updateBriefly(next)) /* what is held stays, whatever becomes of the linkage */
+                controls.renew(drawing.row());
         } else if (drawing && drawing.update(next)) {
             controls.renew(row);
         } else {
@@ -115,7 +133,7 @@ function take(answer) {
             drawing = fourlink.draw(data, find("fourlink-panels"), find("diagrams"));
             controls.take(data, drawing, row);
         }
-        if (startAt !== null) {
+        if (startAt !== null && !handles.isHeld()) {
             controls.go(nearestStep(next, startAt));
             startAt = null;
         }
@@ -123,7 +141,7 @@ function take(answer) {
         handles.take(data, drawing);
         window.fourlinkPage.firstDrawing = window.fourlinkPage.firstDrawing || performance.now();
         window.fourlinkPage.times.push(performance.now() - begun);
-    } else {
+    } else if (!handles.isHeld()) {
         data = drawing = null;
         find("fourlink-panels").replaceChildren();
         find("diagrams").replaceChildren();
@@ -289,14 +307,11 @@ const views = {
         markRow(drawing.row());
     },
     async facts() {
-        const {out} = await runShown(["--summary", "--format=json"]), facts = JSON.parse(out || "{}").facts || [];
+        const {out} = await runShown(["--summary", "--format=json", "--units=" + (data ? data.units.length : "m")]), facts = JSON.parse(out || "{}").facts || [];
         const parts = facts.map((fact) => /^(?:(\w+)\()?(.*?)\)?$/.exec(fact.name));
         const {labels} = await program.ask("labels", {names: parts.map((part) => part[2])});
         const list = facts.map((fact, k) => ({...fact, of: parts[k][1] || "", label: labels[k]}));
-        web.tables.facts(find("facts-place"), list, data ? data.units.angle : "deg", (angle) => {
-            controls.stop();
-            controls.go(nearestStep(data, angle));
-        });
+        web.tables.facts(find("facts-place"), list, data ? data.units.angle : "deg", goToAngle);
     },
     async checks() {
         const {out} = deck.expected ? await runShown(["--check"]) : {out: ""};
@@ -385,7 +400,7 @@ web.files(find, {
             throw new Error("the deck has mistakes");
         if (deck.rows > MOST_ROWS)
             throw new Error(limits()[0]);
-        return options[0].startsWith("--format") && !hasTask() ? run(options) : runShown(options);
+        return options[0].startsWith("--format") ? runRows(options) : runShown(options);
     }
 });
 web.questions(find, run, (text) => load(nameFor(text), text));
@@ -473,7 +488,7 @@ find("add").addEventListener("change", () => {
     find("add").value = "";
     if (kind) {
         editor.close();
-        editor.put(web.added[kind](editor.text()));
+        editor.put(web.drawn.added[kind](editor.text()));
     }
 });
 find("undo").addEventListener("click", () => editor.undo());
@@ -484,10 +499,7 @@ find("change").addEventListener("click", () => {
     find("change").setAttribute("aria-pressed", String(on));
     handles.set(on);
 });
-handles.onRelease(() => {
-    if (drawing)
-        evaluate();
-});
+handles.onRelease(evaluate);
 for (const id of ["curve-x", ...CURVES])
     find(id).addEventListener("change", () => {
         shown.curve = false;
@@ -501,6 +513,7 @@ for (const [id, way] of [["rows-before", -PAGE], ["rows-after", PAGE]])
         fill();
     });
 window.addEventListener("beforeprint", () => {
+    find("printed-title").textContent = deck && deck.title ? deck.title : name;
     find("printed").textContent = editor.text();
 });
 window.addEventListener("resize", () => handles.show()); /* the drawing has found its new scale */
