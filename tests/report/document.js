@@ -10,10 +10,11 @@ const fs = require("node:fs");
 
 class Element {
     constructor(name) {
-        Object.assign(this, {tagName: name, attributes: {}, children: [], words: "", style: {}, dataset: {}, parentNode: null, hidden: false});
+        Object.assign(this, {tagName: name, attributes: {}, children: [], words: "", style: {setProperty() {}}, dataset: {}, parentNode: null, hidden: false});
     }
     setAttribute(name, value) { this.attributes[name] = String(value); }
     getAttribute(name) { return name in this.attributes ? this.attributes[name] : null; }
+    closest() { return null; } /* nothing is hidden */
     append(...items) {
         for (const item of items)
             if (item instanceof Element) {
