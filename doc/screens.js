@@ -26,14 +26,9 @@ async function main() {
         await browser.until("document.querySelector('.panel.whole circle')", "the report");
         await wait(500);
         await browser.shot(path.join(folder, "report.png"));
-        await browser.size(1280, 800);
+        await browser.size(1400, 900);
         await browser.go(pathToFileURL(path.join(root, "web", "fourlink.html")).href);
         await browser.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
-        await browser.evaluate(`(() => {
-            const select = document.querySelector("select");
-            select.value = [...select.options].find((x) => (x.value + x.text).includes("${example}")).value;
-            select.dispatchEvent(new Event("change", {bubbles: true}));
-        })()`);
         await wait(500);
         await browser.until("window.fourlinkPage.isIdle()", "an answer");
         await wait(1500);
