@@ -11,7 +11,7 @@ mkdir -p "${2:-gallery}"
 folder=$(cd "${2:-gallery}" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-ln -s "$PWD/../data" "$PWD" "$work" # the command lines name data/ and doc/
+ln -s "$PWD/../data" "$PWD/../web" "$PWD" "$work" # which the command lines name
 
 awk '/^<!-- run -->$/ {next_block = 1} /^```/ {on = next_block && !on; if (!on) next_block = 0; next} on' gallery.md >"$work/commands"
 (cd "$work" && PATH=$build:$PATH && export PATH && sh -e ./commands)

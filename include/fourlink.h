@@ -58,7 +58,7 @@ extern "C" {
 #define FOURLINK_API
 #endif
 
-#define FOURLINK_VERSION "0.2.0"
+#define FOURLINK_VERSION "0.3.0"
 
 /* ---------------------------------------------------------------------------------------------
 ** A deck and its results: what the functions take and return
@@ -655,7 +655,7 @@ FOURLINK_API const char *fourlink_status_text(int status);
 /* "open" or "crossed", by fourlink_branch: a constant string, never null. */
 FOURLINK_API const char *fourlink_branch_text(int branch);
 
-/* The version of the library, such as "0.2.0": compare it with FOURLINK_VERSION. */
+/* The version of the library, such as "0.3.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 
 /* ---------------------------------------------------------------------------------------------

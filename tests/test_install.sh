@@ -144,7 +144,7 @@ in_a_project() {
 cmake_minimum_required(VERSION 3.21)
 project(host C ${LANGUAGE})
 if(INSTALLED)
-  find_package(fourlink 0.2 REQUIRED)
+  find_package(fourlink 0.3 REQUIRED)
 elseif(FETCHED)
   include(FetchContent)
   FetchContent_Declare(fourlink SOURCE_DIR "${FOURLINK_FOLDER}")

@@ -97,7 +97,7 @@ $(tail -n 3 "$2/actual")"
 
 for document in README.md doc/*.md data/*.md; do
   folder=$work/$(basename "$document")
-  mkdir "$folder" && ln -s "$PWD/data" "$PWD/tests" "$PWD/doc" "$folder" || exit 1
+  mkdir "$folder" && ln -s "$PWD/data" "$PWD/web" "$PWD/tests" "$PWD/doc" "$folder" || exit 1
   compile "$document" "$folder"
   blocks "$document" "$folder"
   [ "$pictures" ] || compare "$document" "$folder"

@@ -98,7 +98,7 @@ build_page() {
     put_json "$source/data" >web/examples.json
     put_json "$source/web/templates" >web/templates.json
     put_json "$source/data/synthesis" >web/designs.json
-    for manual in fourlink-deck.5 fourlink.1; do
+    for manual in fourlink-deck.5 fourlink-synthesis.5 fourlink.1; do
         put_manual "$source/doc/man/$manual"
     done >web/manual.txt
     sed -e "s/@VERSION@/$version/g" -e "s/@SOURCES@/$hash/g" "$web/page.html" >web/frame.html

@@ -1,22 +1,23 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_manual.sh FOURLINK DATA - the examples of fourlink-deck(5): each in a deck of its own, and each section has
-# one; manuals and CHANGES.md are those of this version.
+# test_manual.sh FOURLINK DATA - the examples of the manuals: each of a deck in a deck of its own, each command as it
+# stands; each section and each task has one; manuals and CHANGES.md are those of this version.
 . "$(dirname "$0")/../harness.sh"
-manual=$(dirname "$data")/doc/man/fourlink-deck.5
+top=$(dirname "$data")
+manuals=$top/doc/man
 
 version=$("$fourlink" --version | sed -n 's/^fourlink //p')
-for page in "$manual" "${manual%-deck.5}.1"; do
+for page in "$manuals"/*; do
     check "${page##*/} is of version $version" grep -q "^\.TH .* \"fourlink $version\"" "$page"
 done
 check "CHANGES.md begins with version $version" \
-    test "$(sed -n 's/^## //p' "${manual%/doc/*}/CHANGES.md" | head -n 1)" = "$version"
+    test "$(sed -n 's/^## //p' "$top/CHANGES.md" | head -n 1)" = "$version"
 
 # example.N: the N-th example, as the page shows it; sections: what the page has sections for
 awk '/^\.EX/ {n++; inside = 1; next} /^\.EE/ {inside = 0}
     inside {gsub(/\\-/, "-"); print > ("example." n)}
-    /^\.SS "/ {print}' "$manual" | grep -o '\[[a-z]*' | sed 's/.//' >sections
+    /^\.SS "/ {print}' "$manuals"/*.5 | grep -o '\[[a-z]*' | sed 's/.//' >sections
 check 'the sections of the page' test "$(wc -l <sections)" -ge 18
 
 # linkage EXAMPLE KIND: a deck of the example, with the sections that it lacks
@@ -44,7 +45,9 @@ for example in example.*; do
     grep -Eq '^\[(slider|lever)\]' $example && kind=inverted-slider-crank
     grep -q '^\[yoke\]' $example && kind=scotch-yoke
     if grep -q '^\[synthesis' $example; then
-        { printf 'mechanism = four-bar\n[ground]\nlength = 80 mm\n' && cat $example; } >$example.task
+        { echo 'mechanism = four-bar'
+          grep -q '^\[ground\]\|^positions' $example || printf '[ground]\nlength = 80 mm\n'
+          cat $example; } >$example.task
         run 0 --synthesis $example.task
         quiet
         mv out $example.deck
@@ -59,6 +62,18 @@ for section in $(sort -u sections); do
     case $section in misprint | rod) continue ;; esac # as expect and coupler
     check "an example of [$section]" grep -q "^\[$section[] ]" example.*
 done
+for task in function motion path quick-return cognate; do
+    check "an example of task = $task" grep -q "^task *= $task" example.*
+done
+
+# The commands of fourlink(1), at the top of the sources; those that need files of a class or write some, in test_class.
+awk '/^\.EX/ {inside = 1; next} /^\.EE/ {inside = 0} inside {gsub(/\\-/, "-"); print}' "$manuals/fourlink.1" >commands
+check "commands: $(wc -l <commands)" test "$(wc -l <commands)" -ge 10
+mkdir copied && cp -r "$data" "$top/doc/tolerance.deck" copied && mkdir copied/doc && mv copied/tolerance.deck copied/doc
+grep -v students/ commands | while IFS= read -r command; do
+    (cd copied && PATH=$(dirname "$fourlink"):$PATH sh -c "$command") >out 2>err || echo "$command"
+done >wrong
+check "commands that fail: $(cat wrong)" test ! -s wrong
 for example in $(grep -l '^\[expect' example.*.deck); do
     run 0 --check "$example"
 done
