@@ -35,11 +35,29 @@ static const char run_up[] = "[motor]\nstall_torque = 50 N m\nno_load_speed = 10
 /* How the crank moves: what one deck cannot have, another one has. */
 static const char *const motions[] = {given, steady, run_up};
 
-/* Write the text of a deck of a kind with all that its links and joints can have. */
+static char *put_friction(char *deck, const fourlink_kind_facts *k)
+{
+    int i, has_guide = 0;
+
+    deck += sprintf(deck, "[friction]\n");
+    for (i = 0; i < 4; i++)
+        if (k->joint[i].slider)
+            has_guide = 1;
+        else
+            deck += sprintf(deck, PIN("%s"), k->joint[i].letter, k->joint[i].letter);
+    if (k->has_slot && k->has_stroke)
+        deck += sprintf(deck, "slot = 0.1\n");
+    if (has_guide)
+        deck += sprintf(deck, "guide = 0.1\n%s", k->has_slot ? "guide_length = 10 mm\n" : "");
+    return deck;
+}
+
+/* Write the text of a deck of a kind with all that its links and joints can have; with friction only if the
+** motion is given, since an integration takes seconds with it. */
 static void put_deck(char *deck, int kind, const char *motion)
 {
     fourlink_kind_facts k;
-    int i, has_guide = 0;
+    int i;
 
     fourlink_kind_of(kind, &k);
     deck += sprintf(deck, "mechanism = %s\n%s" CRANK, k.name, k.has_stroke ? "" : GROUND);
@@ -57,16 +75,8 @@ static void put_deck(char *deck, int kind, const char *motion)
         deck += sprintf(deck, "rocker = yes\n");
     if (k.has_stroke)
         deck += sprintf(deck, "fraction = 0.5\n[gas]\nbore = 50 mm\npressure = 3 bar\n");
-    deck += sprintf(deck, "[friction]\n");
-    for (i = 0; i < 4; i++)
-        if (k.joint[i].slider)
-            has_guide = 1;
-        else
-            deck += sprintf(deck, PIN("%s"), k.joint[i].letter, k.joint[i].letter);
-    if (k.has_slot && k.has_stroke)
-        deck += sprintf(deck, "slot = 0.1\n");
-    if (has_guide)
-        deck += sprintf(deck, "guide = 0.1\n%s", k.has_slot ? "guide_length = 10 mm\n" : "");
+    if (motion == given)
+        deck = put_friction(deck, &k);
     sprintf(deck, "%s", motion);
 }
 

@@ -1262,6 +1262,8 @@ static size_t pick(uint64_t *seed, size_t n)
     return (size_t)uniform(seed, 0, (double)n);
 }
 
+static int n_texts = 3000; /* at random, or the argument */
+
 TEST(test_random_bytes)
 {
     static const char likely[] = "[]=\n\r\t #;,.()\"-+019e^/*atmrdgkNloadcrank";
@@ -1270,7 +1272,7 @@ TEST(test_random_bytes)
     int i;
     size_t j, n;
 
-    for (i = 0; i < 20000; i++) {
+    for (i = 0; i < n_texts; i++) {
         n = pick(&seed, sizeof contents);
         for (j = 0; j < n; j++)
             contents[j] = i % 2 ? likely[pick(&seed, sizeof likely - 1)]
@@ -1375,7 +1377,7 @@ static void mutate(const char *original, size_t size, uint64_t seed)
     int i, good = 0, bad = 0;
 
     assert_int_equal(check_outcome(original, size), 1);
-    for (i = 0; i < 20000; i++) {
+    for (i = 0; i < n_texts; i++) {
         size_t length = size, changes = 1 + pick(&seed, 4), n, from;
         const char *token;
         char c;
@@ -1420,8 +1422,8 @@ static void mutate(const char *original, size_t size, uint64_t seed)
             bad++;
     }
     print_message("%d in order, %d with mistakes\n", good, bad);
-    assert_true(good > 1000); /* both ends of the reader are reached */
-    assert_true(bad > 1000);
+    assert_true(good > n_texts / 20); /* both ends of the reader are reached */
+    assert_true(bad > n_texts / 20);
 }
 
 TEST(test_mutations)
@@ -1581,7 +1583,8 @@ TEST(test_most_rows)
     flk_deck_free(&d);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    n_texts = argc > 1 ? atoi(argv[1]) : n_texts;
     return run_all_tests(watch_gsl);
 }

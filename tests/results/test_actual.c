@@ -104,7 +104,7 @@ TEST(test_shaft)
         }
 }
 
-static int n_machines = 6; /* or the argument */
+static int n_machines = 3; /* or the argument */
 
 /* A run-up ends in the steady motion, with flywheels of all sizes: one cycle leaves from hardly any to
 ** nearly all of a difference. */

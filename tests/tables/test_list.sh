@@ -31,10 +31,7 @@ check '--list: a slider-crank has no rocker' none '^theta4 ' out
 run 0 -l "$alvi" -s 'units.angle=rad'
 check '--list: unit of the deck' grep -Eq '^theta3 +rad ' out
 # each name of the list is one that --columns takes
-sed '1d;/^$/,$d' out | cut -d' ' -f1 >names
-while read -r name; do
-    run 0 -c "$name" "$alvi"
-done <names
+run 0 -c "$(sed '1d;/^$/,$d' out | cut -d' ' -f1 | paste -sd,)" "$alvi"
 
 # without a deck: every column and fact that a deck of data/ or of the tests has, but those of its own points and elements
 run 0 --list
