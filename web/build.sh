@@ -113,7 +113,7 @@ build_page() {
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;
-        @SCRIPT@) for part in text editor program zoom handles tables link drawn draw questions manual files main; do
+        @SCRIPT@) for part in text editor program zoom handles tables link drawn draw questions manual files menus views main; do
             cat "$web/page/$part.js"
         done ;;
         *) printf '%s\n' "$line" ;;

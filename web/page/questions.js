@@ -39,7 +39,7 @@ async function ask(event) {
     find("answer").hidden = false;
     find("answer-take").hidden = !isDeck;
     find("answer-take").onclick = () => take(out);
-    for (const file of files)
+    for (const file of files.filter((x) => x.text))
         fourlink.save(file.name, "text/plain", file.text);
     find("answer-text").focus();
 }

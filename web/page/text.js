@@ -69,6 +69,12 @@ function value(text, section, key) {
     return place && text.slice(place.from, place.to);
 }
 
+/* The title of a deck; "" without one. */
+function titleOf(text) {
+    const found = /^\s*title\s*=\s*"?(.*?)"?\s*$/m.exec(text);
+    return found ? found[1].replace(/\s[#;].*/, "") : "";
+}
+
 /* The names of the sections that a text has, such as "load F". */
 const sections = (text) => text.split("\n").map((line) => /^\s*\[([^\]]*)\]/.exec(bare(line))).filter((x) => x).map((x) => x[1].trim());
 
@@ -101,5 +107,5 @@ function replace(text, changes) {
     return text;
 }
 
-return {bare, find, value, numbers, pairs, sections, read, rounded, replace};
+return {bare, find, value, titleOf, numbers, pairs, sections, read, rounded, replace};
 }());
