@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # nightly.sh [SECONDS] - trials that need servers, an index of Python packages or much time, which .ci/run leaves out: sweeps
-# over a real sshd and on a real Slurm, the Python package as pip installs it, and each fuzzer for so many seconds (600).
+# over a real sshd and on a real Slurm, the Python package as pip installs it, more random decks than .ci/run has time for,
+# and each fuzzer for so many seconds (600).
 # For Debian 12 or later, as root; it installs what is missing.
 # It prints how much it tried and ends with the line "N passed, M failed".
 . "$(dirname "$0")/foreign.sh"
@@ -29,6 +30,17 @@ count $status 'a server is missing'
 status=0
 sh "$source/tests/test_python.sh" native/build/fourlink native/build/libfourlink.so wheel || status=1
 count $status 'the Python package as pip installs it'
+build native all
+trial() { # COMMAND...
+    status=0
+    "$@" || status=1
+    count $status "$*"
+}
+trial native/build/brute_extremes 300
+trial native/build/brute_extremes 100 1000
+trial native/build/brute_crossings 200 9
+trial native/build/brute_fits 200 2 60
+trial sh "$source/tests/results/integrated_motions.sh" native/build/integrated_motions 1000
 status=0
 AT_ONCE=$(nproc) sh "$source/tests/fuzz/fuzz.sh" "$seconds" "$work/build-fuzz" || status=1
 count $status 'the fuzzers'
