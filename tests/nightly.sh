@@ -36,6 +36,7 @@ trial() { # COMMAND...
     "$@" || status=1
     count $status "$*"
 }
+trial env RANDOM_DECKS=300 sh "$source/tests/tables/test_people.sh" native/build/fourlink "$source/data" all
 trial native/build/brute_extremes 300
 trial native/build/brute_extremes 100 1000
 trial native/build/brute_crossings 200 9

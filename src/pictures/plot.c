@@ -90,9 +90,9 @@ static void lay_out(picture *p)
     if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
-        width = n > 1                    ? width
-                : p->request->lone_width ? p->request->lone_width
-                                         : LONE_WIDTH; /* its titles need it */
+        width = n > 1                        ? width
+                : p->request->lone_width > 0 ? p->request->lone_width
+                                             : LONE_WIDTH; /* its titles need it */
     }
     p->has_inset =
         p->v.kind.has_stroke && p->v.design->link[FOURLINK_CRANK].length <

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_people.sh FOURLINK DATA [all] - tables and summaries in the units of the deck, csv in SI, by people.py; with "all" of
-# all decks and of 300 random ones; there rubbing speeds too, by rubbing.py.
+# all decks and of 100 random ones, or as many as RANDOM_DECKS says; there rubbing speeds too, by rubbing.py.
 . "$(dirname "$0")/../harness.sh"
 needs python3 python3
 tests=$(dirname "$decks")
@@ -10,7 +10,7 @@ chosen="$alvi $data/dfa-example-1.deck $data/sarkar-12.1.deck $data/whitworth-15
 
 if [ "${3-}" ]; then
     mkdir random
-    python3 -B "$tests/random_decks.py" 300 random
+    python3 -B "$tests/random_decks.py" "${RANDOM_DECKS-100}" random
     chosen="$data/*.deck $decks/*.deck random/*.deck"
 fi
 python3 -B "$tests/tables/people.py" "$fourlink" $chosen >out 2>&1
@@ -18,7 +18,7 @@ check "$(head -n 3 out)" test $? -eq 0
 tail -n 1 out
 if [ "${3-}" ]; then # rubbing speeds, also of integrated motions
     mkdir motors
-    python3 -B "$tests/random_decks.py" 100 motors motors
+    python3 -B "$tests/random_decks.py" "${RANDOM_DECKS-30}" motors motors
     python3 -B "$tests/tables/rubbing.py" "$fourlink" random/*.deck motors/*.deck "$decks"/rubbing*.deck >out 2>&1
     check "$(head -n 3 out)" test $? -eq 0
     tail -n 1 out
