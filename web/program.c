@@ -243,9 +243,15 @@ int web_open(unsigned long name_length, unsigned long length, unsigned long solu
 
 /* ---------------------------------------------------------------------------------- drawing, curves */
 
-/* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN.  While
-** something is held it is the mechanism alone at fewer steps, on the sheet that it had. */
-CALLED(web_scene) int web_scene(int branch, double at, int is_held)
+/* What of the drawings is wanted, by the numbers of worker.js. */
+enum {
+    SCENE_WHOLE,
+    SCENE_HELD, /* something is dragged: the mechanism at fewer steps, on the sheet that it had */
+    SCENE_BRIEF /* the mechanism; the diagrams are not seen */
+};
+
+/* Answer with the moving drawings, of all branches or of one, at `at` too, a crank angle or NaN. */
+CALLED(web_scene) int web_scene(int branch, double at, int wanted)
 {
     static moving_sheet sheets[2];
     fourlink_branch one = (fourlink_branch)branch;
@@ -253,7 +259,7 @@ CALLED(web_scene) int web_scene(int branch, double at, int is_held)
     interactive_form form;
     int done = 0, k;
 
-    for (k = 0; k < 2 && !is_held; k++) {
+    for (k = 0; k < 2 && wanted != SCENE_HELD; k++) {
         sheets[k].width = WIDTH;
         sheets[k].height = 0;
         sheets[k].range = place_nothing;
@@ -263,10 +269,10 @@ CALLED(web_scene) int web_scene(int branch, double at, int is_held)
     k = k < v.n_branches ? k : 0; /* a linkage found anew may have another branch */
     one = v.branches[k];
     form.start = at;
-    form.is_brief = is_held;
+    form.is_brief = wanted != SCENE_WHOLE;
     form.sheets = &sheets[k];
     if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
-        if (is_held)
+        if (wanted == SCENE_HELD)
             rows_thin(t, HELD_STRIDE);
         done =
             interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, &form);

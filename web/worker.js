@@ -74,8 +74,8 @@ function textAt(place, of = program) {
 }
 
 const tasks = {
-    /* Open a deck; with its drawing if there is one. */
-    open({name, text, at, branch, held, solution}) {
+    /* Open a deck; with its drawing if there is one, `brief`: of the mechanism alone. */
+    open({name, text, at, branch, held, brief, solution}) {
         isOpen = false;
         const [nameLength, length] = give([name, text]);
         const status = program.web_open(nameLength, length - 1, solution || 1);
@@ -84,7 +84,7 @@ const tasks = {
             throw new Error(textAt(program.web_status_text(status)));
         const deck = JSON.parse(answer(true));
         deck.usable = isOpen = status === 0;
-        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at, held ? 1 : 0);
+        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at, held ? 1 : brief ? 2 : 0);
         return {deck, scene: scene ? answer(true) : null};
     },
     /* The style sheet of all drawings. */

@@ -10,7 +10,8 @@ fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
-const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18, MOST_ZOOM = 12; /* as in svg.c and display.h */
+const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c and display.h */
+const MOST_ZOOM = 12;
 const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
 
 /* ---------------------------------------------------------------------------------------------------- places */

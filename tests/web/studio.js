@@ -257,6 +257,21 @@ module.exports = function (at, root, address) {
         check("the extremes are those of the picture: " + extremes, extremes.length >= 2 && extremes.every((x) => wanted.includes(x)));
     }
 
+    /* Diagrams are drawn when they are seen; branch and position stay. */
+    async function tryDiagrams() {
+        await click("tab-table");
+        await load("alvi-5.1.deck");
+        await b().evaluate(`document.querySelectorAll("#fourlink-branches input")[1].click(); document.querySelectorAll("#table-place tbody tr")[2].click()`);
+        const before = await text("fourlink-shown"), count = () => b().evaluate(`document.querySelectorAll(".panel svg.sheet").length`);
+        check("the mechanism alone: " + await count(), await count() === 1);
+        await click("tab-diagrams");
+        await settled();
+        check("with its diagrams: " + await count(), await count() > 2);
+        check("at " + before + ", " + await text("fourlink-shown"), await text("fourlink-shown") === before);
+        check("crossed", (await b().evaluate(`document.querySelector(".panel.whole svg").getAttribute("aria-label")`)).includes("crossed"));
+        await click("tab-table");
+    }
+
     async function tryManual() {
         await click("tab-manual");
         await b().evaluate(`document.getElementById("manual-search").focus(); document.getElementById("manual-search").value = "indicator"`);
@@ -285,5 +300,5 @@ module.exports = function (at, root, address) {
     }
 
     return [["first", tryFirst], ["draw", tryDraw], ["designs", tryDesigns], ["questions", tryQuestions], ["pictures", tryPictures],
-            ["zoom", tryZoom], ["cursor", tryCursor], ["manual", tryManual], ["small", trySmall]];
+            ["zoom", tryZoom], ["cursor", tryCursor], ["diagrams", tryDiagrams], ["manual", tryManual], ["small", trySmall]];
 };

@@ -13,6 +13,7 @@ let name = "my.deck", deck = null, data = null, drawing = null, working = false,
 let instant = null, fresh = true; /* a new deck begins at its own crank angle */
 let solution = 1, textOfSolution = null; /* of its [synthesis], and the text whose solution was chosen */
 let startAt = null; /* the crank angle at which a linkage was drawn */
+let drawnDeck = ""; /* the kind and title of what was drawn last */
 
 const program = web.program((is) => { find("busy").hidden = !is; });
 const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
@@ -29,7 +30,9 @@ const controls = fourlink.controls((id) => find("fourlink-" + id), (i) => {
 });
 const views = web.views(find, {ask: program.ask, run: (options) => runShown(options), hasTask: () => hasTask(), select: editor.select, controls,
                                solution: () => solution, choose, failed,
-                               isUsable: () => Boolean(deck && deck.usable)});
+                               isUsable: () => Boolean(deck && deck.usable),
+                               /* The diagrams are seen: they have not been drawn yet. */
+                               wantDiagrams: () => drawing && drawing.panels.length < 2 && evaluate()});
 
 function fail(error) {
     tell(error.message === "stopped" ? "Stopped." : "This failed: " + error.message);
@@ -129,9 +132,15 @@ function take(answer) {
         } else if (drawing && drawing.update(next)) {
             controls.renew(row);
         } else {
+            const isSame = deck.kind + deck.title === drawnDeck; /* edited, or with its diagrams: its branch stays */
+            const before = isSame ? views.branch().name : "", plays = isSame && find("fourlink-play").textContent === "Pause";
+            drawnDeck = deck.kind + deck.title;
             data = next;
             drawing = fourlink.draw(data, find("fourlink-panels"), find("diagrams"));
+            drawing.choose(Math.max(0, data.branches.findIndex((x) => x.name === before)));
             controls.take(data, drawing, row);
+            if (plays)
+                controls.play();
         }
         if (startAt !== null && !handles.isHeld()) {
             controls.go(views.nearestStep(next, startAt));
@@ -169,7 +178,8 @@ async function evaluate() {
     else if (text !== textOfSolution)
         solution = 1;
     try {
-        const answer = await program.ask("open", {name, text, held: handles.isHeld(), branch: handles.isHeld() ? views.branch().number : 0, solution});
+        const answer = await program.ask("open", {name, text, held: handles.isHeld(), branch: handles.isHeld() ? views.branch().number : 0, brief: !views.isOpen("diagrams"),
+                                                  solution});
         take(answer);
         fresh = false;
         if (!deck.usable && solution > 1) { /* there may be fewer than before */

@@ -4,7 +4,8 @@
 ** position of the drawing is marked in curve and table, and a click there goes to another one.
 **
 ** `page` has ask(TASK, GIVEN), run(OPTIONS) of the command, page.hasTask(), select(LINE), controls, solution(), choose(K),
-** failed(ERROR), isUsable(), whether the deck has no mistakes.
+** failed(ERROR), isUsable(), whether the deck has no mistakes; wantDiagrams() is called
+** when they are seen.
 */
 web.views = function (find, page) {
 
@@ -169,8 +170,10 @@ function openTab(tab) {
         x.tabIndex = x === tab ? 0 : -1;
         find(x.getAttribute("aria-controls")).hidden = x !== tab;
     }
-    if (tab.id === "tab-diagrams" && drawing)
+    if (tab.id === "tab-diagrams" && drawing) {
         drawing.layOut();
+        page.wantDiagrams();
+    }
     halted = null;
     fill();
 }
@@ -208,7 +211,7 @@ return {
         offer();
         fill();
     },
-    seen, nearestStep,
+    seen, nearestStep, isOpen,
     branch: () => ({number: branchNumber(), name: data ? data.branches[branchNow()].name : ""}),
     open: (id) => openTab(find("tab-" + id)),
     retry() { halted = null; },
