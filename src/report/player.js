@@ -187,7 +187,7 @@ function makePanel(title, size) {
     }
     /* Show step i and a part of the way to the next. */
     function show(i, part, name) {
-        const places = placesAt(tracks, i, part);
+        const places = placesAt(tracks, i, part), isWithin = part > 0 && i === now;
         now = i;
         drawing.setAttribute("aria-label", title + ": " + name);
         for (const {item, elements, set} of parts) {
@@ -197,6 +197,8 @@ function makePanel(title, size) {
             if (!gone)
                 set((item.at || []).map((k) => places[k]), i, scale, shift);
         }
+        if (isWithin)
+            return; /* values are those of the step */
         for (const {item, made, values} of notes) {
             made.hidden = isGone(item, i);
             made.replaceChildren(...htmlWords([...item.words, ...values(i), ...(item.unit || [])]));

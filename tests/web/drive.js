@@ -332,6 +332,7 @@ async function tryFiles() {
     const native = path.join(work, "native.html");
     command(name, words, "--report=" + native, "--plot-at=0 deg");
     const part = (text, from, to) => text.slice(text.indexOf(from), text.indexOf(to, text.indexOf(from)));
+    check("the report is the command's", fs.readFileSync(native, "utf8") === report.text);
     for (const [from, to] of [["<style>", "</style>"], ["<script>//", "</script>"]])
         check("the report has the command's " + from, part(fs.readFileSync(native, "utf8"), from, to) === part(report.text, from, to));
     await b.go(address);

@@ -8,6 +8,7 @@ web.draw = function (find, put, done) {
 
 const {html, svg} = fourlink, {KINDS, size, minus, degrees, short, deckOf, settingsOf} = web.drawn;
 const WIDE = 240, HIGH = 150, FROM = [-60, -50], GRID = 10; /* mm */
+
 /* ------------------------------------------------------------------------------------------------ the board */
 
 const board = find("board"), words = html("label", {for: "board-words"}), typed = html("input", {id: "board-words", autocomplete: "off"});
@@ -30,8 +31,8 @@ function show() {
     const {lines, points: names} = KINDS[kind], at = [...points, ...(pointer && points.length ? [pointer] : [])];
     const parts = lines.filter(([i, k]) => at[i] && at[k]).map(([i, k]) => {
         const isNext = k >= points.length, middle = toSheet([(at[i][0] + at[k][0]) / 2, (at[i][1] + at[k][1]) / 2]);
-        return [svg("path", {d: way(at[i], at[k]), class: isNext ? "next" : "drawn", "stroke-width": 1, style: "stroke-width:" + (isNext ? 0.8 : 1.6)}),
-                svg("text", {x: middle[0] + 2, y: middle[1] - 2, "font-size": 5, style: "font-size:5px"}, short(size(minus(at[k], at[i]))) + " mm")];
+        return [svg("path", {d: way(at[i], at[k]), class: isNext ? "next" : "drawn", style: "stroke-width:" + (isNext ? 0.8 : 1.6)}),
+                svg("text", {x: middle[0] + 2, y: middle[1] - 2, style: "font-size:5px"}, short(size(minus(at[k], at[i]))) + " mm")];
     });
     drawn.replaceChildren(...parts.flat(), ...points.map((p) => svg("circle", {cx: toSheet(p)[0], cy: toSheet(p)[1], r: 2, style: "stroke-width:0.7"})));
     words.textContent = "Click " + names[points.length] + ", or type";

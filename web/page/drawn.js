@@ -69,8 +69,14 @@ function deckOf(kind, points) {
 
 /* ------------------------------------------------------------------------------------------------ what is added */
 
-/* A deck with a point, a load or masses more; they are dragged or edited then. */
-const freeName = (text, kind, names) => names.find((name) => !web.text.sections(text).includes(kind + " " + name)) || names[0] + Date.now() % 1000;
+/* A name that no section of the kind has: F, F2, F3 ... */
+function freeName(text, kind, name) {
+    const taken = web.text.sections(text);
+    let n = 1;
+    while (taken.includes(kind + " " + name + (n > 1 ? n : "")))
+        n++;
+    return name + (n > 1 ? n : "");
+}
 const lengthOf = (text, section) => {
     const numbers = web.text.numbers(text, section, "length");
     return numbers ? web.text.read(text, numbers[0]) : 0;
@@ -84,15 +90,16 @@ const append = (text, lines) => text.replace(/\n*$/, "\n\n") + lines.join("\n") 
 /* The first of these sections that has a length: the link on which it is seen best. */
 const linkOf = (text, ...names) => names.find((name) => lengthOf(text, name) > 0) || "crank";
 
+/* A deck with a point, a load or masses more; they are dragged or edited then. */
 const added = {
     point(text) {
         const link = linkOf(text, "coupler", "rod"), half = web.text.rounded(lengthOf(text, link) / 2, lengthOf(text, link) / 50);
-        return append(text, ["[point " + freeName(text, "point", ["P", "Q", "R", "S", "T", "U"]) + "]", "link = " + link,
+        return append(text, ["[point " + freeName(text, "point", "P") + "]", "link = " + link,
                              "at   = (" + half + ", " + half + ")" + unitOf(text, link)]);
     },
     load(text) {
         const link = linkOf(text, "rocker", "rod", "coupler");
-        return append(text, ["[load " + freeName(text, "load", ["F", "F2", "F3", "F4", "F5"]) + "]", "link  = " + link,
+        return append(text, ["[load " + freeName(text, "load", "F") + "]", "link  = " + link,
                              "at    = " + web.text.rounded(lengthOf(text, link) / 2, lengthOf(text, link) / 50) + unitOf(text, link), "force = (-20, 0) N"]);
     },
     masses(text) {

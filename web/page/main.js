@@ -87,7 +87,7 @@ function limits() {
     return [deck.rows > MOST_ROWS ? deck.rows + " rows: the page writes files of at most " + MOST_ROWS +
             ". Take a larger interval, or the program itself." : "",
             deck.designs ? "A [sweep] of " + deck.designs + " designs: the page shows design " + deck.design +
-            ". The program itself prints all." : ""].filter((x) => x);
+            ". A saved table has all." : ""].filter((x) => x);
 }
 
 function showMessages(list, more, others) {

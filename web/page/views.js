@@ -3,9 +3,8 @@
 ** views.js - what is shown beside the drawing: curve, table, facts, solutions, checks; each is filled when it is seen.  The
 ** position of the drawing is marked in curve and table, and a click there goes to another one.
 **
-** `page` has ask(TASK, GIVEN), run(OPTIONS) of the command, page.hasTask(), select(LINE), controls, solution(), choose(K),
-** failed(ERROR), isUsable(), whether the deck has no mistakes; wantDiagrams() is called
-** when they are seen.
+** `page` has ask(TASK, GIVEN), run(OPTIONS) of the command, hasTask(), select(LINE), controls, solution(), choose(K),
+** failed(ERROR), isUsable(), whether the deck has no mistakes, and wantDiagrams(), which is called when they are seen.
 */
 web.views = function (find, page) {
 
@@ -17,10 +16,13 @@ let curve = null; /* the cursor of the curves */
 
 /* ------------------------------------------------------------------------------------------------ the position */
 
-/* The step of a drawing that is nearest to an angle or a time. */
-function nearestStep(of, wanted) {
-    return of.steps.reduce((best, x, i) => Math.abs(x - wanted) < Math.abs(of.steps[best] - wanted) ? i : best, of.start);
+/* Where a list is nearest to a number; of several places the one to begin with, or the first. */
+function nearest(list, wanted, begin = 0) {
+    return list.reduce((best, x, i) => Math.abs(x - wanted) < Math.abs(list[best] - wanted) ? i : best, begin);
 }
+
+/* The step of a drawing that is nearest to an angle or a time. */
+const nearestStep = (of, wanted) => nearest(of.steps, wanted, of.start);
 
 const TURN = {deg: 360, rad: 2 * Math.PI, mrad: 2000 * Math.PI, rev: 1};
 
@@ -51,14 +53,14 @@ function markRow(i) {
     const marked = find("table-place").querySelector("tr.now"), lines = find("table-place").querySelectorAll("tbody tr");
     if (!data || !rowValues.length)
         return;
-    const nearest = rowValues.reduce((best, x, k) => Math.abs(x - data.steps[i]) < Math.abs(rowValues[best] - data.steps[i]) ? k : best, 0);
-    if (marked === lines[nearest])
+    const line = lines[nearest(rowValues, data.steps[i])];
+    if (marked === line)
         return;
     if (marked)
         marked.classList.remove("now");
-    lines[nearest].classList.add("now");
+    line.classList.add("now");
     if (!find("view-table").hidden)
-        keepInSight(find("table-place"), lines[nearest]);
+        keepInSight(find("table-place"), line);
 }
 function keepInSight(place, line) {
     const head = place.querySelector("thead").offsetHeight, from = line.offsetTop - head, to = line.offsetTop + line.offsetHeight;
