@@ -125,46 +125,11 @@ emulate() {
     done <"$name/programs"
 }
 
-# random_decks N: N decks of each kind in the folder random, the same on every run.
+# random_decks N: so many machines in the folder random, the same on every run.
 random_decks() {
+    build native random_decks
     mkdir -p random
-    awk -v n="$1" '
-    function random(low, high) {
-        seed = (seed * 16807) % 2147483647
-        return sprintf("%.6g", low + (high - low) * seed / 2147483647)
-    }
-    function body(length_) {
-        printf "mass = %s kg\ngyration = %s mm\ncg = %s mm at %s deg\n", random(0.1, 5), random(1, length_),
-            random(0, length_), random(-20, 20) >file
-    }
-    function link(section, length_) {
-        print "[" section "]\nlength = " length_ " mm" >file
-        body(length_)
-    }
-    BEGIN {
-        seed = 16
-        split("four-bar slider-crank inverted-slider-crank", kinds, " ")
-        for (i = 0; i < 3 * n; i++) {
-            kind = kinds[i % 3 + 1]
-            file = "random/random-" i ".deck"
-            print "mechanism = " kind "\n[motion]\nspeed = " random(-30, 30) " rad/s\ninterval = 10 deg" >file
-            link("crank", random(10, 60))
-            if (kind == "four-bar") {
-                link("coupler", random(40, 120))
-                link("rocker", random(40, 120))
-                print "[ground]\nlength = " random(30, 120) " mm" >file
-            } else if (kind == "slider-crank") {
-                link("rod", random(70, 200))
-                print "[piston]\nmass = " random(0.1, 5) " kg\n[ground]\noffset = " random(-5, 5) " mm" >file
-            } else {
-                print "[ground]\nlength = " random(70, 150) " mm\n[slider]" >file
-                body(40)
-                print "[lever]\noffset = " random(-5, 5) " mm" >file
-                body(100)
-            }
-            close(file)
-        }
-    }'
+    native/build/random_decks machines "$1" random
 }
 
 # A table or a summary without the residual, which is rounding itself.

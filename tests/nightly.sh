@@ -36,12 +36,13 @@ trial() { # COMMAND...
     "$@" || status=1
     count $status "$*"
 }
-trial env RANDOM_DECKS=300 sh "$source/tests/tables/test_people.sh" native/build/fourlink "$source/data" all
+trial env FOURLINK=native/build/fourlink sh "$source/tests/random_trial.sh" native/build/random_decks machines 300 \
+    sh "$source/tests/python.sh" "$source/tests/tables/people.py" native/build/fourlink
 trial native/build/brute_extremes 300
 trial native/build/brute_extremes 100 1000
 trial native/build/brute_crossings 200 9
 trial native/build/brute_fits 200 2 60
-trial sh "$source/tests/results/integrated_motions.sh" native/build/integrated_motions 1000
+trial sh "$source/tests/results/integrated_motions.sh" native/build/integrated_motions native/build/random_decks 1000
 status=0
 AT_ONCE=$(nproc) sh "$source/tests/fuzz/fuzz.sh" "$seconds" "$work/build-fuzz" || status=1
 count $status 'the fuzzers'

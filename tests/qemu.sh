@@ -79,7 +79,7 @@ compile() {
 
 configure native
 build native fourlink_command
-random_decks 20
+random_decks 60
 results native/build/fourlink native/results
 for machine in $machines; do
     case $machine in

@@ -30,7 +30,7 @@ emulate windows wine
 ln -sf fourlink.exe windows/build/fourlink
 configure native
 build native fourlink_command
-random_decks 20
+random_decks 60
 results native/build/fourlink native/results
 compare windows
 

@@ -110,7 +110,8 @@ int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, do
         last = value;
         from = r->x;
         if (b.f_low < 0 && b.f_high > 0 && b.high - b.low <= close * (1 + fabs(b.high)))
-            return is_near;
+            return is_near ||
+                   (fabs(value) <= rounded && gsl_finite(b.f_low) && gsl_finite(b.f_high));
         r->x += GSL_MAX(-longest, GSL_MIN(step, longest));
         if (b.f_low < 0 && b.f_high > 0 && !(b.low < r->x && r->x < b.high))
             r->x = flk_bracket_next(&b);

@@ -35,8 +35,9 @@ typedef struct flk_rising {
 
 /* Search by the secant method; where it fails, by longer and longer steps, then in the bracket.  The
 ** search ends where |f| and the step are at most `close`, or where neither is above `rounded` and steps do
-** not become shorter.  The function may be infinite.  0 if there is no zero: it is infinite on one side.
-** NaN ends the search, with 0. */
+** not become shorter, or in a bracket as narrow as `close`, over which |f| jumps by rounding, to no more than
+** `rounded`.  The function may be infinite.  0 if there is no zero: it is infinite on one side.  NaN ends the
+** search, with 0. */
 int flk_find_rising(flk_function *f, void *data, flk_rising *r, double close, double rounded);
 
 /* A place and the value there. */

@@ -341,8 +341,11 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     if (!status &&
         (b.m.list || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
         status = scan(&b);
-    if (!status)
+    if (!status) {
         status = write_all(&b);
+        if (!system_caught())
+            status = command_worse(status, grade_tell_unclaimed(answers, o));
+    }
     batch_close(&b);
     return status;
 }

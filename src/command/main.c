@@ -199,8 +199,6 @@ static int run(const options *o)
                  : answers.n_files ? run_class(o, &answers)
                  : o->n_decks > 1  ? batch_run(o, &answers, NULL)
                                    : run_one(o, &answers);
-    if (!system_caught())
-        status = command_worse(status, grade_tell_unclaimed(&answers, o));
     grade_close(&answers);
     if (system_caught()) {
         fflush(stdout);

@@ -128,6 +128,32 @@ TEST(test_rising)
     assert_true(most < 100);
 }
 
+/* Nearly level, and by rounding it jumps at the zero, as the energy after a cycle of a machine that hardly settles. */
+static double over_step(double x, void *data)
+{
+    const cliff *c = data;
+
+    return 1e-6 * (x - c->edge) + (x < c->edge ? -c->value : c->value);
+}
+
+TEST(test_rising_over_rounding)
+{
+    uint64_t seed = 6;
+    int i;
+
+    for (i = 0; i < 2000; i++) {
+        cliff c = {uniform(&seed, -10, 10), pow(10, uniform(&seed, -11, -9.1))};
+        flk_rising r = {0, 1, 0.3};
+
+        r.x = c.edge + uniform(&seed, -1, 1);
+        assert_int_equal(flk_find_rising(over_step, &c, &r, 1e-12, 1e-9), 1);
+        assert_near(r.x, c.edge, 1e-10);
+        c.value = 2e-9; /* a jump that is none of rounding */
+        r.x = c.edge + uniform(&seed, -1, 1);
+        assert_int_equal(flk_find_rising(over_step, &c, &r, 1e-12, 1e-9), 0);
+    }
+}
+
 TEST(test_rising_to_unknown)
 {
     flk_rising r = {0, 1, 10};

@@ -1,18 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# random_drawn.sh FOURLINK N SCENES - draws N random decks: the mechanics of their pictures by drawn.py, and what the script of a
-# report makes of them by test_replayed.sh.  It prints how much was compared, and takes two seconds a deck.
+# random_drawn.sh FOURLINK RANDOM_DECKS N SCENES - draws N random decks: the mechanics of their pictures by drawn.py, and what the
+# script of a report makes of them by test_replayed.sh.  It prints how much was compared, and takes two seconds a deck.
 set -u
 tests=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-python3 -B "$tests/random_decks.py" "$2" "$work" || exit 1
-for deck in "$work"/*.deck; do # those without mistakes
-    "$1" --summary "$deck" >/dev/null 2>&1
-    [ $? -le 1 ] || rm "$deck"
-done
+"$2" machines "$3" "$work" || exit 1
 status=0
-ALL=1 python3 -B "$tests/pictures/drawn.py" "$1" "$work" || status=1
-sh "$tests/report/test_replayed.sh" "$1" "$tests/../data" "$3" "$2" || status=1
+ALL=1 sh "$tests/python.sh" "$tests/pictures/drawn.py" "$1" "$work" || status=1
+sh "$tests/report/test_replayed.sh" "$1" "$tests/../data" "$4" "$work" || status=1
 exit $status

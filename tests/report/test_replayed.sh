@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_replayed.sh FOURLINK DATA SCENES [DECKS] - the script of a report draws at each step what the program drew, by replay.js,
-# of chosen decks; with DECKS, of so many random ones.
+# test_replayed.sh FOURLINK DATA SCENES [FOLDER] - the script of a report draws at each step what the program drew, by replay.js,
+# of chosen decks, or of those of a folder.
 . "$(dirname "$0")/../harness.sh"
 tests=$(dirname "$decks")
 scenes=$3
@@ -20,10 +20,7 @@ replay() {
 
 : >all
 if [ "${4-}" ]; then
-    needs python3 python3
-    mkdir random
-    python3 -B "$tests/random_decks.py" "$4" random
-    for deck in random/*.deck; do
+    for deck in "$4"/*.deck; do
         replay "$deck" 17
     done
 else
