@@ -36,17 +36,15 @@ static section_code model_of(section_code section)
     }
 }
 
-/* What a value is: the unit of a bare number, or a word. */
+/* The unit of a bare number; what else a value is, where its meaning does not say so. */
 static const char *kind_of(const key_info *k)
 {
     switch (k->form) {
     case FORM_TEXT:
-        return "text";
     case FORM_WORD:
-        return "word";
     case FORM_LINK:
     case FORM_BODY:
-        return "link";
+        return "";
     case FORM_POINT:
         return "point";
     case FORM_VECTOR:
@@ -72,56 +70,102 @@ static void put_more(key_code key)
         printf("%s%s", w == words ? ": " : "|", *w);
 }
 
-/* The names of all keys of [units], or of those that a section has from its model, in lines. */
-static void put_names(section_code section, section_code model)
+/* Lines of names. */
+static size_t put_name(size_t column, const char *name)
+{
+    if (column + strlen(name) > WIDTH)
+        column = (size_t)printf("\n") - 1;
+    return column + (size_t)printf(column ? " %s" : "  %s", name);
+}
+
+static void put_units(void)
 {
     size_t column = 0;
     key_code k;
 
-    for (k = flk_first_key(section); k < flk_first_key(section + 1); k++) {
-        const key_info *key = &flk_key_table[k];
-
-        if (model != SECTION_COUNT && !has_same(model, key))
-            continue;
-        if (column + strlen(key->name) > WIDTH)
-            column = (size_t)printf("\n") - 1;
-        column += (size_t)printf(column ? " %s" : "  %s", key->name);
-    }
+    for (k = flk_first_key(SECTION_UNITS); k < flk_first_key(SECTION_UNITS + 1); k++)
+        column = put_name(column, flk_key_table[k].name);
     printf("\n");
 }
 
-static void put_section(section_code section)
+/* What a section does not have of its model, or if that is shorter, what it has. */
+static void put_difference(section_code section, section_code model, char *text)
 {
-    section_code model = model_of(section);
+    char lacks[200] = "", has[200] = "";
     key_code k;
 
-    if (section != SECTION_TOP)
-        printf("\n[%s%s]%s\n", flk_section_table[section].name,
-               section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT
-                   ? " NAME"
-                   : "",
-               model == SECTION_COUNT   ? ""
-               : model == SECTION_CRANK ? " as [crank]:"
-                                        : " as [expect]:");
-    if (section == SECTION_UNITS || model != SECTION_COUNT)
-        put_names(section, model);
-    for (k = flk_first_key(section); section != SECTION_UNITS && k < flk_first_key(section + 1);
-         k++) {
-        const key_info *key = &flk_key_table[k];
+    for (k = flk_first_key(model); k < flk_first_key(model + 1); k++) {
+        key_code own = flk_find_key(section, flk_text_of(flk_key_table[k].name));
+        char *list = own != KEY_COUNT && has_same(model, &flk_key_table[own]) ? has : lacks;
 
-        if (model != SECTION_COUNT && has_same(model, key))
-            continue;
-        printf("  %-13s %-8s %s", key->name, kind_of(key), key->meaning);
-        put_more(k);
-        printf("\n");
+        strcat(strcat(list, " "), flk_key_table[k].name);
     }
+    if (!lacks[0])
+        strcpy(text, "");
+    else
+        sprintf(text, "%s%s", strlen(has) < strlen(lacks) ? ", only" : " but",
+                strlen(has) < strlen(lacks) ? has : lacks);
+}
+
+/* 1 if two keys are the same of two pins: their names and meanings end in letters of their own. */
+static int are_of_pins(const key_info *a, const key_info *b)
+{
+    size_t n = strlen(a->meaning) - 1, m = strlen(a->name) - 1;
+
+    return strlen(b->meaning) == n + 1 && strlen(b->name) == m + 1 &&
+           strncmp(a->meaning, b->meaning, n) == 0 && strncmp(a->name, b->name, m) == 0 &&
+           a->meaning[n] == a->name[m] && b->meaning[n] == b->name[m];
+}
+
+static void put_key(key_code k, key_code end)
+{
+    const key_info *key = &flk_key_table[k];
+    char names[100];
+    int length = (int)strlen(key->meaning);
+
+    strcpy(names, key->name);
+    for (; k + 1 < end && are_of_pins(key, &flk_key_table[k + 1]); k++) {
+        strcat(strcat(names, " "), flk_key_table[k + 1].name);
+        length = (int)strlen(key->meaning) - 2;
+    }
+    printf("  %-13s %-8s %.*s", names, kind_of(key), length, key->meaning);
+    put_more(k);
+    printf("\n");
+}
+
+static void put_section(section_code section, section_code last)
+{
+    section_code model = model_of(section);
+    char difference[400] = "", before[400] = "";
+    int has_name = section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT;
+    key_code k, end = flk_first_key(section + 1);
+
+    if (model != SECTION_COUNT)
+        put_difference(section, model, difference);
+    if (last != SECTION_COUNT && model_of(last) == model)
+        put_difference(last, model, before);
+    if (section != SECTION_TOP)
+        printf("\n[%s%s]", flk_section_table[section].name, has_name ? " NAME" : "");
+    if (model != SECTION_COUNT && strcmp(before, difference) == 0)
+        printf(" the same");
+    else if (model != SECTION_COUNT)
+        printf(" as [%s]%s", flk_section_table[model].name, difference);
+    if (section != SECTION_TOP)
+        printf("\n");
+    if (section == SECTION_UNITS)
+        put_units();
+    for (k = flk_first_key(section); section != SECTION_UNITS && k < end; k++)
+        if (model == SECTION_COUNT || !has_same(model, &flk_key_table[k]))
+            if (k == flk_first_key(section) ||
+                !are_of_pins(&flk_key_table[k - 1], &flk_key_table[k]))
+                put_key(k, end);
 }
 
 int main(void)
 {
-    int section;
+    int section, last = SECTION_COUNT;
 
-    for (section = SECTION_TOP; section < SECTION_COUNT; section++)
-        put_section((section_code)section);
+    for (section = SECTION_TOP; section < SECTION_COUNT; last = section++)
+        put_section((section_code)section, (section_code)last);
     return 0;
 }
