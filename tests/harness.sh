@@ -80,5 +80,5 @@ listed() {
     shift 2
     rm -f listed.svg "$listing"
     run "$listed_status" --plot=listed.svg "$@"
-    [ ! -s listed.svg ] || python3 -B "$(dirname "$decks")/pictures/listing.py" listed.svg >"$listing"
+    [ ! -s listed.svg ] || python3 -ISB "$(dirname "$decks")/pictures/listing.py" listed.svg >"$listing"
 }

@@ -8,6 +8,7 @@
 #   pkg-config  its file
 #   symbols     what the libraries define and need, by nm
 #   completion  of bash
+#   projects    the library built within another project, in C and in C++
 set -u
 build=$1
 part=$2
@@ -36,7 +37,7 @@ check() {
 }
 
 case $part in
-c++) needs "$CXX" g++ ;;
+c++ | projects) needs "$CXX" g++ ;;
 fortran) needs "$FC" gfortran ;;
 pkg-config) needs pkg-config pkg-config ;;
 symbols) needs nm binutils ;;
@@ -129,7 +130,7 @@ with_c() {
     check 'the best transmission angle, --best' cmp of_best $answer
     caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
     answer=answer
-    in_a_project C ADDED INSTALLED
+    in_a_project C INSTALLED
 }
 
 # in_a_project LANGUAGE WAY...: the library within another project: the same targets, no others that get in its way, nothing of fourlink's installed.
@@ -194,7 +195,12 @@ with_cxx() {
     answer=named
     caller 'results by name, C++98' $CXX $CFLAGS -std=c++98 $strict "$callers/results.cpp"
     answer=answer
-    in_a_project CXX FETCHED INSTALLED
+    in_a_project CXX INSTALLED
+}
+
+projects() {
+    in_a_project C ADDED
+    in_a_project CXX FETCHED
 }
 
 with_fortran() {

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_drawn_decks.sh FOURLINK DATA - decks of linkages that are drawn on the page, against the command: drawn.js.
+# test_drawn_decks.sh FOURLINK DATA [N] - N decks of linkages that are drawn on the page, against the command: drawn.js.
 . "$(dirname "$0")/../harness.sh"
 
 needs node nodejs
-node "$(dirname "$data")/tests/web/drawn.js" "$fourlink" "$(dirname "$data")" 1000 >out 2>&1
+node "$(dirname "$data")/tests/web/drawn.js" "$fourlink" "$(dirname "$data")" "${3-200}" >out 2>&1
 check "$(cat out)" grep -q ' 0 failed$' out
 finish
