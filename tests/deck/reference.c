@@ -137,16 +137,19 @@ static void put_section(section_code section, section_code last)
 {
     section_code model = model_of(section);
     char difference[400] = "", before[400] = "";
-    int has_name = section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT;
+    int is_same,
+        has_name = section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT;
     key_code k, end = flk_first_key(section + 1);
 
     if (model != SECTION_COUNT)
         put_difference(section, model, difference);
     if (last != SECTION_COUNT && model_of(last) == model)
         put_difference(last, model, before);
+    is_same = model != SECTION_COUNT && strcmp(before, difference) == 0;
     if (section != SECTION_TOP)
-        printf("\n[%s%s]", flk_section_table[section].name, has_name ? " NAME" : "");
-    if (model != SECTION_COUNT && strcmp(before, difference) == 0)
+        printf("%s[%s%s]", is_same ? "" : "\n", flk_section_table[section].name,
+               has_name ? " NAME" : "");
+    if (is_same)
         printf(" the same");
     else if (model != SECTION_COUNT)
         printf(" as [%s]%s", flk_section_table[model].name, difference);
