@@ -430,24 +430,6 @@ static void tell_defects(input *in)
     in->has_defects = n > 0;
 }
 
-/* Keep the linkage that was found, for a report; 0 if out of memory. */
-static int keep_found(input *in)
-{
-    const fourlink_deck *deck = fourlink_results_deck(in->results);
-    fourlink_solution *all;
-    unsigned long chosen, n;
-
-    if (!in->o->report || fourlink_deck_solutions(deck, 0, NULL, &chosen, &n) != FOURLINK_OK)
-        return 1;
-    all = malloc((chosen + 1) * sizeof *all);
-    if (all) {
-        fourlink_deck_solutions(deck, chosen + 1, all, &chosen, &n);
-        all[0] = all[chosen];
-    }
-    in->found = all;
-    return all != NULL;
-}
-
 /* Open what has been read; returns the exit status. */
 static int open_input(input *in)
 {
@@ -474,7 +456,7 @@ static int open_input(input *in)
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
-        if (!keep_found(in)) {
+        if (o->report && !view_find_solution(fourlink_results_deck(in->results), &in->found)) {
             refuse(in);
             return command_complain("cannot read", in->name, "not enough memory");
         }

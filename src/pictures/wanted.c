@@ -55,24 +55,19 @@ static fourlink_vector put_function(sketch *s, const picture *p, const fourlink_
 
 void wanted_draw(sketch *s, picture *p)
 {
-    unsigned long chosen, count;
-    fourlink_solution *list;
+    fourlink_solution *x;
     int i;
 
-    if (fourlink_deck_solutions(p->v.deck, 0, NULL, &chosen, &count) != FOURLINK_OK)
+    p->out_of_memory |= !view_find_solution(p->v.deck, &x);
+    if (!x)
         return;
-    list = malloc((chosen + 1) * sizeof *list);
-    p->out_of_memory |= !list;
-    if (list)
-        fourlink_deck_solutions(p->v.deck, chosen + 1, list, &chosen, &count);
-    for (i = 0; list && i < list[chosen].n_positions; i++) {
-        const fourlink_solution *x = &list[chosen];
+    for (i = 0; i < x->n_positions; i++) {
         fourlink_vector at = x->has_point ? put_coupler(s, x, &x->position[i])
                                           : put_function(s, p, x, &x->position[i]);
 
         put_ring(s, at, i + 1, x->n_positions <= NUMBERED);
     }
-    if (list && list[chosen].n_positions > 0)
+    if (x->n_positions > 0)
         sketch_key(s, PEN_WANTED, "wanted positions");
-    free(list);
+    free(x);
 }

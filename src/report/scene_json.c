@@ -123,19 +123,15 @@ static void put_origin(line *l, const rows *t, const fourlink_solution *x)
 
 static void put_wanted(line *l, const rows *t)
 {
-    fourlink_solution *list = NULL;
-    unsigned long chosen, count;
+    fourlink_solution *found;
 
     line_put(l, "\"wanted\":");
-    if (fourlink_deck_solutions(t->v.deck, 0, NULL, &chosen, &count) == FOURLINK_OK &&
-        (list = malloc((chosen + 1) * sizeof *list)) != NULL)
-        fourlink_deck_solutions(t->v.deck, chosen + 1, list, &chosen, &count);
-    if (list && list[chosen].has_point)
-        put_origin(l, t, &list[chosen]);
+    if (view_find_solution(t->v.deck, &found) && found && found->has_point)
+        put_origin(l, t, found);
     else
         line_put(l, "null");
     line_put(l, ",\n");
-    free(list);
+    free(found);
 }
 
 /* ----------------------------------------------------------------------------------------------- the rest */

@@ -108,6 +108,21 @@ void view_take(view *v, fourlink_results *results)
     view_take_design(v, results);
 }
 
+int view_find_solution(const fourlink_deck *deck, fourlink_solution **found)
+{
+    unsigned long chosen, n;
+
+    *found = NULL;
+    if (fourlink_deck_solutions(deck, 0, NULL, &chosen, &n) != FOURLINK_OK)
+        return 1;
+    *found = malloc((chosen + 1) * sizeof **found);
+    if (!*found)
+        return 0;
+    fourlink_deck_solutions(deck, chosen + 1, *found, &chosen, &n);
+    (*found)[0] = (*found)[chosen];
+    return 1;
+}
+
 /* If the search for all is too long, the list is empty, though that for one column may end. */
 int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *found)
 {
