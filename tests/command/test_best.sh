@@ -59,6 +59,7 @@ check 'beside a refined value' grep -qx 'speed = 10 rad/s' best.deck
 # min, a list that is not refined, quantities in step, other parts of the deck
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm' 'output = mu_min'
 best 'min max(omega4)' -b open
+check 'what was asked for' grep -q '^# The best design of t.deck: min max(omega4) = ' best.deck
 check 'of a list' grep -q '^speed = 10 rad/s$' best.deck
 check 'in step, crank' awk '/^\[/ {on = $0 == "[crank]"} on && $0 == "length = 18 mm" {ok = 1} END {exit !ok}' best.deck
 check 'in step, coupler' awk '/^\[/ {on = $0 == "[coupler]"} on && $0 == "length = 60 mm" {ok = 1} END {exit !ok}' best.deck
