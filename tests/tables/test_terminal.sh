@@ -22,7 +22,8 @@ fits() { holds "not wider than $1" "length > $1 {print; bad = 1} END {exit bad}"
 blocks_fit() { holds "not wider than $1" "/^# branch/ {on = 1} /^# deck/ {on = 0} on && length > $1 {print; bad = 1} END {exit bad}"; }
 blocks() { check "$1 blocks" test "$(grep -c '^# *theta2 ' out)" -eq "$1"; }
 
-for deck in "$data"/*.deck "$decks"/gas-engine.deck "$decks"/pump.deck "$decks"/reach.deck; do
+for deck in "$alvi" "$matrix" "$data"/me3491-ex*.deck "$data"/khurmi-*.deck "$data"/oscillating-cylinder.deck "$decks"/gas-engine.deck \
+    "$decks"/pump.deck "$decks"/reach.deck; do
     for width in 80 120; do
         shows $width "$deck"
         fits $width
