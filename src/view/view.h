@@ -35,7 +35,7 @@ void view_take(view *v, fourlink_results *results);
 /* Take another design of the same deck, which has the same units. */
 void view_take_design(view *v, fourlink_results *results);
 
-/* The linkage that a synthesis has found, for the caller to free; null of other decks.  0 if out of memory. */
+/* The linkage that a synthesis has found, for the caller to free; null of another deck.  0: out of memory. */
 int view_find_solution(const fourlink_deck *deck, fourlink_solution **found);
 
 /* The extremes of the columns of the deck's table on a branch; valid until facts are asked for again. */
