@@ -4,7 +4,6 @@
 
 BEGIN {
     stop = ENVIRON["STOP_AT_FAILURE"]
-    last = wanted = rows = template = ""
 }
 
 /^  / && writing != "" {content = content substr($0, 3) "\n"; next}
@@ -29,7 +28,11 @@ writing != "" {end_file()}
 }
 /^= / {status = $2; status_given = 1; next}
 /^\{\} / {row[++rows] = substr($0, 3); row_place[rows] = FNR; next}
-/^[|!+-]( |$|[0-9*])/ {kind[++wanted] = substr($0, 1, 1); want[wanted] = kind[wanted] == "|" || /^.[0-9*]/ ? substr($0, 2) : " " substr($0, 3); next}
+/^[|!+-]( |$|[0-9*])/ {
+    kind[++wanted] = substr($0, 1, 1)
+    want[wanted] = /^.[0-9*]/ ? substr($0, 2) : " " substr($0, 3)
+    next
+}
 {fail(FNR, "no line of a block: " $0)}
 
 END {
@@ -85,7 +88,7 @@ function put(text, value,    at, all) {
     return all text
 }
 
-function run(command,    ended, i, j, n, at, found, any, times, results, n_out, n_err, n_wanted, text) {
+function run(command,    ended, i, j, n, at, found, any, times, results, n_out, n_err, text) {
     ended = system("{ " command "\n} >../out 2>../err </dev/null")
     for (n_out = 0; (getline out[n_out + 1] <"../out") > 0;) n_out++
     for (n_err = 0; (getline err[n_err + 1] <"../err") > 0;) n_err++
@@ -111,7 +114,8 @@ function run(command,    ended, i, j, n, at, found, any, times, results, n_out, 
             sub(/^[0-9*]* /, "", text)
             if (kind[i] == "!") {
                 for (j = 1; j <= n_err; j++) if (index(err[j], text)) {n++; err_wanted[j] = 1}
-                result(any || n == (times ? times : 1), n " messages have " text (n_err ? "; the first is " err[1] : ""))
+                result(any || n == (times ? times : 1),
+                       n " messages have " text (n_err ? "; the first is " err[1] : ""))
             } else {
                 for (j = 1; j <= n_out; j++) if (text == "" || index(out[j], text)) n++
                 results += kind[i] == "+"
