@@ -21,7 +21,7 @@ writing != "" {end_file()}
     next
 }
 /^\$ / {
-    if (status_given || wanted || rows) run_block()
+    if (status_given || wanted || rows || complete) run_block()
     if (script == "") {script = substr($0, 3); place = FNR}
     else script = script "\n" substr($0, 3)
     next
@@ -33,6 +33,7 @@ writing != "" {end_file()}
     want[wanted] = /^.[0-9*]/ ? substr($0, 2) : " " substr($0, 3)
     next
 }
+/^\.$/ {complete = 1; next}
 {fail(FNR, "no line of a block: " $0)}
 
 END {
@@ -54,7 +55,7 @@ function write_file(name, text) {
 
 # The block that has been read, once or for each of its rows.
 function run_block(    i, k, n, fixed, part, one, text) {
-    if (script == "" && (wanted || rows || status_given)) fail(FNR, "expectations without a command")
+    if (script == "" && (wanted || rows || status_given || complete)) fail(FNR, "expectations without a command")
     if (script != "") {
         fixed = wanted + 0
         if (!rows) run(script)
@@ -78,7 +79,7 @@ function run_block(    i, k, n, fixed, part, one, text) {
         }
     }
     script = ""
-    wanted = rows = status = status_given = 0
+    wanted = rows = status = status_given = complete = 0
 }
 function put(text, value,    at, all) {
     while ((at = index(text, "{}")) > 0) {
@@ -88,7 +89,7 @@ function put(text, value,    at, all) {
     return all text
 }
 
-function run(command,    ended, i, j, n, at, found, any, times, results, n_out, n_err, text) {
+function run(command,    ended, i, j, n, at, found, any, times, results, lines, n_out, n_err, text) {
     ended = system("{ " command "\n} >../out 2>../err </dev/null")
     for (n_out = 0; (getline out[n_out + 1] <"../out") > 0;) n_out++
     for (n_err = 0; (getline err[n_err + 1] <"../err") > 0;) n_err++
@@ -101,6 +102,7 @@ function run(command,    ended, i, j, n, at, found, any, times, results, n_out, 
         text = want[i]
         if (kind[i] == "|") {
             results++
+            lines++
             n = cut(substr(text, 2), pattern)
             found = 0
             for (j = at + 1; j <= n_out && !found; j++)
@@ -127,6 +129,7 @@ function run(command,    ended, i, j, n, at, found, any, times, results, n_out, 
         if (!err_wanted[j] && err[j] !~ /--help/) result(0, "a message that is not expected: " err[j])
         delete err_wanted[j]
     }
+    if (complete) result(n_out == lines, n_out " lines of results, " lines + 0 " are expected; the last is " out[n_out])
     if (status >= 2 && !results) result(!n_out, "results where none are expected: " out[1])
 }
 

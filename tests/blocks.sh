@@ -11,6 +11,7 @@
 #   = N            its exit status, 0 without this line
 #   | LINE         its results have this line, after the lines expected above it.  Blanks do not matter, `...` stands for
 #                  any words, a number agrees with all that it is when rounded to as many decimals
+#   .              its results have no other lines than those
 #   + TEXT         its results have this text somewhere;  +3 TEXT: in three lines
 #   - TEXT         its results do not have it;  - alone: there are no results
 #   ! TEXT         one of its messages has it;  !2 TEXT: two;  !* TEXT: any number
