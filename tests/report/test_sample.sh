@@ -9,7 +9,7 @@ needs python3 python3
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 
-[ "${3-}" ] && angles='10 95 200 275 359' branches='open crossed' || angles=275 branches=crossed
+[ "${3-}" ] && angles='10 200 359' branches='open crossed' || angles=275 branches=crossed
 # sample DECK ARGUMENT...: the report r-NUMBER.html, of all that sample.py checks
 n=0
 sample() {
