@@ -143,7 +143,7 @@ static void put_section(section_code section, section_code last)
 
     if (model != SECTION_COUNT)
         put_difference(section, model, difference);
-    if (last != SECTION_COUNT && model_of(last) == model)
+    if (model != SECTION_COUNT && last != SECTION_COUNT && model_of(last) == model)
         put_difference(last, model, before);
     is_same = model != SECTION_COUNT && strcmp(before, difference) == 0;
     if (section != SECTION_TOP)
