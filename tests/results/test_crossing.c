@@ -14,7 +14,7 @@
     "uniform = yes\n"
 #define SPEED "[motion]\nspeed = 10 rad/s\ninterval = 10 deg\n"
 #define MOST 100
-#define SCAN 18000
+#define SCAN 36000
 
 static fourlink_results *opened(const char *deck)
 {
