@@ -36,7 +36,7 @@ trial() { # COMMAND...
     "$@" || status=1
     count $status "$*"
 }
-trial env FOURLINK=native/build/fourlink sh "$source/tests/random_trial.sh" native/build/random_decks machines 300 \
+trial sh "$source/tests/random_trial.sh" native/build/random_decks machines 300 \
     sh "$source/tests/python.sh" "$source/tests/tables/people.py" native/build/fourlink
 trial native/build/brute_extremes 300
 trial native/build/brute_extremes 100 1000

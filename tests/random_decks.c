@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** random_decks.c - writes random decks into a folder, each from its own number; the same on every machine.
+** random_decks.c - writes random decks into a folder, each from its own number; the same of each compiler.
 **
 **    random_decks SORT N FOLDER [FIRST]
 **

@@ -18,6 +18,13 @@ static const char *const machine_links[][3] = {{"crank", "coupler", "rocker"},
                                                {"crank", "slider", "lever"},
                                                {"crank", "slider", "yoke"}};
 
+/* Every fourth machine is a Scotch yoke, the others are of the other kinds in turn. */
+static void choose_machine(long number)
+{
+    length = 0;
+    machine = number % 4 == 3 ? YOKE : (int)(number % 3);
+}
+
 static double power_of_ten(double low, double high)
 {
     return pow(10, between(low, high));
@@ -162,8 +169,7 @@ static void make_any_machine(long number)
 {
     int loads, i;
 
-    length = 0;
-    machine = number % 4 == 3 ? YOKE : (int)(number % 3);
+    choose_machine(number);
     write_machine();
     loads = one_of(3);
     for (i = 0; i < loads; i++) {
@@ -376,8 +382,7 @@ static void make_driven_machine(long number)
 {
     double from;
 
-    length = 0;
-    machine = number % 4 == 3 ? YOKE : (int)(number % 3);
+    choose_machine(number);
     sense = seldom(0.3) ? -1 : 1;
     mode = one_of(3);
     typical_speed = power_of_ten(0.6, 2.1);

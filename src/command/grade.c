@@ -139,7 +139,7 @@ int grade_tell_unclaimed(const grade_answers *a, const options *o)
     char *names;
     size_t i;
 
-    if (!a->folder || a->n_files || o->n_decks < 2)
+    if (!a->folder || a->n_files)
         return 0;
     stems = malloc((o->n_decks + 1) * sizeof *stems);
     names = malloc(o->n_decks * STEM);

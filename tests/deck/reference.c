@@ -141,10 +141,11 @@ static void put_section(section_code section, section_code last)
         has_name = section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT;
     key_code k, end = flk_first_key(section + 1);
 
-    if (model != SECTION_COUNT)
+    if (model != SECTION_COUNT) {
         put_difference(section, model, difference);
-    if (model != SECTION_COUNT && last != SECTION_COUNT && model_of(last) == model)
-        put_difference(last, model, before);
+        if (model_of(last) == model)
+            put_difference(last, model, before);
+    }
     is_same = model != SECTION_COUNT && strcmp(before, difference) == 0;
     if (section != SECTION_TOP)
         printf("%s[%s%s]", is_same ? "" : "\n", flk_section_table[section].name,

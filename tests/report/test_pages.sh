@@ -7,27 +7,29 @@ page=$(dirname "$decks")/report/page.py
 fourbar=$decks/coupler-point.deck
 needs python3 python3
 
+# page_is_sound [DECK [CSV]]: the report r.html is, and has that deck and those rows
+page_is_sound() {
+    python3 -B "$page" r.html "$@" >wrong 2>&1
+    check "${1-no deck}: $(tail -n 5 wrong)" test ! -s wrong
+}
 # sound STATUS DECK [OPTION...]: the report of a deck
 sound() {
     status=$1
     deck=$2
     shift 2
     run "$status" --report=r.html "$@" "$deck"
-    python3 -B "$page" r.html "$deck" >wrong 2>&1
-    check "$deck: $(tail -n 5 wrong)" test ! -s wrong
+    page_is_sound "$deck"
 }
 sound 0 "$fourbar"
 run 0 --report=r.html --format=csv "$fourbar"
-python3 -B "$page" r.html "$fourbar" out >wrong 2>&1
-check "with its csv: $(tail -n 5 wrong)" test ! -s wrong
+page_is_sound "$fourbar" out
 sound 0 "$fourbar" -b open --set='motion.speed=7 rad/s'
 sound 0 "$decks/engine.deck"
 sound 0 "$decks/expectations.deck"
 sound 2 "$decks/mistakes.deck"
 sound 1 "$decks/reach.deck"
 run 1 --report=r.html "$data/me3491-exercise-1.deck" --set='motion.from=150 deg' --set='motion.to=200 deg'
-python3 -B "$page" r.html >wrong 2>&1
-check "without a position: $(tail -n 5 wrong)" test ! -s wrong
+page_is_sound # without a position
 # titles and names do no harm; what is not UTF-8
 sed "s|^title.*|title = </title><script>alert('1')</script> \"q\" \&amp; <!-- ]]> \\\\ %s|" "$fourbar" >"a'b\"<&>]]>.deck"
 sound 0 "a'b\"<&>]]>.deck"
