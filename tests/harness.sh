@@ -11,6 +11,7 @@ data=$(cd "$data" && pwd)
 alvi=$data/alvi-5.1.deck
 matrix=$data/me3491-matrix.deck
 decks=$(cd "$(dirname "$0")/../decks" && pwd)
+pictures=$decks/../pictures
 . "$decks/../needs.sh"
 work=$(mktemp -d) || exit 1
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
@@ -74,11 +75,11 @@ finish() {
     exit
 }
 
-# listed STATUS LISTING ARGUMENT...: a picture with these options; LISTING is what it shows, by listing.py
+# listed STATUS LISTING ARGUMENT...: a picture with these options; LISTING is what it shows, by listing.awk
 listed() {
     listed_status=$1 listing=$2
     shift 2
     rm -f listed.svg "$listing"
     run "$listed_status" --plot=listed.svg "$@"
-    [ ! -s listed.svg ] || python3 -ISB "$(dirname "$decks")/pictures/listing.py" listed.svg >"$listing"
+    [ ! -s listed.svg ] || LC_ALL=C awk -v even=1 -f "$pictures/svg.awk" -f "$pictures/listing.awk" listed.svg >"$listing"
 }

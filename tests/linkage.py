@@ -13,10 +13,9 @@ import os
 import re
 import subprocess
 import sys
+import xml.etree.ElementTree as xml
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'pictures'))
-from listing import listing as listing_of  # noqa: E402
-
+PICTURES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'pictures')
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank', 'scotch-yoke')
 NAMES = {'four-bar': ('ground', 'crank', 'coupler', 'rocker'), 'slider-crank': ('ground', 'crank', 'rod', 'piston'),
@@ -90,12 +89,16 @@ class Program:
         return done.stdout
 
     def listing(self, deck, kind, *arguments):
-        """The listing of a picture (listing.py); '' if there is none."""
+        """The listing of a picture (listing.awk); '' if there is none."""
         name = os.path.join(self.folder, 'picture.svg')
         if os.path.exists(name):
             os.remove(name)
         self.run('--plot=' + name, '--plot-kind=' + kind, *arguments, deck.path)
-        return listing_of(name) if os.path.exists(name) else ''
+        if not os.path.exists(name):
+            return ''
+        xml.parse(name)  # it is well-formed
+        scripts = [word for script in ('svg', 'listing') for word in ('-f', os.path.join(PICTURES, script + '.awk'))]
+        return subprocess.run(['awk'] + scripts + [name], env=self.environment, stdout=subprocess.PIPE, check=True, encoding='utf-8').stdout
 
 
 class Row:

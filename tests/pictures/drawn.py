@@ -2,7 +2,7 @@
 #
 # drawn.py FOURLINK FOLDER... - the mechanics of what is drawn: of each deck, on both branches, at a dozen crank angles.
 #
-# It reads the pictures `mechanism`, `vectors` and `klein` (listing.py).  Places come from lengths and crank
+# It reads the pictures `mechanism`, `vectors` and `klein` (listing.awk).  Places come from lengths and crank
 # angle (linkage.py), forces from the table; what is drawn has to agree with them, polygons to close, and each free body
 # to be in equilibrium.
 import cmath

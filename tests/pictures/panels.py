@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# panels.py - reads the listing of a picture (listing.py): what it draws, panel by panel.  Places are complex numbers.
+# panels.py - reads the listing of a picture (listing.awk): what it draws, panel by panel.  Places are complex numbers.
 import re
 
 NUMBER = r'([-+0-9.eE]+)'

@@ -37,7 +37,6 @@ near() { # near WHAT X Y TOLERANCE, relative to Y
 
 # --------------------------------------------------------------------------------------- pictures
 
-needs_python() { needs python3 python3; } # its parser of XML
 # pictures_of DECK KIND...: such pictures, under the names that test_kinds.sh gives them
 pictures_of() {
     deck=$1
@@ -52,13 +51,10 @@ long_title() {
     awk 'BEGIN {for (i = 0; i < 60; i++) s = s "äé"; print "title = " s s s s}'
     sed '/^title/d' "$fourbar"
 }
-well_formed() {
-    python3 -IS -c 'import sys, xml.parsers.expat as x; x.ParserCreate().ParseFile(open(sys.argv[1], "rb"))' "$1"
-}
 svg() { # svg FILE: a whole picture
     check "$1: the head of an SVG file" test "$(head -c 5 "$1")" = '<svg '
     check "$1: ends in </svg>" test "$(tail -n 1 "$1")" = '</svg>'
-    check "$1: well-formed" well_formed "$1"
+    check "$1: well-formed" "$(dirname "$fourlink")/well_formed" "$1"
 }
 # words FILE: its texts, one a line, without the escapes of XML
 words() {

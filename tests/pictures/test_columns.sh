@@ -3,8 +3,6 @@
 #
 # test_columns.sh FOURLINK DATA - any columns as curves: over the crank angle, over time, over another column.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3 # listing.py
-
 # columns ARGUMENT...: the listing x.list
 columns() { listed 0 x.list --plot-kind=columns "$@"; }
 # block NAME: the lines of a block of data in x.list

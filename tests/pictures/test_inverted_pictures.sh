@@ -3,8 +3,6 @@
 #
 # test_inverted_pictures.sh FOURLINK DATA - pictures of an oscillating cylinder.
 . "$(dirname "$0")/pictures.sh"
-needs_python
-
 cp "$data/oscillating-cylinder.deck" cylinder.deck
 for kind in mechanism motion vectors; do
     run 0 -b open --plot-kind=$kind --plot=picture.svg cylinder.deck

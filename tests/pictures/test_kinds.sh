@@ -4,8 +4,6 @@
 # test_kinds.sh FOURLINK DATA - each kind of picture, of both mechanisms, and each kind of file.
 . "$(dirname "$0")/pictures.sh"
 
-needs_python
-
 # --- each kind, of both mechanisms
 for deck in "$fourbar" "$engine"; do
     base=$(basename "$deck" .deck)

@@ -3,8 +3,6 @@
 #
 # test_klein.sh FOURLINK DATA - what stands beside Klein's construction; drawn.py has its points.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3 # listing.py
-
 # of places that two drawings have
 rounded() { awk -F '\t' -v OFS='\t' '{split($3, p, " "); $3 = sprintf("%.1f %.1f %.1f %.1f", p[1], p[2], p[3], p[4]); gsub(/-0\.0/, "0.0", $3); print}'; }
 

@@ -1,11 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_look.sh FOURLINK DATA - lines in grey, by look.py; the default position of decks with loads; names and units.
+# test_look.sh FOURLINK DATA - lines in grey, by look.awk; the default position of decks with loads; names and units.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3
-
-look() { python3 -B "$(dirname "$decks")/pictures/look.py" "$1" 2>&1; }
+look() { awk -f "$pictures/look.awk" "$1" 2>&1; }
 run 0 --plot=x.svg "$fourbar"
 check "colours: $(look x.svg | head -n 3)" test -z "$(look x.svg)"
 # it can fail

@@ -3,8 +3,6 @@
 #
 # test_motor_pictures.sh FOURLINK DATA - all kinds of pictures of a machine with a motor.
 . "$(dirname "$0")/pictures.sh"
-needs_python
-
 pump=$data/../doc/motor-pump.deck
 steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'
 for kind in $kinds speed; do

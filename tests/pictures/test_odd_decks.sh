@@ -4,8 +4,6 @@
 # test_odd_decks.sh FOURLINK DATA - pictures of decks that are at a limit: no number of theirs is none.
 . "$(dirname "$0")/pictures.sh"
 
-needs_python
-
 all='mechanism motion forces turning-moment polar vectors limits klein'
 # odd NAME KINDS ARGUMENT...: each kind draws, or says why not
 odd() {

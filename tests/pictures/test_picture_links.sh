@@ -3,7 +3,6 @@
 #
 # test_picture_links.sh FOURLINK DATA - a picture that is replaced: links, rights, what a failure leaves.
 . "$(dirname "$0")/pictures.sh"
-needs_python
 pictures_of "$fourbar" mechanism
 
 # --- files: a link stays one, rights stay, nothing is left beside

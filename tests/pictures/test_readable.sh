@@ -4,13 +4,12 @@
 # test_readable.sh FOURLINK DATA - texts within the picture, and none on another.
 . "$(dirname "$0")/pictures.sh"
 
-needs_python
 for deck in "$fourbar" "$engine"; do
     pictures_of "$deck" motion forces turning-moment polar vectors mechanism
 done
 
 # faults inside|apart|both SVG: the texts beyond the edge of the picture, or on another
-faults() { python3 -B "$(dirname "$decks")/pictures/readable.py" "$@" 2>&1; }
+faults() { LC_ALL=C awk -v question="$1" -f "$pictures/svg.awk" -f "$pictures/readable.awk" "$2" 2>&1; }
 sound() {
     found=$(faults "$1" "$2" | head -n 3)
     check "$2: $found" test -z "$found"

@@ -4,8 +4,6 @@
 # test_scales.sh FOURLINK DATA - ranges of the axes, of an animation, an instant, a dead position; numbers at
 # extremes.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3 # listing.py
-
 # --- an animation has one scale
 for deck in "$fourbar" "$engine" "$data/me3491-example-1.deck"; do
     listed 0 x.list --plot-kind=animation "$deck"

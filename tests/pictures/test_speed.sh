@@ -4,7 +4,6 @@
 # test_speed.sh FOURLINK DATA - pictures of machines with a motor: the speed with its mean, torques over the speed,
 # energy; the other kinds at the actual speed.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3 # listing.py
 pump=$data/../doc/motor-pump.deck
 steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'
 

@@ -3,8 +3,6 @@
 #
 # test_sweep_pictures.sh FOURLINK DATA - curves of a sweep.
 . "$(dirname "$0")/../command/sweeps.sh"
-needs python3 python3
-
 sweep 'crank.length = 10 mm to 30 mm step 10 mm' 'coupler.length = 60 mm to 64 mm step 2 mm' 'output = swing'
 for ending in svg txt; do
     run 0 --plot=p.$ending --plot-kind=columns t.deck

@@ -3,8 +3,6 @@
 #
 # test_sweeps.sh FOURLINK DATA - pictures of a sweep: outputs over the quantity that it varies.
 . "$(dirname "$0")/../command/sweeps.sh"
-needs python3 python3 # listing.py
-
 # block NAME: the lines of a block of data in the listing t.list
 block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" t.list | sed '1d;$d'; }
 

@@ -5,8 +5,6 @@
 # names of all axes.
 . "$(dirname "$0")/pictures.sh"
 
-needs_python
-
 for deck in "$fourbar" "$engine"; do
     for kind in mechanism motion forces turning-moment polar vectors; do
         run 0 --plot=x.txt --plot-kind=$kind "$deck"

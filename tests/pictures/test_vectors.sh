@@ -4,8 +4,6 @@
 # test_vectors.sh FOURLINK DATA - tics and scales of polygons and free bodies, zeros, springs; drawn.py has their
 # mechanics.
 . "$(dirname "$0")/pictures.sh"
-needs python3 python3 # listing.py
-
 # --- each panel has two tics on each axis, and free bodies have a scale of forces
 tics() { # tics SCRIPT: of each panel that is a drawing
     awk 'function few(low, high, step,  n) {n = int(high / step + 1e6) - int(low / step + 1e6); return n < 2}

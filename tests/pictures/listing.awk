@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# listing.awk [-v even=1] SVG - what a picture shows, a line for each item, in the units of its axes; for tests that read
+# lines.  `even`: curves over a quantity that only grows, or falls, at even steps.  It needs svg.awk.
+#
+#     set arrow from X,Y to U,V head|nohead ls LOOK       a line of a drawing; LOOK: its number in view/look.h
+#     set arrow from X,graph 0 to X,graph 1 nohead ls 9   one from the bottom of a diagram to its top
+#     set object circle at X,Y size R front fc rgb 'white'|'black' ...; a centre of mass has four arcs
+#     set label "WORDS" at X,Y left|center|right front    a text at a place; of a curve's number with tc lt CURVE
+#     set label "WORDS" at graph 1.02, graph 1 offset 0,-LINE left    a text beside the axes
+#     set label "" at X,Y point pt 7|6 ps SIZE            a mark of a curve, black or open
+#     $NAME << EOD, X Y, EOD                              a curve, with blank lines in its gaps
+#     plot $NAME using 1:2 with lines ls|lt N title "WORDS", ...      what the curves of a panel are, at its end
+BEGIN {
+    LOOKS = split("ground crank coupler follower path ghost force load construction result other leader sense", looks, " ")
+    for (i = 1; i <= LOOKS; i++)
+        number_of[looks[i]] = i
+    STEPS = 720 # of a motion
+    STILL = 60  # frames of a picture that moves
+}
+
+function quoted(words) {
+    gsub(/\\/, "\\134", words)
+    gsub(/"/, "\\042", words)
+    gsub(/`/, "\\140", words)
+    return "\"" words "\""
+}
+
+# The places of a path: kind, M or L, px and py; how many.
+function read_places(path, part, xy, n, i, k) {
+    gsub(/[ML]/, " &", path)
+    n = split(path, part, " ")
+    for (i = 1; i <= n; i++)
+        if (part[i] ~ /^[ML]/) {
+            split(substr(part[i], 2), xy, ",")
+            kind[++k] = substr(part[i], 1, 1)
+            px[k] = xy[1] + 0
+            py[k] = xy[2] + 0
+        }
+    return k + 0
+}
+
+# ---------------------------------------------------------------------------------------------- panel
+
+function x_of(pixels) {
+    return x0 + (pixels - left) / width * (x1 - x0)
+}
+function y_of(pixels) {
+    return y1 - (pixels - top) / height * (y1 - y0)
+}
+function at(x, y) { # without -0
+    x = x_of(x)
+    y = y_of(y)
+    return sprintf("%.9g,%.9g", x == 0 ? 0 : x, y == 0 ? 0 : y)
+}
+
+# ls or lt and the number of a look
+function style_of(look) {
+    if (look in number_of)
+        return "ls " number_of[look]
+    if (look ~ /^path/)
+        return "ls " LOOKS + substr(look, 5) - 1
+    gsub(/[a-z]/, "", look)
+    return "lt " look
+}
+
+function put_text(tag, line, class, name, words, x, y, anchor, colour) {
+    words = words_of(line)
+    x = attribute(tag, "x")
+    y = attribute(tag, "y") - 5
+    if (name == "title" || name == "x" || name == "y")
+        titles[name] = words
+    else if (name == "x-number" || name == "y-number") {
+        axis = substr(name, 1, 1)
+        if (++numbers[axis] <= 2)
+            tic[axis, numbers[axis]] = words
+    } else if (name == "note") {
+        noted[++notes] = words
+        note_line[notes] = int((y - top) / 18 + 0.5)
+    } else if (name == "key") {
+        put_key(sample, words)
+    } else {
+        anchor = attribute(tag, "text-anchor")
+        colour = match(class, /h-curve[0-9]+/) ? " tc lt " substr(class, RSTART + 7, RLENGTH - 7) : class ~ /halo/ ? " boxed" : ""
+        print "set label " quoted(words) " at " at(x, y) " " \
+            (anchor == "" ? "left" : anchor == "end" ? "right" : "center") " front" colour
+    }
+}
+
+function put_key(look, words) {
+    if (!(look in key))
+        keys[++n_keys] = look
+    key[look] = words
+}
+
+function put_circle(tag, class, name, x, y, r, size, k) {
+    x = attribute(tag, "cx")
+    y = attribute(tag, "cy")
+    r = attribute(tag, "r") + 0
+    size = sprintf("%.9g", r / width * (x1 > x0 ? x1 - x0 : x0 - x1))
+    if (name == "key")
+        sample = "mark"
+    else if (class ~ /mark/)
+        print "set label \"\" at " at(x, y) " point pt " (class ~ /open/ ? 6 : 7) " ps " \
+            sprintf("%.2g", r == 5 ? 1.2 : r / 5) " lc rgb 'black' front"
+    else if (class ~ /centre/)
+        for (k = 0; k < 4; k++)
+            put_disc(x, y, size, " arc [" 90 * k ":" 90 * k + 90 "]", k % 2, "")
+    else
+        put_disc(x, y, size, "", class ~ /open/, " lw 1.5")
+}
+
+function put_disc(x, y, size, arc, is_white, rest) {
+    print "set object circle at " at(x, y) " size " size arc " front fc rgb '" (is_white ? "white" : "black") \
+        "' fs solid border lc rgb 'black'" rest
+}
+
+# A line of a drawing; `head`: the path of its arrow's head, or "".
+function put_line(path, look, head, tip, n, k, is_upright) {
+    if (head != "") {
+        read_places(head)
+        tip = px[1]
+        tip_y = py[1]
+    }
+    n = read_places(path)
+    if (head != "") {
+        px[n] = tip
+        py[n] = tip_y
+    }
+    for (k = 1; k < n; k++) {
+        is_upright = px[k] == px[k + 1] && look == "construction" && \
+            (is_about(py[k], top) && is_about(py[k + 1], top + height) || is_about(py[k + 1], top) && is_about(py[k], top + height))
+        if (is_upright)
+            printf "set arrow from %.6g,graph 0 to %.6g,graph 1 nohead %s\n", x_of(px[k]), x_of(px[k]), style_of(look)
+        else
+            print "set arrow from " at(px[k], py[k]) " to " at(px[k + 1], py[k + 1]) " " \
+                (head != "" && k == n - 1 ? "head filled " : "nohead ") style_of(look)
+    }
+}
+
+function is_about(x, y) {
+    return x - y < 0.005 && y - x < 0.005
+}
+
+# --------------------------------------------------------------------------------------------- curves
+
+# Keep a curve as a block of lines.
+function keep_curve(path, look, name, n, i) {
+    n = read_places(path)
+    for (i = 1; i <= n; i++) {
+        px[i] = x_of(px[i])
+        py[i] = y_of(py[i])
+    }
+    gsub(/[[:punct:] ]|…/, "_", name)
+    block[++curves] = name
+    pen[curves] = look
+    rows[curves] = even && is_function(n) ? even_rows(n) : own_rows(n)
+}
+
+# 1 if x only grows, or falls, along a curve of some length.
+function is_function(n, i, is_rising) {
+    is_rising = px[n] > px[1]
+    for (i = 2; i <= n; i++)
+        if (kind[i] == "L" && px[i] == px[i - 1] || px[i] != px[i - 1] && (px[i] > px[i - 1]) != is_rising)
+            return 0
+    return n >= 20
+}
+
+function own_rows(n, i, lines) {
+    for (i = 1; i <= n; i++)
+        lines = lines (i == 1 ? "" : kind[i] == "M" ? "\n\n" : "\n") sprintf("%.9g %.9g", px[i], py[i])
+    return lines
+}
+
+function even_rows(n, from, to, k, i, x, low, high, slack, is_rising, lines, piece) {
+    is_rising = px[n] > px[1]
+    slack = 1e-9 * (px[n] < 0 ? -px[n] : px[n])
+    for (from = 1; from <= n; from = to + 1) {
+        for (to = from; to < n && kind[to + 1] == "L"; to++)
+            ;
+        low = (is_rising ? px[from] : px[to]) - slack
+        high = (is_rising ? px[to] : px[from]) + slack
+        piece = ""
+        k = from
+        for (i = 0; i <= STEPS; i++) {
+            x = px[1] + (px[n] - px[1]) * i / STEPS
+            if (x < low || x > high)
+                continue
+            while (k < to - 1 && x != px[k + 1] && (x > px[k + 1]) == is_rising)
+                k++
+            piece = piece (piece == "" ? "" : "\n") \
+                sprintf("%.9g %.9g", x, py[k] + (x - px[k]) / (px[k + 1] - px[k]) * (py[k + 1] - py[k]))
+        }
+        if (piece != "")
+            lines = lines (lines == "" ? "" : "\n\n") piece
+    }
+    return lines
+}
+
+# -------------------------------------------------------------------------------------------- listing
+
+# A panel from its elements; of a picture that moves with the values of this frame.
+function put_panel(frame, i, tag, class, look, name) {
+    print "unset arrow; unset label; unset object"
+    n_keys = notes = curves = 0
+    split("", key)
+    split("", titles)
+    split("", numbers)
+    sample = "None"
+    for (i = 1; i <= elements; i++) {
+        tag = tag_of(i, frame)
+        class = attribute(tag, "class")
+        look = class
+        sub(/ .*/, "", look)
+        name = attribute(tag, "data-name")
+        if (tag ~ /^<text/)
+            put_text(tag, element[i], class, name)
+        else if (tag ~ /^<circle/) {
+            put_circle(tag, class, name)
+            i += class ~ /centre/ # its black quarters
+        } else if (name == "key")
+            sample = look
+        else if (look !~ /^(grid|axis|above|below)$/ && name != "")
+            keep_curve(attribute(tag, "d"), look, name)
+        else if (look !~ /^(grid|axis|above|below)$/ && i < elements && attribute(element[i + 1], "class") == "h-" look) {
+            put_line(attribute(tag, "d"), look, attribute(tag_of(i + 1, frame), "d"))
+            i++
+        } else if (look !~ /^(grid|axis|above|below)$/)
+            put_line(attribute(tag, "d"), look, "")
+    }
+    put_axes()
+    put_curves()
+}
+
+# The tag of an element, with its values in this frame.
+function tag_of(i, frame, tag, part, n, k, values) {
+    n = split(element[i], part, "<animate ")
+    tag = substr(part[1], 1, index(part[1], ">"))
+    for (k = 2; k <= n; k++) {
+        split(attribute(" " part[k], "values"), values, ";")
+        tag = tag " " attribute(" " part[k], "attributeName") "=\"" values[frame] "\""
+    }
+    return tag
+}
+
+function put_axes(i) {
+    for (i = 1; i <= notes; i++)
+        print "set label " quoted(noted[i]) " at graph 1.02, graph 1 offset 0," (-note_line[i]) " left noenhanced"
+    printf "set lmargin at screen %.6g; set rmargin at screen %.6g\n", left / picture_width, (left + width) / picture_width
+    printf "set tmargin at screen %.6g; set bmargin at screen %.6g\n", 1 - top / picture_height, 1 - (top + height) / picture_height
+    printf "set format '%%g'; set xtics %.7g; set ytics %.7g\n", step("x"), step("y")
+    printf "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", x0, x1, y0, y1
+    if ("title" in titles)
+        print "set title " quoted(titles["title"]) " offset 0,0"
+    if ("x" in titles)
+        print "set xlabel " quoted(titles["x"])
+    if ("y" in titles)
+        print "set ylabel " quoted(titles["y"])
+}
+
+# The step of the numbers of an axis; 0 if there is but one.
+function step(axis) {
+    return numbers[axis] > 1 ? tic[axis, 2] - tic[axis, 1] : 0
+}
+
+function put_curves(i, rest, part, words, look) {
+    for (i = 1; i <= curves; i++) {
+        if (block[i] == "mean_line") {
+            split(rows[i], part, "[ \n]")
+            print "mean = " part[2]
+        }
+        print "$" block[i] " << EOD\n" rows[i] "\nEOD"
+    }
+    rest = "plot "
+    for (i = 1; i <= curves; i++) {
+        words = words "$" block[i] " using 1:2 with lines " style_of(pen[i]) " title " quoted(key[pen[i]]) ", "
+        delete key[pen[i]]
+    }
+    for (i = 1; i <= n_keys; i++) {
+        look = keys[i]
+        if (look in key)
+            words = words "NaN with " (look == "mark" ? "points" : look == "above" || look == "below" ? "area" : "lines " style_of(look)) \
+                " title " quoted(key[look]) ", "
+    }
+    print "plot " (words == "" ? "NaN notitle" : substr(words, 1, length(words) - 2))
+}
+
+/^<svg / {
+    picture_width = attribute($0, "width")
+    picture_height = attribute($0, "height")
+    printf "set terminal svg size %d,%d \n", picture_width, picture_height
+}
+/^<g class="panel"/ {
+    if (heads == 2 && !panels++)
+        print "title = " head[1] "\nsource = " head[2]
+    is_inside = 1
+    elements = is_framed = frames = 0
+    gsub(/,/, " ")
+    split(attribute($0, "data-box"), box, " ")
+    split(attribute($0, "data-axes"), axes, " ")
+    left = box[1]; top = box[2]; width = box[3]; height = box[4]
+    x0 = axes[1]; x1 = axes[2]; y0 = axes[3]; y1 = axes[4]
+    next
+}
+/^<g / { # frames, shown one after the other
+    is_framed = is_in_frame = 1
+    elements = 0
+    next
+}
+/^<\/g>/ {
+    if (is_in_frame || !is_framed && !frames)
+        put_panel(1)
+    for (i = 1; !is_framed && i <= frames - (frames > STILL); i++) # of a motion that repeats the last is the first
+        put_panel(i)
+    if (!is_in_frame)
+        is_inside = 0
+    is_in_frame = 0
+    next
+}
+is_inside {
+    element[++elements] = $0
+    if (index($0, "<animate "))
+        frames = split(attribute(substr($0, index($0, "<animate ")), "values"), values, ";")
+    next
+}
+/^<text/ { head[++heads] = quoted(words_of($0)) }
