@@ -7,6 +7,7 @@ set -u
 fourlink=$1
 data=$2
 case $fourlink in /*) ;; *) fourlink=$PWD/$fourlink ;; esac
+programs=$(dirname "$fourlink") # of the tests, which are built beside it
 data=$(cd "$data" && pwd)
 alvi=$data/alvi-5.1.deck
 matrix=$data/me3491-matrix.deck

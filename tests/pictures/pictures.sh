@@ -54,7 +54,7 @@ long_title() {
 svg() { # svg FILE: a whole picture
     check "$1: the head of an SVG file" test "$(head -c 5 "$1")" = '<svg '
     check "$1: ends in </svg>" test "$(tail -n 1 "$1")" = '</svg>'
-    check "$1: well-formed" "$(dirname "$fourlink")/well_formed" "$1"
+    check "$1: well-formed" "$programs/well_formed" "$1"
 }
 # words FILE: its texts, one a line, without the escapes of XML
 words() {

@@ -1,15 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_pages.sh FOURLINK DATA - pages of reports are sound: XML, with the deck as it is and the rows of the csv, by page.py.
+# test_pages.sh FOURLINK DATA - pages of reports are sound: XML, with the deck as it is and the rows of the csv, by page.c.
 . "$(dirname "$0")/../harness.sh"
-page=$(dirname "$decks")/report/page.py
 fourbar=$decks/coupler-point.deck
-needs python3 python3
 
 # page_is_sound [DECK [CSV]]: the report r.html is, and has that deck and those rows
 page_is_sound() {
-    python3 -B "$page" r.html "$@" >wrong 2>&1
+    "$programs/page" r.html "$@" >wrong 2>&1
     check "${1-no deck}: $(tail -n 5 wrong)" test ! -s wrong
 }
 # sound STATUS DECK [OPTION...]: the report of a deck

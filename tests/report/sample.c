@@ -1,0 +1,525 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sample.c REPORT... [NAME=VALUE...] - checks the sample calculations of reports: evaluates every equation from the numbers
+** that are printed in it, and compares it with the printed result.
+**
+** A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of
+** a degree).  An equation agrees if the difference can come from that.  With NAME=VALUE, the result NAME has
+** that value, within a unit of the last digit.  Prints what is wrong, and how many samples were checked.
+*/
+#include <math.h>
+#include <stdarg.h>
+
+#include "xml.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+#define MINUS "\342\210\222"
+#define MOST 400 /* numbers of an equation, results of a sample */
+
+static const char *report;
+static int n_wrong;
+
+static void wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+static void wrong(const char *format, ...)
+{
+    va_list rest;
+
+    va_start(rest, format);
+    printf("%s: ", report);
+    vprintf(format, rest);
+    printf("\n");
+    va_end(rest);
+    n_wrong++;
+}
+
+static double half_unit(double x)
+{
+    return x != 0 ? 0.5 * pow(10, floor(log10(fabs(x))) - 5) : 0;
+}
+
+/* ---------------------------------------------------------------------------------- an equation as a text */
+
+/* "#2*cos(#3)=#4": numbers are #0, #1 ... */
+typedef struct {
+    char text[8000];
+    double value[MOST], error[MOST];
+    int n;
+} equation;
+
+static void put(equation *e, const char *words)
+{
+    if (strlen(e->text) + strlen(words) >= sizeof e->text)
+        abort();
+    strcat(e->text, words);
+}
+
+static void put_number(equation *e, const char *words)
+{
+    char name[20];
+    int is_angle = strstr(words, "\302\260") != NULL;
+    double x = strtod(words, NULL);
+
+    if (e->n == MOST)
+        abort();
+    sprintf(name, "#%d", e->n);
+    put(e, name);
+    e->value[e->n] = is_angle ? x * DEGREE : x;
+    e->error[e->n++] = is_angle ? 0.5e-4 * DEGREE : half_unit(x);
+}
+
+static int is_named(const xml_node *x, const char *name)
+{
+    return x && strcmp(x->name, name) == 0;
+}
+
+static const char *words_of(const xml_node *x, char words[200])
+{
+    return x ? xml_words(x, words, 200) : "";
+}
+
+static int has_words(const xml_node *x, const char *expected)
+{
+    char words[200];
+
+    return strcmp(words_of(x, words), expected) == 0;
+}
+
+#define APPLIED "\342\201\241" /* the invisible operator between a function and its argument */
+
+static void put_operator(equation *e, const xml_node *x)
+{
+    static const char *const known[][2] = {
+        {"/", "/"}, {MINUS, "-"}, {"+", "+"}, {"\302\267", "*"}, {"(", "("},
+        {")", ")"}, {",", ","},   {"=", "="}, {APPLIED, ""},     {"\342\201\242", "*"}};
+    size_t i;
+
+    for (i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (has_words(x, known[i][0])) {
+            put(e, known[i][1]);
+            return;
+        }
+    wrong("an unknown operator");
+}
+
+static void put_row(equation *e, const xml_node *x);
+
+static void put_element(equation *e, const xml_node *x)
+{
+    char words[200];
+
+    if (is_named(x, "mn")) {
+        put_number(e, words_of(x, words));
+    } else if (is_named(x, "mo")) {
+        put_operator(e, x);
+    } else if (is_named(x, "mrow") || is_named(x, "msqrt")) {
+        put(e, is_named(x, "mrow") ? "(" : "sqrt(");
+        put_row(e, x->first);
+        put(e, ")");
+    } else if (is_named(x, "mfrac")) {
+        put(e, "(");
+        put_element(e, x->first);
+        put(e, "/");
+        put_element(e, x->last);
+        put(e, ")");
+    } else if (is_named(x, "msup") && has_words(x->first, "10") && !has_words(x->last, "2")) {
+        int is_negative = strncmp(words_of(x->last, words), MINUS, strlen(MINUS)) == 0;
+        char power[60];
+
+        sprintf(power, "1e%s%.20s", is_negative ? "-" : "",
+                words + (is_negative ? strlen(MINUS) : 0));
+        put(e, power);
+    } else if (is_named(x, "msup")) {
+        put_element(e, x->first);
+        put(e, "^"); /* a square */
+    } else {
+        wrong("unexpected %s", x->name);
+    }
+}
+
+/* x and what follows it. */
+static void put_row(equation *e, const xml_node *x)
+{
+    static const char *const functions[][2] = {
+        {"sin", "sin"}, {"cos", "cos"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"atan2", "atan2"}};
+
+    for (; x; x = x->next) {
+        size_t i = 0;
+
+        if (is_named(x, "mspace") || is_named(x, "mtext"))
+            continue;
+        while (is_named(x, "mi") && i < sizeof functions / sizeof functions[0] &&
+               !has_words(x, functions[i][0]))
+            i++;
+        if (!is_named(x, "mi") || i == sizeof functions / sizeof functions[0]) {
+            put_element(e, x);
+            continue;
+        }
+        put(e, functions[i][1]);
+        do /* to its argument */
+            x = x->next;
+        while (is_named(x, "mspace") || has_words(x, APPLIED));
+        if (is_named(x, "mo")) {
+            put_operator(e, x);
+        } else {
+            put(e, "(");
+            put_element(e, x);
+            put(e, ")");
+        }
+    }
+}
+
+/* -------------------------------------------------------------------------------------------- its value */
+
+typedef struct {
+    const char *at;
+    const double *value;
+} reader;
+
+static double sum(reader *r);
+
+static int take(reader *r, const char *words)
+{
+    if (strncmp(r->at, words, strlen(words)) != 0)
+        return 0;
+    r->at += strlen(words);
+    return 1;
+}
+
+/* A number, a function, or a sum in brackets. */
+static double operand(reader *r)
+{
+    double x, y;
+    char *end;
+
+    if (take(r, "#")) {
+        x = r->value[strtol(r->at, &end, 10)];
+        r->at = end;
+        return x;
+    }
+    if (strncmp(r->at, "1e", 2) == 0) {
+        x = strtod(r->at, &end);
+        r->at = end;
+        return x;
+    }
+#define FUNCTION(name, value)            \
+    if (take(r, name "(")) {             \
+        x = sum(r);                      \
+        y = take(r, ",") ? sum(r) : 0;   \
+        (void)y;                         \
+        if (!take(r, ")"))               \
+            wrong("%s without )", name); \
+        return value;                    \
+    }
+    FUNCTION("sin", sin(x))
+    FUNCTION("cos", cos(x))
+    FUNCTION("asin", asin(fmax(-1, fmin(1, x))))
+    FUNCTION("acos", acos(fmax(-1, fmin(1, x))))
+    FUNCTION("atan2", atan2(x, y))
+    FUNCTION("sqrt", sqrt(fmax(x, 0)))
+    FUNCTION("", x)
+#undef FUNCTION
+    wrong("a value is missing at %s", r->at);
+    r->at = "";
+    return NAN;
+}
+
+static double factor(reader *r)
+{
+    double x;
+
+    if (take(r, "-"))
+        return -factor(r);
+    take(r, "+");
+    for (x = operand(r); take(r, "^");)
+        x *= x;
+    return x;
+}
+
+static double product(reader *r)
+{
+    double x = factor(r);
+
+    for (;;)
+        if (take(r, "*"))
+            x *= factor(r);
+        else if (take(r, "/"))
+            x /= factor(r);
+        else
+            return x;
+}
+
+static double sum(reader *r)
+{
+    double x = product(r);
+
+    for (;;)
+        if (take(r, "+"))
+            x += product(r);
+        else if (take(r, "-"))
+            x -= product(r);
+        else
+            return x;
+}
+
+static double evaluate(const char *side, const double *value)
+{
+    reader r;
+    double x;
+
+    r.at = side;
+    r.value = value;
+    x = sum(&r);
+    if (*r.at)
+        wrong("this cannot be read: %s", r.at);
+    return x;
+}
+
+/* How far a side may be from that of exact numbers. */
+static double bound(const equation *e, const char *side)
+{
+    double value[MOST], at = evaluate(side, e->value), most = fabs(at), total = 0;
+    int i, sign;
+
+    memcpy(value, e->value, sizeof value);
+    for (i = 0; i < e->n; i++) {
+        double worst = 0;
+
+        most = fmax(most, fabs(value[i]));
+        for (sign = -1; sign <= 1; sign += 2) {
+            value[i] = e->value[i] + sign * e->error[i];
+            worst = fmax(worst, fabs(evaluate(side, value) - at));
+        }
+        value[i] = e->value[i];
+        total += worst;
+    }
+    return total + 1e-12 * most;
+}
+
+/* ---------------------------------------------------------------------------------------------- a sample */
+
+typedef struct {
+    char name[MOST][60];
+    double value[MOST];
+    int n;
+} results;
+
+/* The first element of a formula, without the row that holds it. */
+static const xml_node *content(const xml_node *math)
+{
+    const xml_node *x = math->first;
+
+    return is_named(x, "mrow") && !x->next ? x->first : x;
+}
+
+/* "θ" is "theta". */
+static void keep_result(results *r, const xml_node *first, double value)
+{
+    static const char *const greek[][2] = {
+        {"\316\270", "theta"}, {"\317\211", "omega"}, {"\316\261", "alpha"}};
+    char words[200];
+    int k = 0;
+
+    words_of(first, words);
+    while (k < 3 && strncmp(words, greek[k][0], 2) != 0)
+        k++;
+    if (r->n == MOST)
+        abort();
+    snprintf(r->name[r->n], sizeof r->name[0], "%s%.40s", k < 3 ? greek[k][1] : "",
+             words + (k < 3 ? 2 : 0));
+    r->value[r->n++] = value;
+}
+
+static void check_equation(const xml_node *div, results *found)
+{
+    static equation e;
+    const xml_node *line, *math, *last = NULL;
+    char *left, *right, words[1000], last_words[200];
+    double difference;
+
+    memset(&e, 0, sizeof e);
+    for (line = div->first; line; line = line->next)
+        if (xml_has(line, "class", "numbers"))
+            for (math = xml_next_named(line, line, "math"); math;
+                 math = xml_next_named(math, line, "math")) {
+                put_row(&e, content(math));
+                last = math;
+            }
+    if (!last)
+        return;
+    left = strtok(e.text, "=");
+    right = left ? strtok(NULL, "=") : NULL;
+    if (!right) {
+        wrong("no equation: %s", xml_words(div, words, sizeof words));
+        return;
+    }
+    keep_result(found, content(xml_next_named(div, div, "math")), evaluate(right, e.value));
+    difference = evaluate(left, e.value) - evaluate(right, e.value);
+    if (strstr(words_of(last, last_words), "\302\260"))
+        difference = remainder(difference, 360 * DEGREE);
+    /* each side has its own numbers, so that both bounds add up */
+    if (!(fabs(difference) <= 1.01 * (bound(&e, left) + bound(&e, right))))
+        wrong("%s: %.9g, but %.9g is printed", xml_words(div, words, sizeof words),
+              evaluate(left, e.value), evaluate(right, e.value));
+}
+
+/* The number of a cell: "−3.2·10−5". */
+static double cell(const xml_node *x)
+{
+    char words[200], plain[200], *minus, *power;
+
+    for (strcpy(plain, words_of(x, words)); (minus = strstr(plain, MINUS)) != NULL;) {
+        *minus = '-';
+        memmove(minus + 1, minus + 3, strlen(minus + 3) + 1);
+    }
+    power = strstr(plain, "\302\26710");
+    return strtod(plain, NULL) * (power ? pow(10, atoi(power + 4)) : 1);
+}
+
+static int read_cells(const xml_node *row, double *cells, int most)
+{
+    const xml_node *x;
+    int n = 0;
+
+    for (x = row->first; x; x = x->next)
+        if ((is_named(x, "td") || is_named(x, "mtd")) && n < most)
+            cells[n++] = cell(x);
+    return n;
+}
+
+/* A row of the nine equations: A times the solution is b. */
+static void check_matrix(const xml_node *section, const double solution[9])
+{
+    const xml_node *row;
+    int i, n = 0;
+
+    for (row = xml_next_named(section, section, "mtr"); row;
+         row = xml_next_named(row, section, "mtr"), n++) {
+        double a[12], left = 0, error, size = 0;
+
+        if (read_cells(row, a, 12) != 12) {
+            wrong("a row of the nine equations has other cells");
+            return;
+        }
+        error = half_unit(a[11]);
+        for (i = 0; i < 9; i++) {
+            left += a[i] * solution[i];
+            error += fabs(a[i]) * half_unit(solution[i]) + fabs(solution[i]) * half_unit(a[i]);
+            size = fmax(size, fabs(solution[i]));
+        }
+        if (!(fabs(left - a[11]) <= 1.01 * error + 1e-12 * size))
+            wrong("a row of the nine equations: %.9g, but b = %.9g", left, a[11]);
+    }
+    if (n != 9)
+        wrong("%d rows of the nine equations", n);
+}
+
+static void check_sum(const char *what, const double *terms, int n, int step, double total)
+{
+    double all = 0, error = half_unit(total), size = 0;
+    int i;
+
+    for (i = 0; i < n; i++) {
+        all += terms[i * step];
+        error += half_unit(terms[i * step]);
+        size = fmax(size, fabs(terms[i * step]));
+    }
+    if (!(fabs(all - total) <= 1.01 * error + 1e-12 * size))
+        wrong("%s: %g is not the sum %.9g of its %d terms", what, total, all, n);
+}
+
+/* The last row of the table of works is the sum of the others; the fourth number of what is known, that of three. */
+static void check_sums(const xml_node *section)
+{
+    const xml_node *table, *row;
+
+    for (table = xml_next_named(section, section, "table"); table;
+         table = xml_next_named(table, section, "table")) {
+        int is_works = xml_has(table, "class", "facts works"), n = 0, width = 0, i;
+        double cells[60][4];
+
+        if (!is_works && !xml_has(table, "class", "facts sides"))
+            continue;
+        for (row = xml_next_named(table, table, "tr"); row && n < 60;
+             row = xml_next_named(row, table, "tr"))
+            if (is_named(row->parent, "tbody"))
+                width = read_cells(row, cells[n++], 4);
+        for (i = 0; is_works && i < width; i++)
+            check_sum("works", &cells[0][i], n - 1, 4, cells[n - 1][i]);
+        for (i = 0; !is_works && i < n; i++)
+            check_sum("sides", cells[i], 3, 1, cells[i][3]);
+    }
+}
+
+static void check_expected(const results *found, const char *pair)
+{
+    const char *value = strchr(pair, '=') + 1;
+    double expected = strtod(value, NULL);
+    int i;
+
+    for (i = found->n - 1; i >= 0; i--)
+        if (strncmp(found->name[i], pair, strlen(found->name[i])) == 0 &&
+            pair[strlen(found->name[i])] == '=')
+            break;
+    if (i < 0)
+        wrong("no result %s", pair);
+    else if (!(fabs(found->value[i] - expected) <= 2 * fmax(half_unit(expected), 1e-9)))
+        wrong("%.9g, expected %s", found->value[i], pair);
+}
+
+static void check_report(int argc, char **argv)
+{
+    static results found;
+    static equation e;
+    const xml_node *section, *x;
+    xml_document d;
+    double solution[9];
+    int n = 0, n_equations = 0, i;
+
+    if (!xml_read(&d, report)) {
+        wrong("%s", d.wrong);
+        xml_free(&d);
+        return;
+    }
+    found.n = 0;
+    for (section = d.root;
+         section && !(is_named(section, "section") && xml_has(section, "id", "sample"));)
+        section = xml_next(section, d.root);
+    for (x = section; x; x = xml_next(x, section))
+        if (is_named(x, "div") && xml_has(x, "class", "equation")) {
+            check_equation(x, &found);
+            n_equations++;
+        } else if (is_named(x, "li") && xml_has(x->parent, "class", "given solution") && n < 9) {
+            const xml_node *math = xml_next_named(x, x, "math");
+
+            memset(&e, 0, sizeof e);
+            put_row(&e, content(math)->next->next); /* behind "F12x =" */
+            solution[n++] = evaluate(e.text, e.value);
+        }
+    if (n == 9)
+        check_matrix(section, solution);
+    else if (n)
+        wrong("a solution of %d numbers", n);
+    if (n)
+        check_sums(section);
+    for (i = 1; i < argc; i++)
+        if (strchr(argv[i], '='))
+            check_expected(&found, argv[i]);
+    if (!n_equations)
+        wrong("no equations");
+    xml_free(&d);
+}
+
+int main(int argc, char **argv)
+{
+    int i, n = 0;
+
+    for (i = 1; i < argc; i++)
+        if (!strchr(argv[i], '=')) {
+            report = argv[i];
+            n++;
+            check_report(argc, argv);
+        }
+    printf("%d samples\n", n);
+    return n_wrong > 0;
+}
