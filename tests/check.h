@@ -48,6 +48,13 @@ static inline int run_all_tests(CMFixtureFunction setup)
     return _cmocka_run_group_tests("tests", tests.list, tests.n, setup, NULL);
 }
 
+/* How many random cases a test tries: all with ALL_CASES in the environment, as in the long trials, else a
+** quarter. */
+static inline int some_of(int all)
+{
+    return getenv("ALL_CASES") ? all : (all + 3) / 4;
+}
+
 /* GSL's error handler is the host's: no result reaches it. */
 static inline void fail_in_gsl(const char *reason, const char *file, int line, int code)
 {

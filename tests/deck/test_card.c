@@ -211,7 +211,7 @@ TEST(test_random_files)
     uint64_t seed = 14;
     int i, good = 0;
 
-    for (i = 0; i < 20000; i++) {
+    for (i = 0; i < some_of(20000); i++) {
         char contents[400], file[120];
         size_t n = (size_t)uniform(&seed, 0, sizeof file), k, lines = 1;
         deck d;
@@ -241,7 +241,7 @@ TEST(test_random_files)
         flk_deck_free(&d);
     }
     print_message("%d in order\n", good);
-    assert_in_range(good, 500, 19000);
+    assert_in_range(good, some_of(500), some_of(19000));
 }
 
 int main(void)

@@ -79,7 +79,7 @@ TEST(test_types_by_turning)
     int seen[FOURLINK_TRIPLE_ROCKER + 1] = {0}, i, k;
     uint64_t seed = 1;
 
-    for (i = 0; i < 4000; i++) {
+    for (i = 0; i < some_of(4000); i++) {
         double x[4], s = 2, l = 0, sum = 0, a, b, c, d;
         int crank, rocker, on_crank, on_rocker;
         fourlink_mechanism m;
@@ -120,7 +120,7 @@ TEST(test_types_by_turning)
         seen[type]++;
     }
     for (k = FOURLINK_CRANK_ROCKER; k <= FOURLINK_TRIPLE_ROCKER; k++)
-        assert_true(seen[k] > 100);
+        assert_true(seen[k] > some_of(100));
 }
 
 /* Whole millimetres, in which s + l = p + q is exact but for the lengths' own rounding. */
@@ -145,7 +145,7 @@ TEST(test_types_with_change_point)
     uint64_t seed = 2;
     int i, generic = 0;
 
-    for (i = 0; i < 2000; i++) {
+    for (i = 0; i < some_of(2000); i++) {
         double x = millimetres(&seed), y = millimetres(&seed), z = millimetres(&seed), w;
 
         if (x == y)
@@ -165,7 +165,7 @@ TEST(test_types_with_change_point)
         check_change_point(z, x, y, w, FOURLINK_CHANGE_POINT_LINKAGE);
         check_change_point(z, w, x, y, FOURLINK_CHANGE_POINT_LINKAGE);
     }
-    assert_true(generic > 500);
+    assert_true(generic > some_of(500));
 }
 
 /* A millionth beside the change point the linkage is of one of the other types. */
@@ -196,7 +196,7 @@ TEST(test_types_of_slider_cranks)
     int seen[2] = {0}, i;
     uint64_t seed = 3;
 
-    for (i = 0; i < 2000; i++) {
+    for (i = 0; i < some_of(2000); i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 3), e = uniform(&seed, -1, 1);
         fourlink_mechanism m = slider_crank(r, l, e);
         int full;
@@ -207,8 +207,8 @@ TEST(test_types_of_slider_cranks)
         assert_int_equal(type_of(&m), full ? FOURLINK_ENGINE : FOURLINK_SLIDER_ROCKER);
         seen[full]++;
     }
-    assert_true(seen[0] > 200 && seen[1] > 200);
-    for (i = 0; i < 2000; i++) {
+    assert_true(seen[0] > some_of(200) && seen[1] > some_of(200));
+    for (i = 0; i < some_of(2000); i++) {
         double r = millimetres(&seed), e = millimetres(&seed), l;
         fourlink_mechanism m;
 
@@ -358,7 +358,7 @@ TEST(test_reach_of_four_bars)
     int seen[4] = {0}, around_0 = 0, i;
     uint64_t seed = 4;
 
-    for (i = 0; i < 4000; i++) {
+    for (i = 0; i < some_of(4000); i++) {
         double a = uniform(&seed, 0.1, 1), b = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1),
                d = uniform(&seed, 0.1, 1);
         fourlink_mechanism m = four_bar(a, b, c, d);
@@ -370,8 +370,8 @@ TEST(test_reach_of_four_bars)
         around_0 += n == 1 && reaches(status_at(&m, 0));
     }
     for (i = 0; i < 4; i++)
-        assert_true(seen[i] > 200);
-    assert_true(around_0 > 200 && seen[1] - around_0 > 200);
+        assert_true(seen[i] > some_of(200));
+    assert_true(around_0 > some_of(200) && seen[1] - around_0 > some_of(200));
 }
 
 TEST(test_reach_of_slider_cranks)
@@ -379,7 +379,7 @@ TEST(test_reach_of_slider_cranks)
     int seen[4] = {0}, i;
     uint64_t seed = 5;
 
-    for (i = 0; i < 4000; i++) {
+    for (i = 0; i < some_of(4000); i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 1.5),
                e = uniform(&seed, -1.5, 1.5);
         fourlink_mechanism m = slider_crank(r, l, e);
@@ -389,7 +389,7 @@ TEST(test_reach_of_slider_cranks)
         seen[n]++;
     }
     for (i = 0; i < 4; i++)
-        assert_true(seen[i] > 100);
+        assert_true(seen[i] > some_of(100));
 }
 
 /* 300, 400, 500, 750 mm: the triangle ABD has its side BD = 900 mm at the limit. */
@@ -487,7 +487,7 @@ TEST(test_limits_of_rockers)
     uint64_t seed = 6;
     int i, k, n = 0, quick[2] = {0};
 
-    for (i = 0; i < 4000 && n < 150; i++) {
+    for (i = 0; i < some_of(4000) && n < some_of(150); i++) {
         double a = uniform(&seed, 0.1, 0.5), b = uniform(&seed, 0.3, 1), c = uniform(&seed, 0.3, 1),
                d = uniform(&seed, 0.3, 1.5);
         double l = fmax(b, fmax(c, d));
@@ -533,8 +533,8 @@ TEST(test_limits_of_rockers)
             assert_near(state.link[4].theta, limits.theta4_max, 1e-12);
         }
     }
-    assert_int_equal(n, 150);
-    assert_true(quick[0] > 20 && quick[1] > 20);
+    assert_int_equal(n, some_of(150));
+    assert_true(quick[0] > some_of(20) && quick[1] > some_of(20));
 }
 
 TEST(test_transmission_angles_of_four_bars)
@@ -542,7 +542,7 @@ TEST(test_transmission_angles_of_four_bars)
     int seen[FOURLINK_TRIPLE_ROCKER + 1] = {0}, below_90 = 0, i, k;
     uint64_t seed = 7;
 
-    for (i = 0; i < 500; i++) {
+    for (i = 0; i < some_of(500); i++) {
         double a = uniform(&seed, 0.1, 1), b = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1),
                d = uniform(&seed, 0.1, 1);
         fourlink_mechanism m = four_bar(a, b, c, d);
@@ -579,8 +579,8 @@ TEST(test_transmission_angles_of_four_bars)
         below_90 += max < PI / 2 - 1e-6;
     }
     for (k = FOURLINK_CRANK_ROCKER; k <= FOURLINK_TRIPLE_ROCKER; k++)
-        assert_true(seen[k] > 10);
-    assert_true(below_90 > 10);
+        assert_true(seen[k] > some_of(10));
+    assert_true(below_90 > some_of(10));
 }
 
 TEST(test_limits_of_pistons)
@@ -637,7 +637,7 @@ TEST(test_transmission_angles_of_slider_cranks)
     int seen[3] = {0}, i, k;
     uint64_t seed = 9;
 
-    for (i = 0; i < 500; i++) {
+    for (i = 0; i < some_of(500); i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 1), e = uniform(&seed, -1, 1);
         fourlink_mechanism m = slider_crank(r, l, e);
         own o = {r, l, 0, e, 1, 0, 0, 0, 0, 0};
@@ -662,7 +662,7 @@ TEST(test_transmission_angles_of_slider_cranks)
             assert_no_stroke(&limits);
         }
     }
-    assert_true(seen[1] > 50 && seen[2] > 50);
+    assert_true(seen[1] > some_of(50) && seen[2] > some_of(50));
 }
 
 /* Strokes that are alike, or none, have no ratio. */
@@ -746,7 +746,7 @@ TEST(test_motion_at_rows)
     int stops = 0, run_ups = 0, i;
     uint64_t seed = 10;
 
-    for (i = 0; i < 600; i++) {
+    for (i = 0; i < some_of(600); i++) {
         fourlink_motion motion;
         fourlink_range range;
         unsigned long k;
@@ -779,7 +779,7 @@ TEST(test_motion_at_rows)
             assert_same_row(&row, &at);
         }
     }
-    assert_true(stops > 20 && run_ups > 50);
+    assert_true(stops > some_of(20) && run_ups > some_of(50));
 }
 
 /* Between the rows: the work of the acceleration, and the speed as the change of angle in time. */

@@ -24,8 +24,8 @@ if [ "${4-}" ]; then
         replay "$deck" 17
     done
 else
-    for deck in "$tests"/report/look/friction.deck "$tests"/report/look/change.deck "$data"/alvi-5.1.deck "$data"/me3491-exercise-4.deck "$data"/me3491-example-2.deck \
-        "$data"/oscillating-cylinder.deck "$data"/synthesis/three-positions.deck "$data"/synthesis/log10.deck; do
+    for deck in "$tests"/report/look/friction.deck "$data"/me3491-exercise-4.deck "$data"/me3491-example-2.deck \
+        "$data"/oscillating-cylinder.deck "$data"/synthesis/three-positions.deck; do
         replay "$deck" 41
     done
 fi

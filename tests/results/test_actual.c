@@ -149,7 +149,7 @@ TEST(test_friction_of_motors)
 {
     double torque, last = 0;
 
-    for (torque = 100.6; torque < 104; torque += 0.3) {
+    for (torque = 100.6; torque < 104; torque += 0.6) {
         fourlink_results *r = opened_open(
             print("%s[motor]\nstall_torque = %g\nno_load_speed = 14\n%s[motion]\nmode = "
                   "steady\ninterval = 90 deg\n",

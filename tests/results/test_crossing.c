@@ -51,39 +51,31 @@ static unsigned long crossings(fourlink_results *r, const char *column, fourlink
 
 /* The same number of them as changes of sign in small steps, each within its step; the column has the
 ** value there. */
-static void check_scan(const char *deck, const char *column, double share)
+static void check_scan(fourlink_results *r, const char *column, fourlink_branch branch,
+                       const double values[SCAN + 1], double share)
 {
-    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-    fourlink_results *r = opened(deck);
-    int b, i;
+    double angles[MOST], least = values[0], most = values[0], level, jump;
+    unsigned long n, k = 0;
+    int i;
 
-    for (b = 0; b < 2; b++) {
-        double angles[MOST], least = 1e300, most = -1e300, last, now, level, jump;
-        unsigned long n, k = 0;
-
-        for (i = 0; i < SCAN; i += 7) {
-            now = value_at(r, column, branches[b], 360.0 * i / SCAN);
-            least = fmin(least, now);
-            most = fmax(most, now);
-        }
-        level = least + share * (most - least);
-        jump = 0.05 * (most - least);
-        n = crossings(r, column, branches[b], level, angles);
-        last = value_at(r, column, branches[b], 0) - level;
-        for (i = 1; i <= SCAN; i++, last = now) {
-            double angle = 360.0 * i / SCAN;
-
-            now = value_at(r, column, branches[b], angle) - level;
-            if ((last < 0) == (now < 0) || fabs(now - last) > jump)
-                continue;
-            assert_true(k < n);
-            assert_true(angles[k] >= angle - 360.0 / SCAN - 1e-9 && angles[k] <= angle + 1e-9);
-            assert_near(value_at(r, column, branches[b], angles[k]), level, 1e-9 * (most - least));
-            k++;
-        }
-        assert_int_equal(k, n);
+    for (i = 0; i < SCAN; i++) {
+        least = fmin(least, values[i]);
+        most = fmax(most, values[i]);
     }
-    fourlink_results_free(r);
+    level = least + share * (most - least);
+    jump = 0.05 * (most - least);
+    n = crossings(r, column, branch, level, angles);
+    for (i = 1; i <= SCAN; i++) {
+        double angle = 360.0 * i / SCAN, last = values[i - 1] - level, now = values[i] - level;
+
+        if ((last < 0) == (now < 0) || fabs(now - last) > jump)
+            continue;
+        assert_true(k < n);
+        assert_true(angles[k] >= angle - 360.0 / SCAN - 1e-9 && angles[k] <= angle + 1e-9);
+        assert_near(value_at(r, column, branch, angles[k]), level, 1e-9 * (most - least));
+        k++;
+    }
+    assert_int_equal(k, n);
 }
 
 TEST(test_against_scan)
@@ -94,11 +86,19 @@ TEST(test_against_scan)
         ROCKER SPEED "[load L]\nlink = rocker\ntorque = 5 N m\nfrom = 100 deg\nto = 200 deg\n"
                      "[load D]\nlink = crank\nover = theta2\ntorque = 0 deg 0.1 N m, 90 deg 0.9 N "
                      "m, 200 deg -0.4 N m\n";
-    size_t i, j;
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    static double values[SCAN + 1];
+    fourlink_results *r = opened(load);
+    size_t i, j, b, k;
 
     for (i = 0; i < sizeof columns / sizeof *columns; i++)
-        for (j = 0; j < sizeof shares / sizeof *shares; j++)
-            check_scan(load, columns[i], shares[j]);
+        for (b = 0; b < 2; b++) {
+            for (k = 0; k <= SCAN; k++)
+                values[k] = value_at(r, columns[i], branches[b], 360.0 * (double)k / SCAN);
+            for (j = 0; j < sizeof shares / sizeof *shares; j++)
+                check_scan(r, columns[i], branches[b], values, shares[j]);
+        }
+    fourlink_results_free(r);
 }
 
 /* A column that passes through infinity has no value there. Beside a pole its reciprocal is continuous: a
@@ -115,28 +115,30 @@ TEST(test_poles)
     static const char *const columns[] = {"mechanical_advantage", "I13x", "I24x"};
     static const double levels[] = {-12, -3.1, -0.7, 0.05, 0.9, 3, 12};
     fourlink_results *r = opened(ROCKER SPEED);
+    static double values[SCAN + 1];
     int i, c, l, poles = 0, found = 0;
 
-    for (c = 0; c < 3; c++)
+    for (c = 0; c < 3; c++) {
+        for (i = 0; i <= SCAN; i++)
+            values[i] = value_at(r, columns[c], FOURLINK_OPEN, 360.0 * i / SCAN + 0.0005);
         for (l = 0; l < 7; l++) {
-            double angles[MOST], level = levels[l], last, now;
-            unsigned long n = crossings(r, columns[c], FOURLINK_OPEN, level, angles), k = 0;
+            double angles[MOST];
+            unsigned long n = crossings(r, columns[c], FOURLINK_OPEN, levels[l], angles), k = 0;
 
-            last = value_at(r, columns[c], FOURLINK_OPEN, 0.0005);
-            for (i = 1; i <= SCAN; i++, last = now) {
-                double angle = 360.0 * i / SCAN + 0.0005;
+            for (i = 1; i <= SCAN; i++) {
+                double last = values[i - 1], now = values[i];
 
-                now = value_at(r, columns[c], FOURLINK_OPEN, angle);
                 poles += last * now < 0 && fmin(fabs(last), fabs(now)) > 1;
-                if (!crosses(last, now, level))
+                if (!crosses(last, now, levels[l]))
                     continue;
                 assert_true(k < n);
-                assert_near(angles[k], angle, 360.0 / SCAN + 1e-9);
+                assert_near(angles[k], 360.0 * i / SCAN + 0.0005, 360.0 / SCAN + 1e-9);
                 k++;
             }
             assert_int_equal(k, n);
             found += (int)n;
         }
+    }
     assert_true(poles > 20 && found > 20);
     fourlink_results_free(r);
 }

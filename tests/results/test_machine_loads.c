@@ -148,72 +148,72 @@ TEST(test_contact)
 ** Over the motion
 ** ------------------------------------------------------------------------------------------- */
 
-/* Extremes, mean and rms against rows at every 0.05 deg; an extreme may be beside a jump or between rows. */
-static void compare_rows(const char *contents, const char *name)
+#define SCAN 3600
+#define MOST_COLUMNS 10
+
+/* Extremes and means of columns against rows at every 0.1 deg; an extreme may be beside a jump or between rows. */
+static void compare_rows(const char *contents, const char *const *names, size_t n)
 {
     fourlink_results *r = opened(contents);
-    double high = -INFINITY, low = INFINITY, sum = 0, size;
+    double high[MOST_COLUMNS], low[MOST_COLUMNS], sum[MOST_COLUMNS] = {0};
     char text[80];
-    int i, n = 7200;
+    size_t i, k;
 
-    for (i = 0; i < n; i++) {
-        double x = value(r, name, (i + 0.5) * 360 / n);
+    for (i = 0; i < SCAN; i++)
+        for (k = 0; k < n; k++) {
+            double x = value(r, names[k], ((double)i + 0.5) * 360 / SCAN);
 
-        high = fmax(high, x);
-        low = fmin(low, x);
-        sum += x;
+            high[k] = i ? fmax(high[k], x) : x;
+            low[k] = i ? fmin(low[k], x) : x;
+            sum[k] += x;
+        }
+    for (k = 0; k < n; k++) {
+        double size = fmax(fabs(high[k]), fabs(low[k])), found;
+
+        sprintf(text, "max(%s)", names[k]);
+        found = value(r, text, 0);
+        if (!(found >= high[k] - 1e-9 * size && found <= high[k] + 2e-3 * size))
+            fail_msg("%s = %.12g, rows %.12g\n%s", text, found, high[k], contents);
+        sprintf(text, "min(%s)", names[k]);
+        found = value(r, text, 0);
+        if (!(found <= low[k] + 1e-9 * size && found >= low[k] - 2e-3 * size))
+            fail_msg("%s = %.12g, rows %.12g\n%s", text, found, low[k], contents);
+        sprintf(text, "mean(%s)", names[k]);
+        assert_near(value(r, text, 0), sum[k] / SCAN, 1e-5 * size);
     }
-    size = fmax(fabs(high), fabs(low));
-    sprintf(text, "max(%s)", name);
-    if (!(value(r, text, 0) >= high - 1e-9 * size && value(r, text, 0) <= high + 2e-3 * size))
-        fail_msg("%s = %.12g, rows %.12g\n%s", text, value(r, text, 0), high, contents);
-    sprintf(text, "min(%s)", name);
-    if (!(value(r, text, 0) <= low + 1e-9 * size && value(r, text, 0) >= low - 2e-3 * size))
-        fail_msg("%s = %.12g, rows %.12g\n%s", text, value(r, text, 0), low, contents);
-    sprintf(text, "mean(%s)", name);
-    assert_near(value(r, text, 0), sum / n, 1e-5 * size);
     fourlink_results_free(r);
 }
 
 TEST(test_scans)
 {
-    static const char *const names[] = {"Ts",         "Ts0",        "power_friction",
-                                        "friction_A", "friction_B", "F12x",
-                                        "F34",        "Fs",         "efficiency"};
-    size_t i;
-
-    for (i = 0; i < COUNT(names); i++) {
-        compare_rows(MOVING_ROCKER PINS, names[i]);
-        compare_rows(LEVER, names[i]);
-        compare_rows(MOVING_PUMP PUMP_FRICTION, names[i]);
-    }
-    compare_rows(MOVING_ROCKER SPRINGS PINS, "S.force");
-    compare_rows(MOVING_ROCKER SPRINGS PINS, "S.length");
-    compare_rows(MOVING_ROCKER SPRINGS, "T.power");
-    compare_rows(MOVING_ROCKER SPRINGS, "U.angle");
-    compare_rows(MOVING_ROCKER SPRINGS, "V.torque");
-    compare_rows(MOVING_ROCKER SPRINGS, "V.energy");
-    compare_rows(
+    static const char *const columns[] = {"Ts",         "Ts0",        "power_friction",
+                                          "friction_A", "friction_B", "F12x",
+                                          "F34",        "Fs",         "efficiency"};
+    static const char *const linear[] = {"S.force", "S.length"};
+    static const char *const torsional[] = {"T.power", "U.angle", "V.torque", "V.energy"};
+    static const char *const loads[] = {
         MOVING_PUMP
         "[load P]\nlink = piston\nover = x\nforce = 0 mm -100 N, 50 mm -300 N, 90 mm -900 N\n"
         "back = -50 N\n",
-        "Ts");
-    compare_rows(
         MOVING_PUMP
         "[load P]\nlink = piston\nover = v\nforce = -300 N\nat_speed = 0.5 m/s\nexponent = 2\n",
-        "Ts");
-    compare_rows(
         MOVING_ROCKER
         "[load L]\nlink = rocker\nover = omega4\ntorque = -5 rad/s 1 N m, 0 rad/s 0.1 N m, "
         "5 rad/s -2 N m\n",
-        "Ts");
-    compare_rows(MOVING_ROCKER
-                 "[load L]\nlink = rocker\nover = theta4\ntorque = 110 deg 1 N m, 130 deg 2 N m, "
-                 "150 deg 1 N m\n",
-                 "Ts");
-    compare_rows(LEVER "[load K]\nlink = slider\nover = slide\nback = 20 N at 45 deg\n"
-                       "force = 150 mm 10 N at 30 deg, 250 mm 40 N at 90 deg, 300 mm (0, 0) N\n",
-                 "Ts");
+        MOVING_ROCKER
+        "[load L]\nlink = rocker\nover = theta4\ntorque = 110 deg 1 N m, 130 deg 2 N m, "
+        "150 deg 1 N m\n",
+        LEVER "[load K]\nlink = slider\nover = slide\nback = 20 N at 45 deg\n"
+              "force = 150 mm 10 N at 30 deg, 250 mm 40 N at 90 deg, 300 mm (0, 0) N\n"};
+    size_t i;
+
+    compare_rows(MOVING_ROCKER PINS, columns, COUNT(columns));
+    compare_rows(LEVER, columns, COUNT(columns));
+    compare_rows(MOVING_PUMP PUMP_FRICTION, columns, COUNT(columns));
+    compare_rows(MOVING_ROCKER SPRINGS PINS, linear, COUNT(linear));
+    compare_rows(MOVING_ROCKER SPRINGS, torsional, COUNT(torsional));
+    for (i = 0; i < COUNT(loads); i++)
+        compare_rows(loads[i], columns, 1);
 }
 
 /* Work of a cycle: what the crank puts in, friction and dampers take; loads without a law of their own

@@ -89,7 +89,7 @@ TEST(test_rockers)
     uint64_t seed = 31;
     int i;
 
-    for (i = 0; i < 12; i++) {
+    for (i = 0; i < some_of(12); i++) {
         own o = random_rocker(&seed);
 
         check_formulas(four_bar((double)o.a, (double)o.b, (double)o.c, (double)o.d,

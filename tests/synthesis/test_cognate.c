@@ -66,7 +66,7 @@ TEST(curves)
 {
     uint64_t seed = 51;
 
-    for (int k = 0; k < 2000; k++) {
+    for (int k = 0; k < some_of(2000); k++) {
         fourlink_side side = k % 2 ? FOURLINK_LEFT : FOURLINK_RIGHT;
         fourlink_cognate_task task = random_task(&seed, side);
         fourlink_mechanism m;
@@ -199,7 +199,7 @@ TEST(bad_problems)
 {
     uint64_t seed = 54;
 
-    for (int k = 0; k < 10000; k++) {
+    for (int k = 0; k < some_of(10000); k++) {
         fourlink_cognate_task task = random_task(&seed, k % 2 ? FOURLINK_LEFT : FOURLINK_RIGHT);
         double *number[] = {&task.point.x,
                             &task.point.y,

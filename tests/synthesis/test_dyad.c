@@ -97,7 +97,7 @@ TEST(random_motions)
     uint64_t seed = 21;
     int n_clean = 0;
 
-    for (int k = 0; k < 2000; k++) {
+    for (int k = 0; k < some_of(2000); k++) {
         fourlink_motion_task task = random_task(&seed, 0);
         fourlink_solution s;
         double complex m[2], k1[2];
@@ -152,7 +152,7 @@ TEST(sliders)
 {
     uint64_t seed = 26;
 
-    for (int k = 0; k < 2000; k++) {
+    for (int k = 0; k < some_of(2000); k++) {
         fourlink_motion_task task = random_task(&seed, 0);
         double complex turn, line, A, on_line[3];
         fourlink_solution s;
@@ -206,7 +206,7 @@ TEST(fixed_and_moving)
 {
     uint64_t seed = 22;
 
-    for (int k = 0; k < 1000; k++) {
+    for (int k = 0; k < some_of(1000); k++) {
         fourlink_motion_task task = random_task(&seed, FOURLINK_FIXED_PIVOT), other = task;
         fourlink_solution s, again;
         double complex m[2], k1[2], m2[2], k2[2];
@@ -242,7 +242,7 @@ TEST(moved_problems)
 {
     uint64_t seed = 23;
 
-    for (int k = 0; k < 500; k++) {
+    for (int k = 0; k < some_of(500); k++) {
         fourlink_motion_task task = random_task(&seed, 0), other = task;
         double turn = uniform(&seed, -PI, PI), scale = uniform(&seed, 0.1, 10);
         double complex by = uniform(&seed, -5, 5) + I * uniform(&seed, -5, 5),
@@ -357,7 +357,7 @@ TEST(random_paths)
 {
     uint64_t seed = 24;
 
-    for (int k = 0; k < 1500; k++) {
+    for (int k = 0; k < some_of(1500); k++) {
         fourlink_path_task task = random_path(&seed);
         fourlink_solution s;
 
@@ -382,7 +382,7 @@ TEST(searches)
     uint64_t seed = 25;
     int n_found = 0;
 
-    for (int k = 0; k < 12; k++) {
+    for (int k = 0; k < some_of(12); k++) {
         fourlink_path_task task = random_path(&seed);
         fourlink_solution s[5], fine;
         unsigned long n, n_fine;
@@ -413,7 +413,7 @@ TEST(searches)
         assert_int_equal(fourlink_synthesis_path(&task, 1, &fine, &n_fine), FOURLINK_OK);
         assert_true(fine.mu_min >= s[0].mu_min - 1e-12 || fine.type != s[0].type);
     }
-    assert_true(n_found > 3);
+    assert_true(n_found > some_of(3));
     print_message("%d of 12 searches found linkages\n", n_found);
 }
 
@@ -421,7 +421,7 @@ TEST(bad_problems)
 {
     uint64_t seed = 26;
 
-    for (int k = 0; k < 10000; k++) {
+    for (int k = 0; k < some_of(10000); k++) {
         fourlink_motion_task task = random_task(&seed, 0);
         fourlink_path_task path = random_path(&seed);
         fourlink_solution s;

@@ -215,7 +215,7 @@ TEST(known_linkages)
     uint64_t seed = 11;
     int n_tried = 0;
 
-    for (int k = 0; k < 3000; k++) {
+    for (int k = 0; k < some_of(3000); k++) {
         int is_slider = k % 3 == 0;
         double theta2[N], output[N], weight[N], from = uniform(&seed, 0, 2 * PI), K[3];
         fourlink_function_task task = {0};
@@ -262,7 +262,7 @@ TEST(known_linkages)
         for (int j = 0; s.condition < 1e4 && j < s.n_positions; j++)
             assert_int_equal(s.position[j].branch, branch);
     }
-    assert_true(n_tried > 1000);
+    assert_true(n_tried > some_of(1000));
 }
 
 /* Three random points: the linkage found goes through them, or a reason is given. */
@@ -271,7 +271,7 @@ TEST(random_problems)
     uint64_t seed = 12;
     int n_found = 0, n_clean = 0, n_turned = 0;
 
-    while (n_found < 2000) {
+    while (n_found < some_of(2000)) {
         int is_slider = n_found % 2;
         double theta2[3], output[3];
         fourlink_function_task task = {0};
@@ -322,7 +322,7 @@ TEST(largest_error)
 {
     uint64_t seed = 13;
 
-    for (int k = 0; k < 100; k++) {
+    for (int k = 0; k < some_of(100); k++) {
         double from = uniform(&seed, 0, 90) * DEG, start = uniform(&seed, 0, 90) * DEG;
         generated g = {power,           1,     uniform(&seed, 2, 5), from,
                        from + 60 * DEG, start, start + 60 * DEG};
@@ -475,15 +475,12 @@ TEST(fortran77)
     assert_near(length[0], 7, 0);
 }
 
-static int n_fits = 120; /* linkages, or a fifth of the argument */
-static int n_bad = 500;  /* problems, or the argument */
-
 TEST(bad_problems)
 {
     uint64_t seed = 14;
     double theta2[8], output[8], weight[8];
 
-    for (int k = 0; k < n_bad; k++) {
+    for (int k = 0; k < some_of(5000); k++) {
         fourlink_function_task task = three(theta2, output);
         fourlink_solution s;
         unsigned long n;
@@ -518,7 +515,7 @@ TEST(fits_that_reach)
     uint64_t seed = 31;
     int n_reached[2] = {0, 0};
 
-    for (int k = 0; k < n_fits; k++) {
+    for (int k = 0; k < some_of(400); k++) {
         double theta2[N], output[N], from = uniform(&seed, 0, 6), step = uniform(&seed, 0.05, 0.15);
         double first = uniform(&seed, 0, 6), over = uniform(&seed, -2, 2),
                p = uniform(&seed, 0.3, 3);
@@ -539,13 +536,11 @@ TEST(fits_that_reach)
                 n_reached[fit] += !(s.defects & FOURLINK_DEFECT_REACH);
         }
     }
-    print_message("%d and %d of %d reach all points\n", n_reached[0], n_reached[1], n_fits);
-    assert_true(n_reached[1] >= 39 * n_fits / 40);
+    print_message("%d and %d of %d reach all points\n", n_reached[0], n_reached[1], some_of(400));
+    assert_true(n_reached[1] >= 39 * some_of(400) / 40);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    n_bad = argc > 1 ? atoi(argv[1]) : n_bad;
-    n_fits = argc > 1 ? n_bad / 5 : n_fits;
     return run_all_tests(watch_gsl);
 }

@@ -166,7 +166,7 @@ TEST(best_transmission)
     uint64_t seed = 42;
     int n_best = 0;
 
-    for (int k = 0; k < 60; k++) {
+    for (int k = 0; k < some_of(60); k++) {
         double swing = uniform(&seed, 10, 150) * DEG, ratio = uniform(&seed, 1.02, 2.5), best = -1,
                at = 0, rise = 0;
         fourlink_quick_return_task task = rocker(ratio, swing, 0, 0, 0, 1);
@@ -210,7 +210,7 @@ TEST(best_transmission)
         }
     }
     print_message("%d of 60 have a best\n", n_best);
-    assert_true(n_best > 20);
+    assert_true(n_best > some_of(20));
 }
 
 /* The best crank is almost as long as the coupler. */
@@ -253,7 +253,7 @@ TEST(sliders)
     uint64_t seed = 43;
     int n_found = 0;
 
-    while (n_found < 1000) {
+    while (n_found < some_of(1000)) {
         fourlink_quick_return_task task = {.type = FOURLINK_ENGINE};
         double ratio = uniform(&seed, 1, 2.5), s0 = uniform(&seed, 0.01, 1);
         fourlink_limits limits;
@@ -287,7 +287,7 @@ TEST(levers)
 {
     uint64_t seed = 44;
 
-    for (int k = 0; k < 1000; k++) {
+    for (int k = 0; k < some_of(1000); k++) {
         fourlink_quick_return_task task = {.type =
                                                k % 2 ? FOURLINK_SLOTTED_LEVER : FOURLINK_WHITWORTH};
         double ratio = uniform(&seed, 1.05, 4);
@@ -409,7 +409,7 @@ TEST(bad_problems)
                                 FOURLINK_WHITWORTH};
     uint64_t seed = 45;
 
-    for (int k = 0; k < 10000; k++) {
+    for (int k = 0; k < some_of(10000); k++) {
         fourlink_quick_return_task task = {.type = (fourlink_type)types[k % 4]};
         double *number[] = {&task.time_ratio, &task.swing,     &task.stroke,    &task.offset,
                             &task.length[1],  &task.length[2], &task.length[3], &task.length[4]};

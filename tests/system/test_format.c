@@ -12,7 +12,7 @@
 #include "base/number.h"
 #include "tables/line.h"
 
-#define MANY 8000
+#define MANY some_of(20000)
 #define MOST_DECIMALS 20
 
 static void compare(const char *form, int precision, double value, const char *out)
