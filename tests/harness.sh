@@ -35,7 +35,14 @@ check() {
         echo "FAILED: $what" | cut -c1-300
         echo "        $*" | cut -c1-300
         [ -z "${STOP_AT_FAILURE-}" ] || finish
+        return 1
     fi
+}
+# check_file FILE WHAT COMMAND...: the same; where it fails, the first lines of the file are shown.
+check_file() {
+    with=$1
+    shift
+    check "$@" || head -n 3 "$with" | cut -c1-300
 }
 
 # run STATUS ARGUMENT...: the program ends with this status; its output is in the files out and err.
@@ -48,10 +55,10 @@ run() {
 }
 
 # says TEXT: the messages have it.  prints TEXT: the results have it.
-says() { check "no message '$1' in: $(head -n 3 err)" grep -qF -e "$1" err; }
-prints() { check "no '$1' in the output of the last run" grep -qF -e "$1" out; }
-quiet() { check "messages: $(head -n 3 err)" test ! -s err; }
-nothing() { check "output where none was expected: $(head -n 3 out)" test ! -s out; }
+says() { check_file err "no message '$1'" grep -qF -e "$1" err; }
+prints() { check_file out "no '$1' in the output of the last run" grep -qF -e "$1" out; }
+quiet() { check_file err 'messages' test ! -s err; }
+nothing() { check_file out 'output where none was expected' test ! -s out; }
 same() { check "$1 and $2 differ" cmp -s "$1" "$2"; }
 differ() { check "$1 and $2 are the same" different "$1" "$2"; }
 different() { ! cmp -s "$1" "$2"; }
@@ -64,7 +71,7 @@ usage() {
     says "$message"
     says '--help'
 }
-lines() { check "$1: $(wc -l <"$1") lines, expected $2" test "$(wc -l <"$1")" -eq "$2"; }
+lines() { check "$1: not $2 lines" test "$(wc -l <"$1")" -eq "$2"; }
 holds() { check "$1" awk "$2" out; } # an awk program that exits 0
 none() { ! grep -q "$@"; }
 only_file() { check "files left: $(ls -A "$1")" test "$(ls -A "$1")" = "$2"; }
