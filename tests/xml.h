@@ -371,6 +371,12 @@ static inline void xml_free(xml_document *d)
     free(d->texts);
 }
 
+/* Returned: 1 if x is an element of this name. */
+static inline int xml_is(const xml_node *x, const char *name)
+{
+    return x && strcmp(x->name, name) == 0;
+}
+
 /* The node after x in the order of the document, of the tree below `top`; NULL at its end. */
 static inline xml_node *xml_next(const xml_node *x, const xml_node *top)
 {
@@ -386,7 +392,7 @@ static inline xml_node *xml_next_named(const xml_node *x, const xml_node *top, c
 {
     xml_node *found = xml_next(x, top);
 
-    while (found && strcmp(found->name, name) != 0)
+    while (found && !xml_is(found, name))
         found = xml_next(found, top);
     return found;
 }

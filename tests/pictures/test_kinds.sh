@@ -3,6 +3,8 @@
 #
 # test_kinds.sh FOURLINK DATA - each kind of picture, of both mechanisms, and each kind of file.
 . "$(dirname "$0")/pictures.sh"
+LC_ALL=C.UTF-8 # pictures in a terminal have its letters
+export LC_ALL
 
 # --- each kind, of both mechanisms
 for deck in "$fourbar" "$engine"; do

@@ -4,6 +4,8 @@
 # test_text_pictures.sh FOURLINK DATA - pictures in a terminal: 79 columns, no grid over the curves,
 # names of all axes.
 . "$(dirname "$0")/pictures.sh"
+LC_ALL=C.UTF-8 # pictures in a terminal have its letters
+export LC_ALL
 
 for deck in "$fourbar" "$engine"; do
     for kind in mechanism motion forces turning-moment polar vectors; do

@@ -5,18 +5,13 @@
 */
 #include "xml.h"
 
-static int is_named(const xml_node *x, const char *name)
-{
-    return strcmp(x->name, name) == 0;
-}
-
 static void put_rows(const xml_node *table)
 {
     const xml_node *row, *cell;
     char words[2000];
 
     for (row = xml_next_named(table, table, "tr"); row; row = xml_next_named(row, table, "tr")) {
-        if (!is_named(row->parent, "tbody"))
+        if (!xml_is(row->parent, "tbody"))
             continue;
         printf("row");
         for (cell = row->first; cell; cell = cell->next)
@@ -37,9 +32,9 @@ int main(int argc, char **argv)
     if (!is_good)
         printf("%s\n", d.wrong);
     for (x = d.root; is_good && x; x = xml_next(x, d.root)) {
-        if (is_named(x, "summary"))
+        if (xml_is(x, "summary"))
             summary = x;
-        if (!is_named(x, "table"))
+        if (!xml_is(x, "table"))
             continue;
         caption = xml_next_named(x, x, "caption");
         if (!caption)

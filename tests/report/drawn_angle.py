@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# drawn_angle.py FOURLINK SCENES EVERY FOLDER... - the position that a report, or the page, draws first is the deck's.
+# drawn_angle.py FOURLINK SCENES FOLDER... - the position that a report, or the page, draws first is the deck's.
 #
-# For every EVERY-th deck, and for one instant at other crank angles: the drawing starts at the crank angle of the sample
+# For every deck, and for one instant at other crank angles: the drawing starts at the crank angle of the sample
 # calculation, which is that of [motion] at if there is one, and the values of its row are those of the csv.
 import glob
 import json
@@ -16,7 +16,7 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
 from linkage import drawn_units  # noqa: E402
 
-fourlink, scenes, every, folders = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4:]
+fourlink, scenes, folders = sys.argv[1], sys.argv[2], sys.argv[3:]
 passed = failed = 0
 
 
@@ -90,11 +90,11 @@ def try_deck(path, folder, *options):
 
 with tempfile.TemporaryDirectory() as scratch:
     decks = sorted(path for folder in folders for path in glob.glob(os.path.join(folder, '*.deck')))
-    for deck in decks[::every]:
+    for deck in decks:
         try_deck(deck, scratch)
     for deck in ('sarkar-1.11.deck', 'alvi-5.1.deck', 'gas-engine.deck', 'whitworth-150-100.deck'):
         for path in (p for p in decks if os.path.basename(p) == deck):
-            for at in ('60', '-45', '405', '0', '-720', '719.5')[::every]:
+            for at in ('60', '-45', '405', '0', '-720', '719.5'):
                 for speed in ('10', '-10'):
                     try_deck(path, scratch, f'--set=motion.at={at} deg', f'--set=motion.speed={speed} rad/s')
 print(f'{passed} passed, {failed} failed')

@@ -5,28 +5,10 @@
 ** It is XML, needs no other file, its headings are in order, its figures are numbered and have alternative
 ** texts, its ids are unique; it holds the deck as it is, and the rows as in the csv file.
 */
-#include <stdarg.h>
-
+#include "wrong.h"
 #include "xml.h"
 
 #define REPLACEMENT "\357\277\275" /* U+FFFD */
-
-static const char *report;
-static int n_wrong;
-
-static void wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
-static void wrong(const char *format, ...)
-{
-    va_list rest;
-
-    va_start(rest, format);
-    printf("%s: ", report);
-    vprintf(format, rest);
-    printf("\n");
-    va_end(rest);
-    n_wrong++;
-}
 
 static void *need(size_t n)
 {
@@ -35,11 +17,6 @@ static void *need(size_t n)
     if (!p)
         abort();
     return p;
-}
-
-static int is_named(const xml_node *x, const char *name)
-{
-    return strcmp(x->name, name) == 0;
 }
 
 static int begins(const char *words, const char *with)
@@ -89,7 +66,7 @@ static void check_links(const xml_node *root)
 
     for (x = root; x; x = xml_next(x, root)) {
         const char *id = xml_get(x, "id"),
-                   *saved = is_named(x, "button") ? xml_get(x, "data-from") : NULL;
+                   *saved = xml_is(x, "button") ? xml_get(x, "data-from") : NULL;
 
         if (id && count_id(root, id) != 1)
             wrong("the id %s comes %d times", id, count_id(root, id));
@@ -184,7 +161,7 @@ static void check_picture(const xml_node *picture, int n)
     } else {
         if (!xml_parse(&d, svg, (size_t)size))
             wrong("figure %d: %s", n, d.wrong);
-        else if (!is_named(d.root, "svg") || xml_next_named(d.root, d.root, "script"))
+        else if (!xml_is(d.root, "svg") || xml_next_named(d.root, d.root, "script"))
             wrong("figure %d is no picture, or has a script", n);
         xml_free(&d);
     }
@@ -203,9 +180,9 @@ static void check_figures(const xml_node *root)
 
         strcpy(words, "");
         for (x = figure->first; x; x = x->next) {
-            if (is_named(x, "img"))
+            if (xml_is(x, "img"))
                 picture = x;
-            if (is_named(x, "figcaption"))
+            if (xml_is(x, "figcaption"))
                 xml_words(x, words, sizeof words);
         }
         if (!picture)

@@ -8,30 +8,13 @@
 ** that value, within a unit of the last digit.  Prints what is wrong, and how many samples were checked.
 */
 #include <math.h>
-#include <stdarg.h>
 
+#include "wrong.h"
 #include "xml.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
 #define MINUS "\342\210\222"
 #define MOST 400 /* numbers of an equation, results of a sample */
-
-static const char *report;
-static int n_wrong;
-
-static void wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
-static void wrong(const char *format, ...)
-{
-    va_list rest;
-
-    va_start(rest, format);
-    printf("%s: ", report);
-    vprintf(format, rest);
-    printf("\n");
-    va_end(rest);
-    n_wrong++;
-}
 
 static double half_unit(double x)
 {
@@ -66,11 +49,6 @@ static void put_number(equation *e, const char *words)
     put(e, name);
     e->value[e->n] = is_angle ? x * DEGREE : x;
     e->error[e->n++] = is_angle ? 0.5e-4 * DEGREE : half_unit(x);
-}
-
-static int is_named(const xml_node *x, const char *name)
-{
-    return x && strcmp(x->name, name) == 0;
 }
 
 static const char *words_of(const xml_node *x, char words[200])
@@ -108,28 +86,28 @@ static void put_element(equation *e, const xml_node *x)
 {
     char words[200];
 
-    if (is_named(x, "mn")) {
+    if (xml_is(x, "mn")) {
         put_number(e, words_of(x, words));
-    } else if (is_named(x, "mo")) {
+    } else if (xml_is(x, "mo")) {
         put_operator(e, x);
-    } else if (is_named(x, "mrow") || is_named(x, "msqrt")) {
-        put(e, is_named(x, "mrow") ? "(" : "sqrt(");
+    } else if (xml_is(x, "mrow") || xml_is(x, "msqrt")) {
+        put(e, xml_is(x, "mrow") ? "(" : "sqrt(");
         put_row(e, x->first);
         put(e, ")");
-    } else if (is_named(x, "mfrac")) {
+    } else if (xml_is(x, "mfrac")) {
         put(e, "(");
         put_element(e, x->first);
         put(e, "/");
         put_element(e, x->last);
         put(e, ")");
-    } else if (is_named(x, "msup") && has_words(x->first, "10") && !has_words(x->last, "2")) {
+    } else if (xml_is(x, "msup") && has_words(x->first, "10") && !has_words(x->last, "2")) {
         int is_negative = strncmp(words_of(x->last, words), MINUS, strlen(MINUS)) == 0;
         char power[60];
 
         sprintf(power, "1e%s%.20s", is_negative ? "-" : "",
                 words + (is_negative ? strlen(MINUS) : 0));
         put(e, power);
-    } else if (is_named(x, "msup")) {
+    } else if (xml_is(x, "msup")) {
         put_element(e, x->first);
         put(e, "^"); /* a square */
     } else {
@@ -146,20 +124,20 @@ static void put_row(equation *e, const xml_node *x)
     for (; x; x = x->next) {
         size_t i = 0;
 
-        if (is_named(x, "mspace") || is_named(x, "mtext"))
+        if (xml_is(x, "mspace") || xml_is(x, "mtext"))
             continue;
-        while (is_named(x, "mi") && i < sizeof functions / sizeof functions[0] &&
+        while (xml_is(x, "mi") && i < sizeof functions / sizeof functions[0] &&
                !has_words(x, functions[i][0]))
             i++;
-        if (!is_named(x, "mi") || i == sizeof functions / sizeof functions[0]) {
+        if (!xml_is(x, "mi") || i == sizeof functions / sizeof functions[0]) {
             put_element(e, x);
             continue;
         }
         put(e, functions[i][1]);
         do /* to its argument */
             x = x->next;
-        while (is_named(x, "mspace") || has_words(x, APPLIED));
-        if (is_named(x, "mo")) {
+        while (xml_is(x, "mspace") || has_words(x, APPLIED));
+        if (xml_is(x, "mo")) {
             put_operator(e, x);
         } else {
             put(e, "(");
@@ -186,11 +164,38 @@ static int take(reader *r, const char *words)
     return 1;
 }
 
+/* Of printed numbers, which may be beyond the domain by their rounding. */
+static double arc_sine(double x)
+{
+    return asin(fmax(-1, fmin(1, x)));
+}
+
+static double arc_cosine(double x)
+{
+    return acos(fmax(-1, fmin(1, x)));
+}
+
+static double root(double x)
+{
+    return sqrt(fmax(x, 0));
+}
+
+static double itself(double x)
+{
+    return x;
+}
+
 /* A number, a function, or a sum in brackets. */
 static double operand(reader *r)
 {
-    double x, y;
+    static const struct {
+        const char *name;
+        double (*f)(double x);
+    } functions[] = {{"sin(", sin},         {"cos(", cos},   {"asin(", arc_sine},
+                     {"acos(", arc_cosine}, {"sqrt(", root}, {"(", itself}};
+    double x = NAN, y;
     char *end;
+    size_t i;
 
     if (take(r, "#")) {
         x = r->value[strtol(r->at, &end, 10)];
@@ -202,26 +207,22 @@ static double operand(reader *r)
         r->at = end;
         return x;
     }
-#define FUNCTION(name, value)            \
-    if (take(r, name "(")) {             \
-        x = sum(r);                      \
-        y = take(r, ",") ? sum(r) : 0;   \
-        (void)y;                         \
-        if (!take(r, ")"))               \
-            wrong("%s without )", name); \
-        return value;                    \
+    if (take(r, "atan2(")) {
+        y = sum(r);
+        x = take(r, ",") ? atan2(y, sum(r)) : NAN;
+    } else {
+        for (i = 0; i < sizeof functions / sizeof functions[0]; i++)
+            if (take(r, functions[i].name)) {
+                x = functions[i].f(sum(r));
+                break;
+            }
     }
-    FUNCTION("sin", sin(x))
-    FUNCTION("cos", cos(x))
-    FUNCTION("asin", asin(fmax(-1, fmin(1, x))))
-    FUNCTION("acos", acos(fmax(-1, fmin(1, x))))
-    FUNCTION("atan2", atan2(x, y))
-    FUNCTION("sqrt", sqrt(fmax(x, 0)))
-    FUNCTION("", x)
-#undef FUNCTION
-    wrong("a value is missing at %s", r->at);
-    r->at = "";
-    return NAN;
+    if (!take(r, ")")) {
+        wrong("this cannot be read: %s", r->at);
+        r->at = "";
+        return NAN;
+    }
+    return x;
 }
 
 static double factor(reader *r)
@@ -309,7 +310,7 @@ static const xml_node *content(const xml_node *math)
 {
     const xml_node *x = math->first;
 
-    return is_named(x, "mrow") && !x->next ? x->first : x;
+    return xml_is(x, "mrow") && !x->next ? x->first : x;
 }
 
 /* "θ" is "theta". */
@@ -382,7 +383,7 @@ static int read_cells(const xml_node *row, double *cells, int most)
     int n = 0;
 
     for (x = row->first; x; x = x->next)
-        if ((is_named(x, "td") || is_named(x, "mtd")) && n < most)
+        if ((xml_is(x, "td") || xml_is(x, "mtd")) && n < most)
             cells[n++] = cell(x);
     return n;
 }
@@ -442,7 +443,7 @@ static void check_sums(const xml_node *section)
             continue;
         for (row = xml_next_named(table, table, "tr"); row && n < 60;
              row = xml_next_named(row, table, "tr"))
-            if (is_named(row->parent, "tbody"))
+            if (xml_is(row->parent, "tbody"))
                 width = read_cells(row, cells[n++], 4);
         for (i = 0; is_works && i < width; i++)
             check_sum("works", &cells[0][i], n - 1, 4, cells[n - 1][i]);
@@ -483,13 +484,13 @@ static void check_report(int argc, char **argv)
     }
     found.n = 0;
     for (section = d.root;
-         section && !(is_named(section, "section") && xml_has(section, "id", "sample"));)
+         section && !(xml_is(section, "section") && xml_has(section, "id", "sample"));)
         section = xml_next(section, d.root);
     for (x = section; x; x = xml_next(x, section))
-        if (is_named(x, "div") && xml_has(x, "class", "equation")) {
+        if (xml_is(x, "div") && xml_has(x, "class", "equation")) {
             check_equation(x, &found);
             n_equations++;
-        } else if (is_named(x, "li") && xml_has(x->parent, "class", "given solution") && n < 9) {
+        } else if (xml_is(x, "li") && xml_has(x->parent, "class", "given solution") && n < 9) {
             const xml_node *math = xml_next_named(x, x, "math");
 
             memset(&e, 0, sizeof e);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_sample.sh FOURLINK DATA [all] - the sample calculations of chosen decks, evaluated from their printed numbers;
-# with "all" those of every deck, and the reports are sound pages, each of both branches.
+# with "all" those of every deck at more angles, and the reports are sound pages, each of both branches.
 . "$(dirname "$0")/../harness.sh"
 
 [ "${3-}" ] && angles='10 200 359' branches='open crossed' || angles=275 branches=crossed
@@ -64,7 +64,7 @@ END
 sed 's/^length = 130 mm$/offset = 25 mm/; /^angle/d' norton.deck >offset.deck
 printf 'mechanism = slider-crank\n[crank]\nlength = 30 mm\nmass = 1 kg\n[rod]\nlength = 100 mm\nmass = 2 kg\ncg = 40 mm\ngyration = 30 mm
 [ground]\noffset = -20 mm\n[piston]\nmass = 3 kg\n[motion]\nspeed = 90 rpm\ninterval = 30 deg\n' >crank.deck
-for deck in norton.deck offset.deck "$matrix" "$alvi" "$decks/engine.deck" "$decks/pump.deck" "$data/crank-rocker-75.deck" crank.deck; do
+for deck in norton.deck offset.deck crank.deck ${3+"$matrix" "$alvi" "$decks/engine.deck" "$decks/pump.deck" "$data/crank-rocker-75.deck"}; do
     for branch in $branches; do
         for angle in $angles; do
             sample "$deck" --branch=$branch --plot-at="$angle deg" --set='motion.acceleration=7.5 rad/s2'
