@@ -64,7 +64,7 @@ function style_of(look) {
     return "lt " look
 }
 
-function put_text(tag, line, class, name, words, x, y, anchor, colour) {
+function put_text(tag, line, class, name, words, x, y, axis, anchor, colour) {
     words = words_of(line)
     x = attribute(tag, "x")
     y = attribute(tag, "y") - 5
@@ -116,15 +116,15 @@ function put_disc(x, y, size, arc, is_white, rest) {
 }
 
 # A line of a drawing; `head`: the path of its arrow's head, or "".
-function put_line(path, look, head, tip, n, k, is_upright) {
+function put_line(path, look, head, tip_x, tip_y, n, k, is_upright) {
     if (head != "") {
         read_places(head)
-        tip = px[1]
+        tip_x = px[1]
         tip_y = py[1]
     }
     n = read_places(path)
     if (head != "") {
-        px[n] = tip
+        px[n] = tip_x
         py[n] = tip_y
     }
     for (k = 1; k < n; k++) {
@@ -206,7 +206,7 @@ function put_panel(frame, i, tag, class, look, name) {
     split("", key)
     split("", titles)
     split("", numbers)
-    sample = "None"
+    sample = ""
     for (i = 1; i <= elements; i++) {
         tag = tag_of(i, frame)
         class = attribute(tag, "class")
