@@ -48,11 +48,16 @@ static inline int run_all_tests(CMFixtureFunction setup)
     return _cmocka_run_group_tests("tests", tests.list, tests.n, setup, NULL);
 }
 
-/* How many random cases a test tries: all with ALL_CASES in the environment, as in the long trials, else a
-** quarter. */
+/* 1 if a test tries all of its cases: with ALL_CASES in the environment, as in the long trials. */
+static inline int tries_all(void)
+{
+    return getenv("ALL_CASES") != NULL;
+}
+
+/* How many random cases a test tries: all, or a quarter. */
 static inline int some_of(int all)
 {
-    return getenv("ALL_CASES") ? all : (all + 3) / 4;
+    return tries_all() ? all : (all + 3) / 4;
 }
 
 /* GSL's error handler is the host's: no result reaches it. */

@@ -178,7 +178,7 @@ TEST(test_order)
 
 /* ---------------------------------------------------------------------------------- distributions */
 
-#define N 8000
+#define N 20000
 
 static double sample[6][N], sorted[N];
 
@@ -266,13 +266,13 @@ TEST(test_distributions)
     static const size_t pairs[][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 3}, {2, 3}, {4, 5}, {1, 5}};
     size_t i, lag;
 
-    fill("coupler.length = 66 mm +- 0.1 mm\nrocker.length = 56 mm ± 0.3 mm normal\nsamples = 8000",
+    fill("coupler.length = 66 mm +- 0.1 mm\nrocker.length = 56 mm ± 0.3 mm normal\nsamples = 20000",
          sample[0], sample[1]);
     fill("coupler.length = 66 mm +/- 0.1 mm uniform\nrocker.length = 56 mm +- 0.3 mm normal\n"
-         "samples = 8000\nseed = 2",
+         "samples = 20000\nseed = 2",
          sample[2], sample[3]);
     fill("coupler.length = 66 mm +- 0.1 mm normal\nrocker.length = 56 mm +- 0.1 mm normal\n"
-         "samples = 8000\nseed = 3",
+         "samples = 20000\nseed = 3",
          sample[4], sample[5]);
     check_distribution(sample[0], 66, 0.1, 0.1 / sqrt(3), 1.8);
     check_distribution(sample[2], 66, 0.1, 0.1 / sqrt(3), 1.8);

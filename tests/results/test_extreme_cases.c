@@ -257,7 +257,7 @@ TEST(test_lock_of_pins)
         "[rocker]\nlength = 56 mm\nmass = 0.25 kg\nuniform = yes\n[ground]\nlength = 80 mm\n"
         "[friction]\nB = 1\nC = 1\nD = 1\n"
         "radius_B = 30 mm\nradius_C = 30 mm\nradius_D = 30 mm\n"
-        "[motion]\nspeed = 10 rad/s\ninterval = 0.03 deg\n"
+        "[motion]\nspeed = 10 rad/s\ninterval = 0.01 deg\n"
         "[table]\ncolumns = Ts, F23, F34, F14, power_friction\n";
 
     check(deck, FOURLINK_OPEN, "max(Ts)", 0.3277405, 2e-6);
@@ -344,7 +344,7 @@ TEST(test_behind_lock)
         "[rod]\nlength = 127.11 mm\nmass = 0.153 kg\ngyration = 16.54 mm\ncg = 19 mm\n"
         "[piston]\nmass = 0.424 kg\n[load P]\nlink = piston\nforce = 629.6 N\n"
         "[friction]\nguide = 2.771\nB = 0.59\nradius_B = 12.84 mm\nC = 0.64\n"
-        "radius_C = 7.17 mm\n[motion]\nspeed = -2.2 rad/s\ninterval = 0.03 deg\n"
+        "radius_C = 7.17 mm\n[motion]\nspeed = -2.2 rad/s\ninterval = 0.01 deg\n"
         "[table]\ncolumns = Ts, N, F34, Fsx, power_friction\n";
 
     check(deck, FOURLINK_CROSSED, "max(power_friction)", HUGE_VAL, 0);

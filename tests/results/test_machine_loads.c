@@ -148,10 +148,10 @@ TEST(test_contact)
 ** Over the motion
 ** ------------------------------------------------------------------------------------------- */
 
-#define SCAN 3600
+#define SCAN 7200
 #define MOST_COLUMNS 10
 
-/* Extremes and means of columns against rows at every 0.1 deg; an extreme may be beside a jump or between rows. */
+/* Extremes and means of columns against rows at every 0.05 deg; an extreme may be beside a jump or between rows. */
 static void compare_rows(const char *contents, const char *const *names, size_t n)
 {
     fourlink_results *r = opened(contents);

@@ -393,7 +393,7 @@ TEST(test_step_within_a_degree)
 /* What the flywheel takes up while the crank passes an area, in time: the power above its mean. */
 static void check_areas(const char *contents, int at_least)
 {
-    enum { STEPS = 8000 };
+    enum { STEPS = 20000 };
     fourlink_results *r = opened(contents);
     fourlink_problem p = problem_of(r);
     fourlink_turning t;

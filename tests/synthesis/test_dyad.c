@@ -414,7 +414,7 @@ TEST(searches)
         assert_true(fine.mu_min >= s[0].mu_min - 1e-12 || fine.type != s[0].type);
     }
     assert_true(n_found > some_of(3));
-    print_message("%d of 12 searches found linkages\n", n_found);
+    print_message("%d of %d searches found linkages\n", n_found, some_of(12));
 }
 
 TEST(bad_problems)

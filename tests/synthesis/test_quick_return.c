@@ -209,7 +209,7 @@ TEST(best_transmission)
                 assert_close(length_of(&other, j), 3 * length_of(&s, j), 1e-12);
         }
     }
-    print_message("%d of 60 have a best\n", n_best);
+    print_message("%d of %d have a best\n", n_best, some_of(60));
     assert_true(n_best > some_of(20));
 }
 

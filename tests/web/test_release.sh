@@ -21,8 +21,8 @@ sed -e "s/@VERSION@/$version/" -e "s/@SOURCES@/$hash/" copy/web/page.html >copy/
 check 'a page of these sources' sh copy/tests/release.sh >out
 
 # A change of any of these is seen.
-for file in include/fourlink.h src/results/mean.c src/report/report.css web/worker.js web/build.sh data/alvi-5.1.deck doc/man/fourlink.1 \
-    CMakeLists.txt; do
+for file in include/fourlink.h src/base/number.c src/results/mean.c src/report/report.css src/view/view.c src/command/best.c web/worker.js \
+    web/build.sh data/alvi-5.1.deck doc/man/fourlink.1 CMakeLists.txt; do
     cp "copy/$file" before
     sed 's/^project(fourlink VERSION /&9./' before >"copy/$file"
     [ "$file" = CMakeLists.txt ] || echo >>"copy/$file"
