@@ -96,32 +96,33 @@ static inline int xml_is_character(unsigned long code)
            code <= 0x10ffff;
 }
 
-/* All bytes are UTF-8, and characters that XML has. */
-static inline void xml_check_characters(xml_document *d)
+/* The letter in UTF-8 there.  Returned: how many bytes it has; 0 if it is none (RFC 3629). */
+static inline int xml_letter(const char *at, unsigned long *code)
 {
     static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000}; /* of so many bytes */
+    unsigned char first = (unsigned char)*at;
+    int n = 1, i;
 
-    while (d->at < d->end) {
-        unsigned char first = (unsigned char)*d->at;
-        int n = first < 0x80   ? 1
-                : first < 0xc0 ? 0
-                : first < 0xe0 ? 2
-                : first < 0xf0 ? 3
-                : first < 0xf8 ? 4
-                               : 0,
-            i;
-        unsigned long code = n < 2 ? first : first & (0x7fu >> n);
+    if (first >= 0x80)
+        n = first < 0xc0 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf8 ? 4 : 0;
+    *code = n < 2 ? first : first & (0x7fu >> n);
+    for (i = 1; i < n; i++) {
+        if ((at[i] & 0xc0) != 0x80)
+            return 0;
+        *code = *code << 6 | (at[i] & 0x3f);
+    }
+    return *code < least[n] || *code > 0x10ffff || (*code >= 0xd800 && *code < 0xe000) ? 0 : n;
+}
 
-        for (i = 1; i < n; i++) {
-            if ((d->at[i] & 0xc0) != 0x80)
-                xml_stop(d, "not UTF-8");
-            code = code << 6 | (d->at[i] & 0x3f);
-        }
-        if (n == 0 || code < least[n])
+static inline void xml_check_characters(xml_document *d)
+{
+    unsigned long code;
+
+    for (; d->at < d->end; d->at += xml_letter(d->at, &code)) {
+        if (!xml_letter(d->at, &code))
             xml_stop(d, "not UTF-8");
         if (!xml_is_character(code))
             xml_stop(d, "a character that XML does not have");
-        d->at += n;
     }
     d->at = d->data;
 }
@@ -140,9 +141,8 @@ static inline void xml_read_entity(xml_document *d)
 {
     static const char *const known[] = {"&lt;", "<",      "&gt;", ">",      "&amp;",
                                         "&",    "&quot;", "\"",   "&apos;", "'"};
-    const char *before = d->at;
+    char *before = d->at, *end = d->at;
     unsigned long code;
-    char *end = d->at;
     size_t i;
 
     for (i = 0; i < sizeof known / sizeof known[0]; i += 2)
@@ -157,7 +157,7 @@ static inline void xml_read_entity(xml_document *d)
     else
         code = strspn(d->at, "0123456789") ? strtoul(d->at, &end, 10) : 0;
     if (!xml_is_character(code) || *end != ';') {
-        d->at += before - d->at;
+        d->at = before;
         xml_stop(d, "no character");
     }
     d->at = end + 1;
@@ -339,22 +339,31 @@ static inline int xml_parse(xml_document *d, const char *bytes, size_t n)
     return 1;
 }
 
+/* Returned: the bytes of a file and a 0, to be freed; NULL if it cannot be read. */
+static inline char *xml_read_file(const char *name, size_t *n)
+{
+    FILE *file = fopen(name, "rb");
+    char *bytes = NULL;
+    long size;
+
+    if (!file)
+        return NULL;
+    if (fseek(file, 0, SEEK_END) == 0 && (size = ftell(file)) >= 0 &&
+        fseek(file, 0, SEEK_SET) == 0 && (bytes = (char *)calloc((size_t)size + 1, 1)) != NULL)
+        *n = fread(bytes, 1, (size_t)size, file);
+    fclose(file);
+    return bytes;
+}
+
 /* As xml_parse, of a file. */
 static inline int xml_read(xml_document *d, const char *name)
 {
-    FILE *file = fopen(name, "rb");
-    char *bytes;
-    long n;
-    int is_good;
+    size_t n = 0;
+    char *bytes = xml_read_file(name, &n);
+    int is_good = xml_parse(d, bytes ? bytes : "", n);
 
-    memset(d, 0, sizeof *d);
-    if (!file || fseek(file, 0, SEEK_END) || (n = ftell(file)) < 0 || fseek(file, 0, SEEK_SET) ||
-        !(bytes = (char *)malloc((size_t)n + 1)) || fread(bytes, 1, (size_t)n, file) != (size_t)n ||
-        fclose(file)) {
+    if (!bytes)
         sprintf(d->wrong, "it cannot be read");
-        return 0;
-    }
-    is_good = xml_parse(d, bytes, (size_t)n);
     free(bytes);
     return is_good;
 }

@@ -39,7 +39,7 @@ int main(int argc, char **argv)
         caption = xml_next_named(x, x, "caption");
         if (!caption)
             caption = summary;
-        printf("table\t%s\t%s\n", xml_get(x, "class"),
+        printf("table\t%s\t%s\n", xml_get(x, "class") ? xml_get(x, "class") : "",
                caption ? xml_words(caption, title, sizeof title) : "");
         put_rows(x);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** page.c REPORT [DECK [CSV]] - checks a report: one line for each thing that is wrong, nothing if all is well.
+** check_page.c REPORT [DECK [CSV]] - checks a report: one line for each thing that is wrong, nothing if all is well.
 **
 ** It is XML, needs no other file, its headings are in order, its figures are numbered and have alternative
 ** texts, its ids are unique; it holds the deck as it is, and the rows as in the csv file.
@@ -196,51 +196,32 @@ static void check_figures(const xml_node *root)
 
 /* ---------------------------------------------------------------------------------- what the page has of files */
 
-/* Bytes of the letter there; 0 if they are not UTF-8. */
-static size_t letter_length(const unsigned char *c)
-{
-    size_t n = *c < 0x80 ? 1 : *c < 0xc2 ? 0 : *c < 0xe0 ? 2 : *c < 0xf0 ? 3 : *c < 0xf5 ? 4 : 0, i;
-
-    for (i = 1; i < n; i++)
-        if ((c[i] & 0xc0) != 0x80)
-            return 0;
-    return n;
-}
-
 /* 1 if a page has it: no control character, not U+FFFE or U+FFFF. */
-static int is_printable(const unsigned char *c)
+static int is_printable(unsigned long code)
 {
-    return !(*c < 0x20 && *c != '\t' && *c != '\n') && *c != 0x7f && !(*c == 0xc2 && c[1] < 0xa0) &&
-           !(*c == 0xef && c[1] == 0xbf && c[2] >= 0xbe);
+    return xml_is_character(code) && code != '\r' && !(code >= 0x7f && code < 0xa0);
 }
 
 /* What a page shows of a file. */
 static char *read_printable(const char *name)
 {
-    enum { MOST = 2000000 };
-    FILE *file = fopen(name, "rb");
-    unsigned char *bytes = (unsigned char *)need(MOST + 4), *c = bytes, *end;
-    char *shown = (char *)need(3 * MOST + 4), *to = shown;
+    size_t n = 0;
+    char *bytes = xml_read_file(name, &n), *shown = (char *)need(3 * n + 1), *to = shown;
+    const char *c;
 
-    if (!file)
+    if (!bytes)
         wrong("%s cannot be read", name);
-    end = bytes + (file ? fread(bytes, 1, MOST, file) : 0);
-    if (file)
-        fclose(file);
-    while (c < end) {
-        size_t n = letter_length(c);
+    for (c = bytes; c && c < bytes + n;) {
+        unsigned long code;
+        int length = xml_letter(c, &code), is_shown = length && is_printable(code);
 
         if (c[0] == '\r' && c[1] == '\n') {
             c++;
-        } else if (n && is_printable(c)) {
-            memcpy(to, c, n);
-            to += n;
-            c += n;
-        } else {
-            memcpy(to, REPLACEMENT, 3);
-            to += 3;
-            c += n ? n : 1;
+            continue;
         }
+        memcpy(to, is_shown ? c : REPLACEMENT, is_shown ? (size_t)length : 3);
+        to += is_shown ? length : 3;
+        c += length ? length : 1;
     }
     free(bytes);
     return shown;
@@ -269,27 +250,24 @@ static void check_file(const xml_node *root, const char *attribute, const char *
     free(shown);
 }
 
-static void check_size(void)
+static void check_size(const char *bytes, size_t n)
 {
-    static const char first[] = "<!DOCTYPE html>\n";
-    char line[sizeof first] = "";
-    FILE *file = fopen(report, "rb");
-
-    if (!file || !fgets(line, sizeof line, file) || strcmp(line, first) != 0)
+    if (!begins(bytes, "<!DOCTYPE html>\n"))
         wrong("no document type");
-    if (file && (fseek(file, 0, SEEK_END) || ftell(file) > 1000000))
-        wrong("more than 1,000,000 bytes");
-    if (file)
-        fclose(file);
+    if (n > 1000000)
+        wrong("%lu bytes", (unsigned long)n);
 }
 
 int main(int argc, char **argv)
 {
     xml_document d;
+    size_t n = 0;
+    char *bytes;
 
     report = argc > 1 ? argv[1] : "";
-    check_size();
-    if (!xml_read(&d, report)) {
+    bytes = xml_read_file(report, &n);
+    check_size(bytes ? bytes : "", n);
+    if (!xml_parse(&d, bytes ? bytes : "", n)) {
         wrong("%s", d.wrong);
     } else {
         check_headings(d.root);
@@ -302,5 +280,6 @@ int main(int argc, char **argv)
             check_file(d.root, "id", "csv-rows", argv[3], 0);
     }
     xml_free(&d);
+    free(bytes);
     return n_wrong > 0;
 }

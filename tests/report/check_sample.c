@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample.c REPORT... [NAME=VALUE...] - checks the sample calculations of reports: evaluates every equation from the numbers
+** check_sample.c REPORT... [NAME=VALUE...] - checks the sample calculations of reports: evaluates every equation from the numbers
 ** that are printed in it, and compares it with the printed result.
 **
 ** A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_pages.sh FOURLINK DATA - pages of reports are sound: XML, with the deck as it is and the rows of the csv, by page.c.
+# test_pages.sh FOURLINK DATA - pages of reports are sound: XML, with the deck as it is and the rows of the csv, by check_page.c.
 . "$(dirname "$0")/../harness.sh"
 fourbar=$decks/coupler-point.deck
 
 # page_is_sound [DECK [CSV]]: the report r.html is, and has that deck and those rows
 page_is_sound() {
-    "$programs/page" r.html "$@" >wrong 2>&1
+    "$programs/check_page" r.html "$@" >wrong 2>&1
     check "${1-no deck}: $(tail -n 5 wrong)" test ! -s wrong
 }
 # sound STATUS DECK [OPTION...]: the report of a deck

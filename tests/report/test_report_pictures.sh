@@ -17,7 +17,7 @@ check 'a folder of temporary files' none -F "$work" first.html
 # pictures of all kinds of mechanisms, in a page that is sound
 for deck in "$engine" "$decks/coupler-point.deck" "$data/khurmi-5.2.deck" "$data/gerstmayr-run-up.deck"; do
     run 0 --report=r.html "$deck"
-    "$programs/page" r.html "$deck" >wrong 2>&1
+    "$programs/check_page" r.html "$deck" >wrong 2>&1
     check "$(tail -n 5 wrong)" test ! -s wrong
     check "pictures of $deck" grep -q '<svg[^>]* class="fourlink"' r.html
 done

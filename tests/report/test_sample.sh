@@ -6,7 +6,7 @@
 . "$(dirname "$0")/../harness.sh"
 
 [ "${3-}" ] && angles='10 200 359' branches='open crossed' || angles=275 branches=crossed
-# sample DECK ARGUMENT...: the report r-NUMBER.html, of all that sample.c checks
+# sample DECK ARGUMENT...: the report r-NUMBER.html, of all that check_sample.c checks
 n=0
 sample() {
     n=$((n + 1))
@@ -24,7 +24,7 @@ for deck in "$data"/*.deck "$decks"/*.deck; do
     sample "$deck" --branch=open
     [ "${3-}" ] || continue
     grep -q '^mechanism = scotch-yoke' "$deck" || sample "$deck" --branch=crossed
-    "$programs/page" r-$n.html "$deck" >wrong 2>&1
+    "$programs/check_page" r-$n.html "$deck" >wrong 2>&1
     check "$deck: $(tail -n 3 wrong)" test ! -s wrong
 done
 
@@ -91,12 +91,12 @@ for deck in rubbed-*.deck; do
     done
 done
 check 'what s and h are' grep -q 'is h; θ₃ is the angle of the slide:' r-$n.html
-"$programs/sample" r-*.html >checked 2>&1
+"$programs/check_sample" r-*.html >checked 2>&1
 check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
 
 # the results are those of the table
 PATH=$work/empty "$fourlink" --report=r.html "$data/me3491-matrix.deck" --plot-at='40 deg' -b open
-check 'results of the reference' "$programs/sample" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
+check 'results of the reference' "$programs/check_sample" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
     alpha4=56.4558 Ts=0.0313823 theta3=0.680440 theta4=1.81201
 
 # friction is that of the columns
@@ -105,11 +105,11 @@ check 'no friction without its section' fails grep -q '<h3>Friction</h3>' r.html
 sample rubbed-norton.deck --plot-at='95 deg' --branch=open
 run 0 -f csv -b open -s 'motion.at=95 deg' -c friction_A,friction_B,friction_D,friction_guide,F34 rubbed-norton.deck
 set -- $(tail -n 1 out | tr -d '\r' | tr ',' ' ')
-check "friction of the columns: $*" "$programs/sample" r-$n.html MA=$2 MB=$3 MD=$4 Fguide=$5 F34=$6
+check "friction of the columns: $*" "$programs/check_sample" r-$n.html MA=$2 MB=$3 MD=$4 Fguide=$5 F34=$6
 check 'the loads of friction are written' grep -q 'guide, on the lever</th><td>[-0-9.]*</td>' r-$n.html
 
 # an error is found
 sed 's|<mn>0.0732971</mn>|<mn>0.0733971</mn>|' r.html >wrong.html
-check "a wrong number is found" fails "$programs/sample" wrong.html
+check "a wrong number is found" fails "$programs/check_sample" wrong.html
 
 finish
