@@ -112,7 +112,7 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
     /* of a motion that the samples miss */
-    for (i = 0; i < p->v.range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
+    for (i = 0; i < p->v.range.n_rows && place_is_empty(&s->drawn); i++)
         if (fourlink_results_row(p->v.results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
 }
@@ -136,11 +136,13 @@ static double size_of(picture *p, fourlink_branch branch)
 
 void figure_open(sketch *s, picture *p, fourlink_branch branch)
 {
+    const labels_motion *m = p->on.motion;
+
     sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], size_of(p, branch));
     if (p->v.kind.has_slot)
         s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
                                OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
-    if (p->on.motion && p->on.motion->phase == LABELS_MEASURE)
+    if (m && m->phase == LABELS_MEASURE && place_is_empty(&m->drawn)) /* once is enough */
         include_all(s, p, branch,
                     p->v.kind.has_stroke || p->v.kind.has_slot ? 2 * figure_block(s) : 0);
 }

@@ -77,12 +77,11 @@ int graph_column(const picture *p, const char *name)
     return -1;
 }
 
-/* Sample k of PICTURE_STEPS + 1 over the motion; 0 if there is no curve there. */
-static int sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
-                  fourlink_instant *now)
+/* 1 if there is a point of a curve of columns x and y. */
+static int has_point(const plot_sample *s, int x, int y)
 {
-    return picture_sample(p, branch, k, PICTURE_STEPS, values, now, NULL) == FOURLINK_OK &&
-           !(now->state.mu < 1e-3);
+    return s->status == FOURLINK_OK && !(s->now.state.mu < 1e-3) && gsl_finite(s->values[x]) &&
+           gsl_finite(s->values[y]);
 }
 
 /* Continue an angle from the one before it, past half a turn. */
@@ -119,27 +118,27 @@ static void join_ends(const picture *p, double turn, double values[PICTURE_STEPS
         values[k] += shift;
 }
 
-/* N m, the largest rounding of a torque on a branch. */
-static double rounding_of_torques(const picture *p, fourlink_branch branch)
+/* N m, the largest rounding of a torque. */
+static double rounding_of_torques(const picture *p, const plot_sample *samples)
 {
-    double values[PICTURE_COLUMNS], largest = 0;
-    fourlink_instant now;
+    double largest = 0;
     int k;
 
     for (k = 0; k <= PICTURE_STEPS && p->v.problem.mode != FOURLINK_MODE_GIVEN; k++)
-        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now, NULL) == FOURLINK_OK)
-            largest = GSL_MAX_DBL(largest, view_torque_rounding(&p->v, &now.forces));
+        if (samples[k].status == FOURLINK_OK)
+            largest = GSL_MAX_DBL(largest, view_torque_rounding(&p->v, &samples[k].now.forces));
     return largest;
 }
 
 /* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on
 ** it. */
-static double rounding_of(const picture *p, fourlink_branch branch, int y)
+static double rounding_of(const picture *p, fourlink_branch branch, const plot_sample *samples,
+                          int y)
 {
     const char *of = p->v.columns[y].quantity;
 
     if (strcmp(of, "torque") == 0)
-        return view_value(&p->v, QUANTITY_TORQUE, rounding_of_torques(p, branch));
+        return view_value(&p->v, QUANTITY_TORQUE, rounding_of_torques(p, samples));
     return view_rounding(&p->v, of, picture_speed_of(p, branch));
 }
 
@@ -160,27 +159,39 @@ static double follow(double value, double last, double turn, double rounding)
     return fabs(value) < rounding ? 0 : value;
 }
 
-void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_line *line)
+/* No point at all. */
+static void clear(graph_line *line)
 {
-    double x_turn = turn_of(p, x), y_turn = turn_of(p, y), last_x = GSL_NAN, last_y = GSL_NAN;
-    double x_rounding = rounding_of(p, branch, x), y_rounding = rounding_of(p, branch, y);
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
-    int k, gap = 0;
+    int k;
 
     line->n_points = 0;
-    for (k = 0; k <= PICTURE_STEPS; k++) {
+    for (k = 0; k <= PICTURE_STEPS; k++)
         line->x[k] = line->y[k] = GSL_NAN;
-        if (!sample(p, branch, k, values, &now) || !gsl_finite(values[x]) ||
-            !gsl_finite(values[y])) {
+}
+
+void graph_follow(picture *p, fourlink_branch branch, int x, int y, graph_line *line)
+{
+    double x_turn = turn_of(p, x), y_turn = turn_of(p, y), last_x = GSL_NAN, last_y = GSL_NAN;
+    const plot_sample *samples = picture_samples(p, branch), *s;
+    double x_rounding, y_rounding;
+    int k, gap = 0;
+
+    clear(line);
+    if (!samples)
+        return;
+    x_rounding = rounding_of(p, branch, samples, x);
+    y_rounding = rounding_of(p, branch, samples, y);
+    for (k = 0; k <= PICTURE_STEPS; k++) {
+        s = &samples[k];
+        if (!has_point(s, x, y)) {
             if (++gap > 1) /* of a change point alone an angle goes on */
                 last_x = last_y = GSL_NAN;
             continue;
         }
         gap = 0;
-        line->x[k] = last_x = follow(values[x], last_x, x_turn, x_rounding);
-        line->y[k] = last_y = follow(values[y], last_y, y_turn, y_rounding);
-        line->mu[k] = now.state.mu;
+        line->x[k] = last_x = follow(s->values[x], last_x, x_turn, x_rounding);
+        line->y[k] = last_y = follow(s->values[y], last_y, y_turn, y_rounding);
+        line->mu[k] = s->now.state.mu;
         line->n_points++;
     }
     join_ends(p, x_turn, line->x);
@@ -212,28 +223,27 @@ static int add_step(turn_sums *sums, double turn, double step, const double *las
     return 1;
 }
 
-int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_line *line)
+int graph_average(picture *p, fourlink_branch branch, int x, int y, graph_line *line)
 {
     double turn = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle), last[2] = {0, 0}, next[2];
-    double values[PICTURE_COLUMNS], before = 0;
+    const plot_sample *samples = picture_samples(p, branch);
+    double before = 0;
     turn_sums sums = {0, 0, 0};
-    fourlink_instant now;
     fourlink_vector mean;
     int k, n = 0;
 
-    for (k = 0; k <= PICTURE_STEPS; k++)
-        line->x[k] = line->y[k] = GSL_NAN;
-    for (k = 0; k <= PICTURE_STEPS; k++) {
-        if (picture_sample(p, branch, k, PICTURE_STEPS, values, &now, NULL) != FOURLINK_OK)
-            break;
-        next[0] = values[x];
-        next[1] = values[y];
-        if (k > 0 && add_step(&sums, turn, fabs(now.row.angle - before), last, next, &mean)) {
+    clear(line);
+    for (k = 0; samples && k <= PICTURE_STEPS && samples[k].status == FOURLINK_OK; k++) {
+        const fourlink_instant *now = &samples[k].now;
+
+        next[0] = samples[k].values[x];
+        next[1] = samples[k].values[y];
+        if (k > 0 && add_step(&sums, turn, fabs(now->row.angle - before), last, next, &mean)) {
             line->x[n] = mean.x;
             line->y[n] = mean.y;
-            line->mu[n++] = now.state.mu;
+            line->mu[n++] = now->state.mu;
         }
-        before = now.row.angle;
+        before = now->row.angle;
         last[0] = next[0];
         last[1] = next[1];
     }

@@ -37,11 +37,11 @@ int graph_column(const picture *p, const char *name);
 
 /* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no
 ** number. Angles are followed past half a turn; what is rounding becomes 0. */
-void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
+void graph_follow(picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
 /* The means of both columns over each whole turn of the motion, over the crank angle: a point for each turn.
 ** 0, and nothing, if there are fewer than three. */
-int graph_average(const picture *p, fourlink_branch branch, int x, int y, graph_line *line);
+int graph_average(picture *p, fourlink_branch branch, int x, int y, graph_line *line);
 
 /* The first jumps of a curve, each in the step that ends with a sample. */
 #define GRAPH_JUMPS 40

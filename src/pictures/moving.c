@@ -42,7 +42,7 @@ void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const
         p->on.motion = m;
         m->drawn = *range;
         m->phase = LABELS_MEASURE;
-        if (range->x_min > range->x_max)
+        if (place_is_empty(range))
             draw_some(p, n, MEASURED, draw, what);
         *range = m->drawn;
         m->phase = LABELS_KEEP;
@@ -104,14 +104,39 @@ int moving_count(const moving *x)
     return n;
 }
 
-static void find_row(picture *p, const moving *x, int step, picture_row *r)
+/* A step as it was solved, once for all drawings. */
+struct moving_step {
+    fourlink_instant now;
+    fourlink_load loads[PICTURE_LOADS + 2];
+};
+
+/* Solve all steps; 0 without memory. */
+static int solve_steps(moving *x)
 {
-    if (p->v.problem.by_time)
-        fourlink_results_row(p->v.results, x->branch, (unsigned long)step, NULL, &r->now, r->loads);
-    else
-        fourlink_results_at(p->v.results, x->branch, x->steps.at[step], NULL, &r->now, r->loads);
-    tracks_find(&r->numbers, &p->v, &r->now, r->loads);
-    scene_find(&r->drawn, &p->v);
+    const view *v = &x->p.v;
+    unsigned long i;
+
+    x->solved = malloc(x->steps.n * sizeof *x->solved);
+    for (i = 0; x->solved && i < x->steps.n; i++) {
+        moving_step *to = &x->solved[i];
+
+        if (v->problem.by_time)
+            fourlink_results_row(v->results, x->branch, i, NULL, &to->now, to->loads);
+        else
+            fourlink_results_at(v->results, x->branch, x->steps.at[i], NULL, &to->now, to->loads);
+    }
+    return x->solved != NULL;
+}
+
+/* A step, with all that is drawn there. */
+static const picture_row *row_of(moving *x, unsigned long step)
+{
+    picture_row *r = &x->row;
+
+    r->now = x->solved[step].now;
+    memcpy(r->loads, x->solved[step].loads, sizeof r->loads);
+    tracks_find(&r->numbers, &x->p.v, &r->now, r->loads);
+    return r;
 }
 
 /* Draw a step; at last, add it to the list. */
@@ -119,22 +144,21 @@ static void draw_step(picture *p, const void *what, int step)
 {
     const drawn *x = what;
     const scene_polygon *polygon = &scene_polygons(&p->v)[x->subject == POLYGON ? x->which : 0];
-    picture_row r;
+    const picture_row *r = row_of(x->of, (unsigned long)step);
 
-    find_row(p, x->of, step, &r);
     display_clear(x->step);
     p->on.next = 0;
     p->on.motion->is_first = step == 0;
     if (x->subject == MECHANISM)
-        mechanism_draw(p, &r, x->of->largest);
-    else if (r.now.status != FOURLINK_OK)
+        mechanism_draw(p, r, x->of->largest);
+    else if (r->now.status != FOURLINK_OK)
         return;
     else if (x->subject == INSET)
-        mechanism_draw_inset(p, &r, x->which, x->of->largest);
+        mechanism_draw_inset(p, r, x->which, x->of->largest);
     else if (x->subject == POLYGON)
-        vectors_draw_polygon(p, &r, polygon, x->most);
+        vectors_draw_polygon(p, r, polygon, x->most);
     else
-        vectors_draw_body(p, &r, x->which, x->of->largest);
+        vectors_draw_body(p, r, x->which, x->of->largest);
     if (p->on.motion->phase != LABELS_DRAW)
         return;
     motion_add(&x->panel->list, (size_t)step, x->step);
@@ -156,7 +180,6 @@ static double usual_size(moving *x, int which)
 {
     double *sizes = malloc(x->steps.n * sizeof *sizes), usual = 0;
     size_t n = 0;
-    picture_row r;
     unsigned long i;
 
     if (!sizes) {
@@ -164,8 +187,7 @@ static double usual_size(moving *x, int which)
         return 1;
     }
     for (i = 0; i < x->steps.n; i++) {
-        find_row(&x->p, x, (int)i, &r);
-        sizes[n] = vectors_size(&r, &scene_polygons(&x->p.v)[which]);
+        sizes[n] = vectors_size(row_of(x, i), &scene_polygons(&x->p.v)[which]);
         n += sizes[n] > 0;
     }
     gsl_sort(sizes, 1, n);
@@ -224,9 +246,10 @@ int moving_open(moving *x, const fourlink_source *source, fourlink_results *resu
     x->branch = branch;
     x->sheet.range = place_nothing;
     x->steps = *steps;
-    x->out_of_memory = !picture_open(&x->p, source, &x->request);
+    x->out_of_memory = !picture_open(&x->p, source, &x->request) || !solve_steps(x);
     if (x->out_of_memory)
         return 0;
+    scene_find(&x->row.drawn, &x->p.v);
     size_find_insets(&x->p);
     x->largest = x->p.v.problem.has_forces ? arrow_largest_of_motion(&x->p, branch) : 0;
     return 1;
@@ -235,6 +258,7 @@ int moving_open(moving *x, const fourlink_source *source, fourlink_results *resu
 void moving_close(moving *x)
 {
     picture_close(&x->p);
+    free(x->solved);
 }
 
 int moving_draw(moving *x, int k, moving_panel *panel)

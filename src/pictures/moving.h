@@ -39,13 +39,17 @@ typedef struct moving_sheet {
     place_box range;      /* empty: it is found */
 } moving_sheet;
 
+typedef struct moving_step moving_step;
+
 /* What a motion is drawn from. */
 typedef struct moving {
     picture p;
     plot_request request;
     fourlink_branch branch;
     moving_steps steps;
-    double largest; /* force, N */
+    moving_step *solved; /* all of them */
+    picture_row row;     /* the one that is drawn */
+    double largest;      /* force, N */
     moving_sheet sheet;
     int out_of_memory;
 } moving;

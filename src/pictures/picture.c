@@ -116,6 +116,50 @@ int picture_sample(const picture *p, fourlink_branch branch, double k, int steps
                                loads);
 }
 
+/* Returns 0, for the caller to return. */
+static int run_out_of_memory(picture *p)
+{
+    p->out_of_memory = 1;
+    return 0;
+}
+
+static void forget_samples(plot_deck *d)
+{
+    free(d->samples[0]);
+    free(d->samples[1]);
+    d->samples[0] = d->samples[1] = NULL;
+}
+
+void plot_deck_close(plot_deck *d)
+{
+    fourlink_results_free(d->results);
+    forget_samples(d);
+    d->results = NULL;
+}
+
+const plot_sample *picture_samples(picture *p, fourlink_branch branch)
+{
+    plot_deck *kept = p->request->kept;
+    plot_deck *d = kept && kept->results == p->v.results ? kept : &p->own;
+    int i = branch == FOURLINK_CROSSED, k;
+    plot_sample *list = d->samples[i];
+
+    if (list && d->from[i] == p->from && d->end[i] == p->v.end)
+        return list;
+    if (!list)
+        list = d->samples[i] = malloc((PICTURE_STEPS + 1) * sizeof *list);
+    if (!list) {
+        run_out_of_memory(p);
+        return NULL;
+    }
+    d->from[i] = p->from;
+    d->end[i] = p->v.end;
+    for (k = 0; k <= PICTURE_STEPS; k++)
+        list[k].status =
+            picture_sample(p, branch, k, PICTURE_STEPS, list[k].values, &list[k].now, NULL);
+    return list;
+}
+
 int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
                   fourlink_instant *now)
 {
@@ -154,13 +198,6 @@ int picture_has_outputs(const picture *p)
            !p->request->is_figure;
 }
 
-/* Returns 0, for the caller to return. */
-static int run_out_of_memory(picture *p)
-{
-    p->out_of_memory = 1;
-    return 0;
-}
-
 void picture_begin_frame(picture *p)
 {
     display *d = p->on.d;
@@ -177,14 +214,14 @@ void picture_begin_frame(picture *p)
 
 void picture_close(picture *p)
 {
-    fourlink_results_free(p->own);
+    plot_deck_close(&p->own);
     free(p->loads);
-    p->own = NULL;
     p->loads = NULL;
 }
 
 static int take_results(picture *p, fourlink_results *results)
 {
+    forget_samples(&p->own);
     view_take(&p->v, results);
     p->from = p->v.problem.motion.from;
     p->size_branch = 0;
@@ -261,26 +298,26 @@ static int reopen(picture *p, const char *columns, const char *further, fourlink
     if (further)
         assignments[n++] = further;
     status = view_reopen(p->source, p->request->x ? "--plot-x" : "--plot-kind", assignments, n,
-                         &p->own, mistake);
+                         &p->own.results, mistake);
     if (status != FOURLINK_OK)
         return status != FOURLINK_BAD_DECK && run_out_of_memory(p);
-    return take_results(p, p->own);
+    return take_results(p, p->own.results);
 }
 
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
 {
-    fourlink_results **kept = p->request->kept;
+    plot_deck *kept = p->request->kept;
     char names[PICTURE_NAMES];
 
-    if (kept && *kept)
-        return take_results(p, *kept);
+    if (kept && kept->results)
+        return take_results(p, kept->results);
     if (kept)
         picture_choose(p, names);
     if (!reopen(p, kept ? names : columns, further, mistake))
         return 0;
     if (kept) {
-        *kept = p->own;
-        p->own = NULL;
+        kept->results = p->own.results;
+        p->own.results = NULL;
     }
     return 1;
 }
@@ -302,7 +339,7 @@ int picture_open_balance(picture *p, const char *apply, picture *other)
     int opened;
 
     *other = *p;
-    other->own = NULL;
+    memset(&other->own, 0, sizeof other->own);
     other->loads = NULL;
     picture_choose(p, names);
     opened = reopen(other, names, apply, &mistake);

@@ -66,6 +66,26 @@ extern const char *const plot_values[];
 /* The kind of a file, by its name: .svg .png .pdf .txt, and - for the terminal. */
 typedef enum plot_file { PLOT_SVG, PLOT_PNG, PLOT_PDF, PLOT_TXT, PLOT_FILE_COUNT } plot_file;
 
+#define PICTURE_STEPS 720  /* of a motion */
+#define PICTURE_COLUMNS 40 /* of a picture; all kinds together have fewer */
+
+/* A row of a motion, with all columns. */
+typedef struct plot_sample {
+    int status;
+    fourlink_instant now;
+    double values[PICTURE_COLUMNS];
+} plot_sample;
+
+/* A deck that is open for pictures.  Its samples, PICTURE_STEPS + 1 between two angles on each of the
+** branches, are kept for the next curve. */
+typedef struct plot_deck {
+    fourlink_results *results; /* null: not yet open */
+    plot_sample *samples[2];   /* null: none yet */
+    double from[2], end[2];
+} plot_deck;
+
+void plot_deck_close(plot_deck *d);
+
 typedef struct plot_request {
     plot_kind kind;
     plot_file file;
@@ -75,7 +95,7 @@ typedef struct plot_request {
     double lone_width;        /* of a single panel, in pixels; 0: as usual */
     fourlink_results *opened; /* of the deck */
     /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
-    fourlink_results **kept;
+    plot_deck *kept;
 } plot_request;
 
 /* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
@@ -92,10 +112,7 @@ typedef struct plot_caption {
 #define PICTURE_POINTS 24
 #define PICTURE_POSITIONS 24
 
-#define PICTURE_STEPS 720 /* of a motion */
-
 #define PICTURE_CURVES 24  /* of any columns */
-#define PICTURE_COLUMNS 40 /* of a picture; all kinds together have fewer */
 #define PICTURE_NAMES 2000 /* of columns */
 
 /* A picture in the making. */
@@ -105,8 +122,8 @@ typedef struct picture {
     canvas on;
     display *frames; /* of the plot */
     int *n_frames;
-    fourlink_results *own; /* opened for this picture; null: none */
-    view v;                /* its columns are those of the kind that the deck has */
+    plot_deck own; /* opened for this picture */
+    view v;        /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
     int insets[2], n_insets; /* links that are small beside the mechanism: drawn enlarged as well */
     int has_instant;         /* 1: the deck asks for one instant, and the picture shows its cycle */
@@ -228,6 +245,9 @@ double picture_angle(const picture *p, double k, int steps);
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads);
+
+/* The samples of a branch over the motion that is drawn; null without memory. */
+const plot_sample *picture_samples(picture *p, fourlink_branch branch);
 
 /* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, double k, int steps,

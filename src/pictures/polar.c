@@ -20,7 +20,7 @@
 
 /* A curve of a panel: of which deck, on which branch, and its title. */
 typedef struct source {
-    const picture *p;
+    picture *p;
     fourlink_branch branch;
     const char *title;
 } source;
@@ -226,7 +226,7 @@ static int component(const picture *p, const bearing *b, const char *end)
     return graph_column(p, flk_text_join(name, sizeof name, b->name, end, (char *)NULL));
 }
 
-static void set_source(source *x, const picture *p, fourlink_branch branch, const char *title)
+static void set_source(source *x, picture *p, fourlink_branch branch, const char *title)
 {
     x->p = p;
     x->branch = branch;
@@ -258,8 +258,7 @@ static int put_bearing(picture *p, int by, int on)
 }
 
 /* Draw the shaking force of a branch, without counterweights and with them. */
-static int put_shaking(picture *p, const picture *before, const picture *after,
-                       fourlink_branch branch)
+static int put_shaking(picture *p, picture *before, picture *after, fourlink_branch branch)
 {
     char title[120];
     bearing b;
@@ -282,6 +281,7 @@ static int put_balance(picture *p)
     is_open = picture_open_balance(p, "balance.apply=yes", &after) && is_open;
     for (i = 0; i < p->v.n_branches && is_open; i++)
         drawn += put_shaking(p, &before, &after, p->v.branches[i]);
+    p->out_of_memory |= before.out_of_memory | after.out_of_memory;
     picture_close(&before);
     picture_close(&after);
     return drawn;

@@ -91,7 +91,7 @@ double size_aspect(const picture *p)
 
     for (i = 0; i < p->v.n_branches; i++) {
         b = box_of_motion(p, p->v.branches[i]);
-        if (b.x_min <= b.x_max) {
+        if (!place_is_empty(&b)) {
             place_grow(&all, b.x_min, b.y_min);
             place_grow(&all, b.x_max, b.y_max);
         }

@@ -68,12 +68,17 @@ void sketch_turn(sketch *s, int is_turned)
 
 void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
 {
-    memset(s, 0, sizeof *s);
+    /* field by field: the room for texts is 100 kB, and a motion opens a thousand sketches */
     s->c = c;
     s->unit = unit;
+    s->drawn = place_nothing;
+    s->is_fixed = s->is_window = 0;
     s->size = size;
     s->letter = LETTER;
-    s->drawn = place_nothing;
+    s->block = 0;
+    s->held = place_at(0, 0);
+    s->n_notes = s->n_entries = s->texts.n = s->texts.n_obstacles = 0;
+    s->scale.length = 0;
     s->shrink = 1;
     if (c->motion && c->motion->phase != LABELS_MEASURE) {
         s->is_fixed = 1;
@@ -268,7 +273,7 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
     new->dy = side.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
-    new->is_close = new->has_leader = 0;
+    new->is_close = new->has_leader = new->is_hidden = 0;
     s->texts.n++;
     return new;
 }
@@ -552,7 +557,7 @@ static int is_before_drawing(sketch *s)
     if (m->phase == LABELS_KEEP) {
         canvas_place_panel(s->c, 2, width_of_margin(s));
         labels_keep(m, &s->texts, s->size, s->c->box_width, s->c->box_height);
-    } else if (s->drawn.x_min <= s->drawn.x_max) {
+    } else if (!place_is_empty(&s->drawn)) {
         place_grow(&m->drawn, s->drawn.x_min, s->drawn.y_min);
         place_grow(&m->drawn, s->drawn.x_max, s->drawn.y_max);
     }
@@ -570,7 +575,7 @@ void sketch_close(sketch *s, const char *format, ...)
     va_start(values, format);
     flk_message_list(title, sizeof title, format, values);
     va_end(values);
-    if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
+    if (place_is_empty(&s->drawn)) { /* nothing was drawn */
         place_grow(&s->drawn, -s->size, -s->size);
         place_grow(&s->drawn, s->size, s->size);
     }

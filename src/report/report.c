@@ -212,7 +212,7 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
         opened = -1;
     outcome->has_failed = r.failed > 0;
     outcome->differs = r.differing > 0;
-    fourlink_results_free(r.drawn);
+    plot_deck_close(&r.drawn);
     free(r.loads);
     free(r.row_loads);
     free(r.notes);

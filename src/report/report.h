@@ -29,7 +29,7 @@ typedef struct report {
     const report_request *request;
     fourlink_mistake *notes; /* on the deck, or its mistakes */
     unsigned long n_notes;
-    fourlink_results *drawn;  /* for the figures; null: not opened yet */
+    plot_deck drawn;          /* for the figures */
     view v;                   /* its results are null if the deck has mistakes */
     fourlink_load *row_loads; /* room for the loads of a row */
     int has_rows;             /* 1: there is a row to draw */

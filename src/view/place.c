@@ -46,6 +46,11 @@ double place_distance(fourlink_vector p, fourlink_vector q)
 
 const place_box place_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
 
+int place_is_empty(const place_box *b)
+{
+    return !(b->x_min <= b->x_max);
+}
+
 void place_grow(place_box *b, double x, double y)
 {
     b->x_min = x < b->x_min ? x : b->x_min;

@@ -24,8 +24,9 @@ fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, 
 fourlink_vector place_middle(fourlink_vector p, fourlink_vector q);
 double place_distance(fourlink_vector p, fourlink_vector q);
 
-/* An empty box; enlarge a box so that it contains a place. */
+/* An empty box; 1 for one; enlarge a box so that it contains a place. */
 extern const place_box place_nothing;
+int place_is_empty(const place_box *b);
 void place_grow(place_box *b, double x, double y);
 
 /* 1 if two boxes overlap; if the line from p to q crosses a box. */
