@@ -30,10 +30,10 @@ void flk_vector_direction(double angle, double *x, double *y)
 
 static int refuse_components(parser *p, const setting *s, quantity q, text inside)
 {
-    int has_marks = 0; /* (40,5, 25,2) mm */
+    int has_more = flk_text_count(inside, ',') > 1, has_marks = 0; /* (40,5, 25,2) mm */
     size_t i;
 
-    for (i = 0; i + 1 < inside.length && flk_text_count(inside, ',') > 1; i++)
+    for (i = 0; i + 1 < inside.length && has_more; i++)
         has_marks |= inside.start[i] == ',' && strchr("0123456789", inside.start[i + 1]);
     return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'%s",
                        q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value,
