@@ -54,10 +54,10 @@ static inline int tries_all(void)
     return getenv("ALL_CASES") != NULL;
 }
 
-/* How many random cases a test tries: all, or a quarter. */
+/* How many random cases a test tries: all, or a tenth. */
 static inline int some_of(int all)
 {
-    return tries_all() ? all : (all + 3) / 4;
+    return tries_all() ? all : (all + 9) / 10;
 }
 
 /* GSL's error handler is the host's: no result reaches it. */

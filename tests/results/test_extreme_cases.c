@@ -194,7 +194,7 @@ static void check_rows(const char *deck, fourlink_branch branch)
     const fourlink_value *columns;
     fourlink_value max[COLUMNS], min[COLUMNS];
     double values[COLUMNS];
-    unsigned long n, rows = 0, i, c;
+    unsigned long n, rows = 0, step = tries_all() ? 1 : 4, i, c;
 
     assert_int_equal(fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n), FOURLINK_OK);
     assert_true(n <= COLUMNS);
@@ -202,7 +202,7 @@ static void check_rows(const char *deck, fourlink_branch branch)
         max[c] = named(results, print("max(%s)", columns[c].name), branch, 0);
         min[c] = named(results, print("min(%s)", columns[c].name), branch, 0);
     }
-    for (i = 0; i <= 36000; i++) {
+    for (i = 0; i <= 36000; i += step) {
         if (fourlink_results_row(results, branch, i, values, NULL, NULL) != FOURLINK_OK)
             continue;
         rows++;
@@ -214,7 +214,7 @@ static void check_rows(const char *deck, fourlink_branch branch)
                          columns[c].name, min[c].value, max[c].value);
         }
     }
-    assert_in_range(rows, 1000, 35000); /* the mechanism locks */
+    assert_in_range(rows, 1000 / step, 35000 / step); /* the mechanism locks */
     fourlink_results_free(results);
 }
 

@@ -154,15 +154,27 @@ TEST(test_contact)
 /* Extremes and means of columns against rows at every 0.05 deg; an extreme may be beside a jump or between rows. */
 static void compare_rows(const char *contents, const char *const *names, size_t n)
 {
-    fourlink_results *r = opened(contents);
-    double high[MOST_COLUMNS], low[MOST_COLUMNS], sum[MOST_COLUMNS] = {0};
-    char text[80];
+    double high[MOST_COLUMNS], low[MOST_COLUMNS], sum[MOST_COLUMNS] = {0}, row[MOST_COLUMNS];
+    char deck[5000], text[80];
+    const fourlink_value *columns;
+    fourlink_results *r;
+    unsigned long listed;
     size_t i, k;
 
+    strcat(strcpy(deck, contents), "[table]\ncolumns =");
+    for (k = 0; k < n; k++)
+        strcat(strcat(deck, " "), names[k]);
+    r = opened(strcat(deck, "\n"));
+    fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &listed);
+    assert_int_equal(listed, n);
     for (i = 0; i < SCAN; i++)
         for (k = 0; k < n; k++) {
-            double x = value(r, names[k], ((double)i + 0.5) * 360 / SCAN);
+            double angle = ((double)i + 0.5) * 360 / SCAN, x;
 
+            if (k == 0)
+                assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, angle, row, NULL, NULL),
+                                 FOURLINK_OK);
+            x = row[k] * columns[k].to_si;
             high[k] = i ? fmax(high[k], x) : x;
             low[k] = i ? fmin(low[k], x) : x;
             sum[k] += x;
