@@ -1043,7 +1043,7 @@ def check_deck(deck, folder):
     both = chosen_rows(own)
     has_forces = any('F12x' in row for rows in both.values() for row in rows)
     # each angle on one branch; without forces and of slow motions, fewer; with ALL in the environment, all on both
-    share = 1 if os.environ.get('ALL') else 12 if is_slow(own) else 6 if 'motion.mode' in own.inputs else 4 if has_forces else 6
+    share = 1 if os.environ.get('ALL') else 24 if is_slow(own) else 12 if 'motion.mode' in own.inputs else 8 if has_forces else 12
     for branch, rows in both.items():
         for k, row in enumerate(rows):
             if not is_sound(own, row) or (k + (branch == 'open')) % share:

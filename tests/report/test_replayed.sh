@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_replayed.sh FOURLINK DATA SCENES [FOLDER] - the script of a report draws at each step what the program drew, by replay.js,
-# of chosen decks, or of those of a folder.
+# of chosen decks, with ALL_CASES in the environment of more of them, or of those of a folder.
 . "$(dirname "$0")/../harness.sh"
 tests=$(dirname "$decks")
 scenes=$3
@@ -24,12 +24,14 @@ if [ "${4-}" ]; then
         replay "$deck" 17
     done
 else
-    for deck in "$tests"/report/look/friction.deck "$tests"/report/look/change.deck "$data"/alvi-5.1.deck "$data"/me3491-exercise-4.deck "$data"/me3491-example-2.deck \
-        "$data"/oscillating-cylinder.deck "$data"/synthesis/three-positions.deck "$data"/synthesis/log10.deck; do
+    set -- "$tests"/report/look/friction.deck "$data"/alvi-5.1.deck "$data"/synthesis/log10.deck
+    [ "${ALL_CASES-}" ] && set -- "$@" "$tests"/report/look/change.deck "$data"/me3491-exercise-4.deck "$data"/me3491-example-2.deck \
+        "$data"/oscillating-cylinder.deck "$data"/synthesis/three-positions.deck
+    for deck; do
         replay "$deck" 41
     done
 fi
 awk '{drawings += $1; texts += $5; if ($7 > most) most = $7}
     END {printf "%d decks, %d drawings compared, %d texts, %s pixels at most\n", NR, drawings, texts, most}' all
-check "drawings: $(wc -l <all)" test "$(awk '{n += $1} END {print n + 0}' all)" -gt 100
+check "drawings: $(wc -l <all)" test "$(awk '{n += $1} END {print n + 0}' all)" -gt 50
 finish

@@ -437,16 +437,16 @@ TEST(test_mirror)
         "[gravity]\ndirection = %s90 deg\n";
     char left[2000], right[2000];
     fourlink_results *r, *s;
-    int end = tries_all() ? 400 : 100;
+    const char *rubs = tries_all() ? FRICTION : "";
     double angle;
 
-    sprintf(left, links, "", "", FRICTION, "-");
+    sprintf(left, links, "", "", rubs, "-");
     sprintf(left + strlen(left), motor, "", "");
-    sprintf(right, links, "-", "-", FRICTION, "");
+    sprintf(right, links, "-", "-", rubs, "");
     sprintf(right + strlen(right), motor, "-", "-");
-    r = opened_open(print("%s[motion]\nmode = run-up\nto = %d deg\n", left, end));
-    s = opened_open(print("%s[motion]\nmode = run-up\nto = %d deg\n", right, -end));
-    for (angle = 0; angle <= end; angle += 10) {
+    r = opened_open(print("%s[motion]\nmode = run-up\nto = 400 deg\n", left));
+    s = opened_open(print("%s[motion]\nmode = run-up\nto = -400 deg\n", right));
+    for (angle = 0; angle <= 400; angle += 10) {
         assert_near(value_at(r, "omega2", angle), -value_at(s, "omega2", -angle), 1e-10);
         assert_near(value_at(r, "alpha2", angle), -value_at(s, "alpha2", -angle), 1e-8);
         assert_near(value_at(r, "T_motor", angle), -value_at(s, "T_motor", -angle), 1e-8);
