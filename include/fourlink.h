@@ -574,12 +574,14 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);
 
-/* Open another design of the [sweep] of an open deck, as new results beside those.  The text is not read
-** again, which saves most of the time of fourlink_results_open.
+/* Open another design of the [sweep] of an open deck, as new results beside those; of a deck with
+** [synthesis] and no [sweep], another solution of its task.  The text is not read again, nor the task solved,
+** which saves most of the time of fourlink_results_open.
 **
 ** Given:
 **    from          results of the deck, or of a design; must not be freed before `results`
-**    design        its number, from 0: below n_designs of fourlink_problem
+**    design        its number, from 0: below n_designs of fourlink_problem; of solutions, below the number
+**                  that is kept, see fourlink_deck_solutions
 **    max_mistakes  size of `mistakes`
 ** Returned:
 **    results       a new handle, to be given to fourlink_results_free as that of `from` is

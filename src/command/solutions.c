@@ -12,19 +12,27 @@
 
 #define MOST_SOLUTIONS 100
 
-/* Write solution k of n; 0 if out of memory. */
-static int write_solution(sheet *s, const input *in, unsigned long k)
+/* The task with so many of its solutions; null without memory. */
+static fourlink_results *open_task(const input *in, unsigned long n)
 {
     fourlink_source source = in->source;
     fourlink_results *results = NULL;
-    fourlink_mistake mistake;
-    int status;
 
-    source.synthesis = k;
-    status = fourlink_results_open(&source, 1, &results, &mistake, NULL);
+    source.synthesis = n;
+    fourlink_results_open(&source, 0, &results, NULL, NULL);
+    return results;
+}
+
+/* Write solution k, from 0; 0 if out of memory. */
+static int write_solution(sheet *s, const input *in, const fourlink_results *task, unsigned long k)
+{
+    fourlink_results *results = NULL;
+    fourlink_mistake mistake;
+    int status = fourlink_results_design(task, k, 1, &results, &mistake, NULL);
+
     if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
         return 0;
-    content_write_design(s, results, in->results, k - 1, NULL, mistake.message);
+    content_write_design(s, results, in->results, k, NULL, mistake.message);
     fourlink_results_free(results);
     return !s->out_of_memory;
 }
@@ -32,7 +40,8 @@ static int write_solution(sheet *s, const input *in, unsigned long k)
 int solutions_write(FILE *out, const input *in)
 {
     unsigned long n = 0, chosen, k;
-    int enough = 1;
+    fourlink_results *task;
+    int enough;
     sheet s;
 
     memset(&s, 0, sizeof s);
@@ -43,8 +52,12 @@ int solutions_write(FILE *out, const input *in)
     view_take(&s.v, in->results);
     fourlink_results_list(in->results, FOURLINK_OUTPUTS, &s.header, &s.n_header);
     fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n);
+    n = n < MOST_SOLUTIONS ? n : MOST_SOLUTIONS;
     content_begin(&s, out, 1);
-    for (k = 1; k <= n && k <= MOST_SOLUTIONS && enough; k++)
-        enough = write_solution(&s, in, k);
+    task = open_task(in, n);
+    enough = task != NULL;
+    for (k = 0; k < n && enough; k++)
+        enough = write_solution(&s, in, task, k);
+    fourlink_results_free(task);
     return enough ? 0 : command_complain("cannot analyse", in->name, "not enough memory");
 }

@@ -142,8 +142,9 @@ struct fourlink_deck {
     deck_drive drive;
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
-    struct deck_synthesis *synthesis; /* its task, and what was found; null: there is none */
-    int solver;                       /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
+    struct deck_synthesis *synthesis;    /* its task, and what was found; null: there is none */
+    const struct deck_synthesis *solved; /* the same task, solved before; null: it was not */
+    int solver;                          /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
     int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;

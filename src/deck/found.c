@@ -80,22 +80,32 @@ static void note(parser *p)
                     "the longest link is %.4g times as long as the shortest one", s->ratio);
 }
 
+/* Take what was found before for the same task. */
+static int take_solved(deck_synthesis *t, const deck_synthesis *solved, unsigned long max)
+{
+    t->n = solved->n;
+    t->function.ground = solved->function.ground;
+    memcpy(t->solutions, solved->solutions, GSL_MIN(solved->n_kept, max) * sizeof *t->solutions);
+    return solved->status;
+}
+
 int flk_synthesis_run(parser *p)
 {
     deck_synthesis *t = p->d->synthesis;
+    const deck_synthesis *solved = p->d->solved;
     unsigned long max = p->d->solution > MOST_LISTED ? p->d->solution : MOST_LISTED;
 
     max = t->task == TASK_PATH && t->path.search ? max : 1;
     t->solutions = flk_reader_keep(p, max * sizeof *t->solutions);
     if (!t->solutions)
         return 0;
-    t->status = run_scaled(t, max);
+    t->status = solved ? take_solved(t, solved, max) : run_scaled(t, max);
     if (t->status == FOURLINK_BAD_CHOICE)
         return flk_mistake(p->mistakes, t->place, "%s: the task takes %s",
                            fourlink_status_text(t->status), t->kind->quick_return);
     if (t->status != FOURLINK_OK)
         return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));
-    t->n_kept = GSL_MIN(t->n, max);
+    t->n_kept = GSL_MIN(solved ? solved->n_kept : t->n, max);
     if (p->d->solution > t->n_kept)
         return flk_mistake(p->mistakes, t->place, "there is no solution %ld: the task has %ld",
                            (long)p->d->solution, (long)t->n);

@@ -212,24 +212,39 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     return build_from(d, d->answers, 0, NULL, 0);
 }
 
-int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
-                    deck *d)
+/* Build a deck from the settings of another. */
+static int build_again(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
+                       deck *d)
 {
     int status;
 
-    memset(d, 0, sizeof *d);
     if (!from->settings->is_sound)
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
     memcpy(d->bare, from->bare, sizeof d->bare);
     d->sweep = from->sweep;
-    d->solution = from->solution;
     d->settings = share(d, from->settings);
     status = build_from(d, d->settings, design, set, n_set);
     if (!from->answers || status != 1)
         return status;
     d->answers = share(d, from->answers);
     return build_from(d, d->answers, 0, NULL, 0);
+}
+
+int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
+                    deck *d)
+{
+    memset(d, 0, sizeof *d);
+    d->solution = from->solution;
+    return build_again(from, design, set, n_set, d);
+}
+
+int flk_deck_solution(const deck *from, unsigned long number, deck *d)
+{
+    memset(d, 0, sizeof *d);
+    d->solution = number + 1;
+    d->solved = from->synthesis;
+    return build_again(from, 0, NULL, 0, d);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,

@@ -36,4 +36,7 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
                     deck *d);
 
+/* The same with another of the solutions that are kept of its task, from 0; the task is not solved again. */
+int flk_deck_solution(const deck *from, unsigned long number, deck *d);
+
 #endif

@@ -559,6 +559,17 @@ int flk_opened_design(const flk_opened *from, unsigned long design, const deck_n
                         opened);
 }
 
+int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_mistake_list *list,
+                        flk_opened **opened)
+{
+    flk_opened *o = calloc(1, sizeof *o);
+
+    if (!o)
+        return FOURLINK_NO_MEMORY;
+    o->whole_cycle = from->whole_cycle;
+    return open_results(o, from, flk_deck_solution(&from->d, number, &o->d), list, opened);
+}
+
 void flk_opened_free(flk_opened *o)
 {
     if (!o)

@@ -13,6 +13,7 @@
 #include "mechanics/mechanics.h"
 #include "deck/numbers.h"
 #include "deck/sweep.h"
+#include "deck/synthesis.h"
 #include "crossing.h"
 #include "expected.h"
 #include "fact.h"
@@ -66,14 +67,17 @@ int fourlink_results_design(const fourlink_results *from, unsigned long design,
                             fourlink_mistake *first, unsigned long *n_mistakes)
 {
     flk_mistake_list list = list_of(max_mistakes, first, n_mistakes);
+    const deck *d;
     flk_opened *o = NULL;
-    int status;
+    int status = FOURLINK_BAD_NUMBER;
 
     if (!from || !results || (!first && max_mistakes))
         return FOURLINK_NULL;
-    if (design >= from->first->d.sweep.n_designs)
-        return FOURLINK_BAD_NUMBER;
-    status = flk_opened_design(from->first, design, NULL, 0, &list, &o);
+    d = &from->first->d;
+    if (design < d->sweep.n_designs)
+        status = flk_opened_design(from->first, design, NULL, 0, &list, &o);
+    else if (!d->sweep.n_designs && d->found && design < d->synthesis->n_kept)
+        status = flk_opened_solution(from->first, design, &list, &o);
     return return_results(status, o, results);
 }
 

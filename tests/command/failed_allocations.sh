@@ -280,6 +280,7 @@ for task in osu-lecture-12 three-positions khurmi-5.3 power-nine quadratic-slide
     all $? --synthesis -o files/result $task.deck
 done
 all 0 --synthesis --solution=1 -f csv -o files/result three-positions.deck
+all 0 --synthesis -f csv -o files/result three-positions.deck
 all 0 --synthesis --check=osu-lecture-12.expect -o files/result osu-lecture-12.deck
 
 # designs of a sweep as decks, as answers

@@ -141,6 +141,82 @@ TEST(test_written)
     flk_deck_free(&d);
 }
 
+/* A solution of a task that was solved before is the one that is found anew: the same deck, the same
+** defects, the same status where it has a mistake. */
+static int check_solutions(const char *task, unsigned long most)
+{
+    static char text_of_deck[2][20000];
+    fourlink_source source = deck_source(task);
+    fourlink_results *all = NULL, *found[2];
+    unsigned long chosen, n = 0, length, k;
+    int i;
+
+    source.synthesis = most;
+    while (fourlink_results_open(&source, 0, &all, NULL, NULL) == FOURLINK_BAD_DECK &&
+           source.synthesis > 1)
+        source.synthesis--; /* there are fewer */
+    if (!all)
+        return 0;
+    assert_int_equal(fourlink_deck_solutions(fourlink_results_deck(all), 0, NULL, &chosen, &n),
+                     FOURLINK_OK);
+    n = n < source.synthesis ? n : source.synthesis;
+    for (k = 0; k < n; k++) {
+        int status = fourlink_results_design(all, k, 0, &found[0], NULL, NULL);
+
+        source.synthesis = k + 1;
+        assert_int_equal(fourlink_results_open(&source, 0, &found[1], NULL, NULL), status);
+        for (i = 0; i < 2 && status == FOURLINK_OK; i++) {
+            fourlink_mistake defects[4];
+            const fourlink_deck *d = fourlink_results_deck(found[i]);
+
+            assert_int_equal(fourlink_deck_write(d, text_of_deck[i], 16000, &length), FOURLINK_OK);
+            assert_true(length < 16000);
+            assert_int_equal(fourlink_deck_solutions(d, 0, NULL, &chosen, &length), FOURLINK_OK);
+            assert_int_equal(chosen, k);
+            assert_int_equal(fourlink_deck_defects(d, 4, defects, &length), FOURLINK_OK);
+            if (length)
+                strcat(text_of_deck[i], defects[0].message);
+        }
+        if (status != FOURLINK_OK)
+            continue;
+        assert_string_equal(text_of_deck[0], text_of_deck[1]);
+        fourlink_results_free(found[0]);
+        fourlink_results_free(found[1]);
+    }
+    assert_int_equal(fourlink_results_design(all, 1000, 0, &found[0], NULL, NULL),
+                     FOURLINK_BAD_NUMBER);
+    fourlink_results_free(all);
+    return (int)n;
+}
+
+TEST(test_solutions)
+{
+    static const char *const rest[] = {"", "right = fixed (50, -10) mm\n",
+                                       "left = moving (3, 4) mm\n"};
+    uint64_t seed = 52;
+    int n_tried = tries_all() ? 200 : 5, n_tasks = 0, n_solutions = 0, i;
+
+    for (i = 0; i < n_tried; i++) {
+        double x = uniform(&seed, 5, 30), y = uniform(&seed, -20, 20);
+        char task[1000];
+        int n;
+
+        sprintf(task,
+                FOUR_BAR "[synthesis]\ntask = path\npositions = (0, 0) mm, (%.4g, %.4g) mm, "
+                         "(%.4g, %.4g) mm\ntiming = %.4g deg, %.4g deg\n%s",
+                x, y, x + uniform(&seed, -20, 30), y + uniform(&seed, -20, 30),
+                uniform(&seed, 20, 60), uniform(&seed, 61, 160), rest[i % 3]);
+        n = check_solutions(task, 12);
+        n_tasks += n > 0;
+        n_solutions += n;
+    }
+    n_solutions += check_solutions(
+        FOUR_BAR GROUND "[synthesis]\ntask = function\npoints = 36 deg 64 deg, 75 98, 114 142\n",
+        3);
+    print_message("%d tasks, %d of them solved, %d solutions\n", n_tried + 1, n_tasks, n_solutions);
+    assert_true(n_tasks >= n_tried / 5 && n_solutions > 2 * n_tasks);
+}
+
 /* Designs of a sweep find their own linkages, whatever those before have found. */
 TEST(test_designs)
 {
