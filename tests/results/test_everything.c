@@ -122,9 +122,9 @@ TEST(test_everything_of_the_decks)
             if (strstr(name, "bad.deck") || strstr(name, "mistakes.deck"))
                 continue;
             read_whole(name, text, sizeof text);
-            if (n % 2 == 0 || tries_all())
+            if (n % 4 == 0 || tries_all())
                 check_everything(text, all, name);
-            if (n % 2 || tries_all())
+            if (n % 4 == 2 || tries_all())
                 check_everything(text, usual, name);
             n++;
         }
@@ -160,19 +160,19 @@ TEST(test_everything_of_odd_mechanisms)
                   "Ts = 3 N m\ntheta3 = 3 deg\n",
                   motions[k]);
 
-        for (i = 0; i < COUNT(bars); i++)
+        for (i = tries_all() ? 0 : k % 3; i < COUNT(bars); i += tries_all() ? 1 : 3)
             refused +=
                 check_everything(four_bar(bars[i][0], bars[i][1], bars[i][2], bars[i][3], more),
                                  some, "bars")
                     .refused;
-        for (i = 0; i < COUNT(cranks); i++)
+        for (i = tries_all() ? 0 : k % 3; i < COUNT(cranks); i += tries_all() ? 1 : 3)
             refused += check_everything(
                            slider_crank(cranks[i][0], cranks[i][1], cranks[i][2],
                                         print("[gas]\nbore = 9 mm\npressure = 8 bar\n%s", more)),
                            some, "cranks")
                            .refused;
     }
-    assert_true(refused > 1000);
+    assert_true(refused > (tries_all() ? 1000 : 300));
 }
 
 typedef struct work {
