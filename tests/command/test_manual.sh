@@ -20,39 +20,34 @@ awk '/^\.EX/ {n++; inside = 1; next} /^\.EE/ {inside = 0}
     /^\.SS "/ {print}' "$manuals"/*.5 | grep -o '\[[a-z]*' | sed 's/.//' >sections
 check 'the sections of the page' test "$(wc -l <sections)" -ge 18
 
-# linkage EXAMPLE KIND: a deck of the example, with the sections that it lacks
-linkage() {
-    case $2 in
-    four-bar) set -- "$1" "$2" 'ground 80' 'crank 20' 'coupler 66' 'rocker 56' ;;
-    slider-crank) set -- "$1" "$2" 'crank 50' 'rod 200' ;;
-    scotch-yoke) set -- "$1" "$2" 'crank 50' ;;
-    *) set -- "$1" "$2" 'ground 300' 'crank 50' ;;
-    esac
-    file=$1
-    grep -q '^mechanism' "$file" || echo "mechanism = $2"
-    shift 2
-    cat "$file"
-    for link; do
-        grep -q "^\[${link% *}\]" "$file" || printf '[%s]\nlength = %s mm\n' ${link% *} ${link#* }
-    done
-    grep -q '^\[motion' "$file" || printf '[motion]\nspeed = 10 rad/s\ninterval = 40 deg\n'
-}
-
+# the deck of an example: with the sections that it lacks
+cat >complete.awk <<'END'
+    /^\[/ {name = $0; sub(/^./, "", name); sub(/[] ].*/, "", name); has[name] = 1}
+    /^(mechanism|positions)/ {has[$1] = 1}
+    {text = text $0 "\n"}
+    END {
+        kind = "four-bar"; lengths = "ground 80 crank 20 coupler 66 rocker 56"
+        if ("piston" in has || "gas" in has) {kind = "slider-crank"; lengths = "crank 50 rod 200"}
+        if ("slider" in has || "lever" in has) {kind = "inverted-slider-crank"; lengths = "ground 300 crank 50"}
+        if ("yoke" in has) {kind = "scotch-yoke"; lengths = "crank 50"}
+        if ("synthesis" in has) lengths = "positions" in has ? "" : "ground 80"
+        if (!("mechanism" in has)) print "mechanism = " kind
+        if ("synthesis" in has && lengths && !("ground" in has)) {print "[ground]\nlength = 80 mm"; lengths = ""}
+        printf "%s", text
+        n = split(lengths, link, " ")
+        for (i = 1; i < n; i += 2)
+            if (!(link[i] in has)) print "[" link[i] "]\nlength = " link[i + 1] " mm"
+        if (!("motion" in has || "synthesis" in has)) print "[motion]\nspeed = 10 rad/s\ninterval = 40 deg"
+    }
+END
 printf 'Angle;Pressure\n0;1\n20,5;32\n180;1,5\n' >card.csv
 for example in example.*; do
-    kind=four-bar
-    grep -Eq '^\[(piston|gas)\]' $example && kind=slider-crank
-    grep -Eq '^\[(slider|lever)\]' $example && kind=inverted-slider-crank
-    grep -q '^\[yoke\]' $example && kind=scotch-yoke
+    awk -f complete.awk $example >$example.deck
     if grep -q '^\[synthesis' $example; then
-        { echo 'mechanism = four-bar'
-          grep -q '^\[ground\]\|^positions' $example || printf '[ground]\nlength = 80 mm\n'
-          cat $example; } >$example.task
+        mv $example.deck $example.task
         run 0 --synthesis $example.task
         quiet
         mv out $example.deck
-    else
-        linkage $example $kind >$example.deck
     fi
     run 0 -f csv $example.deck
     quiet
