@@ -30,14 +30,14 @@ static void put_rounded(FILE *out, double x, int decimals)
 {
     double size = fabs(x) < FARTHEST ? fabs(x) : FARTHEST;
     double unit = gsl_pow_int(10, decimals), whole = floor(unit * size + 0.5);
+    double integer = floor(whole / unit);
     char digits[30];
-    int n = sprintf(digits, "%0*.0f", decimals + 1, whole), kept = decimals;
+    int n = sprintf(digits, "%s%lu.%0*lu", x < 0 && whole > 0 ? "-" : "", (unsigned long)integer,
+                    decimals, (unsigned long)(whole - integer * unit));
 
-    while (kept > 0 && digits[n - decimals + kept - 1] == '0')
-        kept--;
-    fprintf(out, "%s%.*s", x < 0 && whole > 0 ? "-" : "", n - decimals, digits);
-    if (kept)
-        fprintf(out, ".%.*s", kept, digits + n - decimals);
+    while (digits[n - 1] == '0')
+        n--;
+    fwrite(digits, 1, (size_t)(digits[n - 1] == '.' ? n - 1 : n), out);
 }
 
 static void put_number(FILE *out, double x)

@@ -22,6 +22,7 @@ typedef struct diagram {
     fourlink_branch branch;
     fourlink_turning t;
     int sense; /* -1: clockwise */
+    double speed; /* rad/s */
     double cycle, mean, low, high;
     double moment[PICTURE_STEPS + 1]; /* NaN if the linkage cannot be assembled there */
     room r;
@@ -45,7 +46,7 @@ static double moment_at(const diagram *d, double angle)
     double gas_force;
 
     crank.theta2 = theta2_at(d, angle);
-    crank.omega2 = picture_speed_of(p, d->branch);
+    crank.omega2 = d->speed;
     crank.alpha2 = 0;
     if (fourlink_deck_analyse(p->v.deck, d->branch, &crank, 0, p->loads, &state, &forces, &losses,
                               &gas_force) != FOURLINK_OK)
@@ -271,7 +272,8 @@ const char *picture_turning(picture *p, fourlink_branch branch)
                "steady motion";
     d.p = p;
     d.branch = branch;
-    d.sense = picture_speed_of(p, branch) < 0 ? -1 : 1;
+    d.speed = picture_speed_of(p, branch);
+    d.sense = d.speed < 0 ? -1 : 1;
     d.cycle = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
     d.mean = view_value(&p->v, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
     room_open(&d.r, &p->on, 3, MARGIN * CANVAS_LETTER);
