@@ -46,6 +46,25 @@ static place_box box_of_drawing(const labels *l)
     return b;
 }
 
+/* A box of pixels in the unit of length, a thousandth of a pixel larger: more than rounding. */
+static place_box place_of(const labels *l, const place_box *b)
+{
+    place_box out = place_nothing;
+
+    place_grow(&out, (b->x_min - 0.001) * l->scale, (b->y_min - 0.001) * l->scale);
+    place_grow(&out, (b->x_max + 0.001) * l->scale, (b->y_max + 0.001) * l->scale);
+    return out;
+}
+
+/* 1 if both ends of an obstacle are on the same side of a box, as most are. */
+static int is_far(const place_box *b, const obstacle *o)
+{
+    return (o->from.x < b->x_min && o->to.x < b->x_min) ||
+           (o->from.x > b->x_max && o->to.x > b->x_max) ||
+           (o->from.y < b->y_min && o->to.y < b->y_min) ||
+           (o->from.y > b->y_max && o->to.y > b->y_max);
+}
+
 static int covers(const labels *l, const place_box *b, const obstacle *o)
 {
     return place_crosses(b, place_at(o->from.x / l->scale, o->from.y / l->scale),
@@ -63,7 +82,7 @@ static int leaves(const labels *l, const place_box *b)
 /* The cost of label k at its present place. */
 static double cost_of(const labels *l, int k)
 {
-    place_box b = box_of(l, &l->list[k]);
+    place_box b = box_of(l, &l->list[k]), near = place_of(l, &b);
     double cost = 0;
     int i;
 
@@ -72,8 +91,11 @@ static double cost_of(const labels *l, int k)
 
         cost += !l->list[i].is_hidden && place_overlap(&b, &other) ? 100 : 0;
     }
-    for (i = 0; i < l->n_obstacles; i++)
-        cost += covers(l, &b, &l->obstacles[i]) ? l->obstacles[i].weight : 0;
+    for (i = 0; i < l->n_obstacles; i++) {
+        const obstacle *o = &l->obstacles[i];
+
+        cost += !is_far(&near, o) && covers(l, &b, o) ? o->weight : 0;
+    }
     return cost + (l->is_fixed && leaves(l, &b) ? 20 : 0);
 }
 

@@ -78,18 +78,10 @@ static int clip(double p, double d, double low, double high, double *from, doubl
     return *from < *to;
 }
 
-/* 1 if both ends are on the same side of a box; most lines are far from a text. */
-static int is_beside(double p, double q, double low, double high)
-{
-    return (p <= low && q <= low) || (p >= high && q >= high);
-}
-
 int place_crosses(const place_box *b, fourlink_vector p, fourlink_vector q)
 {
     double from = 0, to = 1;
 
-    if (is_beside(p.x, q.x, b->x_min, b->x_max) || is_beside(p.y, q.y, b->y_min, b->y_max))
-        return 0;
     return clip(p.x, q.x - p.x, b->x_min, b->x_max, &from, &to) &&
            clip(p.y, q.y - p.y, b->y_min, b->y_max, &from, &to);
 }
