@@ -21,7 +21,7 @@ typedef struct diagram {
     const picture *p;
     fourlink_branch branch;
     fourlink_turning t;
-    int sense; /* -1: clockwise */
+    int sense;    /* -1: clockwise */
     double speed; /* rad/s */
     double cycle, mean, low, high;
     double moment[PICTURE_STEPS + 1]; /* NaN if the linkage cannot be assembled there */

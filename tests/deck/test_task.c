@@ -194,7 +194,7 @@ TEST(test_solutions)
     static const char *const rest[] = {"", "right = fixed (50, -10) mm\n",
                                        "left = moving (3, 4) mm\n"};
     uint64_t seed = 52;
-    int n_tried = tries_all() ? 200 : 5, n_tasks = 0, n_solutions = 0, i;
+    int n_tried = tries_all() ? 120 : 4, n_tasks = 0, n_solutions = 0, i;
 
     for (i = 0; i < n_tried; i++) {
         double x = uniform(&seed, 5, 30), y = uniform(&seed, -20, 20);

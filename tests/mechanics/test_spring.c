@@ -212,7 +212,7 @@ static void follow_springs(sample *s)
                 all[n].to = to;
                 all[n++].spring = torsional(&s->mechanism, link, to, 1, free_angle, 0, 0);
             }
-    for (i = 1; i < 4 * 7200; i += tries_all() ? 2 : 6) {
+    for (i = 1; i < 4 * 7200; i += tries_all() ? 2 : 14) {
         s->crank.theta2 = i * PI / 7200;
         if (fourlink_analyse(&s->mechanism, s->branch, &s->crank, NULL, 0, &s->state, NULL) !=
             FOURLINK_OK) {

@@ -411,7 +411,7 @@ static void check_listed_units(fourlink_results *r, const written *list, size_t 
 
 TEST(test_units_of_lines)
 {
-    enum { DECKS = 300, NUMBERS = 9 };
+    enum { NUMBERS = 9 };
     static const written kinds[NUMBERS] = {
         {"crank.length", lengths, COUNT(lengths), NULL, 0, 0.020},
         {"coupler.length", lengths, COUNT(lengths), NULL, 0, 0.066},
@@ -424,9 +424,9 @@ TEST(test_units_of_lines)
         {"load P.force.angle", turns, COUNT(turns), NULL, 0, 0.6}};
     static const unit_name masses[] = {{"kg", 1}, {"g", 1e-3}, {"lb", 0.45359237}};
     uint64_t seed = 49;
-    int i, k, checked = 0;
+    int n_decks = some_of(300), checked = 0, i, k;
 
-    for (i = 0; i < DECKS; i++) {
+    for (i = 0; i < n_decks; i++) {
         const unit_name *usual = any_of(lengths, COUNT(lengths), &seed), *rest = &lengths[0];
         int has_units = uniform(&seed, 0, 1) < 0.5;
         written list[NUMBERS];

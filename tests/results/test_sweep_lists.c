@@ -191,6 +191,8 @@ TEST(test_designs_of_settings)
         assert_int_equal(fourlink_results_design(first, n, 1, &built, &mistake, NULL),
                          FOURLINK_BAD_NUMBER);
         for (design = n; design-- > 0;) {
+            if (design % 3 && !tries_all())
+                continue;
             source.design = design;
             status = fourlink_results_open(&source, 1, &read, &expected, &n_expected);
             assert_int_equal(
