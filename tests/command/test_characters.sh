@@ -14,9 +14,11 @@ c1=$(printf '\302[\200-\237]')
 not_xml=$(printf '\357\277[\276\277]')
 is_plain() { ! LC_ALL=C grep -q -e '[[:cntrl:]].' -e "$ends" -e "$c1" -e "$not_xml" "$1"; }
 
+is_utf8() { iconv -f UTF-8 -t UTF-8 "$1" >/dev/null 2>&1; }
+
 # printable FILE: UTF-8 without control characters but the ends of lines
 printable() {
-    check "$1 is not UTF-8" sh -c 'iconv -f UTF-8 -t UTF-8 "$0" >/dev/null 2>&1' "$1"
+    check "$1 is not UTF-8" is_utf8 "$1"
     check "$1 has control characters, also of C1, or what XML has not" is_plain "$1"
 }
 
