@@ -4,6 +4,7 @@
 # test_json.sh FOURLINK DATA [all] - --format=json, as a JSON parser reads it: objects, their keys, numbers as in
 # csv (of every third deck, or all), several decks, designs, titles of all kinds, rows without values.
 . "$(dirname "$0")/../harness.sh"
+. "$decks/../questions.sh"
 
 needs jq jq
 cp "$decks/reach.deck" "$decks/pump.deck" .
@@ -12,33 +13,16 @@ cp "$decks/reach.deck" "$decks/pump.deck" .
 gives() { ask '[.[] | try ((' ') == true) catch false] | length > 0 and all' "$@"; }
 # every WHAT FILTER...: the same of a list of all objects.
 every() { ask 'try (' ') catch false' "$@"; }
-# ask BEFORE AFTER WHAT FILTER...: for `answer`, whether each is true of the last run.
-runs=0 comma=
+# ask BEFORE AFTER WHAT FILTER...
 ask() {
     before=$1
     after=$2
     shift 2
-    runs=$((runs + 1))
-    cp out asked.$runs
+    about out
     while [ $# -gt 0 ]; do
-        printf '%s([$run%d | %s%s%s] | last)\n' "$comma" $runs "$before" "$2" "$after" >>filters
-        comma=,
-        printf '%s: %s\n' "$1" "$2" | paste -sd' ' - >>questions
+        question "$1: $2" "$before$2$after"
         shift 2
     done
-}
-# answer: one jq, whose start takes longer than its work, answers true or false to each question.
-answer() {
-    set --
-    while [ $runs -gt 0 ]; do
-        set -- --slurpfile run$runs asked.$runs "$@"
-        runs=$((runs - 1))
-    done
-    jq -cn "$@" -f filters >truths 2>&1
-    while read -r question; do
-        read -r truth <&3 || truth='no answer'
-        check "$question: $truth" test "$truth" = true
-    done <questions 3<truths
 }
 objects() { every "$1 objects" "length == $1"; }
 
