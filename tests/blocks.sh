@@ -33,7 +33,7 @@ while read -r word program package; do
 done <"$test"
 
 work=$(mktemp -d) || exit 1
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+trap 'rm -rf "$work" 2>/dev/null || { chmod -R u+w "$work" && rm -rf "$work"; }' EXIT
 trap 'exit 1' HUP INT TERM
 mkdir "$work/bin" "$work/folder"
 ln -s "$fourlink" "$work/bin/fourlink"

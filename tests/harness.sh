@@ -7,7 +7,7 @@ set -u
 fourlink=$1
 data=$2
 case $fourlink in /*) ;; *) fourlink=$PWD/$fourlink ;; esac
-programs=$(dirname "$fourlink") # of the tests, which are built beside it
+programs=${fourlink%/*} # of the tests, which are built beside it
 data=$(cd "$data" && pwd)
 alvi=$data/alvi-5.1.deck
 matrix=$data/me3491-matrix.deck
@@ -15,7 +15,7 @@ decks=$(cd "$(dirname "$0")/../decks" && pwd)
 pictures=$decks/../pictures
 . "$decks/../needs.sh"
 work=$(mktemp -d) || exit 1
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+trap 'rm -rf "$work" 2>/dev/null || { chmod -R u+w "$work" && rm -rf "$work"; }' EXIT
 trap 'exit 1' HUP INT TERM
 cd "$work" || exit 1
 umask 022

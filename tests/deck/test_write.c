@@ -280,7 +280,7 @@ static const char *read_file(const char *name)
     return contents;
 }
 
-static int step = 10; /* every tenth value, or each */
+static int step = 20; /* every twentieth value, or each */
 
 /* Change values that are numbers, in the units of their lines: nothing else in the text changes, and what is
 ** written reads back as what was changed.  The number of such values. */

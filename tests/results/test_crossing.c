@@ -81,23 +81,30 @@ static void check_scan(fourlink_results *r, const char *column, fourlink_branch 
 TEST(test_against_scan)
 {
     static const double shares[] = {0.03, 0.31, 0.5, 0.62, 0.97};
-    static const char *const columns[] = {"theta4", "omega4", "alpha3", "Ts", "F34", "mu"};
-    static const char load[] =
-        ROCKER SPEED "[load L]\nlink = rocker\ntorque = 5 N m\nfrom = 100 deg\nto = 200 deg\n"
-                     "[load D]\nlink = crank\nover = theta2\ntorque = 0 deg 0.1 N m, 90 deg 0.9 N "
-                     "m, 200 deg -0.4 N m\n";
+    enum { COLUMNS = 6 };
+    static const char *const columns[COLUMNS] = {"theta4", "omega4", "alpha3", "Ts", "F34", "mu"};
+    static const char load[] = ROCKER SPEED
+        "[load L]\nlink = rocker\ntorque = 5 N m\nfrom = 100 deg\nto = 200 deg\n"
+        "[load D]\nlink = crank\nover = theta2\ntorque = 0 deg 0.1 N m, 90 deg 0.9 N "
+        "m, 200 deg -0.4 N m\n[table]\ncolumns = theta4, omega4, alpha3, Ts, F34, mu\n";
     static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-    static double values[SCAN + 1];
+    static double values[COLUMNS][SCAN + 1];
     fourlink_results *r = opened(load);
+    double row[COLUMNS];
     size_t i, j, b, k;
 
-    for (i = 0; i < sizeof columns / sizeof *columns; i++)
-        for (b = 0; b < 2; b++) {
-            for (k = 0; k <= SCAN; k++)
-                values[k] = value_at(r, columns[i], branches[b], 360.0 * (double)k / SCAN);
-            for (j = 0; j < sizeof shares / sizeof *shares; j++)
-                check_scan(r, columns[i], branches[b], values, shares[j]);
+    for (b = 0; b < 2; b++) {
+        for (k = 0; k <= SCAN; k++) {
+            assert_int_equal(
+                fourlink_results_at(r, branches[b], 360.0 * (double)k / SCAN, row, NULL, NULL),
+                FOURLINK_OK);
+            for (i = 0; i < COLUMNS; i++)
+                values[i][k] = row[i];
         }
+        for (i = 0; i < COLUMNS; i++)
+            for (j = 0; j < sizeof shares / sizeof *shares; j++)
+                check_scan(r, columns[i], branches[b], values[i], shares[j]);
+    }
     fourlink_results_free(r);
 }
 
