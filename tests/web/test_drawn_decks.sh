@@ -5,6 +5,6 @@
 . "$(dirname "$0")/../harness.sh"
 
 needs node nodejs
-node "$(dirname "$data")/tests/web/drawn.js" "$fourlink" "$(dirname "$data")" "${3-200}" >out 2>&1
+node "$(dirname "$data")/tests/web/drawn.js" "$fourlink" "$(dirname "$data")" "${3-100}" >out 2>&1
 check "$(cat out)" grep -q ' 0 failed$' out
 finish
