@@ -12,23 +12,23 @@
 
 #define MOST_SOLUTIONS 100
 
-/* The task with so many of its solutions; null without memory. */
-static fourlink_results *open_task(const input *in, unsigned long n)
+/* Open solution `number` of the task, from 1. */
+static int open_solution(const input *in, unsigned long number, fourlink_results **results,
+                         fourlink_mistake *mistake)
 {
     fourlink_source source = in->source;
-    fourlink_results *results = NULL;
 
-    source.synthesis = n;
-    fourlink_results_open(&source, 0, &results, NULL, NULL);
-    return results;
+    source.synthesis = number;
+    return fourlink_results_open(&source, mistake != NULL, results, mistake, NULL);
 }
 
-/* Write solution k, from 0; 0 if out of memory. */
+/* Write solution k, from 0, of a task that keeps it, or is null; 0 if out of memory. */
 static int write_solution(sheet *s, const input *in, const fourlink_results *task, unsigned long k)
 {
     fourlink_results *results = NULL;
     fourlink_mistake mistake;
-    int status = fourlink_results_design(task, k, 1, &results, &mistake, NULL);
+    int status = task ? fourlink_results_design(task, k, 1, &results, &mistake, NULL)
+                      : open_solution(in, k + 1, &results, &mistake);
 
     if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
         return 0;
@@ -40,8 +40,8 @@ static int write_solution(sheet *s, const input *in, const fourlink_results *tas
 int solutions_write(FILE *out, const input *in)
 {
     unsigned long n = 0, chosen, k;
-    fourlink_results *task;
-    int enough;
+    fourlink_results *task = NULL;
+    int enough = 1;
     sheet s;
 
     memset(&s, 0, sizeof s);
@@ -54,8 +54,7 @@ int solutions_write(FILE *out, const input *in)
     fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n);
     n = n < MOST_SOLUTIONS ? n : MOST_SOLUTIONS;
     content_begin(&s, out, 1);
-    task = open_task(in, n);
-    enough = task != NULL;
+    open_solution(in, n, &task, NULL); /* it keeps all; null if the last one is no deck */
     for (k = 0; k < n && enough; k++)
         enough = write_solution(&s, in, task, k);
     fourlink_results_free(task);

@@ -81,8 +81,8 @@ typedef struct flk_mistake_list {
 } flk_mistake_list;
 
 /* Open the deck of a source; another design of an opened deck's sweep, with `n_set` numbers set; another
-** solution of its [synthesis].  These share the settings of `from`, which must live longer.  Return the status
-** of fourlink_results_open. */
+** solution of its [synthesis].  These share the settings of `from`, which must live longer.  Return the
+** status of fourlink_results_open. */
 int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
                     flk_opened **opened);
 int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,

@@ -67,13 +67,12 @@ int fourlink_results_design(const fourlink_results *from, unsigned long design,
                             fourlink_mistake *first, unsigned long *n_mistakes)
 {
     flk_mistake_list list = list_of(max_mistakes, first, n_mistakes);
-    const deck *d;
+    const deck *d = from ? &from->first->d : NULL;
     flk_opened *o = NULL;
     int status = FOURLINK_BAD_NUMBER;
 
-    if (!from || !results || (!first && max_mistakes))
+    if (!d || !results || (!first && max_mistakes))
         return FOURLINK_NULL;
-    d = &from->first->d;
     if (design < d->sweep.n_designs)
         status = flk_opened_design(from->first, design, NULL, 0, &list, &o);
     else if (!d->sweep.n_designs && d->found && design < d->synthesis->n_kept)
