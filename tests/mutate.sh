@@ -56,7 +56,10 @@ labels() {
 # one at a time: in parallel ctest would begin with the slowest
 tests_pass() {
     run_tests -L "$(labels "$1")" || return 1
-    case $1 in *.js) run_tests -C long -R '^test_browser$' ;; esac
+    case $1 in
+    *.js) run_tests -C long -R '^test_browser$' ;;
+    src/drawing/* | src/pictures/* | src/view/*) run_tests -C long -R '^drawn$' ;;
+    esac
 }
 run_tests() { ctest --test-dir "$work/build" --stop-on-failure --timeout 200 "$@" >"$work/tests.txt" 2>&1; }
 well_formed() { case $1 in *.js) node --check "$1" 2>"$work/log" ;; esac }

@@ -184,7 +184,7 @@ gives 'the crank comes to rest' '.branches[0].rows[-1] | .values == null and (.s
 title() {
     { printf "title = $1\n"; sed '/^title/d' "$alvi"; } >title.deck
     "$fourlink" -f json title.deck >out 2>err
-    check "the title $1" sh -c 'jq -en "inputs.title == \$t" --arg t "$1" out >/dev/null' - "$2"
+    every "the title $1" ".[0].title == \"$(printf '%s' "$2" | sed 's/[\\"]/\\&/g')\""
 }
 title 'a "quoted" one' 'a "quoted" one'
 title 'C:\\new\\table' 'C:\new\table'
