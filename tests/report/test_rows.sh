@@ -25,7 +25,7 @@ that '.branches | map(.name) == ["open", "crossed"]' \
     '(.steps | length) == 181 and .steps[20] == 40 and .steps[.start] == 60 and .turn == 0' \
     '.units.length == "mm" and .branches[0].reasons == {} and [.branches[].table | length] == [181, 181]' \
     '[.branches[0].panels[].title] == ["Mechanism", "Velocity polygon", "Acceleration polygon"]' \
-    '.branches[0].panels | all(.width / .height | . >= 1.25 and . <= 2.21)'
+    '.branches[0].panels | all(.box[2] / .box[3] | . > 1.2 and . < 2.3)'
 
 # The table is the program's.
 run 0 "$alvi"
