@@ -12,11 +12,12 @@ parts() {
         run 0 --part=$k/$1 -f "$2" -o "part.$k" t.deck
         k=$((k - 1))
     done
-    k=0
+    all=
     while [ $k -lt "$1" ]; do
         k=$((k + 1))
-        cat "part.$k"
-    done >together
+        all="$all part.$k"
+    done
+    cat $all >together
     same together whole
     check "$1 parts: a header in one only" test "$(grep -c 'branch\b.*mu' together)" -eq "$(grep -c 'branch\b.*mu' whole)"
 }

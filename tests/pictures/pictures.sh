@@ -58,8 +58,8 @@ svg() { # svg FILE: a whole picture
 }
 # words FILE: its texts, one a line, without the escapes of XML
 words() {
-    sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' "$1" |
-        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&apos;/'"'"'/g; s/&#160;/ /g; s/&amp;/\&/g; s/−/-/g'
+    sed -n -e 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/' -e 't text' -e d -e ': text' \
+        -e 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&apos;/'"'"'/g; s/&#160;/ /g; s/&amp;/\&/g; s/−/-/g; p' "$1"
 }
 shows() { # shows FILE TEXT...: each is a text of its own in the picture
     file=$1
