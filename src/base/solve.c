@@ -7,7 +7,8 @@
 ** function is known.  The zero of an increasing function is found by the secant method from a guess.
 ** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives,
 ** 1973, ch. 5.
-** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
+** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983), and
+** Gauss's with 5.
 */
 #include <float.h>
 #include <math.h>
@@ -153,6 +154,21 @@ flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], dou
         length = high.x - low.x;
     }
     return best;
+}
+
+double flk_integrate_smooth(flk_function *f, void *data, double from, double to)
+{
+    static const double nodes[5][2] = {{-0.90617984593866399280, 0.23692688505618908751},
+                                       {-0.53846931010568309104, 0.47862867049936646804},
+                                       {0, 0.56888888888888888889},
+                                       {0.53846931010568309104, 0.47862867049936646804},
+                                       {0.90617984593866399280, 0.23692688505618908751}};
+    double middle = 0.5 * (from + to), half = 0.5 * (to - from), value = 0;
+    int k;
+
+    for (k = 0; k < 5; k++)
+        value += half * nodes[k][1] * f(middle + half * nodes[k][0], data);
+    return value;
 }
 
 /* Nodes x >= 0, the weights of Kronrod's rule and those of Gauss's. */

@@ -50,6 +50,10 @@ typedef struct flk_sample {
 ** counts as less than any number. */
 flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close);
 
+/* Integrate a function that is as smooth as a polynomial of degree 9, such as within a step of an integration
+** of order 8. */
+double flk_integrate_smooth(flk_function *f, void *data, double from, double to);
+
 /* The values of several functions at one place. */
 #define FLK_INTEGRALS 3
 typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);

@@ -84,18 +84,25 @@ static void find_range(const flk_path *p, double t, double *least, double *most)
         }
 }
 
-/* d(T_m + Q)/d(omega2) / (J + I_f) at a part of a step, by a difference within the cell; NaN if a torque is
-** not known. */
-static double growth_at(const flk_path *p, const flk_node *node, double part)
+/* A step and its path. */
+typedef struct span {
+    const flk_path *p;
+    const flk_node *node;
+} span;
+
+/* d(T_m + Q)/d(omega2) / (J + I_f) at a time, by a difference within the cell; NaN if a torque is not
+** known. */
+static double growth_at(double t, void *data)
 {
-    const flk_equation *e = &p->equation;
+    const span *x = data;
+    const flk_equation *e = &x->p->equation;
     flk_machine_torque slower, faster;
     flk_machine_place place;
     fourlink_state held;
     double speed, theta2, growth = GSL_NAN;
     flk_node at;
 
-    flk_node_within(node, part, &at);
+    flk_node_within(x->node, (t - x->node->t) / x->node->h, &at);
     theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
     speed = at.y[FLK_SPEED];
     if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
@@ -112,26 +119,15 @@ static double growth_at(const flk_path *p, const flk_node *node, double part)
 }
 
 /* The growth over the path of the logarithm of a small difference in energy:
-** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known.  In each step by Gauss's
-** rule with five points, of order 10, as the step is of order 8. */
+** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
 static double growth_of(const flk_path *p)
 {
-    static const double at[5] = {-0.90617984593866399280, -0.53846931010568309104, 0,
-                                 0.53846931010568309104, 0.90617984593866399280};
-    static const double weight[5] = {0.23692688505618908751, 0.47862867049936646804,
-                                     0.56888888888888888889, 0.47862867049936646804,
-                                     0.23692688505618908751};
-    const flk_node *node;
     double growth = 0;
-    int i;
+    span x;
 
-    for (node = p->node; node + 1 < p->node + p->n; node++) {
-        double length = node[1].t - node->t;
-
-        for (i = 0; i < 5; i++)
-            growth += 0.5 * length * weight[i] *
-                      growth_at(p, node, 0.5 * (1 + at[i]) * (length / node->h));
-    }
+    x.p = p;
+    for (x.node = p->node; x.node + 1 < p->node + p->n; x.node++)
+        growth += flk_integrate_smooth(growth_at, &x, x.node->t, x.node[1].t);
     return growth;
 }
 

@@ -47,7 +47,7 @@ static place_box box_of_drawing(const labels *l)
 }
 
 /* A box of pixels in the unit of length, a thousandth of a pixel larger: more than rounding. */
-static place_box place_of(const labels *l, const place_box *b)
+static place_box box_in_unit(const labels *l, const place_box *b)
 {
     place_box out = place_nothing;
 
@@ -82,7 +82,7 @@ static int leaves(const labels *l, const place_box *b)
 /* The cost of label k at its present place. */
 static double cost_of(const labels *l, int k)
 {
-    place_box b = box_of(l, &l->list[k]), near = place_of(l, &b);
+    place_box b = box_of(l, &l->list[k]), near = box_in_unit(l, &b);
     double cost = 0;
     int i;
 

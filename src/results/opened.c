@@ -547,27 +547,33 @@ int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
     return open_results(o, NULL, read_deck(source, &o->d), list, opened);
 }
 
-int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,
-                      size_t n_set, const flk_mistake_list *list, flk_opened **opened)
+/* Room for another deck of the same source. */
+static flk_opened *beside(const flk_opened *from)
 {
     flk_opened *o = calloc(1, sizeof *o);
 
-    if (!o)
-        return FOURLINK_NO_MEMORY;
-    o->whole_cycle = from->whole_cycle;
-    return open_results(o, from, flk_deck_design(&from->d, design, set, n_set, &o->d), list,
-                        opened);
+    if (o)
+        o->whole_cycle = from->whole_cycle;
+    return o;
+}
+
+int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,
+                      size_t n_set, const flk_mistake_list *list, flk_opened **opened)
+{
+    flk_opened *o = beside(from);
+
+    return o ? open_results(o, from, flk_deck_design(&from->d, design, set, n_set, &o->d), list,
+                            opened)
+             : FOURLINK_NO_MEMORY;
 }
 
 int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_mistake_list *list,
                         flk_opened **opened)
 {
-    flk_opened *o = calloc(1, sizeof *o);
+    flk_opened *o = beside(from);
 
-    if (!o)
-        return FOURLINK_NO_MEMORY;
-    o->whole_cycle = from->whole_cycle;
-    return open_results(o, from, flk_deck_solution(&from->d, number, &o->d), list, opened);
+    return o ? open_results(o, from, flk_deck_solution(&from->d, number, &o->d), list, opened)
+             : FOURLINK_NO_MEMORY;
 }
 
 void flk_opened_free(flk_opened *o)

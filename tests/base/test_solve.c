@@ -396,6 +396,36 @@ TEST(test_degree)
     }
 }
 
+static double power(double x, void *exponent)
+{
+    return pow(x, *(int *)exponent);
+}
+
+static double sine(double x, void *unused)
+{
+    (void)unused;
+    return sin(x);
+}
+
+/* Five points are exact up to the ninth power, and not beyond; of short steps of a smooth function. */
+TEST(test_smooth_integrals)
+{
+    uint64_t seed = 23;
+    int n, i;
+
+    for (n = 0; n <= 12; n++) {
+        double exact = (pow(2, n + 1) - pow(-1, n + 1)) / (n + 1);
+        double error = fabs(flk_integrate_smooth(power, &n, -1, 2) - exact);
+
+        assert_true(n <= 9 ? error < 4e-15 * (pow(2, n + 1) + 1) : error > 1e-6 * exact);
+    }
+    for (i = 0; i < 1000; i++) {
+        double from = uniform(&seed, -9, 9), to = from + uniform(&seed, -0.5, 0.5);
+
+        assert_near(flk_integrate_smooth(sine, NULL, from, to), cos(from) - cos(to), 1e-14);
+    }
+}
+
 TEST(test_known_integrals)
 {
     flk_integral of[FLK_INTEGRALS], back;

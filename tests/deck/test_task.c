@@ -193,6 +193,13 @@ TEST(test_solutions)
 {
     static const char *const rest[] = {"", "right = fixed (50, -10) mm\n",
                                        "left = moving (3, 4) mm\n"};
+    static const char *const others[] = {
+        FOUR_BAR GROUND "[synthesis]\ntask = function\npoints = 36 deg 64 deg, 75 98, 114 142\n",
+        FOUR_BAR "[crank]\nlength = 30 mm\n[synthesis]\ntask = function\n" /* it is scaled */
+                 "points = 36 deg 64 deg, 75 98, 114 142\n",
+        FOUR_BAR GROUND "[synthesis]\ntask = quick-return\ntime_ratio = 1.2\nswing = 50 deg\n",
+        FOUR_BAR "[synthesis]\ntask = motion\npositions = (0, 0) m 0 deg, (1.2, 0.5) m 18 deg, "
+                 "(2.1, 1.6) m 47 deg\nleft = fixed (0.5, 3.5) m\nright = fixed (0.5, -1) m\n"};
     uint64_t seed = 52;
     int n_tried = tries_all() ? 120 : 4, n_tasks = 0, n_solutions = 0, i;
 
@@ -210,11 +217,15 @@ TEST(test_solutions)
         n_tasks += n > 0;
         n_solutions += n;
     }
-    n_solutions += check_solutions(
-        FOUR_BAR GROUND "[synthesis]\ntask = function\npoints = 36 deg 64 deg, 75 98, 114 142\n",
-        3);
-    print_message("%d tasks, %d of them solved, %d solutions\n", n_tried + 1, n_tasks, n_solutions);
-    assert_true(n_tasks >= n_tried / 5 && n_solutions > 2 * n_tasks);
+    for (i = 0; i < (int)COUNT(others); i++) {
+        int n = check_solutions(others[i], 3);
+
+        assert_int_equal(n, 1);
+        n_solutions += n;
+    }
+    print_message("%d tasks, %d of them solved, %d solutions\n", n_tried + (int)COUNT(others),
+                  n_tasks, n_solutions);
+    assert_true(n_tasks > n_tried / 5 && n_solutions > 2 * n_tasks);
 }
 
 /* Designs of a sweep find their own linkages, whatever those before have found. */

@@ -413,7 +413,7 @@ TEST(test_wanted_fluctuation)
 TEST(test_no_flywheel)
 {
     fourlink_results *r =
-        opened_open(PUMP FORCE BALANCED "[flywheel]\ninertia = 0.001 kg m2\n" TEN);
+        opened_open(PUMP FORCE FAN BALANCED "[flywheel]\ninertia = 0.001 kg m2\n" TEN);
     fourlink_value v;
     double angle;
 
