@@ -3,7 +3,8 @@
 #
 # faults.py - do the tests notice small faults?  mutate.sh runs it.
 #
-#   faults.py put TREE N SEED LIST          put N faults into the sources of TREE, all at once, each behind a switch, and list them
+#   faults.py put TREE N SEED LIST [FOLDER...]   put N faults into the sources of TREE, or of these folders of src/, all at
+#                                           once, each behind a switch, and list them
 #   faults.py run BUILD LIST OUT [CONFIG]   run, for each fault, the tests that reach it, until one fails
 #   faults.py table TREE OUT KNOWN          the table by folder, and the survivors that have no reason in KNOWN
 #
@@ -59,7 +60,8 @@ SWAPS = {'+': '-', '-': '+', '*': '/', '/': '*', '%': '/', '+=': '-=', '-=': '+=
 COMPARE = {'<': ['<=', '>='], '>': ['>=', '<='], '<=': ['<', '>'], '>=': ['>', '<'], '==': ['!='], '!=': ['==']}
 LOGIC = {'&&': '||', '||': '&&'}
 TWINS = [('min', 'max'), ('sin', 'cos'), ('floor', 'ceil'), ('smallest', 'largest'), ('lowest', 'highest'), ('first', 'last')]
-SYMMETRIC = ('strcmp', 'gsl_hypot', 'flk_length', 'gsl_complex_add', 'gsl_complex_mul', 'fabs')
+SYMMETRIC = ('strcmp', 'strncmp', 'memcmp', 'gsl_hypot', 'flk_length', 'gsl_complex_add', 'gsl_complex_mul', 'GSL_MAX_DBL',
+             'GSL_MIN_DBL', 'flk_dimension_equal', 'flk_text_equal', 'flk_text_same')
 
 Candidate = collections.namedtuple('Candidate', 'file start end line sort right faulty statement')
 
@@ -250,14 +252,14 @@ def choose(finders, n, chance):
     return chosen
 
 
-def put(tree, n, seed, listing):
+def put(tree, n, seed, listing, *only):
     import clang.cindex as clang
 
     tree, chance = pathlib.Path(tree).resolve(), random.Random(seed)
     (tree / 'src/base/fault.h').write_text(SWITCH_H)
     (tree / 'src/base/fault.c').write_text(SWITCH_C)
     names = sorted(str(p.relative_to(tree)) for p in tree.glob('src/*/*.c')
-                   if not re.search('_windows|assets|base/fault', p.name + str(p)))
+                   if not re.search('_windows|assets|base/fault', p.name + str(p)) and (not only or p.parent.name in only))
     index = clang.Index.create()
     finders = [Finder(clang, index, tree, name, chance) for name in names]
     # half more than asked, for those that do not compile
@@ -420,7 +422,7 @@ def table(tree, out, known):
 if __name__ == '__main__':
     command, arguments = sys.argv[1], sys.argv[2:]
     if command == 'put':
-        put(arguments[0], int(arguments[1]), int(arguments[2]), arguments[3])
+        put(arguments[0], int(arguments[1]), *arguments[2:])
     elif command == 'run':
         run(*arguments)
     elif command == 'table':

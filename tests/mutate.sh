@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# mutate.sh [N [SEED]] - do the tests notice small faults?  Puts N faults (40) into the sources of src/, evenly over the
-# folders: another operator, constant, sign or variable, x for y, min for max, arguments swapped, a statement less.  SEED
+# mutate.sh [N [SEED [FOLDER...]]] - do the tests notice small faults?  Puts N faults (40) into the sources of src/, evenly over the
+# folders, or over those that are named: another operator, constant, sign or variable, x for y, min for max, arguments swapped, a statement less.  SEED
 # is the commit's, unless given.  Then it runs, for each fault, the tests that reach it, first those of ctest, and with
 # LONG=1 the long trials too.  faults.py says how.
 #
@@ -13,6 +13,8 @@ set -eu
 source=$(cd "$(dirname "$0")/.." && pwd)
 n=${1:-40}
 seed=${2:-$(git -C "$source" rev-parse HEAD)}
+[ $# -lt 2 ] || shift
+[ $# -lt 1 ] || shift
 if [ "${FOLDER-}" ]; then
     mkdir -p "$FOLDER"
     work=$(cd "$FOLDER" && pwd)
@@ -28,7 +30,7 @@ rm -rf "$work/tree"
 mkdir -p "$work/tree"
 git ls-files -z | xargs -0 cp --parents -t "$work/tree"
 echo "seed $seed"
-faults put "$work/tree" "$n" "$seed" "$work/list.json"
+faults put "$work/tree" "$n" "$seed" "$work/list.json" "$@"
 {
     cmake -S "$work/tree" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS='-O1 -w' \
         -DFOURLINK_STANDARD=gnu11 && cmake --build "$work/build"
