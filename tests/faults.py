@@ -222,7 +222,7 @@ def compiling(finder, chosen):
         text, places = guarded(finder.source, left)
         unit = finder.index.parse(finder.path, finder.arguments, unsaved_files=[(finder.path, text.decode())])
         errors = [d for d in unit.diagnostics if d.severity >= 3]
-        if not errors:
+        if not errors or not left:
             return text, bad
         here = {n for d in errors for a, b, n in places if d.location.offset >= a and d.location.offset <= b}
         bad |= here or {n for _, _, n in places}  # one that breaks what is around it: none of this file
@@ -262,8 +262,8 @@ def put(tree, n, seed, listing, *only):
                    if not re.search('_windows|assets|base/fault', p.name + str(p)) and (not only or p.parent.name in only))
     index = clang.Index.create()
     finders = [Finder(clang, index, tree, name, chance) for name in names]
-    # half more than asked, for those that do not compile
-    chosen = list(enumerate(choose(finders, n * 3 // 2, chance)))
+    # twice as many as asked, for those that do not compile
+    chosen = list(enumerate(choose(finders, n * 2, chance)))
     kept, share = [], collections.Counter()
     for f in finders:
         text, bad = compiling(f, [item for item in chosen if item[1].file == f.name])
