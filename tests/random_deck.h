@@ -45,7 +45,7 @@ static int seldom(double share)
 #define SEED_OF_YOKES 1000 /* and above: decks of Scotch yokes alone */
 static int only_yokes;
 
-static char text[20000];
+static char deck_text[20000];
 static size_t length;
 static double corners[200]; /* rad; where something happens, in every cycle */
 static int n_corners;
@@ -55,7 +55,7 @@ static void write(const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    length += (size_t)vsnprintf(text + length, sizeof text - length, format, arguments);
+    length += (size_t)vsnprintf(deck_text + length, sizeof deck_text - length, format, arguments);
     va_end(arguments);
 }
 
@@ -109,7 +109,7 @@ static int can_be_assembled(const double *d)
     return 1;
 }
 
-static void write_four_bar(double unit)
+static void write_four_bar(double scale)
 {
     static const char *const names[] = {"ground", "crank", "coupler", "rocker"};
     double d[4]; /* ground, crank, coupler, rocker */
@@ -127,15 +127,15 @@ static void write_four_bar(double unit)
     } while (!can_be_assembled(d));
     write("mechanism = four-bar\n");
     for (i = 0; i < 4; i++) {
-        write("[%s]\nlength = %.17g m\n", names[i], d[i] * unit);
+        write("[%s]\nlength = %.17g m\n", names[i], d[i] * scale);
         if (i > 0)
-            write_mass(d[i] * unit);
+            write_mass(d[i] * scale);
         else if (seldom(0.3))
             write("angle = %.17g deg\n", between(-180, 180));
     }
 }
 
-static void write_curve(const char *name, double low, double high, const char *unit, double cycle)
+static void write_curve(const char *name, double low, double high, const char *scale, double cycle)
 {
     int n = 3 + one_of(9), i;
 
@@ -144,23 +144,23 @@ static void write_curve(const char *name, double low, double high, const char *u
         double at = floor(cycle * (i + between(0.1, 0.9)) / n);
 
         corners[n_corners++] = at * PI / 180;
-        write("%s%g deg %.17g %s", i ? ", " : "", at, between(low, high), unit);
+        write("%s%g deg %.17g %s", i ? ", " : "", at, between(low, high), scale);
     }
     write("\n");
 }
 
-static void write_gas(double share, double wide, double crank, double unit, double cycle)
+static void write_gas(double share, double wide, double crank, double scale, double cycle)
 {
     if (!seldom(share))
         return;
-    write("[gas]\nbore = %.17g m\n", between(0.1, wide) * crank * unit);
+    write("[gas]\nbore = %.17g m\n", between(0.1, wide) * crank * scale);
     if (seldom(0.4))
         write("pressure = %.17g Pa\n", between(0, 2e6));
     else
         write_curve("indicator", 2e4, 3e6, "Pa", cycle);
 }
 
-static void write_slider_crank(double unit, double cycle)
+static void write_slider_crank(double scale, double cycle)
 {
     double r = between(0.1, 1), l = r * between(1.2, 4),
            e = seldom(0.5) ? 0 : between(-0.3, 0.3) * r;
@@ -175,21 +175,21 @@ static void write_slider_crank(double unit, double cycle)
     }
     if (how == 9)
         l *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-3, -2));
-    write("mechanism = slider-crank\n[ground]\noffset = %.17g m\n", e * unit);
+    write("mechanism = slider-crank\n[ground]\noffset = %.17g m\n", e * scale);
     if (seldom(0.3))
         write("angle = %.17g deg\n", between(-180, 180));
-    write("[crank]\nlength = %.17g m\n", r * unit);
-    write_mass(r * unit);
-    write("[rod]\nlength = %.17g m\n", l * unit);
-    write_mass(l * unit);
+    write("[crank]\nlength = %.17g m\n", r * scale);
+    write_mass(r * scale);
+    write("[rod]\nlength = %.17g m\n", l * scale);
+    write_mass(l * scale);
     write("[piston]\n");
     if (seldom(0.8))
         write("mass = %.17g kg\n", between(0.1, 5));
-    write_gas(0.5, 0.5, r, unit, cycle);
+    write_gas(0.5, 0.5, r, scale, cycle);
 }
 
 /* Crank and slotted lever, Whitworth's quick return, oscillating cylinder; some with a change point. */
-static void write_inverted(double unit, double cycle)
+static void write_inverted(double scale, double cycle)
 {
     double d = between(0.2, 1), a = d * between(0.2, 2.5),
            h = seldom(0.5) ? 0 : between(-0.5, 0.5) * a;
@@ -199,40 +199,40 @@ static void write_inverted(double unit, double cycle)
         a = (1 + one_of(15)) / 16.0;
         h = a - d;
     }
-    write("mechanism = inverted-slider-crank\n[ground]\nlength = %.17g m\n", d * unit);
+    write("mechanism = inverted-slider-crank\n[ground]\nlength = %.17g m\n", d * scale);
     if (seldom(0.3))
         write("angle = %.17g deg\n", between(-180, 180));
-    write("[crank]\nlength = %.17g m\n", a * unit);
-    write_mass(a * unit);
+    write("[crank]\nlength = %.17g m\n", a * scale);
+    write_mass(a * scale);
     write("[slider]\n");
-    write_mass(0.3 * unit);
-    write("[lever]\noffset = %.17g m\n", h * unit);
-    write_mass(d * unit);
-    write_gas(0.3, 0.3, a, unit, cycle);
+    write_mass(0.3 * scale);
+    write("[lever]\noffset = %.17g m\n", h * scale);
+    write_mass(d * scale);
+    write_gas(0.3, 0.3, a, scale, cycle);
 }
 
 /* Slots of all directions, some with friction in slot and guide. */
-static void write_yoke(double unit, double cycle)
+static void write_yoke(double scale, double cycle)
 {
     double a = between(0.1, 1), e = seldom(0.5) ? 0 : between(-1, 1) * a;
 
-    write("mechanism = scotch-yoke\n[ground]\noffset = %.17g m\n", e * unit);
+    write("mechanism = scotch-yoke\n[ground]\noffset = %.17g m\n", e * scale);
     if (seldom(0.3))
         write("angle = %.17g deg\n", between(-180, 180));
-    write("[crank]\nlength = %.17g m\n", a * unit);
-    write_mass(a * unit);
+    write("[crank]\nlength = %.17g m\n", a * scale);
+    write_mass(a * scale);
     write("[slider]\n");
-    write_mass(0.3 * unit);
+    write_mass(0.3 * scale);
     write("[yoke]\n");
     if (seldom(0.6))
         write("angle = %.17g deg\n", seldom(0.1) ? between(2, 10) : between(20, 160));
-    write_mass(a * unit);
-    write_gas(0.4, 0.5, a, unit, cycle);
+    write_mass(a * scale);
+    write_gas(0.4, 0.5, a, scale, cycle);
 }
 
-enum { FOUR_BAR, SLIDER_CRANK, INVERTED, YOKE };
+enum { A_FOUR_BAR, A_SLIDER_CRANK, AN_INVERTED, A_YOKE };
 
-static void write_loads(int slides, double unit, double cycle)
+static void write_loads(int slides, double scale, double cycle)
 {
     static const char *const links[4][3] = {{"crank", "coupler", "rocker"},
                                             {"crank", "rod", "piston"},
@@ -241,15 +241,15 @@ static void write_loads(int slides, double unit, double cycle)
     int n = one_of(3), i;
 
     for (i = 0; i < n; i++) {
-        int link = one_of(3), turns = !(slides == SLIDER_CRANK && link == 2),
+        int link = one_of(3), turns = !(slides == A_SLIDER_CRANK && link == 2),
             has_torque = turns && seldom(0.6);
 
         write("[load L%d]\nlink = %s\n", i, links[slides][link]);
         if (!has_torque || seldom(0.4)) {
             write("force = (%.17g, %.17g) N\n", between(-200, 200), between(-200, 200));
             if (turns)
-                write("at = (%.17g, %.17g) m\nframe = %s\n", between(-0.5, 1) * unit,
-                      between(-0.5, 0.5) * unit, seldom(0.5) ? "link" : "ground");
+                write("at = (%.17g, %.17g) m\nframe = %s\n", between(-0.5, 1) * scale,
+                      between(-0.5, 0.5) * scale, seldom(0.5) ? "link" : "ground");
         }
         if (has_torque && seldom(0.5))
             write_curve("torque", -50, 50, "N m", cycle);
@@ -302,35 +302,35 @@ static void write_motion(double cycle)
 
 static void make_deck(void)
 {
-    double cycle = seldom(0.2) ? 720 : 360, unit = pow(10, between(-1.5, 0.5));
+    double cycle = seldom(0.2) ? 720 : 360, scale = pow(10, between(-1.5, 0.5));
     static const char *const carriers[] = {"coupler", "rod", "slider", "yoke"};
-    int slides = only_yokes     ? YOKE
-                 : seldom(0.35) ? SLIDER_CRANK
-                 : seldom(0.25) ? INVERTED
-                                : FOUR_BAR;
+    int slides = only_yokes     ? A_YOKE
+                 : seldom(0.35) ? A_SLIDER_CRANK
+                 : seldom(0.25) ? AN_INVERTED
+                                : A_FOUR_BAR;
     int n = one_of(3), i;
 
     length = 0;
     n_corners = 0;
     if (seldom(0.9))
         write("solver = dyad\n");
-    if (slides == SLIDER_CRANK)
-        write_slider_crank(unit, cycle);
-    else if (slides == INVERTED)
-        write_inverted(unit, cycle);
-    else if (slides == YOKE)
-        write_yoke(unit, cycle);
+    if (slides == A_SLIDER_CRANK)
+        write_slider_crank(scale, cycle);
+    else if (slides == AN_INVERTED)
+        write_inverted(scale, cycle);
+    else if (slides == A_YOKE)
+        write_yoke(scale, cycle);
     else
-        write_four_bar(unit);
-    write_loads(slides, unit, cycle);
+        write_four_bar(scale);
+    write_loads(slides, scale, cycle);
     if (seldom(0.5))
         write("[gravity]\nacceleration = %s m/s2\ndirection = %.17g deg\n",
               seldom(0.5) ? "0" : "9.81", between(-180, 180));
     write_motion(cycle);
     for (i = 0; i < n; i++)
         write("[point P%d]\nlink = %s\nat = (%.17g, %.17g) m\n", i,
-              seldom(0.7) ? carriers[slides] : "crank", between(-1, 1) * unit,
-              between(-1, 1) * unit);
+              seldom(0.7) ? carriers[slides] : "crank", between(-1, 1) * scale,
+              between(-1, 1) * scale);
     write("[table]\ncolumns = all\n");
     for (i = 0; i < 4; i++)
         corners[n_corners++] = i * PI / 2;

@@ -10,7 +10,7 @@
 
 #include "random_deck.h"
 
-static int machine; /* FOUR_BAR ... */
+static int machine; /* A_FOUR_BAR ... */
 static const char *const machine_names[] = {"four-bar", "slider-crank", "inverted-slider-crank",
                                             "scotch-yoke"};
 static const char *const machine_links[][3] = {{"crank", "coupler", "rocker"},
@@ -22,7 +22,7 @@ static const char *const machine_links[][3] = {{"crank", "coupler", "rocker"},
 static void choose_machine(long number)
 {
     length = 0;
-    machine = number % 4 == 3 ? YOKE : (int)(number % 3);
+    machine = number % 4 == 3 ? A_YOKE : (int)(number % 3);
 }
 
 static double power_of_ten(double low, double high)
@@ -49,7 +49,7 @@ static void write_machine(void)
     write("mechanism = %s\n[crank]\nlength = %.6g mm\n", machine_names[machine], crank);
     write_body(crank);
     switch (machine) {
-    case FOUR_BAR:
+    case A_FOUR_BAR:
         do {
             coupler = between(50, 140);
             rocker = between(50, 140);
@@ -62,13 +62,13 @@ static void write_machine(void)
         write_body(50);
         write("[ground]\nlength = %.6g mm\n", ground);
         break;
-    case SLIDER_CRANK:
+    case A_SLIDER_CRANK:
         write("[rod]\nlength = %.6g mm\n", between(90, 250));
         write_body(80);
         write("[piston]\nmass = %.6g kg\n[ground]\noffset = %.6g mm\n", between(0.1, 3),
               between(-10, 10));
         break;
-    case INVERTED:
+    case AN_INVERTED:
         write("[ground]\nlength = %.6g mm\n[slider]\n", between(70, 150));
         write_body(30);
         write("[lever]\noffset = %.6g mm\n", between(-5, 5));
@@ -133,9 +133,9 @@ static void write_friction(void)
     write("[friction]\n");
     for (pin = pins[machine]; *pin; pin++)
         write("%c = %.6g\nradius_%c = %.6g mm\n", *pin, between(0.02, 0.15), *pin, between(2, 8));
-    if (machine != FOUR_BAR)
+    if (machine != A_FOUR_BAR)
         write("guide = %.6g\n", between(0.02, 0.15));
-    if (machine == YOKE) {
+    if (machine == A_YOKE) {
         write("slot = %.6g\n", between(0.02, 0.15));
         if (seldom(0.5))
             write("slot_length = %.6g mm\n", between(10, 40));
@@ -208,8 +208,8 @@ static const char *load_unit(const char *link)
     return slides_only(link) ? "N" : "N m";
 }
 
-/* A curve of n points, at arguments that rise from low to high, in a unit; each of a size, in its unit. */
-static void write_points(const char *key, double low, double high, int n, const char *unit,
+/* A curve of n points, at arguments that rise from low to high, in a unit_name; each of a size, in its unit_name. */
+static void write_points(const char *key, double low, double high, int n, const char *unit_name,
                          const char *size_unit)
 {
     int i;
@@ -217,7 +217,7 @@ static void write_points(const char *key, double low, double high, int n, const 
     write("%s = ", key);
     for (i = 0; i < n; i++)
         write("%s%.6g %s %.6g %s", i ? ", " : "", low + (high - low) * (i + between(0.1, 0.9)) / n,
-              unit, load_size(), size_unit);
+              unit_name, load_size(), size_unit);
     write("\n");
 }
 
@@ -254,7 +254,7 @@ static void write_load_over_speed(const char *name)
 static void write_load_over_position(const char *name)
 {
     static const struct {
-        const char *link, *over, *unit;
+        const char *link, *over, *unit_name;
         double low, high;
     } choices[4][2] = {{{"rocker", "theta4", "deg", 0, 360}, {"rocker", "theta4", "deg", 0, 360}},
                        {{"piston", "x", "mm", 0, 120}, {"piston", "x", "mm", 0, 120}},
@@ -265,7 +265,7 @@ static void write_load_over_position(const char *name)
 
     write("[load %s]\nlink = %s\nover = %s\n", name, link, choices[machine][i].over);
     write_points(load_key(link), choices[machine][i].low, choices[machine][i].high,
-                 between_whole(3, 6), choices[machine][i].unit, load_unit(link));
+                 between_whole(3, 6), choices[machine][i].unit_name, load_unit(link));
     if (seldom(0.5))
         write("back = %.6g %s\n", load_size(), load_unit(link));
 }
@@ -290,7 +290,7 @@ static void write_loads_of_motor(void)
             write_load(link);
         }
     }
-    if ((machine == SLIDER_CRANK || machine == YOKE) && seldom(0.2)) {
+    if ((machine == A_SLIDER_CRANK || machine == A_YOKE) && seldom(0.2)) {
         int n = between_whole(3, 8);
 
         write("[gas]\nbore = %.6g mm\nindicator = ", between(10, 40));
@@ -306,12 +306,12 @@ static void write_loads_of_motor(void)
               power_of_ten(-3, 0.5));
     if (has_friction) {
         write_friction();
-        if (machine != FOUR_BAR && seldom(0.5))
+        if (machine != A_FOUR_BAR && seldom(0.5))
             write("guide_length = %.6g mm\n", between(30, 80));
     }
 }
 
-enum { TORQUE, STALL_TORQUE, CURVE, POWER, CONSTANT };
+enum { MOTOR_TORQUE, MOTOR_STALL, MOTOR_CURVE, MOTOR_POWER, MOTOR_CONSTANT };
 
 /* A motor that drives in the sense of the range, some with a gear; returns its sort. */
 static int write_motor(void)
@@ -323,14 +323,14 @@ static int write_motor(void)
     T = turn * typical_torque / fabs(ratio);
     w = turn * typical_speed * fabs(ratio);
     write("[motor]\n");
-    if (sort >= CONSTANT) {
-        sort = CONSTANT;
+    if (sort >= MOTOR_CONSTANT) {
+        sort = MOTOR_CONSTANT;
         write("torque = constant\n");
-    } else if (sort == TORQUE)
+    } else if (sort == MOTOR_TORQUE)
         write("torque = %.6g N m\n", T);
-    else if (sort == STALL_TORQUE)
+    else if (sort == MOTOR_STALL)
         write("stall_torque = %.6g N m\nno_load_speed = %.6g rad/s\n", T, w);
-    else if (sort == POWER)
+    else if (sort == MOTOR_POWER)
         write("power = %.6g W\nmax_torque = %.6g N m\n", T * w / 4, T);
     else {
         double at[5] = {0, 0.4 * w, 0.8 * w, w, 1.2 * w},
@@ -360,14 +360,14 @@ static void write_driven_motion(double from)
     static const int intervals[] = {7, 10, 15};
     int sort = mode != FREE || seldom(0.6) ? write_motor() : -1;
 
-    if (sort == CONSTANT && seldom(0.3))
+    if (sort == MOTOR_CONSTANT && seldom(0.3))
         write("[flywheel]\nfluctuation = %.6g\nexact = yes\n", power_of_ten(-2, 0));
     else if (seldom(0.8))
         write("[flywheel]\ninertia = %.6g kg m2\n", power_of_ten(-2.5, 0.5));
     write("[motion]\nmode = %s\nfrom = %.6g deg\n", modes[mode], from);
     if (mode == FREE)
         write("speed = %.6g rad/s\n", sense * typical_speed * between(0.3, 1.5));
-    if (sort == CONSTANT)
+    if (sort == MOTOR_CONSTANT)
         write("mean_speed = %.6g rad/s\n", sense * typical_speed);
     if (has_time_rows)
         write("rows = time\nduration = %.6g s\ntime_step = %.6g s\n", 10 / typical_speed,
@@ -375,7 +375,7 @@ static void write_driven_motion(double from)
     else
         write("turns = %.6g\ninterval = %d deg\n", sense * (mode == STEADY ? 1 : turns[one_of(4)]),
               intervals[one_of(3)]);
-    write("[table]\nbranch = %s\n", machine == YOKE || seldom(0.5) ? "open" : "crossed");
+    write("[table]\nbranch = %s\n", machine == A_YOKE || seldom(0.5) ? "open" : "crossed");
 }
 
 static void make_driven_machine(long number)

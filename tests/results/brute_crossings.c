@@ -372,7 +372,7 @@ static int open_deck(const char *name)
 
     memset(&source, 0, sizeof source);
     source.name = name;
-    source.text = text;
+    source.text = deck_text;
     source.length = length;
     if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
         return 0;
@@ -419,7 +419,7 @@ int main(int argc, char **argv)
 
             failed_decks++;
             if (out) {
-                fwrite(text, 1, length, out);
+                fwrite(deck_text, 1, length, out);
                 fclose(out);
             }
         }

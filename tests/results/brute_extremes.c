@@ -805,7 +805,7 @@ static int open_deck(void)
 
     memset(&source, 0, sizeof source);
     source.name = deck_name;
-    source.text = text;
+    source.text = deck_text;
     source.length = length;
     if (fourlink_results_open(&source, 3, &results, mistakes, &n_mistakes) != FOURLINK_OK) {
         if (getenv("BRUTE_VERBOSE") && n_mistakes)
@@ -838,7 +838,7 @@ static void keep_deck(void)
     FILE *out = fopen(deck_name, "w");
 
     if (out) {
-        fwrite(text, 1, length, out);
+        fwrite(deck_text, 1, length, out);
         fclose(out);
     }
 }

@@ -1,0 +1,649 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** random_schema.h - adds keys of all sections to a random deck, as the schema has them, and chooses options for it.
+**
+** It knows the sections, keys, words and quantities from the schema (deck/schema.h), so a new key is tried as soon as it
+** is there.  A key gets a value of its form.  It stays if the deck is still one without mistakes, so that what goes
+** together is known by the reader alone.  Keys, and pairs of a section and an option, are drawn evenly: always one that
+** was tried least.
+*/
+#ifndef RANDOM_SCHEMA_H
+#define RANDOM_SCHEMA_H
+
+#include <limits.h>
+#include <string.h>
+
+#include "deck/schema.h"
+#include "fourlink.h"
+#include "mechanics/kind.h"
+#include "random_machine.h"
+
+/* ------------------------------------------------------------------------------------------- values */
+
+#define LONGEST 2000
+
+/* In SI units, by quantity: values are some tenths to some tens of it. */
+static const double typical[QUANTITY_COUNT] = {
+    0.05, 0.001, 1, 1, 1, 1, 10, 10, 50, 0.01, 100, 10, 1e5, 100, 10, 1000, 10, 10, 0.1, 0.1, 0.3};
+
+/* Units of all quantities; those that fit are tried. */
+static const char *const some_units[] = {
+    "m",       "mm",         "cm",        "in",   "ft",    "kg",     "g",     "lb",     "slug",
+    "s",       "ms",         "rad",       "deg",  "rev",   "rpm",    "rad/s", "deg/s",  "rev/s",
+    "rad/s2",  "deg/s^2",    "N",         "kN",   "lbf",   "kgf",    "N m",   "N.mm",   "lbf.in",
+    "lbf ft",  "J",          "kJ",        "W",    "kW",    "hp",     "Pa",    "kPa",    "bar",
+    "psi",     "N/mm2",      "m/s",       "mm/s", "in/s",  "m/s2",   "mm/s2", "ft/s2",  "kg m2",
+    "kg.mm2",  "g cm2",      "lb in2",    "N/m",  "N/mm",  "lbf/in", "N s/m", "N s/mm", "N m/rad",
+    "N m/deg", "lbf in/rad", "N m s/rad", "kg m", "kg mm", "lb.in",  "%",     "m2",     "mm2"};
+
+static const char *unit_for(quantity q)
+{
+    const char *fitting[sizeof some_units / sizeof some_units[0]];
+    int n = 0;
+    size_t i;
+    unit u;
+    text bad;
+
+    for (i = 0; i < sizeof some_units / sizeof some_units[0]; i++)
+        if (flk_unit_read(flk_text_of(some_units[i]), &u, &bad) &&
+            flk_dimension_equal(u.dim, flk_quantities[q].dim))
+            fitting[n++] = some_units[i];
+    return n ? fitting[one_of(n)] : flk_quantities[q].unit;
+}
+
+/* Append to a text of LONGEST bytes. */
+static void append(char *out, const char *format, ...)
+{
+    va_list arguments;
+    size_t used = strlen(out);
+
+    va_start(arguments, format);
+    vsnprintf(out + used, LONGEST - used, format, arguments);
+    va_end(arguments);
+}
+
+static double size_of(quantity q, value_sign sign)
+{
+    double size = typical[q] * power_of_ten(-1, seldom(0.05) ? 4 : 1);
+
+    if (q == QUANTITY_ANGLE)
+        size = seldom(0.6) ? 15 * one_of(40) * PI / 180 : size;
+    return sign == SIGN_ANY && seldom(0.4) ? -size : size;
+}
+
+static void append_quantity(char *out, quantity q, value_sign sign)
+{
+    const char *written = unit_for(q);
+    double si = size_of(q, sign);
+    text bad;
+    unit u;
+
+    flk_unit_read(flk_text_of(written), &u, &bad);
+    if (q == QUANTITY_NUMBER && seldom(0.7))
+        append(out, "%.4g", si);
+    else
+        append(out, "%.*g %s", seldom(0.2) ? 15 : 5, flk_unit_from_si(si, u), written);
+}
+
+static void append_pair(char *out, quantity q)
+{
+    const char *written = unit_for(q);
+    unit u;
+    text bad;
+
+    flk_unit_read(flk_text_of(written), &u, &bad);
+    append(out, "(%.5g, %.5g) %s", flk_unit_from_si(size_of(q, SIGN_ANY), u),
+           flk_unit_from_si(size_of(q, SIGN_ANY), u), written);
+}
+
+static void append_polar(char *out, quantity q)
+{
+    append_quantity(out, q, SIGN_NOT_NEGATIVE);
+    append(out, " at %d deg", 15 * between_whole(-12, 25));
+}
+
+static void append_vector(char *out, quantity q)
+{
+    switch (one_of(4)) {
+    case 0:
+        append_quantity(out, q, SIGN_ANY);
+        break;
+    case 1:
+        append_polar(out, q);
+        break;
+    default:
+        append_pair(out, q);
+    }
+}
+
+static void append_point(char *out)
+{
+    static const char *const named[] = {"mid", "end", "origin", "50 %", "G", "-20 %"};
+    int steps = 1 + seldom(0.3) + seldom(0.1);
+
+    while (steps--) {
+        if (seldom(0.4))
+            append(out, "%s", named[one_of(6)]);
+        else
+            append_vector(out, QUANTITY_LENGTH);
+        append(out, "%s", steps ? " + " : "");
+    }
+}
+
+/* A list over the crank angle, or the file that the loader has; of a motor, over its speed. */
+static void append_curve(char *out, key_code code, value_form form, quantity q)
+{
+    int n = between_whole(2, 7), i;
+
+    for (i = 0; code == KEY_MOTOR_CURVE && i < n; i++)
+        append(out, "%s%d rad/s %.5g N m", i ? ", " : "", 10 * i, between(20, 90) * (n - 1 - i));
+    if (code == KEY_MOTOR_CURVE)
+        return;
+    if (form != FORM_VECTOR && seldom(0.2)) {
+        append(out, "file card.csv deg %s", unit_for(q));
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        append(out, "%s%g deg ", i ? ", " : "", floor(360 * (i + between(0.1, 0.9)) / n));
+        if (form == FORM_VECTOR)
+            append_pair(out, q);
+        else
+            append_quantity(out, q, SIGN_ANY);
+    }
+}
+
+/* Of keys that take any text: what some of them accept. */
+static void append_text(char *out)
+{
+    static const char *const texts[] = {"\"A # title; with marks\"",
+                                        "max(omega4), rms(alpha4), mean(mu)",
+                                        "theta2, theta4, mu, omega4",
+                                        "all",
+                                        "mu_min > 20 deg",
+                                        "1 %, 0.5 deg",
+                                        "10 deg, 25 deg, 40 deg",
+                                        "0.1, 0.2, 0.3",
+                                        "Ts, F12, power",
+                                        "x^1.5",
+                                        "1 to 4",
+                                        "30 deg to 120 deg",
+                                        "100 mm to 30 mm",
+                                        "35 deg 91 deg, 67 deg 102 deg, 100 deg 117 deg",
+                                        "(0, 0) m 0 deg, (1.2, 0.5) m 18 deg, (2.1, 1.6) m 47 deg",
+                                        "(10, 20) mm, (15, 22) mm, (21, 25) mm",
+                                        "20 deg, 50 deg",
+                                        "fixed (0.5, 3.5) m"};
+
+    append(out, "%s", texts[one_of(sizeof texts / sizeof texts[0])]);
+}
+
+static void append_value(char *out, const key_info *key, key_code code, const char *const *links)
+{
+    const char *words[MOST_WORDS];
+    quantity q = key->q;
+    int n = 0;
+
+    switch (key->form) {
+    case FORM_WORD:
+    case FORM_LINK:
+    case FORM_BODY:
+        flk_key_words(code, links, words);
+        while (words[n])
+            n++;
+        append(out, "%s", n ? words[one_of(n)] : "yes");
+        break;
+    case FORM_UNIT:
+        append(out, "%s", unit_for(q));
+        break;
+    case FORM_VECTOR:
+    case FORM_CURVE:
+        if (code == KEY_MOTOR_CURVE || seldom(0.4))
+            append_curve(out, code, key->form, q);
+        else if (key->form == FORM_VECTOR)
+            append_vector(out, q);
+        else
+            append_quantity(out, q, key->sign);
+        break;
+    case FORM_POINT:
+        append_point(out);
+        break;
+    case FORM_COUNT:
+        append(out, "%d", between_whole(1, 12));
+        break;
+    case FORM_EITHER:
+        if (seldom(0.5))
+            q = q == QUANTITY_STIFFNESS ? QUANTITY_TORSIONAL_STIFFNESS
+                : q == QUANTITY_DAMPING ? QUANTITY_TORSIONAL_DAMPING
+                                        : QUANTITY_TORQUE;
+        append_quantity(out, q, key->sign);
+        break;
+    case FORM_TEXT:
+        append_text(out);
+        break;
+    default:
+        append_quantity(out, q, key->sign);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------- keys */
+
+static unsigned long keys_tried[KEY_COUNT], keys_kept[KEY_COUNT];
+
+static const char *load_card(void *host, const char *name, unsigned long *size)
+{
+    static const char card[] = "# a card\n0 1\n20 3.5\n35 3\n90 1.2\n180 0.6\n300 0.8\n";
+
+    (void)host;
+    *size = sizeof card - 1;
+    return strcmp(name, "card.csv") == 0 ? card : NULL;
+}
+
+/* The kind of mechanism of a text; 0 if it is a deck with mistakes, or one of very many rows.  Motions that are computed
+** are only read: to open them takes long. */
+static int kind_of_text(const char *words)
+{
+    fourlink_source source;
+    fourlink_results *r = NULL;
+    fourlink_deck *d = NULL;
+    fourlink_problem problem;
+    int status;
+
+    memset(&source, 0, sizeof source);
+    memset(&problem, 0, sizeof problem);
+    source.text = words;
+    source.length = (unsigned long)strlen(words);
+    source.load = load_card;
+    source.synthesis = strstr(words, "[synthesis]") != NULL;
+    source.design = FOURLINK_ANY_DESIGN;
+    if (strstr(words, "mode = ") && !strstr(words, "mode = given"))
+        status = fourlink_deck_read(words, source.length, load_card, NULL, 0, &d, NULL, NULL);
+    else
+        status = fourlink_results_open(&source, 0, &r, NULL, NULL);
+    if (status == FOURLINK_OK)
+        fourlink_deck_problem(d ? d : fourlink_results_deck(r), &problem);
+    fourlink_deck_free(d);
+    if (r)
+        fourlink_results_free(r);
+    return problem.n_rows <= 2000 ? (int)problem.mechanism.design.kind : 0;
+}
+
+static int is_of_kind(section_code section, int kind)
+{
+    return (flk_section_table[section].kinds & kind) != 0;
+}
+
+/* The key of this kind that was tried least, one of several by chance. */
+static key_code rarest_key(int kind)
+{
+    unsigned long least = ULONG_MAX;
+    key_code found = 0, k;
+    int n = 0;
+
+    for (k = 0; k < KEY_COUNT; k++) {
+        if (!(flk_key_table[k].kinds & kind) || !is_of_kind(flk_key_table[k].section, kind))
+            continue;
+        if (keys_tried[k] < least) {
+            least = keys_tried[k];
+            n = 0;
+        }
+        if (keys_tried[k] == least && one_of(++n) == 0)
+            found = k;
+    }
+    return found;
+}
+
+/* What a section needs beside the key that is tried. */
+static const struct {
+    section_code section;
+    const char *lines;
+} companions[] = {
+    {SECTION_LOAD, "link = crank\ntorque = -1 N m\n"},
+    {SECTION_LOAD, "link = crank\nforce = (12, -7) N\nat = mid\n"},
+    {SECTION_LOAD, "link = crank\ntorque = -1 N m\nover = omega2\nat_speed = 10 rad/s\n"},
+    {SECTION_SPRING,
+     "link = crank\nto = ground\nat = (10, 5) mm\nto_at = (90, 80) mm\nstiffness = 500 N/m\n"},
+    {SECTION_SPRING, "link = crank\nto = ground\ndamping = 0.01 N m s/rad\n"},
+    {SECTION_MOTOR,
+     "stall_torque = 50 N m\nno_load_speed = 20 rad/s\n[motion]\nmode = run-up\nturns = 1\n"},
+    {SECTION_MOTOR, "torque = 5 N m\n[flywheel]\ninertia = 0.2 kg m2\n[motion]\nmode = free\nspeed "
+                    "= 8 rad/s\nturns = 1\n"},
+    {SECTION_SWEEP, "crank.length = 20 mm to 24 mm step 1 mm\noutput = max(mu)\n"},
+    {SECTION_SWEEP, "crank.length = 20 mm +- 0.1 mm\nsamples = 3\noutput = mean(omega2)\nyield = "
+                    "mean(omega2) < 1e3 rad/s\n"},
+    {SECTION_EXPECT, "at = 40 deg\nomega2 = 10 rad/s\n"},
+    {SECTION_MISPRINT, "at = 40 deg\nomega2 = 10.5 rad/s\n"},
+    {SECTION_GRADING,
+     "tolerance = 1 %\nomega2 = 2 marks\n[expect]\nat = 0 deg\nomega2 = 10 rad/s\n"},
+    {SECTION_FRICTION, "mu = 0.05\nradius = 5 mm\n"},
+    {SECTION_GAS, "bore = 30 mm\npressure = 2 bar\n"},
+    {SECTION_POINT, "link = crank\nat = 50 %\n"},
+    {SECTION_FLYWHEEL, "inertia = 0.3 kg m2\n"},
+    {SECTION_BALANCE, "radius = 30 mm\n"},
+    {SECTION_SYNTHESIS, "task = quick-return\ntime_ratio = 1.2\nswing = 50 deg\n"}};
+
+static const char *companion_of(section_code section)
+{
+    const char *fitting[sizeof companions / sizeof companions[0]];
+    int n = 0;
+    size_t i;
+
+    for (i = 0; i < sizeof companions / sizeof companions[0]; i++)
+        if (companions[i].section == section)
+            fitting[n++] = companions[i].lines;
+    return n ? fitting[one_of(n)] : "";
+}
+
+/* The end of the line at a place of a text, behind its line feed. */
+static const char *line_end(const char *at)
+{
+    const char *end = strchr(at, '\n');
+
+    return end ? end + 1 : at + strlen(at);
+}
+
+static int begins_with_key(const char *line, const char *key)
+{
+    size_t n = strlen(key);
+
+    return strncmp(line, key, n) == 0 && strchr(" =", line[n]) != NULL && line[n] != '\0';
+}
+
+/* 1 if a line opens the section, under any name. */
+static int opens(const char *line, const char *section)
+{
+    size_t n = strlen(section);
+
+    return line[0] == '[' && strncmp(line + 1, section, n) == 0 &&
+           strchr(" ]", line[1 + n]) != NULL;
+}
+
+/* A deck with a line in a section in place of one of the same key, as `out`; of a section that repeats, in the first.  With a
+** null value without that key.  A section that the deck does not have is added, with other lines that it needs. */
+static void with_line(char *out, size_t size, const char *in, const key_info *key,
+                      const char *value, const char *lines)
+{
+    const char *name = flk_section_table[key->section].name, *at = in, *end;
+    int inside = key->section == SECTION_TOP, done = !value, was_inside = 0;
+    size_t used = 0;
+
+#define PUT(...) used += (size_t)snprintf(out + used, used < size ? size - used : 0, __VA_ARGS__)
+    out[0] = '\0';
+    if (inside && value)
+        PUT("%s = %s\n", key->name, value);
+    done |= inside;
+    for (; *at; at = end) {
+        end = line_end(at);
+        if (*at == '[') {
+            was_inside |= inside;
+            inside = opens(at, name) && !was_inside;
+        }
+        if (inside && begins_with_key(at, key->name))
+            continue;
+        PUT("%.*s", (int)(end - at), at);
+        if (*at == '[' && inside && !done) {
+            PUT("%s = %s\n", key->name, value);
+            done = 1;
+        }
+    }
+    if (!done) {
+        PUT(flk_section_table[key->section].repeats ? "[%s N%d]\n" : "[%s]\n", name, one_of(100));
+        PUT("%s = %s\n", key->name, value);
+        for (at = lines, inside = 1; *at; at = end) {
+            end = line_end(at);
+            inside &= *at != '[';
+            if (!inside || !begins_with_key(at, key->name))
+                PUT("%.*s", (int)(end - at), at);
+        }
+    }
+#undef PUT
+}
+
+static int keep_if_right(const char *with, int kind)
+{
+    if (strlen(with) + 1 >= sizeof deck_text || kind_of_text(with) != kind)
+        return 0;
+    length = strlen(with);
+    memcpy(deck_text, with, length + 1);
+    return 1;
+}
+
+/* Try one more key: alone, in place of another of its section, and with a second one. */
+static void try_key(int kind)
+{
+    static char with[sizeof deck_text], less[sizeof deck_text], two[sizeof deck_text];
+    char value[LONGEST] = "", second[LONGEST] = "";
+    key_code code = rarest_key(kind), first, other;
+    const key_info *key = &flk_key_table[code];
+    const char *const *links = flk_kind_of((fourlink_kind)kind)->link;
+    int n, i, kept;
+
+    first = flk_first_key(key->section);
+    n = (int)flk_section_keys(key->section);
+    other = first + (key_code)one_of(n);
+    keys_tried[code]++;
+    append_value(value, key, code, links);
+    append_value(second, &flk_key_table[other], other, links);
+    with_line(with, sizeof with, deck_text, key, value, companion_of(key->section));
+    kept = keep_if_right(with, kind);
+    with_line(two, sizeof two, with, &flk_key_table[other], second, "");
+    kept = kept || (other != code && keep_if_right(two, kind));
+    for (i = 0; i < n && !kept; i++)
+        if (first + (key_code)i != code) {
+            with_line(less, sizeof less, with, &flk_key_table[first + (key_code)i], NULL, "");
+            kept = keep_if_right(less, kind);
+            with_line(less, sizeof less, two, &flk_key_table[first + (key_code)i], NULL, "");
+            kept = kept ||
+                   (first + (key_code)i != other && other != code && keep_if_right(less, kind));
+        }
+    keys_kept[code] += (unsigned long)kept;
+}
+
+/* ------------------------------------------------------------------------------------------- decks of tasks */
+
+static void make_task(void)
+{
+    static const char *const tasks[] = {
+        "[ground]\nlength = 90 mm\n[synthesis]\ntask = function\n"
+        "points = 35 deg 91 deg, 67 deg 102 deg, 100 deg 117 deg\n",
+        "[ground]\nlength = 90 mm\n[synthesis]\ntask = function\nfit = angle\n"
+        "points = 35 deg 91 deg, 67 deg 102 deg, 100 deg 117 deg, 120 deg 124 deg\n",
+        "[ground]\nlength = 1 m\n[synthesis]\ntask = function\nfunction = x^1.5\nx = 1 to 4\ncrank "
+        "= 30 deg to 120 deg\n"
+        "rocker = 60 deg to 150 deg\n",
+        "[synthesis]\ntask = motion\npositions = (0, 0) m 0 deg, (1.2, 0.5) m 18 deg, (2.1, 1.6) m "
+        "47 deg\n"
+        "left = fixed (0.5, 3.5) m\nright = fixed (0.5, -1) m\n",
+        "[synthesis]\ntask = path\npositions = (10, 20) mm, (25, 24) mm, (45, 21) mm\ntiming = 20 "
+        "deg, 50 deg\n"
+        "left = fixed (0, 0) mm\nright = fixed (70, 5) mm\n",
+        "[ground]\nlength = 120 mm\n[synthesis]\ntask = quick-return\ntime_ratio = 1.2\nswing = 50 "
+        "deg\nchoose = best\n",
+        "[coupler]\nlength = 6 in\n[rocker]\nlength = 2.5 in\n[synthesis]\ntask = "
+        "quick-return\ntime_ratio = 1\n"
+        "swing = 60 deg\n",
+        "[crank]\nlength = 20 mm\n[coupler]\nlength = 60 mm\n[rocker]\nlength = 50 "
+        "mm\n[ground]\nlength = 70 mm\n"
+        "[point P]\nlink = coupler\nat = (30, 20) mm\n[synthesis]\ntask = cognate\nwhich = left\n"};
+    static const char *const of_pistons[] = {
+        "[synthesis]\ntask = function\nfunction = square\nx = 0 to 1\ncrank = 45 deg to 135 "
+        "deg\npiston = 100 mm to 30 mm\n",
+        "[ground]\noffset = 10 mm\n[synthesis]\ntask = quick-return\ntime_ratio = 1.1\nstroke = 50 "
+        "mm\n"};
+    static const char *const of_levers[] = {"[crank]\nlength = 30 mm\n[synthesis]\ntask = "
+                                            "quick-return\ntime_ratio = 1.7\nstroke = 120 mm\n",
+                                            "[ground]\nlength = 50 mm\n[synthesis]\ntask = "
+                                            "quick-return\ntype = whitworth\ntime_ratio = 2.7\n"};
+
+    length = 0;
+    switch (one_of(4)) {
+    case 0:
+        write("mechanism = slider-crank\n%s", of_pistons[one_of(2)]);
+        break;
+    case 1:
+        write("mechanism = inverted-slider-crank\n%s", of_levers[one_of(2)]);
+        break;
+    default:
+        write("mechanism = four-bar\n%s", tasks[one_of(8)]);
+    }
+}
+
+/* A deck of any sort, with so many keys tried. */
+static void make_schema_deck(long number, int tries)
+{
+    int kind, i;
+
+    switch (number % 4) {
+    case 0:
+        only_yokes = seldom(0.2);
+        make_deck();
+        break;
+    case 1:
+        make_any_machine(number / 4);
+        break;
+    case 2:
+        make_driven_machine(number / 4);
+        break;
+    default:
+        make_task();
+        break;
+    }
+    deck_text[length] = '\0';
+    kind = kind_of_text(deck_text);
+    for (i = 0; kind && i < tries; i++)
+        try_key(kind);
+}
+
+/* ------------------------------------------------------------------------------------------- options */
+
+/* Each option of the command, and values that it takes; test_generator.sh compares the names with --help. */
+static const struct {
+    const char *name, *values[8];
+} known_options[] = {
+    {"--set",
+     {"motion.interval=20 deg", "crank.mass=0.4 kg", "gravity.direction=-60 deg",
+      "table.digits=9"}},
+    {"--branch", {"open", "crossed", "both"}},
+    {"--interval", {"15 deg", "0.5 rad", "7 deg"}},
+    {"--allow-files", {""}},
+    {"--print-deck", {""}},
+    {"--columns", {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"}},
+    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg"}},
+    {"--summary", {""}},
+    {"--matrix", {""}},
+    {"--list", {""}},
+    {"--format", {"table", "csv", "json", "paper"}},
+    {"--output", {"out.txt"}},
+    {"--units", {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s"}},
+    {"--wide", {""}},
+    {"--color", {"always", "never"}},
+    {"--check", {"", "=answers.expect"}},
+    {"--answers", {"answers"}},
+    {"--scores", {""}},
+    {"--feedback", {"feedback/"}},
+    {"--tolerance", {"1 %", "0.5 deg, 2 %"}},
+    {"--expect", {""}},
+    {"--form", {""}},
+    {"--plot", {"out.svg", "out.txt", "-"}},
+    {"--plot-kind",
+     {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns"}},
+    {"--plot-at", {"40 deg", "10 deg, 130 deg"}},
+    {"--plot-x", {"omega2", "theta4", "time"}},
+    {"--ascii", {""}},
+    {"--report", {"out.html"}},
+    {"--part", {"1/2", "2/2"}},
+    {"--design", {"1", "2", "all"}},
+    {"--names", {"names.txt"}},
+    {"--best", {"max max(mu)", "min mean(omega2)"}},
+    {"--solve", {"crank.length = 10 mm .. 30 mm where max(omega4) = 3 rad/s"}},
+    {"--synthesis", {""}},
+    {"--solution", {"1", "2"}}};
+
+#define N_OPTIONS ((int)(sizeof known_options / sizeof known_options[0]))
+
+static unsigned long pairs_tried[N_OPTIONS][SECTION_COUNT];
+
+static int has_section(section_code section)
+{
+    const char *at;
+
+    for (at = deck_text; *at; at = line_end(at))
+        if (opens(at, flk_section_table[section].name))
+            return 1;
+    return section == SECTION_TOP;
+}
+
+/* The option whose pairs with the sections of this deck were tried least. */
+static int rarest_option(void)
+{
+    unsigned long least = ULONG_MAX, tried;
+    int o, found = 0, n = 0;
+    section_code s;
+
+    for (o = 0; o < N_OPTIONS; o++) {
+        tried = ULONG_MAX;
+        for (s = 0; s < SECTION_COUNT; s++)
+            if (has_section(s) && pairs_tried[o][s] < tried)
+                tried = pairs_tried[o][s];
+        if (tried < least) {
+            least = tried;
+            n = 0;
+        }
+        if (tried == least && one_of(++n) == 0)
+            found = o;
+    }
+    return found;
+}
+
+/* Some options for the deck, one a line, each as one word. */
+static void write_options(FILE *out)
+{
+    int n = 1 + one_of(3), o, values;
+    section_code s;
+
+    while (n--) {
+        o = rarest_option();
+        for (s = 0; s < SECTION_COUNT; s++)
+            pairs_tried[o][s] += (unsigned long)has_section(s);
+        for (values = 0; values < 8 && known_options[o].values[values]; values++)
+            ;
+        values = one_of(values);
+        fprintf(out, "%s%s%s\n", known_options[o].name,
+                *known_options[o].values[values] && *known_options[o].values[values] != '=' ? "="
+                                                                                            : "",
+                known_options[o].values[values]);
+    }
+}
+
+/* How evenly keys, and pairs of an option and a section, were tried. */
+static void tell_evenness(void)
+{
+    unsigned long least = ULONG_MAX, most = 0, kept = 0, pairs = 0, without = 0;
+    key_code k;
+    int o;
+    section_code s;
+
+    for (k = 0; k < KEY_COUNT; k++) {
+        least = keys_tried[k] < least ? keys_tried[k] : least;
+        most = keys_tried[k] > most ? keys_tried[k] : most;
+        kept += keys_kept[k] > 0;
+        if (!keys_kept[k])
+            printf("never kept: %s.%s, tried %lu times\n",
+                   flk_section_table[flk_key_table[k].section].name, flk_key_table[k].name,
+                   keys_tried[k]);
+    }
+    printf("keys: %d, each tried %lu to %lu times; %lu were kept in some deck\n", (int)KEY_COUNT,
+           least, most, kept);
+    least = ULONG_MAX;
+    most = 0;
+    for (o = 0; o < N_OPTIONS; o++)
+        for (s = 0; s < SECTION_COUNT; s++) {
+            least = pairs_tried[o][s] < least ? pairs_tried[o][s] : least;
+            most = pairs_tried[o][s] > most ? pairs_tried[o][s] : most;
+            without += pairs_tried[o][s] == 0;
+            pairs++;
+        }
+    printf("pairs of an option and a section: %lu, each tried %lu to %lu times; %lu never\n", pairs,
+           least, most, without);
+}
+
+#endif
