@@ -152,29 +152,48 @@ static void append_curve(char *out, key_code code, value_form form, quantity q)
     }
 }
 
-/* Of keys that take any text: what some of them accept. */
-static void append_text(char *out)
-{
-    static const char *const texts[] = {"\"A # title; with marks\"",
-                                        "max(omega4), rms(alpha4), mean(mu)",
-                                        "theta2, theta4, mu, omega4",
-                                        "all",
-                                        "mu_min > 20 deg",
-                                        "1 %, 0.5 deg",
-                                        "10 deg, 25 deg, 40 deg",
-                                        "0.1, 0.2, 0.3",
-                                        "Ts, F12, power",
-                                        "x^1.5",
-                                        "1 to 4",
-                                        "30 deg to 120 deg",
-                                        "100 mm to 30 mm",
-                                        "35 deg 91 deg, 67 deg 102 deg, 100 deg 117 deg",
-                                        "(0, 0) m 0 deg, (1.2, 0.5) m 18 deg, (2.1, 1.6) m 47 deg",
-                                        "(10, 20) mm, (15, 22) mm, (21, 25) mm",
-                                        "20 deg, 50 deg",
-                                        "fixed (0.5, 3.5) m"};
+/* What keys that take any text accept; of a key that is not among them any of these. */
+static const struct {
+    key_code key;
+    const char *value;
+} some_texts[] = {
+    {KEY_TOP_TITLE, "\"A # title; with marks\""},
+    {KEY_TOP_TITLE, "Crank & rocker <1>"},
+    {KEY_TABLE_COLUMNS, "theta2, theta4, mu, omega4"},
+    {KEY_TABLE_COLUMNS, "all"},
+    {KEY_TABLE_COLUMNS, "max(omega2), mu_min"},
+    {KEY_SWEEP_OUTPUT, "max(omega4), rms(alpha2), mean(mu)"},
+    {KEY_SWEEP_OUTPUT, "mu_min"},
+    {KEY_SWEEP_YIELD, "mu_min > 20 deg"},
+    {KEY_EXPECT_TOLERANCE, "1 %"},
+    {KEY_MISPRINT_TOLERANCE, "0.5 rad/s"},
+    {KEY_GRADING_TOLERANCE, "1 %, 0.5 deg"},
+    {KEY_SYNTHESIS_POINTS, "35 deg 91 deg, 67 deg 102 deg, 100 deg 117 deg"},
+    {KEY_SYNTHESIS_POINTS, "35 deg 90 deg, 67 deg 104 deg, 100 deg 117 deg, 120 deg 121 deg"},
+    {KEY_SYNTHESIS_WEIGHTS, "1, 2, 1, 3"},
+    {KEY_SYNTHESIS_FUNCTION, "log10"},
+    {KEY_SYNTHESIS_FUNCTION, "x^0.7"},
+    {KEY_SYNTHESIS_ARGUMENT, "1 to 3"},
+    {KEY_SYNTHESIS_CRANK, "20 deg to 110 deg"},
+    {KEY_SYNTHESIS_ROCKER, "60 deg to 130 deg"},
+    {KEY_SYNTHESIS_PISTON, "90 mm to 40 mm"},
+    {KEY_SYNTHESIS_POSITIONS, "(0, 0) m 0 deg, (1.1, 0.6) m 20 deg, (2.2, 1.5) m 45 deg"},
+    {KEY_SYNTHESIS_POSITIONS, "(10, 20) mm, (26, 24) mm, (44, 22) mm"},
+    {KEY_SYNTHESIS_TIMING, "25 deg, 55 deg"},
+    {KEY_SYNTHESIS_LEFT, "fixed (0.4, 3.4) m"},
+    {KEY_SYNTHESIS_RIGHT, "fixed (0.6, -1.1) m"}};
 
-    append(out, "%s", texts[one_of(sizeof texts / sizeof texts[0])]);
+static void append_text(char *out, key_code key)
+{
+    const char *fitting[sizeof some_texts / sizeof some_texts[0]];
+    size_t i;
+    int n = 0, any;
+
+    for (any = 0; any < 2 && !n; any++)
+        for (i = 0; i < sizeof some_texts / sizeof some_texts[0]; i++)
+            if (any || some_texts[i].key == key)
+                fitting[n++] = some_texts[i].value;
+    append(out, "%s", fitting[one_of(n)]);
 }
 
 static void append_value(char *out, const key_info *key, key_code code, const char *const *links)
@@ -218,7 +237,7 @@ static void append_value(char *out, const key_info *key, key_code code, const ch
         append_quantity(out, q, key->sign);
         break;
     case FORM_TEXT:
-        append_text(out);
+        append_text(out, code);
         break;
     default:
         append_quantity(out, q, key->sign);
