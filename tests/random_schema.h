@@ -474,7 +474,7 @@ static void make_task(void)
         "left = fixed (0.5, 3.5) m\nright = fixed (0.5, -1) m\n",
         "[synthesis]\ntask = path\npositions = (10, 20) mm, (25, 24) mm, (45, 21) mm\ntiming = 20 "
         "deg, 50 deg\n"
-        "left = fixed (0, 0) mm\nright = fixed (70, 5) mm\n",
+        "right = fixed (70, 5) mm\n",
         "[ground]\nlength = 120 mm\n[synthesis]\ntask = quick-return\ntime_ratio = 1.2\nswing = 50 "
         "deg\nchoose = best\n",
         "[coupler]\nlength = 6 in\n[rocker]\nlength = 2.5 in\n[synthesis]\ntask = "
