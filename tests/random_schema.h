@@ -616,7 +616,7 @@ static int rarest_option(void)
 /* Some options for the deck, one a line, each as one word. */
 static void write_options(FILE *out)
 {
-    int n = 1 + one_of(3), o, values;
+    int n = 1 + seldom(0.3) + seldom(0.1), o, values;
     section_code s;
 
     while (n--) {
