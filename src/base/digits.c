@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic.h"
 #include "digits.h"
 
 /* 64 bits: unsigned long, or where that has 32, what C90 compilers have besides. */

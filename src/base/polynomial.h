@@ -5,6 +5,8 @@
 #ifndef FOURLINK_POLYNOMIAL_H
 #define FOURLINK_POLYNOMIAL_H
 
+#include "arithmetic.h"
+
 #define FLK_POLYNOMIAL_MOST 10
 
 /* Begin with n = 0. */

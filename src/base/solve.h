@@ -5,6 +5,8 @@
 #ifndef FOURLINK_SOLVE_H
 #define FOURLINK_SOLVE_H
 
+#include "arithmetic.h"
+
 typedef double flk_function(double x, void *data);
 
 /* Two places, low < high, with values of opposite signs.  An infinite value has a sign, but no size. */

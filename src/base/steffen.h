@@ -5,6 +5,8 @@
 #ifndef FOURLINK_STEFFEN_H
 #define FOURLINK_STEFFEN_H
 
+#include "arithmetic.h"
+
 /* The slope at a point between two intervals with these widths and secants. */
 double flk_steffen_slope(double h0, double s0, double h1, double s1);
 

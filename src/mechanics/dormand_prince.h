@@ -5,6 +5,8 @@
 #ifndef FOURLINK_DORMAND_PRINCE_H
 #define FOURLINK_DORMAND_PRINCE_H
 
+#include "base/arithmetic.h"
+
 #define FLK_UNKNOWNS 3
 #define FLK_STAGES 16
 #define FLK_STAGE_AT_END 12
