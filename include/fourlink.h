@@ -362,7 +362,7 @@ FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, i
 **    name       of a number, such as crank.length or "load L.force.size": SECTION[ NAME].KEY, for a force or
 **               a point with .x, .y, .size or .angle; its section must be in the deck
 ** Returned:
-**    input      value, unit, quantity, to_si, handle; the unit is valid until the next call with a name.
+**    input      value, unit, quantity, to_si, handle; the unit is valid until fourlink_results_free.
 **               The value is NaN if the deck does not give the number
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NO_SUCH_NAME, FOURLINK_NOT_A_NUMBER, FOURLINK_NULL

@@ -198,9 +198,9 @@ static const char *find_nearest(flk_opened *o, const deck_expectation *e, int ha
 
     if (nearest)
         return nearest;
-    n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : all, 0, NULL, 0, &o->facts);
+    n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : all, 0, NULL, 0, &o->found);
     for (i = 0; i < n; i++)
-        known[i] = o->facts.list[i].name;
+        known[i] = o->found.list[i].name;
     known[n] = flk_column_nearest(&o->a, e->name);
     known[n + 1] = NULL;
     return flk_text_nearest(e->name, known);
@@ -263,11 +263,11 @@ static const char *find_folded(flk_opened *o, const deck_expectation *e)
     flk_column c;
 
     fold(e->name, wanted);
-    n_facts = flk_fact_list(&o->a, NULL, (int)e->branch, all, 0, NULL, 0, &o->facts);
+    n_facts = flk_fact_list(&o->a, NULL, (int)e->branch, all, 0, NULL, 0, &o->found);
     for (i = 0; i < n_columns + n_facts; i++) {
         if (i < n_columns && !flk_column_number(&o->a, i, &c))
             continue;
-        name = i < n_columns ? c.name : o->facts.list[i - n_columns].name;
+        name = i < n_columns ? c.name : o->found.list[i - n_columns].name;
         fold(flk_text_of(name), own);
         if (strcmp(own, wanted) != 0 || (found && strcmp(found, name) == 0))
             continue;
@@ -278,7 +278,7 @@ static const char *find_folded(flk_opened *o, const deck_expectation *e)
     return found;
 }
 
-/* Find the values of a name that has been looked up; the first of o->facts are those of this name, such as
+/* Find the values of a name that has been looked up; the first of o->found are those of this name, such as
 ** the ends of two ranges.  Returns 0 and a message if the deck has none. */
 static int find_values(flk_opened *o, const deck_expectation *e, int is_hinted, fourlink_check *c,
                        flk_name *n, unsigned long *n_facts)
@@ -484,7 +484,7 @@ static int are_words(text value, const char *words)
 static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_name *n,
                    fourlink_check *c)
 {
-    const fourlink_value *facts = o->facts.list;
+    const fourlink_value *facts = o->found.list;
     quantity_value printed;
     fourlink_value found;
     unsigned long n_facts, i;

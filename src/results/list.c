@@ -35,18 +35,28 @@ unsigned long flk_list_number(int handle)
     return handle <= FLK_NUMBER_HANDLE(1) && handle % 2 ? (unsigned long)((-1001 - handle) / 2) : 0;
 }
 
+const char *flk_line_unit_text(flk_line_units *units, const char *name)
+{
+    size_t i;
+
+    for (i = 0; i < units->n; i++)
+        if (strcmp(units->texts + DECK_NAME_SIZE * i, name) == 0)
+            return units->texts + DECK_NAME_SIZE * i;
+    units->n++;
+    return strcpy(units->texts + DECK_NAME_SIZE * i, name);
+}
+
 /* Tell the unit of the line that gives a number. */
-static void tell_line_unit(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
+static void tell_line_unit(const deck *d, unsigned long id, flk_line_units *units,
                            fourlink_value *v)
 {
     deck_unit u;
 
     if (flk_number_unit(d, id, &u))
-        v->line_unit = strcpy(line_unit, u.name);
+        v->line_unit = flk_line_unit_text(units, u.name);
 }
 
-int flk_list_number_value(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
-                          fourlink_value *v)
+int flk_list_number_value(const deck *d, unsigned long id, flk_line_units *units, fourlink_value *v)
 {
     const char *key;
     double si;
@@ -58,7 +68,7 @@ int flk_list_number_value(const deck *d, unsigned long id, char line_unit[DECK_N
     v->name = key;
     v->handle = FLK_NUMBER_HANDLE(id);
     v->value = flk_unit_from_si(si, d->units[q].unit);
-    tell_line_unit(d, id, line_unit, v);
+    tell_line_unit(d, id, units, v);
     return 1;
 }
 
@@ -74,7 +84,7 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns)
             flk_list_column(a->d, &c, &columns->list[columns->n++]);
 }
 
-void flk_list_variables(const deck *d, flk_list *variables)
+void flk_list_variables(const deck *d, flk_line_units *units, flk_list *variables)
 {
     size_t i;
 
@@ -86,7 +96,7 @@ void flk_list_variables(const deck *d, flk_list *variables)
         v->handle = FLK_NUMBER_HANDLE(x->number);
         v->name = flk_text_copy(x->name, variables->names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
-        tell_line_unit(d, x->number, variables->units + DECK_NAME_SIZE * i, v);
+        tell_line_unit(d, x->number, units, v);
     }
 }
 
@@ -96,6 +106,7 @@ void flk_list_variables(const deck *d, flk_list *variables)
 typedef struct listing {
     const deck *d;
     flk_list *to;
+    flk_line_units *units;
     unsigned long section; /* number of the first of the present section */
 } listing;
 
@@ -115,7 +126,6 @@ static fourlink_value *add_input(listing *t, const char *name, quantity q, const
 static void add_given(void *host, const deck_input *input)
 {
     listing *t = host;
-    char *line_unit = t->to->units + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = add_input(t, input->name, QUANTITY_NUMBER, input->meaning), number;
 
     if (input->words) {
@@ -123,7 +133,7 @@ static void add_given(void *host, const deck_input *input)
         v->unit = "";
         return;
     }
-    if (!flk_list_number_value(t->d, input->number, line_unit, &number)) {
+    if (!flk_list_number_value(t->d, input->number, t->units, &number)) {
         flk_list_describe(t->d, QUANTITY_LENGTH, input->meaning, &number);
         number.handle = FLK_NUMBER_HANDLE(input->number);
         number.value = flk_unit_from_si(input->place, t->d->units[QUANTITY_LENGTH].unit);
@@ -162,7 +172,7 @@ static fourlink_value *add_default(listing *t, const char *section, const char *
     number = flk_number_find(t->d, flk_text_of(name));
     if (number) {
         v->handle = FLK_NUMBER_HANDLE(number);
-        tell_line_unit(t->d, number, t->to->units + DECK_NAME_SIZE * (t->to->n - 1), v);
+        tell_line_unit(t->d, number, t->units, v);
     }
     return v;
 }
@@ -294,7 +304,12 @@ size_t flk_list_input_limit(const deck *d)
     return MOST_DERIVED + flk_inputs_limit(d);
 }
 
-void flk_list_inputs(const deck *d, flk_list *inputs)
+size_t flk_line_unit_limit(const deck *d)
+{
+    return flk_list_input_limit(d) + d->sweep.n_variables + QUANTITY_COUNT;
+}
+
+void flk_list_inputs(const deck *d, flk_line_units *units, flk_list *inputs)
 {
     listing t;
     int section;
@@ -303,6 +318,7 @@ void flk_list_inputs(const deck *d, flk_list *inputs)
         return;
     t.d = d;
     t.to = inputs;
+    t.units = units;
     for (section = 0; section < SECTION_COUNT; section++) {
         t.section = inputs->n;
         if (!has_inputs((section_code)section))

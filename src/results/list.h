@@ -11,9 +11,14 @@
 typedef struct flk_list {
     fourlink_value *list;
     char *names; /* of DECK_NAME_SIZE bytes each, of what has no lasting name */
-    char *units; /* the same for the units of lines, of inputs and variables */
     unsigned long n;
 } flk_list;
+
+/* The units in which the lines of a deck give its numbers, each once, in memory allocated when it was opened. */
+typedef struct flk_line_units {
+    char *texts; /* of DECK_NAME_SIZE bytes each */
+    size_t n;
+} flk_line_units;
 
 /* The handle of an input that is not a number of the deck; of a number of the deck, by flk_number_find.
 ** Those of facts are between these and 0, those of columns greater than 0. */
@@ -27,20 +32,23 @@ unsigned long flk_list_number(int handle);
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 
-/* Describe a number of the deck, with its value or NaN, and the unit of its line in `line_unit`; 0 if it is
-** none. */
-int flk_list_number_value(const deck *d, unsigned long id, char line_unit[DECK_NAME_SIZE],
+/* Describe a number of the deck, with its value or NaN, and the unit of its line; 0 if it is none. */
+int flk_list_number_value(const deck *d, unsigned long id, flk_line_units *units,
                           fourlink_value *v);
+
+/* The lasting text of a unit. */
+const char *flk_line_unit_text(flk_line_units *units, const char *name);
 
 /* All columns that the deck has. */
 void flk_list_columns(const flk_analysis *a, flk_list *columns);
 
-/* The largest number of inputs of a deck. */
+/* The largest number of inputs of a deck, and of units of its lines. */
 size_t flk_list_input_limit(const deck *d);
+size_t flk_line_unit_limit(const deck *d);
 
 /* The inputs of a deck as the reader understood them, listed once; the variables of its sweep, with this
 ** design's values.  Both are in the deck's units. */
-void flk_list_inputs(const deck *d, flk_list *inputs);
-void flk_list_variables(const deck *d, flk_list *variables);
+void flk_list_inputs(const deck *d, flk_line_units *units, flk_list *inputs);
+void flk_list_variables(const deck *d, flk_line_units *units, flk_list *variables);
 
 #endif

@@ -28,7 +28,7 @@ static void find_given(flk_opened *o, text name, flk_name *n)
     unsigned long i;
     int k;
 
-    flk_list_inputs(&o->d, &o->lists[FOURLINK_INPUTS]);
+    flk_list_inputs(&o->d, &o->line_units, &o->lists[FOURLINK_INPUTS]);
     for (k = 0; k < 2; k++) {
         const flk_list *list = &o->lists[which[k]];
 
@@ -42,7 +42,7 @@ static void find_given(flk_opened *o, text name, flk_name *n)
     }
     if (n->kind || !flk_list_number_value(
                        &o->d, n->handle ? flk_list_number(n->handle) : flk_number_find(&o->d, name),
-                       o->line_unit, &o->number))
+                       &o->line_units, &o->number))
         return;
     n->kind = FLK_NAME_GIVEN;
     n->handle = o->number.handle;
@@ -135,7 +135,7 @@ int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch bra
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
 {
     return flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), handle, NULL, 0,
-                         &o->facts);
+                         &o->found);
 }
 
 int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
@@ -150,7 +150,7 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
     case FLK_NAME_FACT:
         if (!flk_name_facts(o, n->handle, branch))
             return flk_fact_why_missing(&o->a, n->handle, branch);
-        *value = o->facts.list[0];
+        *value = o->found.list[0];
         return FOURLINK_OK;
     case FLK_NAME_GIVEN:
         if (gsl_isnan(n->given->value))
@@ -402,8 +402,8 @@ static void list_conditions(flk_opened *o)
 /* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory. */
 static int allocate(flk_opened *o)
 {
-    size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = 0;
-    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns, units;
+    size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = FLK_FACT_LIMIT;
+    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns;
     int i;
 
     size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
@@ -412,9 +412,8 @@ static int allocate(flk_opened *o)
     size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
-    units = size[FOURLINK_INPUTS] + size[FOURLINK_VARIABLES];
     o->columns = malloc(columns * sizeof *o->columns);
-    o->facts.names = malloc((total + units) * DECK_NAME_SIZE);
+    o->facts.names = malloc((total + flk_line_unit_limit(&o->d)) * DECK_NAME_SIZE);
     o->facts.list = malloc(total * sizeof *o->facts.list);
     if (!o->columns || !o->facts.names || !o->facts.list)
         return 0;
@@ -422,9 +421,8 @@ static int allocate(flk_opened *o)
         o->lists[i].list = o->facts.list + n;
         o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
     }
-    o->lists[FOURLINK_INPUTS].units = o->facts.names + total * DECK_NAME_SIZE;
-    o->lists[FOURLINK_VARIABLES].units =
-        o->lists[FOURLINK_INPUTS].units + size[FOURLINK_INPUTS] * DECK_NAME_SIZE;
+    o->found.list = o->facts.list + n;
+    o->line_units.texts = o->facts.names + total * DECK_NAME_SIZE;
     return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
 }
 
@@ -450,7 +448,7 @@ static int open_deck(flk_opened *o, const flk_opened *from)
         list_conditions(o);
     }
     ask_extremes(o);
-    flk_list_variables(&o->d, &o->lists[FOURLINK_VARIABLES]);
+    flk_list_variables(&o->d, &o->line_units, &o->lists[FOURLINK_VARIABLES]);
     return 1;
 }
 

@@ -17,10 +17,11 @@ typedef struct flk_opened {
     flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
     int needs;      /* what these columns need */
-    flk_list facts; /* of the last call of flk_fact_list; names by column and statistic */
+    flk_list facts; /* of fourlink_results_facts; names by column and statistic */
+    flk_list found; /* facts of a name, found while a value is looked up */
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
-    fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list, */
-    char line_unit[DECK_NAME_SIZE]; /* ... the unit of its line, or of the input asked for last */
+    fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
+    flk_line_units line_units;
 } flk_opened;
 
 /* Results, whose numbers a host can set. */
@@ -67,7 +68,7 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
 int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch branch, double time,
                            fourlink_value *value);
 
-/* Put the facts of this handle on a branch first in o->facts, such as the ends of two ranges; returns their
+/* Put the facts of this handle on a branch first in o->found, such as the ends of two ranges; returns their
 ** number. */
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch);
 

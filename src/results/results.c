@@ -217,7 +217,7 @@ int fourlink_results_input(fourlink_results *r, const char *name, fourlink_value
     input->name = key;
     input->handle = FLK_NUMBER_HANDLE(id);
     input->value = flk_unit_from_si(si, u.unit);
-    input->unit = input->line_unit = strcpy(o->line_unit, u.name);
+    input->unit = input->line_unit = flk_line_unit_text(&o->line_units, u.name);
     input->to_si = u.unit.up / u.unit.down;
     return FOURLINK_OK;
 }
@@ -280,7 +280,7 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
     if (which == FOURLINK_ALL_COLUMNS)
         flk_list_columns(&r->now->a, &r->now->lists[which]);
     else if (which == FOURLINK_INPUTS)
-        flk_list_inputs(&r->now->d, &r->now->lists[which]);
+        flk_list_inputs(&r->now->d, &r->now->line_units, &r->now->lists[which]);
     *list = r->now->lists[which].list;
     *n = r->now->lists[which].n;
     return FOURLINK_OK;

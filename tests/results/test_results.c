@@ -867,6 +867,126 @@ TEST(test_statuses_of_turning_moment_and_checks)
     fourlink_results_free(r);
 }
 
+/* ---------------------------------------------------------------------------------------------
+** What was returned stays, whatever is called before it is read
+** ------------------------------------------------------------------------------------------- */
+
+#define MOST_KEPT 3000
+
+/* A value as it was returned, and what its texts were. */
+typedef struct kept {
+    fourlink_value now, then;
+    char texts[6][200];
+} kept;
+
+static const char *text_number(const fourlink_value *v, int i)
+{
+    const char *const texts[6] = {v->name,    v->unit,  v->quantity,
+                                  v->meaning, v->words, v->line_unit};
+
+    return texts[i] ? texts[i] : "";
+}
+
+static void keep_value(kept *list, unsigned long *n, const fourlink_value *v)
+{
+    int i;
+
+    assert_true(*n < MOST_KEPT);
+    list[*n].now = list[*n].then = *v;
+    for (i = 0; i < 6; i++)
+        snprintf(list[*n].texts[i], sizeof list[*n].texts[i], "%s", text_number(v, i));
+    ++*n;
+}
+
+/* Ask for all that has a name, in every way. */
+static void ask_by_name(fourlink_results *r, kept *list, unsigned long *n)
+{
+    static const char *const names[] = {"crank.length",   "motion.speed", "gravity.acceleration",
+                                        "load Tl.torque", "crank.mass",   "mu_min",
+                                        "max(Ts)",        "mean(omega4)", "theta4",
+                                        "type",           "torque",       "ground.length"};
+    fourlink_value v;
+    unsigned long i;
+    int branch;
+
+    for (i = 0; i < sizeof names / sizeof names[0]; i++) {
+        fourlink_results_meant(r, names[i]);
+        if (fourlink_results_input(r, names[i], &v) == FOURLINK_OK && list)
+            keep_value(list, n, &v);
+        if (fourlink_results_find(r, names[i], &v) == FOURLINK_OK && list)
+            keep_value(list, n, &v);
+        for (branch = FOURLINK_OPEN; branch <= FOURLINK_CROSSED; branch++)
+            if (fourlink_results_value(r, names[i], (fourlink_branch)branch, 40, &v) ==
+                    FOURLINK_OK &&
+                list)
+                keep_value(list, n, &v);
+    }
+}
+
+/* All else that does not change the design. */
+static void ask_the_rest(fourlink_results *r)
+{
+    static double values[MOST_COLUMNS], places[50];
+    fourlink_mistake mistakes[5];
+    fourlink_turning turning;
+    fourlink_instant now;
+    const fourlink_value *list;
+    fourlink_check check;
+    unsigned long n;
+    int which;
+
+    for (which = FOURLINK_COLUMNS; which <= FOURLINK_CONDITIONS; which++)
+        fourlink_results_list(r, which, &list, &n);
+    fourlink_results_row(r, FOURLINK_OPEN, 2, values, &now, NULL);
+    fourlink_results_at(r, FOURLINK_CROSSED, 70, values, &now, NULL);
+    fourlink_results_crossings(r, "theta4", FOURLINK_OPEN, 120, 50, places, &n);
+    fourlink_results_turning(r, FOURLINK_OPEN, &turning);
+    fourlink_results_end(r, FOURLINK_OPEN, values);
+    fourlink_results_check(r, 0, &check);
+    fourlink_results_slips(r, 5, mistakes, &n);
+    fourlink_results_notes(r, 5, mistakes, &n);
+}
+
+static unsigned long changed_texts(const kept *list, unsigned long n)
+{
+    unsigned long k, changed = 0;
+    int i;
+
+    for (k = 0; k < n; k++)
+        for (i = 0; i < 6; i++)
+            changed += strcmp(text_number(&list[k].now, i), list[k].texts[i]) != 0;
+    return changed;
+}
+
+TEST(test_what_was_returned_stays)
+{
+    static kept list[MOST_KEPT];
+    fourlink_results *r = opened(linkage("[units]\nlength = mm\nangular_speed = rpm\n"
+                                         "[gravity]\nacceleration = 32.2 ft/s2\n"
+                                         "[expect]\nmu_min = 58.2 deg\n"));
+    const fourlink_value *facts;
+    unsigned long n = 0, n_facts, i;
+    int which;
+
+    for (which = FOURLINK_COLUMNS; which <= FOURLINK_CONDITIONS; which++) {
+        fourlink_results_list(r, which, &facts, &n_facts);
+        for (i = 0; i < n_facts; i++)
+            keep_value(list, &n, &facts[i]);
+    }
+    assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_LIMITS, &facts, &n_facts),
+                     FOURLINK_OK);
+    for (i = 0; i < n_facts; i++)
+        keep_value(list, &n, &facts[i]);
+    i = n - n_facts;
+    ask_by_name(r, list, &n);
+    ask_by_name(r, NULL, NULL);
+    ask_the_rest(r);
+    assert_int_equal(changed_texts(list, n), 0);
+    while (n_facts--) /* the list itself, too */
+        assert_memory_equal(&facts[n_facts], &list[i + n_facts].then, sizeof *facts);
+    fourlink_results_free(r);
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);
