@@ -94,8 +94,10 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Given:
 **    TEXT       the deck, with CHAR(10) at the end of each line; trailing blanks are ignored
 ** Returned:
-**    HANDLE     for the other calls; free it with FLSHUT; 0 if ISTAT is not 0
-**    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY
+**    HANDLE     for the other calls; free it with FLSHUT; 0 if ISTAT is not 0.  Of a deck with [synthesis] it is
+**               the first linkage that its task finds: FLVAL gives crank.length and its kin
+**    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY; with [synthesis] also why no linkage is
+**               found
 **    MSG        the first mistake of the deck as LINE: MESSAGE, or the text of another status
 **
 ** FLVAL returns any number by its name.
@@ -163,41 +165,5 @@ FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *n
 FOURLINK_API void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i,
                          const int *n, double *values, int *istat);
 FOURLINK_API void flshut_(fourlink_results **handle);
-
-/* Synthesis: a function generator, and a quick return.
-**
-**       DOUBLE PRECISION THETA2(N), OUTPUT(N), WEIGHT(N)
-**       DOUBLE PRECISION GROUND, RATIO, SWING, STROKE
-**       DOUBLE PRECISION LENGTH(4), OFFSET, TURN(2), RANGE(2), CHECK(4)
-**       INTEGER KIND, N, IFIT, IBRNCH, ITYPE, ISLOW, IDEF, ISTAT
-**       CALL FLFUNC(KIND, GROUND, N, THETA2, OUTPUT, WEIGHT, IFIT, LENGTH, OFFSET, IBRNCH, TURN, RANGE,
-**                   CHECK, IDEF, ISTAT)
-**       CALL FLQRET(ITYPE, RATIO, SWING, STROKE, ISLOW, LENGTH, OFFSET, RANGE, CHECK, IDEF, ISTAT)
-**
-** Given:
-**    KIND ... IFIT      as in fourlink_function_task: 1 four-bar, 2 slider-crank; IFIT 0 or 1
-**    ITYPE ... ISLOW    as in fourlink_quick_return_task: 1 crank-rocker, 10 slider-crank, 13 slotted
-**                       lever, 14 Whitworth
-**    LENGTH, OFFSET     FLQRET: those that are given, the others 0 (m)
-** Returned:
-**    LENGTH             m, by link number
-**    OFFSET             m
-**    IBRNCH             1 open, -1 crossed; FLQRET: open
-**    TURN               rad, crank_turn and rocker_turn of fourlink_solution
-**    RANGE              rad, from and to
-**    CHECK              condition (1), ratio (1), mu_min (rad), max_error (rad or m)
-**    IDEF               defects
-**    ISTAT              0, or a status; then the others are unchanged
-**
-** Reference:
-**    as fourlink_synthesis_function, fourlink_synthesis_quick_return
-*/
-FOURLINK_API void flfunc_(const int *kind, const double *ground, const int *n, const double *theta2,
-                          const double *output, const double *weight, const int *ifit,
-                          double length[4], double *offset, int *ibrnch, double turn[2],
-                          double range[2], double check[4], int *idef, int *istat);
-FOURLINK_API void flqret_(const int *itype, const double *ratio, const double *swing,
-                          const double *stroke, const int *islow, double length[4], double *offset,
-                          double range[2], double check[4], int *idef, int *istat);
 
 #endif

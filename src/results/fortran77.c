@@ -47,6 +47,7 @@ void flopen_(const char *deck_text, fourlink_results **handle, int *istat, char 
     memset(&source, 0, sizeof source);
     source.text = deck_text;
     source.length = without_blanks(deck_text, deck_length);
+    source.synthesis = 1;
     *handle = NULL;
     *istat = fourlink_results_open(&source, 1, handle, &mistake, NULL);
     put_message(*istat, &mistake, msg, msg_length);

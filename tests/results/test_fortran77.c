@@ -98,6 +98,30 @@ TEST(test_values)
     assert_int_equal(value(handle, "mu_min", 1, 0, &v), FOURLINK_NULL);
 }
 
+/* Khurmi and Gupta's slotted lever, example 5.3, and a task that no linkage solves. */
+TEST(test_synthesis)
+{
+    static const char task[] = "mechanism = inverted-slider-crank\n[crank]\nlength = 30 mm\n"
+                               "[synthesis]\ntask = quick-return\ntime_ratio = 1.7\n";
+    double wanted = 0.030 / cos(PI * 1.7 / 2.7),
+           v = 0; /* A-D: the crank is at right angles to the lever */
+    fourlink_results *handle;
+    char msg[60];
+
+    assert_int_equal(open_deck(task, &handle, msg, sizeof msg), FOURLINK_OK);
+    assert_int_equal(value(handle, "ground.length", 1, 0, &v), FOURLINK_OK);
+    assert_near(v, fabs(wanted), 1e-15);
+    assert_int_equal(value(handle, "crank.length", 1, 0, &v), FOURLINK_OK);
+    assert_near(v, 0.030, 1e-15);
+    flshut_(&handle);
+    assert_int_equal(
+        open_deck("mechanism = slider-crank\n[synthesis]\ntask = quick-return\ntime_ratio = 9\n"
+                  "stroke = 50 mm\n[ground]\noffset = 1 mm\n",
+                  &handle, msg, sizeof msg),
+        FOURLINK_NO_FULL_TURN);
+    assert_null(handle);
+}
+
 TEST(test_rows)
 {
     fourlink_results *handle;

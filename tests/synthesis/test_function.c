@@ -445,36 +445,6 @@ TEST(order)
     assert_near(s.to, 6.4, 1e-14);
 }
 
-TEST(fortran77)
-{
-    generated g = {log10, 1, 2, 45 * DEG, 105 * DEG, 135 * DEG, 225 * DEG};
-    double theta2[N], output[N], weight[3] = {1, 1, 1}, length[4] = {7}, offset = 7, turn[2],
-                                 range[2], check[4];
-    fourlink_function_task task = task_of(&g, 3, theta2, output);
-    int kind = 1, n = 3, fit = 0, branch = 7, defects = 7, status = 7;
-    fourlink_solution s;
-
-    task.wanted = NULL;
-    task.from = task.to = 0;
-    FOUND(function, &task, &s);
-    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn,
-            range, check, &defects, &status);
-    assert_int_equal(status, FOURLINK_OK);
-    for (int i = 0; i < 4; i++)
-        assert_near(length[i], length_of(&s, i + 1), 0);
-    assert_true(offset == 0 && branch == (int)s.branch && turn[0] == s.crank_turn &&
-                turn[1] == s.rocker_turn);
-    assert_true(range[0] == s.from && range[1] == s.to && check[0] == s.condition &&
-                check[1] == s.ratio);
-    assert_true(check[2] == s.mu_min && check[3] == s.max_error && defects == s.defects);
-    n = -1;
-    length[0] = 7;
-    flfunc_(&kind, &task.ground, &n, theta2, output, weight, &fit, length, &offset, &branch, turn,
-            range, check, &defects, &status);
-    assert_int_equal(status, FOURLINK_BAD_POINTS);
-    assert_near(length[0], 7, 0);
-}
-
 TEST(bad_problems)
 {
     uint64_t seed = 14;

@@ -383,28 +383,6 @@ TEST(refused)
     REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
 }
 
-TEST(fortran77)
-{
-    int type = FOURLINK_ENGINE, slow = 0, defects = 7, status = 7;
-    double ratio = 1.25, swing = 0, stroke = 0.1, length[4] = {0, 0.045}, offset = 0, range[2],
-           check[4];
-
-    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects,
-            &status);
-    assert_int_equal(status, FOURLINK_OK);
-    assert_near(length[2], 0.133332789672402, 1e-15);
-    assert_near(offset, 0.053877177286368, 1e-15);
-    assert_near(check[2] / DEG, 42.133660, 5e-7);
-    assert_near(range[1] - range[0], 2 * PI, 1e-15);
-    assert_int_equal(defects, 0);
-    ratio = 0.5;
-    length[1] = 7;
-    flqret_(&type, &ratio, &swing, &stroke, &slow, length, &offset, range, check, &defects,
-            &status);
-    assert_int_equal(status, FOURLINK_BAD_TIME_RATIO);
-    assert_near(length[1], 7, 0);
-}
-
 TEST(bad_problems)
 {
     static const int types[] = {FOURLINK_CRANK_ROCKER, FOURLINK_ENGINE, FOURLINK_SLOTTED_LEVER,
