@@ -537,45 +537,53 @@ static void make_schema_deck(long number, int tries)
 /* Each option of the command, and values that it takes; test_generator.sh compares the names with --help. */
 static const struct {
     const char *name, *values[8];
+    const char *with;     /* another option that it needs */
+    section_code section; /* that it needs; SECTION_TOP: none */
 } known_options[] = {
     {"--set",
-     {"motion.interval=20 deg", "crank.mass=0.4 kg", "gravity.direction=-60 deg",
-      "table.digits=9"}},
-    {"--branch", {"open", "crossed", "both"}},
-    {"--interval", {"15 deg", "0.5 rad", "7 deg"}},
-    {"--allow-files", {""}},
-    {"--print-deck", {""}},
-    {"--columns", {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"}},
-    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg"}},
-    {"--summary", {""}},
-    {"--matrix", {""}},
-    {"--list", {""}},
-    {"--format", {"table", "csv", "json", "paper"}},
-    {"--output", {"out.txt"}},
-    {"--units", {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s"}},
-    {"--wide", {""}},
-    {"--color", {"always", "never"}},
-    {"--check", {"", "=answers.expect"}},
-    {"--answers", {"answers"}},
-    {"--scores", {""}},
-    {"--feedback", {"feedback/"}},
-    {"--tolerance", {"1 %", "0.5 deg, 2 %"}},
-    {"--expect", {""}},
-    {"--form", {""}},
-    {"--plot", {"out.svg", "out.txt", "-"}},
+     {"motion.interval=20 deg", "crank.mass=0.4 kg", "gravity.direction=-60 deg", "table.digits=9"},
+     NULL,
+     SECTION_TOP},
+    {"--branch", {"open", "crossed", "both"}, NULL, SECTION_TOP},
+    {"--interval", {"15 deg", "0.5 rad", "7 deg"}, NULL, SECTION_TOP},
+    {"--allow-files", {""}, NULL, SECTION_TOP},
+    {"--print-deck", {""}, NULL, SECTION_TOP},
+    {"--columns",
+     {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"},
+     NULL,
+     SECTION_TOP},
+    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg"}, NULL, SECTION_TOP},
+    {"--summary", {""}, NULL, SECTION_TOP},
+    {"--matrix", {""}, NULL, SECTION_TOP},
+    {"--list", {""}, NULL, SECTION_TOP},
+    {"--format", {"table", "csv", "json", "paper"}, NULL, SECTION_TOP},
+    {"--output", {"out.txt"}, NULL, SECTION_TOP},
+    {"--units", {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s"}, NULL, SECTION_TOP},
+    {"--wide", {""}, NULL, SECTION_TOP},
+    {"--color", {"always", "never"}, NULL, SECTION_TOP},
+    {"--check", {"", "=answers.expect"}, NULL, SECTION_TOP},
+    {"--answers", {"answers"}, NULL, SECTION_TOP},
+    {"--scores", {""}, "--answers=answers", SECTION_TOP},
+    {"--feedback", {"feedback/"}, NULL, SECTION_TOP},
+    {"--tolerance", {"1 %", "0.5 deg, 2 %"}, NULL, SECTION_TOP},
+    {"--expect", {""}, NULL, SECTION_TOP},
+    {"--form", {""}, NULL, SECTION_TOP},
+    {"--plot", {"out.svg", "out.txt", "-"}, NULL, SECTION_TOP},
     {"--plot-kind",
-     {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns"}},
-    {"--plot-at", {"40 deg", "10 deg, 130 deg"}},
-    {"--plot-x", {"omega2", "theta4", "time"}},
-    {"--ascii", {""}},
-    {"--report", {"out.html"}},
-    {"--part", {"1/2", "2/2"}},
-    {"--design", {"1", "2", "all"}},
-    {"--names", {"names.txt"}},
-    {"--best", {"max max(mu)", "min mean(omega2)"}},
-    {"--solve", {"crank.length = 10 mm .. 30 mm where max(omega4) = 3 rad/s"}},
-    {"--synthesis", {""}},
-    {"--solution", {"1", "2"}}};
+     {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns"},
+     "--plot=out.svg",
+     SECTION_TOP},
+    {"--plot-at", {"40 deg", "10 deg, 130 deg"}, "--plot=out.svg", SECTION_TOP},
+    {"--plot-x", {"omega2", "theta4", "time"}, "--plot=out.svg", SECTION_TOP},
+    {"--ascii", {""}, "--plot=out.txt", SECTION_TOP},
+    {"--report", {"out.html"}, NULL, SECTION_TOP},
+    {"--part", {"1/2", "2/2"}, NULL, SECTION_SWEEP},
+    {"--design", {"1", "2", "all"}, NULL, SECTION_SWEEP},
+    {"--names", {"names.txt"}, "--scores", SECTION_TOP},
+    {"--best", {"max max(mu)", "min mean(omega2)"}, NULL, SECTION_SWEEP},
+    {"--solve", {"crank.length = 10 mm .. 30 mm where max(omega4) = 3 rad/s"}, NULL, SECTION_TOP},
+    {"--synthesis", {""}, NULL, SECTION_SYNTHESIS},
+    {"--solution", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS}};
 
 #define N_OPTIONS ((int)(sizeof known_options / sizeof known_options[0]))
 
@@ -591,7 +599,7 @@ static int has_section(section_code section)
     return section == SECTION_TOP;
 }
 
-/* The option whose pairs with the sections of this deck were tried least. */
+/* The option whose pairs with the sections of this deck were tried least; seldom one that it has no use for. */
 static int rarest_option(void)
 {
     unsigned long least = ULONG_MAX, tried;
@@ -599,6 +607,8 @@ static int rarest_option(void)
     section_code s;
 
     for (o = 0; o < N_OPTIONS; o++) {
+        if (!has_section(known_options[o].section) && !seldom(0.02))
+            continue;
         tried = ULONG_MAX;
         for (s = 0; s < SECTION_COUNT; s++)
             if (has_section(s) && pairs_tried[o][s] < tried)
@@ -616,7 +626,7 @@ static int rarest_option(void)
 /* Some options for the deck, one a line, each as one word. */
 static void write_options(FILE *out)
 {
-    int n = 1 + seldom(0.3) + seldom(0.1), o, values;
+    int n = 1 + seldom(0.2) + seldom(0.05), has_task = has_section(SECTION_SYNTHESIS), o, values;
     section_code s;
 
     while (n--) {
@@ -630,7 +640,12 @@ static void write_options(FILE *out)
                 *known_options[o].values[values] && *known_options[o].values[values] != '=' ? "="
                                                                                             : "",
                 known_options[o].values[values]);
+        if (known_options[o].with)
+            fprintf(out, "%s\n", known_options[o].with);
+        has_task &= strcmp(known_options[o].name, "--synthesis") != 0;
     }
+    if (has_task)
+        fprintf(out, "--synthesis\n");
 }
 
 /* How evenly keys, and pairs of an option and a section, were tried. */
