@@ -230,8 +230,8 @@ typedef struct fourlink_turning fourlink_turning;
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
 ** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated here
-**    on the branches that the deck requests, and on the other branch when it is first requested (then
-**    FOURLINK_NO_MEMORY is possible).  Several threads can call them at once, each with its own results.  No
+**    on the branches that the deck requests, and on the other branch when it is first requested.  Then each
+**    function on a branch can return FOURLINK_NO_MEMORY, and nothing else; it may be called again.  Several threads can call them at once, each with its own results.  No
 **    result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
@@ -569,7 +569,8 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 ** Returned:
 **    check      the printed value, the computed one, and whether they agree
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch, since
+**    the value is sought on the other one too
 */
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);

@@ -23,7 +23,7 @@
 typedef struct on_branch {
     flk_path path;
     flk_actual_facts facts;
-    int is_found; /* 1: it is integrated */
+    int is_found; /* 1: it is integrated; 0: not yet, or memory failed */
     int is_known; /* 1: all facts; 0: those of the cycle are still missing */
 } on_branch;
 
@@ -140,6 +140,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
     p->equation.branch = branch;
     p->tolerance = TOLERANCE;
     p->budget = budget_of(&p->equation.machine, m->d->drive.mode);
+    p->no_memory = 0;
     flk_facts_forget(f);
     found = find_actual(m, p, f);
     f->flywheel = p->equation.machine.flywheel;
@@ -151,7 +152,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->y[FLK_PASSED] : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
     }
-    b->is_found = 1;
+    b->is_found = !p->no_memory;
 }
 
 /* The motion of a branch, integrated if necessary. */
@@ -162,6 +163,11 @@ static on_branch *on(flk_actual *m, fourlink_branch branch)
     if (!b->is_found)
         integrate(m, branch, b);
     return b;
+}
+
+int flk_actual_prepare(flk_actual *m, fourlink_branch branch)
+{
+    return m && !on(m, branch)->is_found ? FOURLINK_NO_MEMORY : FOURLINK_OK;
 }
 
 flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
@@ -187,8 +193,8 @@ flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *act
         p->equation.from = motion->from * motion->angle_unit;
         p->equation.sense = end < motion->from ? -1 : 1;
     }
-    if ((!d->open || !on(m, FOURLINK_OPEN)->path.no_memory) &&
-        (!d->crossed || !on(m, FOURLINK_CROSSED)->path.no_memory))
+    if ((!d->open || flk_actual_prepare(m, FOURLINK_OPEN) == FOURLINK_OK) &&
+        (!d->crossed || flk_actual_prepare(m, FOURLINK_CROSSED) == FOURLINK_OK))
         return m;
     flk_actual_free(m);
     return NULL;

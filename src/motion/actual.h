@@ -8,7 +8,7 @@
 #include "path.h"
 
 /* The motion of a deck.  It is found for the requested branches when the deck is opened, and for the other
-** branch when that is first requested. */
+** branch by flk_actual_prepare. */
 typedef struct flk_actual flk_actual;
 
 /* Find the motion of a deck, for flk_actual_free; null if out of memory.
@@ -20,6 +20,10 @@ typedef struct flk_actual flk_actual;
 flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
                             double period, int winds);
 void flk_actual_free(flk_actual *m);
+
+/* Integrate the motion of a branch, if that is not done: FOURLINK_OK, FOURLINK_NO_MEMORY.  It is called before anything
+** is asked of a branch; then no status below means that memory failed.  Nothing to do if `m` is null. */
+int flk_actual_prepare(flk_actual *m, fourlink_branch branch);
 
 /* The crank at an angle of the motion, in the deck's unit: FOURLINK_OK, or why the machine does not get
 ** there, with theta2 set and the rest 0. */

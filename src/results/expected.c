@@ -138,17 +138,20 @@ static void hint_of_row(flk_opened *o, const flk_name *n, fourlink_check *c, dou
     }
 }
 
-void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
+int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
 {
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     fourlink_value here;
     const char *words, *angle;
     double turn;
-    int is_opposite, is_other;
+    int is_opposite, is_other, status;
 
     if (c->hint[0] || c->has_time ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
-        return;
+        return FOURLINK_OK;
+    status = flk_actual_prepare(o->a.crank_motion.actual, other);
+    if (status != FOURLINK_OK)
+        return status;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
     is_opposite = flk_expected_agrees(c, -c->computed, turn);
     is_other = agrees_at(o, n, c, other, c->angle, turn);
@@ -172,6 +175,7 @@ void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
         hint_of_row(o, n, c, turn);
     if (!c->hint[0] && c->has_angle && c->angle != 0)
         hint_of_angle(o, n, c, turn);
+    return FOURLINK_OK;
 }
 
 /* --------------------------------------------------------------------------------------------- comparison */

@@ -15,7 +15,7 @@ void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
 ** its unit, since whole turns do not count; else 0. */
 int flk_expected_agrees(const fourlink_check *check, double value, double turn);
 
-/* Set check->hint if two numbers of this name differ in a typical way. */
-void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
+/* Set check->hint if two numbers of this name differ in a typical way: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
 
 #endif

@@ -286,21 +286,24 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
     return FOURLINK_OK;
 }
 
-/* Check what a function on a branch is given: that nothing is null, and the branch. */
+/* Check what a function on a branch is given, that nothing is null, and the branch; then prepare its motion, so
+** that nothing after this needs memory. */
 static int check_branch(const fourlink_results *r, int is_given, int branch)
 {
     if (!r || !is_given)
         return FOURLINK_NULL;
     return flk_kind_has_branch(flk_kind_of(r->now->d.machine.mechanism.design.kind),
                                (fourlink_branch)branch)
-               ? FOURLINK_OK
+               ? flk_actual_prepare(r->now->a.crank_motion.actual, (fourlink_branch)branch)
                : FOURLINK_BAD_BRANCH;
 }
 
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
                            const fourlink_value **facts, unsigned long *n)
 {
-    int status = check_branch(r, facts && n, branch ? branch : FOURLINK_OPEN);
+    int status = branch            ? check_branch(r, facts && n, branch)
+                 : r && facts && n ? FOURLINK_OK /* the branches of the deck, which are prepared */
+                                   : FOURLINK_NULL;
 
     if (status != FOURLINK_OK)
         return status;
@@ -502,16 +505,23 @@ int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourli
 
 int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check *check)
 {
+    fourlink_check found;
     flk_name n;
+    int status;
 
     if (!r || !check)
         return FOURLINK_NULL;
     if (i >= r->now->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    flk_expected_compare(r->now, &r->now->d.expectations[i], &n, check);
-    if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
-        flk_hint_find(r->now, &n, check);
-    return FOURLINK_OK;
+    status = flk_actual_prepare(r->now->a.crank_motion.actual, r->now->d.expectations[i].branch);
+    if (status != FOURLINK_OK)
+        return status;
+    flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
+    if (found.verdict == FOURLINK_DIFFERS && !found.words[0])
+        status = flk_hint_find(r->now, &n, &found);
+    if (status == FOURLINK_OK)
+        *check = found;
+    return status;
 }
 
 /* ----------------------------------------------------------------------------------------- without a deck */

@@ -10,43 +10,7 @@
 #include <stdlib.h>
 
 #include "everything.h"
-
-static volatile int watches_memory;
-static volatile unsigned long allocations;
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SANITIZED
-#endif
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED
-#endif
-
-#if defined(__GLIBC__) && !defined(SANITIZED)
-#define COUNTS_MEMORY
-
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *memory, size_t size);
-
-void *malloc(size_t size)
-{
-    allocations += watches_memory != 0;
-    return __libc_malloc(size);
-}
-
-void *calloc(size_t n, size_t size)
-{
-    allocations += watches_memory != 0;
-    return __libc_calloc(n, size);
-}
-
-void *realloc(void *memory, size_t size)
-{
-    allocations += watches_memory != 0;
-    return __libc_realloc(memory, size);
-}
-#endif
+#include "memory.h"
 
 /* All columns, by the faster solution; some that differ in kind, by the nine equations; those of the deck. */
 static const fourlink_change all[2] = {{"test", "table.columns=all"}, {"test", "solver=dyad"}};
@@ -78,12 +42,10 @@ static digest check_everything(const char *contents, const fourlink_change colum
     /* an actual motion is integrated when its branch is first asked for */
     fourlink_results_row(r, FOURLINK_OPEN, 0, NULL, NULL, NULL);
     fourlink_results_row(r, FOURLINK_CROSSED, 0, NULL, NULL, NULL);
-    allocations = 0;
-    watches_memory = 1;
+    watch_memory(0, 0);
     first = exercise(r);
     again = exercise(r);
-    watches_memory = 0;
-    if (allocations)
+    if (watched_memory())
         fail_msg("%s: %lu pieces of memory taken", name, allocations);
     assert_true(first.hash == again.hash); /* no result depends on the call before */
     assert_true(first.values > 100);
@@ -96,10 +58,9 @@ TEST(test_memory_is_counted)
 {
     void *volatile memory;
 
-    allocations = 0;
-    watches_memory = 1;
+    watch_memory(0, 0);
     memory = malloc(10);
-    watches_memory = 0;
+    watched_memory();
     free(memory);
     assert_int_equal(allocations, 1);
 }
