@@ -9,6 +9,8 @@
 #
 # tables and pictures do not include each other, and no file includes itself by way of others, where a
 # header and its source count as one file.  Headers of an operating system are for system/system_*.c alone.
+# The command has memory from system/memory.c, and by way of view/results.c calls the functions of fourlink.h that need
+# some: there it is noted that memory failed.
 # Prints each offender; exits with 1 if there is one.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -45,6 +47,11 @@ FNR == 1 {
   offend("system", file ":" FNR ": includes a header of the operating system")
 }
 
+folder ~ /^(system|view|drawing|tables|pictures|report|command)$/ && file !~ /^src\/(system\/(system_|memory)|view\/results)/ &&
+/(^|[^a-z_])((m|c|re)alloc|strdup|fourlink_(results_(open|design|set|set_text|put|check)|deck_read|extreme))\(/ {
+  offend("memory", file ":" FNR ": memory is taken from system/memory.h, or by way of view/results.h")
+}
+
 # Includes of the project, by path.  A name without a folder is a neighbour, or the public header.
 /^[ \t]*#[ \t]*include[ \t]*"/ {
   name = $0
@@ -71,7 +78,7 @@ END {
   find_circle()
   for (folder in seen)
     checks++
-  checks += 3 # every file has a folder; no circle; systems
+  checks += 4 # every file has a folder; no circle; systems; memory
   for (what in bad)
     failed++
   print checks - failed " passed, " failed + 0 " failed"

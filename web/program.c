@@ -18,7 +18,9 @@
 #include "drawing/svg.h"
 #include "pictures/plot.h"
 #include "report/interactive.h"
+#include "system/memory.h"
 #include "tables/json_text.h"
+#include "view/results.h"
 #include "system.h"
 
 #define CALLED(name) __attribute__((export_name(#name)))
@@ -43,7 +45,7 @@ static double *numbers; /* of web_rows */
 CALLED(web_room) char *web_room(unsigned long length)
 {
     free(input);
-    return input = malloc(length + 1);
+    return input = memory_get(length + 1, 1);
 }
 
 CALLED(web_answer) const char *web_answer(void)
@@ -54,6 +56,13 @@ CALLED(web_answer) const char *web_answer(void)
 CALLED(web_answer_length) unsigned long web_answer_length(void)
 {
     return (unsigned long)answer_length;
+}
+
+/* Memory for a call, which does not depend on whether there was enough for those before. */
+static void *begin(size_t n, size_t size)
+{
+    memory_forget_failure();
+    return memory_get(n, size);
 }
 
 static int begin_answer(void)
@@ -204,7 +213,7 @@ static void put_deck(void)
 CALLED(web_open)
 int web_open(unsigned long name_length, unsigned long length, unsigned long solution)
 {
-    fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
+    fourlink_mistake *list = begin(MOST_MISTAKES, sizeof *list);
     unsigned long n = 0;
     fourlink_results *results = NULL;
     int status = FOURLINK_NO_MEMORY;
@@ -222,7 +231,7 @@ int web_open(unsigned long name_length, unsigned long length, unsigned long solu
     source.synthesis = solution;
     source.deck_units = 1;
     if (list)
-        status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
+        status = results_open(&source, MOST_MISTAKES, &results, list, &n);
     if (status == FOURLINK_OK) {
         view_take(&v, results);
         source.design = v.problem.design;
@@ -255,7 +264,7 @@ CALLED(web_scene) int web_scene(int branch, double at, int wanted)
 {
     static moving_sheet sheets[2];
     fourlink_branch one = (fourlink_branch)branch;
-    rows *t = malloc(sizeof *t);
+    rows *t = begin(1, sizeof *t);
     interactive_form form;
     int done = 0, k;
 
@@ -300,7 +309,7 @@ static void put_over(const rows *t)
 /* Draw the columns over the first of them. */
 static int put_figure(const fourlink_source *chosen, const rows *t)
 {
-    plot *drawn_plot = malloc(sizeof *drawn_plot);
+    plot *drawn_plot = memory_get(1, sizeof *drawn_plot);
     char over[40];
     fourlink_mistake mistake;
     plot_request request;
@@ -330,7 +339,7 @@ static int put_figure(const fourlink_source *chosen, const rows *t)
 CALLED(web_curve) int web_curve(void)
 {
     fourlink_source chosen = source;
-    rows *t = malloc(sizeof *t);
+    rows *t = begin(1, sizeof *t);
     fourlink_change change;
     int i, done = 0;
 
@@ -366,7 +375,7 @@ CALLED(web_rows) const double *web_rows(int branch, unsigned long first, unsigne
 
     fourlink_results_list(v.results, FOURLINK_COLUMNS, &list, &width);
     free(numbers);
-    numbers = malloc((n + 1) * (width + 1) * sizeof *numbers);
+    numbers = memory_get((n + 1) * (width + 1), sizeof *numbers);
     for (i = 0; numbers && i < n; i++) {
         double *row = numbers + i * (width + 1);
 
@@ -386,7 +395,7 @@ CALLED(web_status_text) const char *web_status_text(int status)
 ** without memory. */
 CALLED(web_command) int web_command(int n, unsigned long length)
 {
-    char **arguments = calloc((size_t)n + 1, sizeof *arguments), *at = input;
+    char **arguments = begin((size_t)n + 1, sizeof *arguments), *at = input;
     int i, status;
 
     for (i = 0; arguments && i < n; i++) {

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "batch.h"
 #include "feedback.h"
@@ -19,6 +20,7 @@
 #include "output.h"
 #include "tables/content.h"
 #include "terminal.h"
+#include "view/results.h"
 
 /* Many inputs, and what is known of all. */
 typedef struct batch {
@@ -37,7 +39,7 @@ typedef struct batch {
 
 static int complain_of_memory(void)
 {
-    return command_complain("cannot start", "", "not enough memory");
+    return command_lacks_memory("cannot start", "");
 }
 
 /* --------------------------------------------------------------------------------------------- the header */
@@ -45,13 +47,13 @@ static int complain_of_memory(void)
 /* Add a column, whose results will be closed; 0 if out of memory. */
 static int add_column(batch *b, const fourlink_value *column)
 {
-    fourlink_value *more = realloc(b->header, (b->n_header + 1) * sizeof *more);
+    fourlink_value *more = memory_grow(b->header, b->n_header + 1, sizeof *more);
     char *words;
 
     if (!more)
         return 0;
     b->header = more;
-    words = malloc(strlen(column->name) + strlen(column->unit) + 2);
+    words = memory_get(strlen(column->name) + strlen(column->unit) + 2, 1);
     if (!words)
         return 0;
     more[b->n_header] = *column;
@@ -72,7 +74,7 @@ static int names_columns(const options *o)
     return 0;
 }
 
-/* Add the columns of a deck, or its values, each name with each unit once; 0 if out of memory. */
+/* Add the columns of a deck, or its values, each name with each unit once; 0 if memory has failed. */
 static int add_columns(batch *b, const input *in)
 {
     const fourlink_value *list;
@@ -91,7 +93,7 @@ static int add_columns(batch *b, const input *in)
         if (j == b->n_header && !add_column(b, &list[k]))
             return 0;
     }
-    return 1;
+    return !memory_has_failed();
 }
 
 /* ---------------------------------------------------------------------------------------- the sheet */
@@ -112,8 +114,8 @@ static int status_of(const sheet *s, const input *in)
 {
     if (!in->results)
         return 0; /* already reported */
-    if (s->out_of_memory)
-        return command_complain("cannot analyse", in->name, "not enough memory");
+    if (memory_has_failed())
+        return command_lacks_memory("cannot analyse", in->name);
     command_tell_more(s->checks[FOURLINK_NO_VALUE], "mistake");
     if (s->checks[FOURLINK_NO_VALUE] || in->has_slips)
         return EXIT_USAGE;
@@ -130,12 +132,10 @@ static void write_designs(sheet *s, const input *in)
     int status;
 
     s->deck_name = in->name;
-    for (i = 0; i < in->problem.n_designs && !s->out_of_memory && !system_caught(); i++) {
+    for (i = 0; i < in->problem.n_designs && !memory_has_failed() && !system_caught(); i++) {
         results = NULL;
-        status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
-        if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
-            s->out_of_memory = 1;
-        else
+        status = results_design(in->results, i, 1, &results, &mistake, NULL);
+        if (status == FOURLINK_OK || status == FOURLINK_BAD_DECK)
             content_write_design(s, results, in->results, i, NULL, mistake.message);
         fourlink_results_free(results);
     }
@@ -152,10 +152,11 @@ static int write_input(batch *b, const input *in)
 
     if (has_no_score(o, in)) /* already reported */
         return EXIT_FILES;
-    s->out_of_memory = 0;
     s->failed = 0;
     if (in->deck || o->scores)
         marks_give(&b->m, in, &mark);
+    if (memory_has_failed())
+        return command_lacks_memory("cannot analyse", in->name);
     if (o->feedback && s->content == SHEET_SCORES)
         told = feedback_write(&b->m, in, &mark);
     s->mark = in->deck ? &mark : NULL;
@@ -283,8 +284,10 @@ static int scan(batch *b)
         marks_add(&b->m, &in);
         input_close(&in);
     }
+    if (!enough)
+        return complain_of_memory();
     marks_end(&b->m);
-    return enough ? 0 : complain_of_memory();
+    return 0;
 }
 
 /* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
@@ -303,6 +306,10 @@ static int write_all(batch *b)
 
     for (i = 0; i < b->n && !system_caught(); i++) {
         status = command_worse(status, read_input(b, i, &in));
+        if (memory_has_failed()) { /* which is told */
+            input_close(&in);
+            break;
+        }
         if (is_shown(b, &in) && !begun) {
             if (!b->n_header && !add_columns(b, &in)) {
                 input_close(&in);
@@ -336,7 +343,7 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.answers = answers;
     b.deck = deck;
     b.n = deck ? answers->n_files : o->n_decks;
-    b.texts = calloc(b.n + 1, sizeof *b.texts);
+    b.texts = memory_get(b.n + 1, sizeof *b.texts);
     status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
     if (!status &&
         (b.m.list || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))

@@ -16,11 +16,13 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "terminal.h"
 #include "tables/sheet.h"
 #include "best.h"
+#include "view/results.h"
 
 #define DIGITS 10      /* of a refined value */
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */
@@ -43,7 +45,6 @@ typedef struct search {
     double *values, *refined; /* of the free ones, tried and best so far */
     double found;             /* the smallest sign * value so far */
     fourlink_branch branch;   /* on which it is */
-    int out_of_memory;
 } search;
 
 static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, double from)
@@ -102,12 +103,11 @@ static int search_grid(search *s, FILE *out)
 
     s->found = WORST;
     progress_begin(&p, out);
-    for (i = 0; i < n && !s->out_of_memory && !system_caught(); i++) {
+    for (i = 0; i < n && !memory_has_failed() && !system_caught(); i++) {
         fourlink_results *r = NULL;
-        int status = fourlink_results_design(s->in->results, i, 0, &r, NULL, NULL);
+        int status = results_design(s->in->results, i, 0, &r, NULL, NULL);
         double value = status == FOURLINK_OK ? value_of(s, r, &branch) : WORST;
 
-        s->out_of_memory |= status == FOURLINK_NO_MEMORY;
         fourlink_results_free(r);
         progress_tell(&p, i + 1, n);
         if (!(value < s->found))
@@ -117,11 +117,10 @@ static int search_grid(search *s, FILE *out)
         best = i;
     }
     progress_end(&p);
-    if (!(s->found < WORST) || s->out_of_memory)
+    if (!(s->found < WORST) || memory_has_failed())
         return 0;
     fourlink_results_variables(s->in->results, best, s->n, s->best, s->low, s->high);
-    s->out_of_memory =
-        fourlink_results_design(s->in->results, best, 0, &s->trial, NULL, NULL) != FOURLINK_OK;
+    results_design(s->in->results, best, 0, &s->trial, NULL, NULL);
     for (i = 0; i < s->n; i++) {
         if (s->low[i] == s->high[i])
             continue;
@@ -132,7 +131,7 @@ static int search_grid(search *s, FILE *out)
         s->refined[s->n_free] = s->best[s->n_free];
         s->n_free++;
     }
-    return !s->out_of_memory;
+    return s->trial != NULL;
 }
 
 /* ------------------------------------------------------------------------------- between neighbours */
@@ -150,10 +149,7 @@ static double rounded(double x)
 /* Set the free variables of the trial; 0 if these values are no design. */
 static int set_values(search *s, const double *values)
 {
-    int status = fourlink_results_put(s->trial, s->n_free, s->handles, values, NULL);
-
-    s->out_of_memory |= status == FOURLINK_NO_MEMORY;
-    return status == FOURLINK_OK;
+    return results_put(s->trial, s->n_free, s->handles, values) == FOURLINK_OK;
 }
 
 /* The value at a point whose coordinates go from 0 to 1 between the neighbours. */
@@ -190,8 +186,9 @@ static void go_down(search *s, double size)
     size_t k;
     int step = 0;
 
-    s->out_of_memory |= !m || !x || !steps;
-    for (k = 0; k < s->n_free && !s->out_of_memory; k++) {
+    if (!m || !x || !steps)
+        memory_note_failure();
+    for (k = 0; k < s->n_free && !memory_has_failed(); k++) {
         double share = (s->refined[k] - s->low[k]) / (s->high[k] - s->low[k]);
 
         gsl_vector_set(x, k, share);
@@ -200,9 +197,9 @@ static void go_down(search *s, double size)
     f.n = s->n_free;
     f.f = value_at;
     f.params = s;
-    if (!s->out_of_memory)
+    if (!memory_has_failed())
         gsl_multimin_fminimizer_set(m, &f, x, steps);
-    while (step++ < MOST_STEPS && !s->out_of_memory && !system_caught() &&
+    while (step++ < MOST_STEPS && !memory_has_failed() && !system_caught() &&
            gsl_multimin_fminimizer_iterate(m) == GSL_SUCCESS &&
            gsl_multimin_fminimizer_size(m) >= TOLERANCE)
         ;
@@ -292,7 +289,7 @@ static int write_result(FILE *out, const search *s)
 
     if (fourlink_results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
         (deck = input_deck_text(s->trial, &length)) == NULL)
-        return command_complain("cannot analyse", s->in->name, "not enough memory");
+        return command_lacks_memory("cannot analyse", s->in->name);
     line_start(&l, out);
     line_put(&l, "# The best design of %s: %s %s = %6g%s%s, %s branch.\n", s->in->name,
              s->sign > 0 ? "min" : "max", s->name, v.value, strcmp(v.unit, "1") ? " " : "",
@@ -315,8 +312,8 @@ static int open_search(search *s, const input *in)
     s->name = in->o->best;
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &s->conditions, &s->n_conditions);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n);
-    s->best = calloc(5 * s->n, sizeof *s->best);
-    s->handles = calloc(s->n, sizeof *s->handles);
+    s->best = memory_get(5 * s->n, sizeof *s->best);
+    s->handles = memory_get(s->n, sizeof *s->handles);
     if (!s->best || !s->handles)
         return 0;
     s->low = s->best + s->n;
@@ -343,8 +340,8 @@ static int find_best(FILE *out, search *s)
         refine(s);
     if (system_caught())
         return command_complain("stopped", s->in->name, "interrupted");
-    if (s->out_of_memory)
-        return command_complain("cannot analyse", s->in->name, "not enough memory");
+    if (memory_has_failed())
+        return command_lacks_memory("cannot analyse", s->in->name);
     if (is_found)
         return write_result(out, s);
     flk_message(message, sizeof message,
@@ -362,9 +359,8 @@ int best_write(FILE *out, const input *in)
     int status;
 
     system_catch(1);
-    status = open_search(&s, in)
-                 ? find_best(out, &s)
-                 : command_complain("cannot analyse", in->name, "not enough memory");
+    status =
+        open_search(&s, in) ? find_best(out, &s) : command_lacks_memory("cannot analyse", in->name);
     system_catch(0);
     close_search(&s);
     return status;

@@ -4,10 +4,12 @@
 */
 #include <string.h>
 
+#include "system/memory.h"
 #include "command.h"
 #include "tables/content.h"
 #include "terminal.h"
 #include "catalogue.h"
+#include "view/results.h"
 
 #define MASS "mass = 1 kg\nuniform = yes\n"
 #define LINK(name) "[" name "]\nlength = 60 mm\n" MASS
@@ -89,7 +91,7 @@ static int open_deck(fourlink_source *source, int kind, const char *motion,
     put_deck(deck, kind, motion);
     source->text = deck;
     source->length = (unsigned long)strlen(deck);
-    return fourlink_results_open(source, 1, results, mistake, NULL);
+    return results_open(source, 1, results, mistake, NULL);
 }
 
 int catalogue_write(FILE *out, const options *o)
@@ -131,7 +133,5 @@ int catalogue_write(FILE *out, const options *o)
         command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
         return EXIT_USAGE;
     }
-    return status != FOURLINK_OK || s.out_of_memory
-               ? command_complain("cannot list", "", "not enough memory")
-               : 0;
+    return memory_has_failed() ? command_lacks_memory("cannot list", "") : 0;
 }

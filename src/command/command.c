@@ -7,9 +7,10 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "command.h"
 
-static int silent, coloured;
+static int silent, coloured, told_of_memory;
 
 void command_be_silent(int is_silent)
 {
@@ -62,7 +63,23 @@ void command_say(const char *first, ...)
 
 int command_complain(const char *what, const char *name, const char *why)
 {
-    command_say("fourlink: ", what, " ", name, ": ", why, (char *)NULL);
+    command_say("fourlink: ", what, *name ? " " : "", name, ": ", why, (char *)NULL);
+    return EXIT_FILES;
+}
+
+int command_lacks_memory(const char *what, const char *name)
+{
+    told_of_memory |= !silent;
+    return command_complain(what, name, "not enough memory");
+}
+
+int command_end(int status)
+{
+    if (!memory_has_failed())
+        return status;
+    if (!told_of_memory)
+        command_lacks_memory("stopped", "");
+    told_of_memory = 0;
     return EXIT_FILES;
 }
 

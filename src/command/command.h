@@ -22,6 +22,12 @@ void command_be_coloured(int is_coloured);
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 
+/* The same where memory has failed. */
+int command_lacks_memory(const char *what, const char *name);
+
+/* The exit status of the run: where memory has failed, that of a failure, with a message if there was none. */
+int command_end(int status);
+
 /* Print a message about a file, FILE:LINE: error: MESSAGE, or another word for "error"; without the
 ** line if it is 0.  `deck_name` is null if there is only one deck; otherwise it is added if the message
 ** is about another file. */

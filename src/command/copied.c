@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "copied.h"
+#include "view/results.h"
 
 #define FEWEST 3 /* values that agree: fewer may agree by chance */
 
@@ -15,7 +16,7 @@ static unsigned long count_agreeing(const input *in)
     fourlink_check c;
 
     for (i = 0; i < in->problem.n_expected; i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         n += c.verdict == FOURLINK_AGREES;
     }
     return n;

@@ -8,11 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "terminal.h"
 #include "tables/content.h"
 #include "designs.h"
+#include "view/results.h"
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
@@ -25,14 +27,14 @@ static int write_design(sheet *s, const input *in, unsigned long i, double *vari
 {
     fourlink_results *results = NULL;
     fourlink_mistake mistake;
-    int status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
+    int status = results_design(in->results, i, 1, &results, &mistake, NULL);
 
     if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
         return 0;
     fourlink_results_variables(in->results, i, s->n_variables, varied, NULL, NULL);
     content_write_design(s, results, in->results, i, varied, mistake.message);
     fourlink_results_free(results);
-    return !s->out_of_memory;
+    return !memory_has_failed();
 }
 
 static int write_all(sheet *s, const input *in, double *varied)
@@ -62,7 +64,7 @@ static fourlink_value *header_of(sheet *s, const input *in)
 
     fourlink_results_list(
         in->results, s->content == SHEET_DESIGNS ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &n);
-    header = malloc((n + 1) * sizeof *header);
+    header = memory_get(n + 1, sizeof *header);
     if (!header)
         return NULL;
     memcpy(header, list, n * sizeof *header);
@@ -99,7 +101,7 @@ int designs_write(FILE *out, const input *in)
 
     set_up(&s, out, in);
     s.header = header = header_of(&s, in);
-    varied = malloc((s.n_variables + 1) * sizeof *varied);
+    varied = memory_get(s.n_variables + 1, sizeof *varied);
     enough = header && varied;
     system_catch(1);
     if (enough) {
@@ -110,7 +112,7 @@ int designs_write(FILE *out, const input *in)
     free(varied);
     free(header);
     if (!enough)
-        return command_complain("cannot analyse", in->name, "not enough memory");
+        return command_lacks_memory("cannot analyse", in->name);
     if (system_caught())
         return command_complain("stopped", in->name,
                                 in->o->parts ? "interrupted; run this part again" : "interrupted");

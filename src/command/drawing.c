@@ -14,6 +14,7 @@
 #include "output.h"
 #include "pictures/plot.h"
 #include "report/report.h"
+#include "view/results.h"
 
 /* What pictures and reports show: the results in the units of the deck. */
 typedef struct shown {
@@ -31,7 +32,7 @@ static int open_shown(const input *in, shown *x)
     x->own = NULL;
     if (!in->results || in->source.deck_units)
         return 1;
-    if (fourlink_results_open(&x->source, 0, &x->own, NULL, NULL) != FOURLINK_OK)
+    if (results_open(&x->source, 0, &x->own, NULL, NULL) != FOURLINK_OK)
         return 0;
     x->results = x->own;
     return 1;
@@ -101,7 +102,7 @@ static int make_picture(plot *made, const input *in)
     }
     fourlink_results_free(x.own);
     if (written < 0)
-        return command_complain("cannot draw", in->name, "not enough memory");
+        return command_lacks_memory("cannot draw", in->name);
     if (written > 0)
         return 0;
     command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
@@ -188,7 +189,7 @@ int drawing_report(const input *in)
     fourlink_results_free(x.own);
     status = output_end(&file, path, written > 0);
     if (written < 0)
-        return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));
+        return command_lacks_memory("cannot write", path);
     if (!written) {
         command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
         return EXIT_USAGE;

@@ -10,10 +10,12 @@
 
 #include <gsl/gsl_math.h>
 
+#include "system/memory.h"
 #include "command.h"
 #include "feedback.h"
 #include "files.h"
 #include "output.h"
+#include "view/results.h"
 
 #define NAME 24
 #define GIVEN 20
@@ -27,7 +29,7 @@ static void put_question(line *l, const marks *m, const input *in, unsigned long
     unsigned long k;
 
     for (k = 0; in->results && k < in->problem.n_expected; k++) {
-        fourlink_results_check(in->results, k, &c);
+        results_check(in->results, k, &c);
         if (marks_question(m, &c) != (long)i)
             continue;
         n++;
@@ -70,12 +72,11 @@ int feedback_write(const marks *m, const input *in, const sheet_mark *mark)
 {
     const char *folder = m->o->feedback;
     char *path = files_within(folder, flk_text_of(mark->name), ".txt");
-    line *l = malloc(sizeof *l);
+    line *l = memory_get(1, sizeof *l);
     output out;
     int status;
 
-    status = path && l ? output_begin(&out, path)
-                       : command_complain("cannot write", folder, strerror(ENOMEM));
+    status = path && l ? output_begin(&out, path) : command_lacks_memory("cannot write", folder);
     if (!status) {
         line_start(l, out.file);
         put_text(l, m, in, mark);

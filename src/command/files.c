@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
@@ -20,7 +21,7 @@ static char *read_stream(FILE *file, size_t *length)
     char *contents = NULL, *more;
     int reason;
 
-    while (capacity <= LARGEST_FILE && (more = realloc(contents, capacity)) != NULL) {
+    while (capacity <= LARGEST_FILE && (more = memory_grow(contents, capacity, 1)) != NULL) {
         contents = more;
         n += fread(contents + n, 1, capacity - n, file);
         if (n == capacity) {
@@ -30,10 +31,11 @@ static char *read_stream(FILE *file, size_t *length)
         if (ferror(file))
             break;
         *length = n;
-        more = realloc(contents, n + 1);
+        more = memory_grow(contents, n + 1, 1);
         return more ? more : contents;
     }
     reason = capacity > LARGEST_FILE ? EFBIG : errno;
+    memory_note_reason(reason);
     free(contents);
     errno = reason;
     return NULL;
@@ -47,6 +49,8 @@ static char *read_opened(FILE *file, size_t *length)
 
     if (file)
         fclose(file);
+    else
+        memory_note_reason(reason);
     errno = reason;
     return contents;
 }
@@ -127,7 +131,7 @@ text files_stem(const char *path)
 
 char *files_within(const char *folder, text name, const char *ending)
 {
-    char *path = malloc(strlen(folder) + name.length + strlen(ending) + sizeof "/");
+    char *path = memory_get(strlen(folder) + name.length + strlen(ending) + sizeof "/", 1);
 
     if (path)
         sprintf(path, "%s%s%.*s%s", folder, *files_name(folder) ? "/" : "", (int)name.length,
@@ -138,7 +142,7 @@ char *files_within(const char *folder, text name, const char *ending)
 char *files_beside(const char *path, const char *name)
 {
     size_t folder = system_is_absolute(name) ? 0 : (size_t)(files_name(path) - path);
-    char *beside = malloc(folder + strlen(name) + 1);
+    char *beside = memory_get(folder + strlen(name) + 1, 1);
 
     if (beside) {
         memcpy(beside, path, folder);

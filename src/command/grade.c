@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
@@ -20,15 +21,15 @@ static int take_all(grade_answers *a)
 {
     size_t i;
 
-    a->files = malloc((a->handed.n + 1) * sizeof *a->files);
+    a->files = memory_get(a->handed.n + 1, sizeof *a->files);
     for (i = 0; i < a->handed.n && a->files; i++) {
         if (!students_is_text(a->handed.names[i]))
             continue;
         a->files[a->n_files] = files_within(a->folder, flk_text_of(a->handed.names[i]), "");
         if (!a->files[a->n_files++])
-            return command_complain("cannot read", a->folder, strerror(ENOMEM));
+            return command_lacks_memory("cannot read", a->folder);
     }
-    return a->files ? 0 : command_complain("cannot read", a->folder, strerror(ENOMEM));
+    return a->files ? 0 : command_lacks_memory("cannot read", a->folder);
 }
 
 /* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the
@@ -91,6 +92,7 @@ static char *read_answers(const char *folder, const char *path, size_t *length, 
     char *contents;
 
     if (system_kind_of(path) == SYSTEM_FILE && !system_is_within(folder, path)) {
+        memory_note_reason(errno);
         *reason = errno ? errno : ELSEWHERE;
         return NULL;
     }
@@ -128,7 +130,7 @@ int grade_read(grade_answers *a, const grade_answers *all, const options *o, con
     if (a->text)
         return 0;
     if (!a->path || reason == ENOMEM)
-        return command_complain("cannot read", a->path ? a->path : deck, strerror(ENOMEM));
+        return command_lacks_memory("cannot read", a->path ? a->path : deck);
     flk_message(why, 400, "cannot read %s: %s", a->path, reason_text(reason));
     return command_complain("cannot read", a->path, reason_text(reason));
 }
@@ -141,8 +143,8 @@ int grade_tell_unclaimed(const grade_answers *a, const options *o)
 
     if (!a->folder || a->n_files)
         return 0;
-    stems = malloc((o->n_decks + 1) * sizeof *stems);
-    names = malloc(o->n_decks * STEM);
+    stems = memory_get(o->n_decks + 1, sizeof *stems);
+    names = memory_get(o->n_decks * STEM, 1);
     for (i = 0; i < o->n_decks && stems && names; i++)
         stems[i] = flk_text_copy(files_stem(o->decks[i]), names + i * STEM, STEM);
     if (stems && names) {
@@ -152,7 +154,7 @@ int grade_tell_unclaimed(const grade_answers *a, const options *o)
     i = stems && names;
     free(names);
     free((void *)stems);
-    return i ? 0 : command_complain("cannot read", a->folder, strerror(ENOMEM));
+    return i ? 0 : command_lacks_memory("cannot read", a->folder);
 }
 
 void grade_close(grade_answers *a)

@@ -8,12 +8,14 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
 #include "input.h"
 #include "rules.h"
 #include "tables/content.h"
+#include "view/results.h"
 #include "view/view.h"
 
 #define MOST_DEFECTS 10
@@ -42,7 +44,8 @@ static char *read_named(input *in, const char *path, const char *name, size_t *l
         if (!contents && errno == 0)
             in->no_file = "it is not a regular file";
     }
-    in->out_of_memory |= !contents && errno == ENOMEM;
+    if (!contents)
+        memory_note_reason(errno);
     return contents;
 }
 
@@ -58,12 +61,11 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
             *length = (unsigned long)f->length;
             return f->contents;
         }
-    f = calloc(1, sizeof *f);
+    f = memory_get(1, sizeof *f);
     path = files_beside(in->name, file_name);
     if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
-        in->out_of_memory = 1;
         return NULL;
     }
     f->contents = read_named(in, path, file_name, &f->length);
@@ -258,13 +260,13 @@ static void keep_remarks(input *in, const fourlink_mistake *list, unsigned long 
 
 static int open_results(input *in)
 {
-    fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
+    fourlink_mistake *list = memory_get(MOST_MISTAKES, sizeof *list);
     unsigned long n = 0;
     int status = FOURLINK_NO_MEMORY;
 
     if (list)
-        status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
-    if (in->out_of_memory)
+        status = results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+    if (memory_has_failed()) /* a file that the deck names could not be loaded */
         status = FOURLINK_NO_MEMORY;
     if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
@@ -277,7 +279,7 @@ static int open_results(input *in)
             command_tell("note", in->name, 0, in->no_file, NULL);
         status = status == FOURLINK_BAD_DECK ? EXIT_USAGE : EXIT_ROWS;
     } else if (status != FOURLINK_OK) {
-        status = command_complain("cannot read", in->name, "not enough memory");
+        status = command_lacks_memory("cannot read", in->name);
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
@@ -296,7 +298,7 @@ static int open_results(input *in)
 /* A copy of a text; null with errno set if out of memory. */
 static char *copy_text(const input_text *of, size_t *length)
 {
-    char *copy = malloc(of->length + 1);
+    char *copy = memory_get(of->length + 1, 1);
 
     *length = of->length;
     return copy ? memcpy(copy, of->start, of->length) : NULL;
@@ -382,7 +384,7 @@ char *input_deck_text(const fourlink_results *results, unsigned long *length)
     char *contents;
 
     fourlink_deck_write(deck, NULL, 0, &size);
-    contents = malloc(size + 1);
+    contents = memory_get(size + 1, 1);
     if (contents)
         fourlink_deck_write(deck, contents, size + 1, length);
     return contents;
@@ -406,7 +408,7 @@ static int take_design(input *in)
 
     refuse(in);
     if (!contents)
-        return command_complain("cannot read", in->name, "not enough memory");
+        return command_lacks_memory("cannot read", in->name);
     free(in->text);
     in->source.text = in->text = contents;
     in->source.length = length;
@@ -458,7 +460,7 @@ static int open_input(input *in)
         tell_defects(in);
         if (o->report && !view_find_solution(fourlink_results_deck(in->results), &in->found)) {
             refuse(in);
-            return command_complain("cannot read", in->name, "not enough memory");
+            return command_lacks_memory("cannot read", in->name);
         }
     }
     if ((o->design && in->problem.n_designs >= o->design) || takes_found(in)) {

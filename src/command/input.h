@@ -18,7 +18,6 @@ typedef struct input {
     struct named_file *files;  /* the files that the deck names */
     int names_output;          /* 1: one of them would be written */
     const char *no_file;       /* why one of them is not read; null: the system says why */
-    int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
     int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
     fourlink_solution *found; /* by synthesis, for a report; or null */

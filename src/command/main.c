@@ -32,7 +32,7 @@ static int write_deck(FILE *out, const input *in)
     char *contents = input_deck_text(in->results, &length);
 
     if (!contents)
-        return command_complain("cannot write", in->name, "not enough memory");
+        return command_lacks_memory("cannot write", in->name);
     fwrite(contents, 1, length, out);
     free(contents);
     return 0;
@@ -177,9 +177,8 @@ static int run_variants(const options *o)
                                    : o->print_deck ? ".deck"
                                                    : ".expect");
 
-        status = command_worse(
-            status, path ? run_variant(o, path, i)
-                         : command_complain("cannot write", folder, "not enough memory"));
+        status = command_worse(status, path ? run_variant(o, path, i)
+                                            : command_lacks_memory("cannot write", folder));
         free(path);
     }
     variants_close(&v);
@@ -232,7 +231,7 @@ int main(int argc, char **argv)
     if (status == 1)
         why = rules_of_options(&o);
     if (status < 0) {
-        status = command_complain("cannot start", "", "not enough memory");
+        status = command_lacks_memory("cannot start", "");
     } else if (why) {
         command_say("fourlink: ", why, (char *)NULL);
         command_say("Try 'fourlink --help'.", (char *)NULL);
@@ -246,5 +245,5 @@ int main(int argc, char **argv)
             status = run(&o);
     }
     options_free(&o);
-    return status;
+    return command_end(status);
 }

@@ -13,10 +13,12 @@
 #include <gsl/gsl_math.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "command.h"
 #include "files.h"
 #include "copied.h"
 #include "marks.h"
+#include "view/results.h"
 
 #define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
 #define NO_ANSWER (-1)
@@ -57,7 +59,7 @@ static void add(marks *m, const input *in, unsigned long number)
     question *q;
 
     for (i = 0; i < in->problem.n_expected; i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         m->set_tolerances |=
             c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;
         q = find(m, &c);
@@ -136,10 +138,10 @@ int marks_begin(marks *m, const options *o, const input *deck)
     m->deck = deck;
     if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
         return 0;
-    m->list = malloc(MOST_QUESTIONS * sizeof *m->list);
-    m->questions = malloc(MOST_QUESTIONS * sizeof *m->questions);
+    m->list = memory_get(MOST_QUESTIONS, sizeof *m->list);
+    m->questions = memory_get(MOST_QUESTIONS, sizeof *m->questions);
     if (!m->list || !m->questions)
-        return command_complain("cannot start", "", "not enough memory");
+        return command_lacks_memory("cannot start", "");
     if (deck)
         add(m, deck, 0);
     m->n_of_deck = m->n;
@@ -190,7 +192,7 @@ static void find_answers(marks *m, const input *in)
     for (i = 0; i < m->n; i++)
         m->list[i].is_right = NO_ANSWER;
     for (i = 0; i < in->problem.n_expected; i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         q = find(m, &c);
         if (q)
             q->is_right = q->is_right != 0 && c.verdict == FOURLINK_AGREES;
@@ -222,7 +224,7 @@ static int is_told(const input *in, unsigned long i, const fourlink_check *c)
     unsigned long k;
 
     for (k = 0; k < i; k++) {
-        fourlink_results_check(in->results, k, &other);
+        results_check(in->results, k, &other);
         if (other.verdict == FOURLINK_DIFFERS && strcmp(other.name, c->name) == 0 &&
             strcmp(other.hint, c->hint) == 0)
             return 1;
@@ -242,14 +244,14 @@ static void note_wrong(const input *in, sheet_mark *mark)
     int n = 0;
 
     for (i = 0; i < in->problem.n_expected && !is_full(mark); i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         n_short += c.is_short;
         if (c.verdict != FOURLINK_DIFFERS || c.is_short || is_told(in, i, &c))
             continue;
         put(mark->note, size, n++ ? ", " : *mark->note ? "; wrong: " : "wrong: ");
         put(mark->note, size, c.name);
         for (k = i; k < in->problem.n_expected && c.has_angle && !is_full(mark); k++) {
-            fourlink_results_check(in->results, k, &other);
+            results_check(in->results, k, &other);
             if (other.verdict == FOURLINK_DIFFERS && strcmp(other.name, c.name) == 0 &&
                 strcmp(other.hint, c.hint) == 0)
                 put(mark->note, size,
@@ -295,7 +297,7 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
     unsigned long i;
 
     for (i = 0; i < in->problem.n_expected; i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
         sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
         q = m->list ? find(m, &c) : NULL;
@@ -360,7 +362,7 @@ static void give(marks *m, const input *in, sheet_mark *mark)
             put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i].value);
     }
     for (i = 0; i < in->problem.n_expected && !m->list; i++) {
-        fourlink_results_check(in->results, i, &c);
+        results_check(in->results, i, &c);
         mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT ? c.marks : 0;
         mark->of += c.marks;
     }

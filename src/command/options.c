@@ -10,6 +10,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "options.h"
 #include "tables/formats.h"
@@ -514,11 +515,11 @@ int options_read(int argc, char **argv, options *o, char message[400])
     memset(o, 0, sizeof *o);
     o->format = &table_format;
     o->drawing.kind = PLOT_COUNT;
-    o->changes = malloc(room * sizeof *o->changes);
-    o->decks = malloc(room * sizeof *o->decks);
+    o->changes = memory_get(room, sizeof *o->changes);
+    o->decks = memory_get(room, sizeof *o->decks);
     for (i = 1; i < argc; i++)
         length += strlen(argv[i]) + LONGEST_KEY;
-    o->storage = o->next = malloc(length);
+    o->storage = o->next = memory_get(length, 1);
     if (!o->changes || !o->decks || !o->storage)
         return -1;
     for (i = 1; i < argc; i++) {

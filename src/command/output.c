@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
@@ -93,6 +94,7 @@ int output_end(output *o, const char *path, int keep)
 {
     int reason = 0;
 
+    keep = keep && !memory_has_failed();
     if (keep && (fflush(o->file) != 0 || ferror(o->file)))
         reason = reason_of(o->file);
     if (o->path && o->file && fclose(o->file) != 0 && keep && !reason)

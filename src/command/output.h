@@ -22,7 +22,7 @@ void output_prepare(void);
 int output_begin(output *o, const char *path);
 
 /* Keep or discard what was written; prints a failure and returns the exit status.  An old file stays as it
-** was unless the new one is complete. */
+** was unless the new one is complete; after memory has failed none is. */
 int output_end(output *o, const char *path, int keep);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "system/memory.h"
 #include "command.h"
 #include "files.h"
 #include "roster.h"
@@ -64,9 +65,9 @@ int roster_read(roster *r, const char *path)
     rest.length = length;
     rest = flk_text_without_mark(rest);
     line_end = flk_text_line_end(rest);
-    r->list = malloc((flk_text_count(rest, line_end) + 1) * sizeof *r->list);
+    r->list = memory_get(flk_text_count(rest, line_end) + 1, sizeof *r->list);
     if (!r->list)
-        return command_complain("cannot read", path, strerror(ENOMEM));
+        return command_lacks_memory("cannot read", path);
     flk_text_split(&rest, line_end, &row);
     separator = flk_text_separator(row);
     for (i = 0; flk_text_field(&row, separator, &field); i++)

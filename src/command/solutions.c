@@ -5,10 +5,12 @@
 */
 #include <string.h>
 
+#include "system/memory.h"
 #include "command.h"
 #include "tables/content.h"
 #include "terminal.h"
 #include "solutions.h"
+#include "view/results.h"
 
 #define MOST_SOLUTIONS 100
 
@@ -19,7 +21,7 @@ static int open_solution(const input *in, unsigned long number, fourlink_results
     fourlink_source source = in->source;
 
     source.synthesis = number;
-    return fourlink_results_open(&source, mistake != NULL, results, mistake, NULL);
+    return results_open(&source, mistake != NULL, results, mistake, NULL);
 }
 
 /* Write solution k, from 0, of a task that keeps it, or is null; 0 if out of memory. */
@@ -27,14 +29,14 @@ static int write_solution(sheet *s, const input *in, const fourlink_results *tas
 {
     fourlink_results *results = NULL;
     fourlink_mistake mistake;
-    int status = task ? fourlink_results_design(task, k, 1, &results, &mistake, NULL)
+    int status = task ? results_design(task, k, 1, &results, &mistake, NULL)
                       : open_solution(in, k + 1, &results, &mistake);
 
     if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
         return 0;
     content_write_design(s, results, in->results, k, NULL, mistake.message);
     fourlink_results_free(results);
-    return !s->out_of_memory;
+    return !memory_has_failed();
 }
 
 int solutions_write(FILE *out, const input *in)
@@ -58,5 +60,5 @@ int solutions_write(FILE *out, const input *in)
     for (k = 0; k < n && enough; k++)
         enough = write_solution(&s, in, task, k);
     fourlink_results_free(task);
-    return enough ? 0 : command_complain("cannot analyse", in->name, "not enough memory");
+    return enough ? 0 : command_lacks_memory("cannot analyse", in->name);
 }

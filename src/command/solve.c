@@ -14,10 +14,12 @@
 
 #include "base/message.h"
 #include "base/solve.h"
+#include "system/memory.h"
 #include "command.h"
 #include "solve.h"
 #include "tables/sheet.h"
 #include "view/view.h"
+#include "view/results.h"
 
 #define STEPS 240
 #define HALVINGS 50
@@ -40,7 +42,6 @@ typedef struct question {
     line *l;
     unsigned long n;
     double first;
-    int out_of_memory;
     int is_flat; /* 1: the result is the value wanted in a part of the range */
 } question;
 
@@ -131,7 +132,7 @@ static int set_key(const question *q, double x)
 {
     fourlink_results *r = q->in->results;
 
-    return fourlink_results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x), NULL);
+    return results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x));
 }
 
 /* NAME - VALUE with KEY set to x; NaN where it cannot be computed, or is unbounded. */
@@ -140,11 +141,10 @@ static double excess(double x, void *data)
     question *q = data;
     fourlink_value v;
     double f;
-    int status = q->out_of_memory ? FOURLINK_NO_MEMORY : set_key(q, x);
+    int status = memory_has_failed() ? FOURLINK_NO_MEMORY : set_key(q, x);
 
     if (status == FOURLINK_OK)
         status = fourlink_results_value(q->in->results, q->name, q->branch, q->angle, &v);
-    q->out_of_memory |= status == FOURLINK_NO_MEMORY;
     if (status != FOURLINK_OK || v.words || !gsl_finite(v.value))
         return GSL_NAN;
     q->least = GSL_MIN_DBL(q->least, v.value);
@@ -312,12 +312,12 @@ int solve_write(FILE *out, input *in)
         walk(&q);
     }
     line_end(&l);
-    if (q.out_of_memory)
-        return command_complain("cannot analyse", in->name, "not enough memory");
+    if (q.n && in->o->print_deck)
+        set_key(&q, q.first);
+    if (memory_has_failed())
+        return command_lacks_memory("cannot analyse", in->name);
     if (q.is_flat)
         command_tell("note", "--solve", 0,
                      "the result has this value in a part of the range, or in all of it", NULL);
-    if (q.n && in->o->print_deck)
-        set_key(&q, q.first);
     return q.n ? 0 : tell_none(&q);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
@@ -104,11 +105,11 @@ static int take_name(void *host, const char *name)
 
     if (name[0] == '.')
         return 1;
-    more = realloc(f->names, (f->n + 1) * sizeof *more);
+    more = memory_grow(f->names, f->n + 1, sizeof *more);
     if (!more)
         return 0;
     f->names = more;
-    more[f->n] = malloc(strlen(name) + 1);
+    more[f->n] = memory_get(strlen(name) + 1, 1);
     if (!more[f->n])
         return 0;
     strcpy(more[f->n++], name);
@@ -127,7 +128,7 @@ int students_list(student_files *f, const char *folder)
         return 0;
     if (f->n)
         qsort(f->names, f->n, sizeof *f->names, compare_names);
-    f->claimed = calloc(f->n + 1, sizeof *f->claimed);
+    f->claimed = memory_get(f->n + 1, sizeof *f->claimed);
     return f->claimed != NULL;
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
@@ -81,7 +82,7 @@ int variants_open(variants *v, const input *deck)
         return 0;
     }
     v->text = files_read(file, &length);
-    v->names = v->text ? malloc((length + 1) * sizeof *v->names) : NULL;
+    v->names = v->text ? memory_get(length + 1, sizeof *v->names) : NULL;
     if (!v->names)
         return command_complain("cannot read", file, strerror(errno));
     v->text[length] = '\0';

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
+#include "system/memory.h"
 #include "display.h"
 
 /* --------------------------------------------------------------------------------------------- looks */
@@ -80,8 +81,8 @@ void display_clear(display *d)
     display_keep(d, "");
 }
 
-/* A list with room for so many entries more; null if out of memory, then it is as it was. */
-static void *grow(display *d, void *list, size_t *capacity, size_t n, size_t more, size_t size)
+/* A list with room for so many entries more; null if memory fails, then it is as it was. */
+static void *grow(void *list, size_t *capacity, size_t n, size_t more, size_t size)
 {
     size_t most = *capacity;
     void *new = list;
@@ -90,12 +91,9 @@ static void *grow(display *d, void *list, size_t *capacity, size_t n, size_t mor
         return list;
     while (most < n + more)
         most = 2 * most + 64;
-    new = realloc(list, most * size);
-    if (!new) {
-        d->out_of_memory = 1;
-        return NULL;
-    }
-    *capacity = most;
+    new = memory_grow(list, most, size);
+    if (new)
+        *capacity = most;
     return new;
 }
 
@@ -106,7 +104,7 @@ size_t display_keep(display *d, const char *words)
 
     if (!*words && at)
         return 0;
-    list = grow(d, d->words, &d->words_capacity, at, length, 1);
+    list = grow(d->words, &d->words_capacity, at, length, 1);
     if (!list)
         return 0;
     d->words = list;
@@ -122,7 +120,7 @@ const char *display_words(const display *d, size_t offset)
 
 display_item *display_add(display *d, display_sort sort, int stroke, int layer)
 {
-    display_item *list = grow(d, d->items, &d->items_capacity, d->n_items, 1, sizeof *d->items);
+    display_item *list = grow(d->items, &d->items_capacity, d->n_items, 1, sizeof *d->items);
     display_item *x = &d->none;
 
     if (list) {
@@ -140,8 +138,7 @@ display_item *display_add(display *d, display_sort sort, int stroke, int layer)
 /* Add a place to an item whose places are the last ones. */
 static void add_place(display *d, display_item *x, fourlink_vector at)
 {
-    fourlink_vector *list =
-        grow(d, d->places, &d->places_capacity, d->n_places, 1, sizeof *d->places);
+    fourlink_vector *list = grow(d->places, &d->places_capacity, d->n_places, 1, sizeof *d->places);
 
     if (!list)
         return;
@@ -152,7 +149,7 @@ static void add_place(display *d, display_item *x, fourlink_vector at)
 
 void display_add_place(display *d, fourlink_vector at)
 {
-    add_place(d, d->out_of_memory || !d->n_items ? &d->none : &d->items[d->n_items - 1], at);
+    add_place(d, memory_has_failed() || !d->n_items ? &d->none : &d->items[d->n_items - 1], at);
 }
 
 display_item *display_line(display *d, int stroke, int layer, fourlink_vector from,
@@ -231,8 +228,7 @@ size_t display_next_bend(const fourlink_vector *at, size_t i, size_t n)
 
 void display_begin_panel(display *d)
 {
-    display_panel *list =
-        grow(d, d->panels, &d->panels_capacity, d->n_panels, 1, sizeof *d->panels);
+    display_panel *list = grow(d->panels, &d->panels_capacity, d->n_panels, 1, sizeof *d->panels);
 
     if (!list)
         return;
@@ -355,7 +351,7 @@ void display_end_panel(display *d, place_box box, place_box axes)
     display_panel *p;
     size_t i;
 
-    if (d->out_of_memory || !d->n_panels)
+    if (memory_has_failed() || !d->n_panels)
         return;
     p = &d->panels[d->n_panels - 1];
     p->left = box.x_min;

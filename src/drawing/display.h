@@ -89,7 +89,6 @@ typedef struct display {
     char *words;
     size_t n_words, words_capacity;
     display_item none; /* takes the place of an item for which there is no memory */
-    int out_of_memory; /* 1: something is missing */
 } display;
 
 /* An empty picture; free its memory. */

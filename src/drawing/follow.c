@@ -12,6 +12,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "system/memory.h"
 #include "follow.h"
 
 #define NEAR 0.03     /* pixels: so far from where it would be, a place follows another */
@@ -218,10 +219,9 @@ void follow_open(follow *f, const motion *m)
     memset(f, 0, sizeof *f);
     lines.n = 0;
     f->m = m;
-    f->list = malloc((m->n_tracks + 1) * sizeof *f->list);
-    f->number = malloc((m->n_tracks + 1) * sizeof *f->number);
-    f->out_of_memory = !f->list || !f->number;
-    for (round = 0; round < 3 && !f->out_of_memory; round++)
+    f->list = memory_get(m->n_tracks + 1, sizeof *f->list);
+    f->number = memory_get(m->n_tracks + 1, sizeof *f->number);
+    for (round = 0; round < 3 && f->list && f->number; round++)
         for (i = 0; i < m->n_items; i++) {
             const motion_item *x = &m->items[i];
 

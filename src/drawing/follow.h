@@ -28,7 +28,6 @@ typedef struct follow {
     follow_place *list; /* room for as many as the motion has tracks */
     size_t n;
     size_t *number; /* of the place, by the motion's track */
-    int out_of_memory;
 } follow;
 
 /* Find the places of a motion.  Close it whatever came of it. */

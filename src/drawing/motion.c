@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "system/memory.h"
 #include "motion.h"
 
 void motion_open(motion *m, size_t n_steps)
@@ -28,7 +29,7 @@ void motion_close(motion *m)
 }
 
 /* A list with room for n entries, which may be none; null if out of memory, then it is as it was. */
-static void *grow(motion *m, void *list, size_t *capacity, size_t n, size_t size)
+static void *grow(void *list, size_t *capacity, size_t n, size_t size)
 {
     size_t most = *capacity;
     void *new;
@@ -38,8 +39,7 @@ static void *grow(motion *m, void *list, size_t *capacity, size_t n, size_t size
     do
         most = 2 * most + 64;
     while (most < n);
-    new = realloc(list, most * size);
-    m->out_of_memory |= !new;
+    new = memory_grow(list, most, size);
     if (new)
         *capacity = most;
     return new;
@@ -123,7 +123,7 @@ static size_t tracks_of(const display_item *x)
 static int reserve_tracks(motion *m, size_t n)
 {
     size_t from = m->n_tracks * m->n_steps, to = from + n * m->n_steps;
-    fourlink_vector *list = grow(m, m->tracks, &m->tracks_capacity, to, sizeof *m->tracks);
+    fourlink_vector *list = grow(m->tracks, &m->tracks_capacity, to, sizeof *m->tracks);
 
     if (!list)
         return 0;
@@ -137,7 +137,7 @@ static int reserve_tracks(motion *m, size_t n)
 static int keep_curve(motion *m, const display *d, const display_item *x)
 {
     fourlink_vector *list =
-        grow(m, m->curves, &m->curves_capacity, m->n_curves + x->n, sizeof *m->curves);
+        grow(m->curves, &m->curves_capacity, m->n_curves + x->n, sizeof *m->curves);
 
     if (!list)
         return 0;
@@ -150,9 +150,9 @@ static int keep_curve(motion *m, const display *d, const display_item *x)
 /* Insert an item like that of a step at a place of the order; 0 without memory. */
 static int insert(motion *m, size_t at, const display *d, const display_item *x)
 {
-    motion_item *items = grow(m, m->items, &m->items_capacity, m->n_items + 1, sizeof *m->items);
+    motion_item *items = grow(m->items, &m->items_capacity, m->n_items + 1, sizeof *m->items);
     size_t *words =
-        grow(m, m->words, &m->words_capacity, (m->n_items + 1) * m->n_steps, sizeof *m->words);
+        grow(m->words, &m->words_capacity, (m->n_items + 1) * m->n_steps, sizeof *m->words);
     int is_curve = x->sort == DISPLAY_CURVE;
     motion_item new;
     size_t i;
@@ -165,7 +165,7 @@ static int insert(motion *m, size_t at, const display *d, const display_item *x)
     new.first = is_curve ? m->n_curves : m->n_tracks;
     new.n = is_curve ? x->n : tracks_of(x);
     new.varies = 0;
-    if (!items || !words || m->kept.out_of_memory ||
+    if (!items || !words || memory_has_failed() ||
         !(is_curve ? keep_curve(m, d, x) : reserve_tracks(m, new.n)))
         return 0;
     memmove(items + at + 1, items + at, (m->n_items - at) * sizeof *items);
@@ -201,18 +201,15 @@ void motion_add(motion *m, size_t step, const display *d)
 {
     size_t from = 0, i, at;
 
-    m->out_of_memory |= d->out_of_memory;
-    for (i = 0; i < d->n_items && !m->out_of_memory; i++) {
+    for (i = 0; i < d->n_items && !memory_has_failed(); i++) {
         const display_item *x = &d->items[i];
         motion_item *to;
 
         at = find(m, from, step, d, x);
         if (at == m->n_items) {
             at = from;
-            if (!insert(m, at, d, x)) {
-                m->out_of_memory = 1;
+            if (!insert(m, at, d, x))
                 return;
-            }
         }
         to = &m->items[at];
         if (x->sort != DISPLAY_CURVE) {
@@ -226,7 +223,6 @@ void motion_add(motion *m, size_t step, const display *d)
         }
         from = at + 1;
     }
-    m->out_of_memory |= m->kept.out_of_memory;
 }
 
 const char *motion_words(const motion *m, size_t item, size_t step)

@@ -28,7 +28,6 @@ typedef struct motion {
     size_t *words; /* by row and step: an offset of words; MOTION_NONE: the item is not there */
     size_t words_capacity;
     display kept; /* the words */
-    int out_of_memory;
 } motion;
 
 /* What may differ in the words of a note or a scale: what is behind its equals sign, or all. */

@@ -12,6 +12,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
+#include "system/memory.h"
 #include "view/notation.h"
 #include "terminal.h"
 
@@ -213,8 +214,8 @@ int terminal_write(FILE *out, const display *d, double letter, double line, int 
     s.columns = (int)ceil(d->width / letter - 1e-9);
     s.rows = (int)ceil(d->height / line - 1e-9);
     cells = (size_t)s.columns * (size_t)s.rows;
-    s.dots = calloc(cells, 1);
-    s.letters = calloc(cells, CELL);
+    s.dots = memory_get(cells, 1);
+    s.letters = memory_get(cells, CELL);
     has_memory = s.dots && s.letters;
     for (layer = 0; has_memory && layer < DISPLAY_LAYERS; layer++)
         for (i = 0; i < d->n_items; i++)

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
 
+#include "system/memory.h"
 #include "arrow.h"
 #include "mechanism.h"
 #include "moving.h"
@@ -33,11 +34,11 @@ static void draw_some(picture *p, int n, int wanted, void draw(picture *p, const
 void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const void *what, int k),
                 const void *what)
 {
-    labels_motion *m = calloc(1, sizeof *m);
+    labels_motion *m = memory_get(1, sizeof *m);
     int k;
 
     if (m)
-        m->kept = malloc(LABELS_KEPT * sizeof *m->kept);
+        m->kept = memory_get(LABELS_KEPT, sizeof *m->kept);
     if (m && m->kept) {
         p->on.motion = m;
         m->drawn = *range;
@@ -54,8 +55,6 @@ void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const
             draw(p, what, k);
         p->on.motion = NULL;
         free(m->kept);
-    } else {
-        p->out_of_memory = 1;
     }
     free(m);
 }
@@ -116,7 +115,7 @@ static int solve_steps(moving *x)
     const view *v = &x->p.v;
     unsigned long i;
 
-    x->solved = malloc(x->steps.n * sizeof *x->solved);
+    x->solved = memory_get(x->steps.n, sizeof *x->solved);
     for (i = 0; x->solved && i < x->steps.n; i++) {
         moving_step *to = &x->solved[i];
 
@@ -178,14 +177,12 @@ static void draw_step(picture *p, const void *what, int step)
 ** are. */
 static double usual_size(moving *x, int which)
 {
-    double *sizes = malloc(x->steps.n * sizeof *sizes), usual = 0;
+    double *sizes = memory_get(x->steps.n, sizeof *sizes), usual = 0;
     size_t n = 0;
     unsigned long i;
 
-    if (!sizes) {
-        x->out_of_memory = 1;
+    if (!sizes)
         return 1;
-    }
     for (i = 0; i < x->steps.n; i++) {
         sizes[n] = vectors_size(row_of(x, i), &scene_polygons(&x->p.v)[which]);
         n += sizes[n] > 0;
@@ -246,8 +243,7 @@ int moving_open(moving *x, const fourlink_source *source, fourlink_results *resu
     x->branch = branch;
     x->sheet.range = place_nothing;
     x->steps = *steps;
-    x->out_of_memory = !picture_open(&x->p, source, &x->request) || !solve_steps(x);
-    if (x->out_of_memory)
+    if (!picture_open(&x->p, source, &x->request) || !solve_steps(x))
         return 0;
     scene_find(&x->row.drawn, &x->p.v);
     size_find_insets(&x->p);
@@ -285,7 +281,6 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     x->p.on.turn = geometry_turn(&x->p.v);
     moving_run(&x->p, what.subject == MECHANISM ? &x->sheet.range : &found, (int)x->steps.n,
                draw_step, &what);
-    x->out_of_memory |= x->p.out_of_memory | step.out_of_memory | panel->list.out_of_memory;
     display_close(&step);
-    return !x->out_of_memory && panel->list.n_items > 0;
+    return !memory_has_failed() && panel->list.n_items > 0;
 }

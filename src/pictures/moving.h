@@ -51,7 +51,6 @@ typedef struct moving {
     picture_row row;     /* the one that is drawn */
     double largest;      /* force, N */
     moving_sheet sheet;
-    int out_of_memory;
 } moving;
 
 /* Begin the drawings of a branch; 0 without memory.  Close them whatever came of it. */

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/quantity.h"
+#include "system/memory.h"
 #include "picture.h"
 
 #define LONGEST_NAME 24 /* letters, next to a value */
@@ -116,13 +117,6 @@ int picture_sample(const picture *p, fourlink_branch branch, double k, int steps
                                loads);
 }
 
-/* Returns 0, for the caller to return. */
-static int run_out_of_memory(picture *p)
-{
-    p->out_of_memory = 1;
-    return 0;
-}
-
 static void forget_samples(plot_deck *d)
 {
     free(d->samples[0]);
@@ -147,11 +141,9 @@ const plot_sample *picture_samples(picture *p, fourlink_branch branch)
     if (list && d->from[i] == p->from && d->end[i] == p->v.end)
         return list;
     if (!list)
-        list = d->samples[i] = malloc((PICTURE_STEPS + 1) * sizeof *list);
-    if (!list) {
-        run_out_of_memory(p);
+        list = d->samples[i] = memory_get(PICTURE_STEPS + 1, sizeof *list);
+    if (!list)
         return NULL;
-    }
     d->from[i] = p->from;
     d->end[i] = p->v.end;
     for (k = 0; k <= PICTURE_STEPS; k++)
@@ -226,8 +218,8 @@ static int take_results(picture *p, fourlink_results *results)
     p->from = p->v.problem.motion.from;
     p->size_branch = 0;
     free(p->loads);
-    p->loads = malloc((p->v.problem.n_loads + 1) * sizeof *p->loads);
-    return p->loads || run_out_of_memory(p);
+    p->loads = memory_get(p->v.problem.n_loads + 1, sizeof *p->loads);
+    return p->loads != NULL;
 }
 
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request)
@@ -299,9 +291,7 @@ static int reopen(picture *p, const char *columns, const char *further, fourlink
         assignments[n++] = further;
     status = view_reopen(p->source, p->request->x ? "--plot-x" : "--plot-kind", assignments, n,
                          &p->own.results, mistake);
-    if (status != FOURLINK_OK)
-        return status != FOURLINK_BAD_DECK && run_out_of_memory(p);
-    return take_results(p, p->own.results);
+    return status == FOURLINK_OK && take_results(p, p->own.results);
 }
 
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
@@ -336,13 +326,10 @@ int picture_open_balance(picture *p, const char *apply, picture *other)
 {
     fourlink_mistake mistake;
     char names[PICTURE_NAMES];
-    int opened;
 
     *other = *p;
     memset(&other->own, 0, sizeof other->own);
     other->loads = NULL;
     picture_choose(p, names);
-    opened = reopen(other, names, apply, &mistake);
-    p->out_of_memory |= other->out_of_memory;
-    return opened;
+    return reopen(other, names, apply, &mistake);
 }

@@ -138,7 +138,6 @@ typedef struct picture {
     double shown;    /* its crank angle, in the deck's unit */
     double size;     /* of the drawing of a branch, m; */
     int size_branch; /* 0: not yet known */
-    int out_of_memory;
 } picture;
 
 /* One crank angle, with its loads and all that is drawn there. */

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/quantity.h"
+#include "system/memory.h"
 #include "drawing/svg.h"
 #include "drawing/terminal.h"
 #include "plot.h"
@@ -340,7 +341,7 @@ static int repeats(const picture *p)
 int plot_make(plot *x, const fourlink_source *source, const plot_request *request,
               fourlink_mistake *mistake)
 {
-    int made, i;
+    int made;
     picture p;
 
     memset(x, 0, sizeof *x);
@@ -354,9 +355,7 @@ int plot_make(plot *x, const fourlink_source *source, const plot_request *reques
         write_caption(&p, source->name, &x->caption);
     x->repeats = made && repeats(&p);
     picture_close(&p);
-    for (i = 0; i < x->n_frames; i++)
-        p.out_of_memory |= x->frames[i].out_of_memory;
-    return p.out_of_memory ? -1 : made;
+    return memory_has_failed() ? -1 : made;
 }
 
 void plot_free(plot *x)

@@ -281,7 +281,6 @@ static int put_balance(picture *p)
     is_open = picture_open_balance(p, "balance.apply=yes", &after) && is_open;
     for (i = 0; i < p->v.n_branches && is_open; i++)
         drawn += put_shaking(p, &before, &after, p->v.branches[i]);
-    p->out_of_memory |= before.out_of_memory | after.out_of_memory;
     picture_close(&before);
     picture_close(&after);
     return drawn;

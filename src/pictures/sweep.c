@@ -9,8 +9,10 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "system/memory.h"
 #include "graph.h"
 #include "sketch.h"
+#include "view/results.h"
 
 #define MOST_DESIGNS 1000000UL
 #define NO_VALUES "no design of the [sweep] has a number to draw"
@@ -42,8 +44,8 @@ static int open_designs(picture *p, designs *d)
     d->n = p->v.problem.n_designs;
     fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &d->outputs, &d->n_outputs);
     fourlink_results_list(p->v.results, FOURLINK_VARIABLES, &d->variables, &d->n_variables);
-    d->inputs = malloc((n + 3) * d->n_variables * sizeof *d->inputs);
-    d->values = malloc((lines * d->n_outputs + 1) * sizeof *d->values);
+    d->inputs = memory_get((n + 3) * d->n_variables, sizeof *d->inputs);
+    d->values = memory_get(lines * d->n_outputs + 1, sizeof *d->values);
     for (i = 0; d->values && i < lines * d->n_outputs; i++)
         d->values[i] = GSL_NAN;
     return d->inputs && d->values;
@@ -82,7 +84,7 @@ static int compute(picture *p, designs *d, unsigned long i)
 
     p->n_lines += (unsigned long)p->v.n_branches;
     fourlink_results_variables(p->v.results, i, d->n_variables, inputs_of(d, i), NULL, NULL);
-    status = fourlink_results_design(p->v.results, i, 0, &r, NULL, NULL);
+    status = results_design(p->v.results, i, 0, &r, NULL, NULL);
     if (status == FOURLINK_OK) {
         fourlink_deck_problem(fourlink_results_deck(r), &problem);
         for (b = 0; b < p->v.n_branches; b++)
@@ -91,7 +93,7 @@ static int compute(picture *p, designs *d, unsigned long i)
         p->n_missing += (unsigned long)p->v.n_branches;
     }
     fourlink_results_free(r);
-    return status != FOURLINK_NO_MEMORY;
+    return !memory_has_failed();
 }
 
 /* The first design at which a variable has another value than at the first. */
@@ -267,7 +269,6 @@ const char *picture_outputs(picture *p)
         for (k = 0; k < d.n_outputs; k++)
             drawn += put_output(p, &d, k, has_lines);
     }
-    p->out_of_memory = !enough;
     close_designs(&d);
     return drawn ? NULL : NO_VALUES;
 }

@@ -58,8 +58,7 @@ void wanted_draw(sketch *s, picture *p)
     fourlink_solution *x;
     int i;
 
-    p->out_of_memory |= !view_find_solution(p->v.deck, &x);
-    if (!x)
+    if (!view_find_solution(p->v.deck, &x) || !x)
         return;
     for (i = 0; i < x->n_positions; i++) {
         fourlink_vector at = x->has_point ? put_coupler(s, x, &x->position[i])

@@ -24,7 +24,6 @@ static void put_figure(report *r, plot_kind kind, const char *at, const char *al
     request.opened = r->v.results;
     request.kept = &r->drawn;
     made = plot_make(&drawn, r->source, &request, &mistake);
-    r->out_of_memory |= made < 0;
     if (made > 0) {
         flk_text_join(drawn.caption.title, sizeof drawn.caption.title, alt, (char *)NULL);
         page_print(&r->page, "<figure class=\"%s\" id=\"figure-%d\">\n", plot_names[kind],

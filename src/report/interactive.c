@@ -12,6 +12,7 @@
 #include <gsl/gsl_math.h>
 
 #include "drawing/svg.h"
+#include "system/memory.h"
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
@@ -128,8 +129,8 @@ static void put_reasons(line *l, const rows *t)
 /* Write the drawings of a branch, the k-th; 0 without memory. */
 static int put_panels(line *l, const rows *t, const interactive_form *form, int branch)
 {
-    moving *x = calloc(1, sizeof *x);
-    moving_panel *panel = malloc(sizeof *panel);
+    moving *x = memory_get(1, sizeof *x);
+    moving_panel *panel = memory_get(1, sizeof *panel);
     moving_steps steps;
     int done, n = 0, count, k;
 
@@ -146,7 +147,7 @@ static int put_panels(line *l, const rows *t, const interactive_form *form, int 
             done = moving_json_put(l, panel);
         }
         motion_close(&panel->list);
-        done = done && !x->out_of_memory;
+        done = done && !memory_has_failed();
     }
     line_put(l, "],\n");
     if (done && form->sheets)
@@ -188,7 +189,7 @@ static void put_steps(line *l, const rows *t, double start)
 int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n,
                       const interactive_form *form)
 {
-    style *styles = malloc((t->v.n_columns + 1) * sizeof *styles);
+    style *styles = memory_get(t->v.n_columns + 1, sizeof *styles);
     int i, done = styles != NULL;
     line l;
 
@@ -241,19 +242,17 @@ static void put_drawing(report *r, rows *t, double start)
     page_print(p, "<div id=\"fourlink-more\" hidden=\"hidden\"></div>\n"
                   "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
                   "<script type=\"application/json\" id=\"fourlink-rows\">");
-    r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, &form);
+    interactive_write(p->out, t, r->v.branches, r->v.n_branches, &form);
     page_print(p, "</script>\n");
 }
 
 void report_put_interactive(report *r)
 {
     double start = r->now.status == FOURLINK_OK ? r->now.row.angle : GSL_NAN;
-    rows *t = malloc(sizeof *t);
+    rows *t = memory_get(1, sizeof *t);
 
-    if (!t) {
-        r->out_of_memory = 1;
+    if (!t)
         return;
-    }
     if (rows_open(t, r->source, r->v.results, start)) {
         if (r->now.status == FOURLINK_OK)
             start = rows_step_of(t, &r->now);
@@ -261,7 +260,6 @@ void report_put_interactive(report *r)
     } else {
         report_put_results(r);
     }
-    r->out_of_memory |= t->out_of_memory;
     rows_close(t);
     free(t);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/utf16.h"
+#include "system/memory.h"
 #include "system/xml.h"
 #include "report.h"
 
@@ -56,7 +57,7 @@ static void put_text(report *r)
 
     rest.start = r->source->text;
     rest.length = (size_t)r->source->length;
-    utf8 = flk_utf16_is(rest) ? malloc(UTF16_SIZE(rest.length)) : NULL;
+    utf8 = flk_utf16_is(rest) ? memory_get(UTF16_SIZE(rest.length), 1) : NULL;
     if (utf8)
         rest = flk_text_without_mark(flk_utf16_convert(rest, utf8));
     if (rest.length && rest.start[rest.length - 1] == '\n')

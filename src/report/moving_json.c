@@ -22,6 +22,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/text.h"
+#include "system/memory.h"
 #include "drawing/follow.h"
 #include "drawing/svg.h"
 #include "interactive.h"
@@ -392,12 +393,11 @@ int moving_json_put(line *l, const moving_panel *p)
 {
     static const char *const sizes[] = {"whole", "half", "third"};
     const place_box *box = &p->box, *axes = &p->axes;
-    int done;
     follow f;
     size_t i;
 
     follow_open(&f, &p->list);
-    if (!f.out_of_memory) {
+    if (!memory_has_failed()) {
         interactive_put(l, "{\"title\":%q,\"size\":%q,", p->title, sizes[p->size]);
         put_box(l, "sheet", 0, 0, p->width, p->height);
         put_box(l, "box", box->x_min, box->y_min, box->x_max - box->x_min, box->y_max - box->y_min);
@@ -413,7 +413,6 @@ int moving_json_put(line *l, const moving_panel *p)
         put_notes(l, &p->list);
         line_put(l, "}");
     }
-    done = !f.out_of_memory;
     follow_close(&f);
-    return done;
+    return !memory_has_failed();
 }

@@ -7,11 +7,13 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "system/memory.h"
 #include "report.h"
 #include "system/xml.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
 #include "view/notation.h"
+#include "view/results.h"
 
 #define BLANK_LINES 12 /* for the discussion */
 
@@ -111,7 +113,7 @@ static void put_page(report *r)
     put_head(r, title);
     if (r->v.results)
         put_contents(r);
-    for (i = 0; i < SECTIONS; i++) {
+    for (i = 0; i < SECTIONS && !memory_has_failed(); i++) {
         if (!has_section(r, sections[i].when))
             continue;
         page_section(&r->page, sections[i].id, sections[i].heading);
@@ -178,8 +180,8 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     view_take(&r->v, r->request->opened);
     r->has_rows = view_count_missing(&r->v, &n, &why) < n;
     fourlink_results_notes(r->v.results, REPORT_MISTAKES, r->notes, &r->n_notes);
-    r->loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->loads);
-    r->row_loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->row_loads);
+    r->loads = memory_get(r->v.problem.n_loads + 1, sizeof *r->loads);
+    r->row_loads = memory_get(r->v.problem.n_loads + 1, sizeof *r->row_loads);
     return r->loads && r->row_loads ? find_sample(r, mistake) : -1;
 }
 
@@ -187,10 +189,10 @@ static int open_deck(report *r, fourlink_mistake *mistake)
 static int find_mistakes(report *r)
 {
     fourlink_results *results = NULL;
-    int status = fourlink_results_open(r->source, REPORT_MISTAKES, &results, r->notes, &r->n_notes);
 
+    results_open(r->source, REPORT_MISTAKES, &results, r->notes, &r->n_notes);
     fourlink_results_free(results);
-    return status == FOURLINK_NO_MEMORY ? -1 : 1;
+    return 1;
 }
 
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
@@ -203,18 +205,16 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
     r.page.out = out;
     r.source = source;
     r.request = request;
-    r.notes = malloc(REPORT_MISTAKES * sizeof *r.notes);
+    r.notes = memory_get(REPORT_MISTAKES, sizeof *r.notes);
     if (r.notes)
         opened = request->opened ? open_deck(&r, mistake) : find_mistakes(&r);
     if (opened > 0)
         put_page(&r);
-    if (r.out_of_memory)
-        opened = -1;
     outcome->has_failed = r.failed > 0;
     outcome->differs = r.differing > 0;
     plot_deck_close(&r.drawn);
     free(r.loads);
     free(r.row_loads);
     free(r.notes);
-    return opened;
+    return memory_has_failed() ? -1 : opened;
 }

@@ -29,11 +29,10 @@ typedef struct report {
     const report_request *request;
     fourlink_mistake *notes; /* on the deck, or its mistakes */
     unsigned long n_notes;
-    plot_deck drawn;          /* for the figures */
-    view v;                   /* its results are null if the deck has mistakes */
-    fourlink_load *row_loads; /* room for the loads of a row */
-    int has_rows;             /* 1: there is a row to draw */
-    int out_of_memory;
+    plot_deck drawn;                 /* for the figures */
+    view v;                          /* its results are null if the deck has mistakes */
+    fourlink_load *row_loads;        /* room for the loads of a row */
+    int has_rows;                    /* 1: there is a row to draw */
     unsigned long failed, differing; /* rows that could not be computed, expected values */
 
     /* the sample calculation */

@@ -10,6 +10,7 @@
 
 #include "system/format.h"
 #include "base/text.h"
+#include "system/memory.h"
 #include "rows.h"
 
 #define MOST_ROWS 361
@@ -123,7 +124,6 @@ static int open_deck(rows *t, const fourlink_source *source, const char *further
     fourlink_results_free(t->own);
     t->own = NULL;
     status = view_reopen(source, "--report", &further, further != NULL, &t->own, &mistake);
-    t->out_of_memory |= status == FOURLINK_NO_MEMORY;
     if (status == FOURLINK_OK)
         view_take(&t->v, t->own);
     return status == FOURLINK_OK;
@@ -150,15 +150,14 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
         return 0;
     if (!draws_all(t) || (t->v.problem.by_time && !reopen(t, source)))
         return 0;
-    t->steps = malloc((MOST_ROWS * 2 + 2) * sizeof *t->steps);
+    t->steps = memory_get(MOST_ROWS * 2 + 2, sizeof *t->steps);
     if (t->steps && t->v.problem.by_time)
         choose_times(t);
     else if (t->steps)
         choose_angles(t, at);
-    t->status = malloc((t->n + 1) * sizeof *t->status);
-    t->table = malloc((t->n * t->v.n_columns + 1) * sizeof *t->table);
-    t->out_of_memory |= !t->steps || !t->status || !t->table;
-    return !t->out_of_memory;
+    t->status = memory_get(t->n + 1, sizeof *t->status);
+    t->table = memory_get(t->n * t->v.n_columns + 1, sizeof *t->table);
+    return t->steps && t->status && t->table;
 }
 
 void rows_close(rows *t)

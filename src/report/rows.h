@@ -11,7 +11,6 @@
 enum { ROWS_LOADS = 42, ROWS_POINTS = 24 };
 
 typedef struct rows {
-    int out_of_memory;
     const fourlink_source *source;
     fourlink_results *own; /* opened here; null: none */
     view v;                /* of the deck; one instant has become a cycle */

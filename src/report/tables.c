@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "system/xml.h"
 #include "report.h"
@@ -181,7 +182,6 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
         r->differing += h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
                         h.s.checks[FOURLINK_NO_VALUE];
     }
-    r->out_of_memory |= h.s.out_of_memory;
 }
 
 /* The name of the deck's file without folder and ending. */
@@ -202,7 +202,7 @@ static void put_csv(report *r)
     size_t n;
 
     if (!csv) {
-        r->out_of_memory |= errno == ENOMEM;
+        memory_note_reason(errno);
         return;
     }
     write_sheet(r, SHEET_ROWS, &csv_format, csv);

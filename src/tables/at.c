@@ -7,6 +7,7 @@
 
 #include "at.h"
 #include "base/message.h"
+#include "system/memory.h"
 
 /* The column of this name; null and a message if there is none. */
 static const fourlink_value *find_column(fourlink_results *results, text name, char message[400])
@@ -20,7 +21,7 @@ static const fourlink_value *find_column(fourlink_results *results, text name, c
     for (i = 0; i < n; i++)
         if (flk_text_equal(name, columns[i].name))
             return &columns[i];
-    names = calloc(n + 1, sizeof *names);
+    names = memory_get(n + 1, sizeof *names);
     for (i = 0; names && i < n; i++)
         names[i] = columns[i].name;
     nearest = fourlink_results_meant(results, flk_text_copy(name, written, sizeof written));
@@ -93,7 +94,7 @@ int at_find(fourlink_results *results, const at_item *item, fourlink_branch bran
     int status = FOURLINK_OK;
 
     *n = 0;
-    *angles = malloc(room * sizeof **angles);
+    *angles = memory_get(room, sizeof **angles);
     if (*angles && !item->column) {
         (*angles)[(*n)++] = item->value;
         return FOURLINK_OK;
@@ -105,7 +106,7 @@ int at_find(fourlink_results *results, const at_item *item, fourlink_branch bran
             return status;
         room = *n;
         free(*angles);
-        *angles = malloc(room * sizeof **angles);
+        *angles = memory_get(room, sizeof **angles);
     }
     return FOURLINK_NO_MEMORY;
 }

@@ -9,7 +9,9 @@
 #include <gsl/gsl_math.h>
 
 #include "base/message.h"
+#include "system/memory.h"
 #include "content.h"
+#include "view/results.h"
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
 ** times. */
@@ -242,7 +244,7 @@ static void write_checks_that_are(sheet *s, int right, int all)
     int is_right;
 
     for (i = 0; i < s->v.problem.n_expected; i++) {
-        fourlink_results_check(s->v.results, i, &check);
+        results_check(s->v.results, i, &check);
         is_right = check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT;
         if (!all && right != is_right)
             continue;
@@ -339,7 +341,7 @@ void content_begin(sheet *s, FILE *out, int has_head)
     line_end(&s->l);
 }
 
-/* Take the results of a deck or design; 0 if out of memory. */
+/* Take the results of a deck or design; 0 if memory fails. */
 static int open_results(sheet *s, fourlink_results *results)
 {
     const fourlink_value *list;
@@ -351,9 +353,9 @@ static int open_results(sheet *s, fourlink_results *results)
         view_take(&s->v, results);
     if (!s->design && fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n) == FOURLINK_OK)
         s->variables = list;
-    s->values = malloc((s->v.n_columns + 1) * sizeof *s->values);
-    s->loads = malloc((s->v.problem.n_loads + 1) * sizeof *s->loads);
-    s->layout = malloc((s->v.n_columns + s->n_header + 1) * (s->format->layout_size + 1));
+    s->values = memory_get(s->v.n_columns + 1, sizeof *s->values);
+    s->loads = memory_get(s->v.problem.n_loads + 1, sizeof *s->loads);
+    s->layout = memory_get((s->v.n_columns + s->n_header + 1) * (s->format->layout_size + 1), 1);
     s->list = NULL;
     s->n_pages = 1;
     memset(s->checks, 0, sizeof s->checks);
@@ -465,8 +467,6 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     }
     if (open_results(s, results))
         write_content(s);
-    else
-        s->out_of_memory = 1;
     close_results(s);
 }
 
@@ -583,16 +583,16 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
 {
     s->design = i + 1;
     s->varied = varied;
-    if (!open_results(s, results ? results : first))
-        s->out_of_memory = 1;
-    else if (!results && s->n_conditions && !s->format->is_brief)
-        refuse_yield(s, why);
-    else if (!results)
-        s->format->refuse(s, why);
-    else if (s->content == SHEET_DESIGNS)
-        write_lines(s);
-    else
-        write_content(s);
+    if (open_results(s, results ? results : first)) {
+        if (!results && s->n_conditions && !s->format->is_brief)
+            refuse_yield(s, why);
+        else if (!results)
+            s->format->refuse(s, why);
+        else if (s->content == SHEET_DESIGNS)
+            write_lines(s);
+        else
+            write_content(s);
+    }
     s->failed += !results;
     close_results(s);
 }

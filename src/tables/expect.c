@@ -14,6 +14,7 @@
 #include "content.h"
 #include "head.h"
 #include "style.h"
+#include "view/results.h"
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */
 #define SOUND 0.17
@@ -134,7 +135,7 @@ static void write_asked(sheet *s)
 
     memset(&before, 0, sizeof before);
     for (i = 0; i < s->v.problem.n_expected; i++) {
-        fourlink_results_check(s->v.results, i, &c);
+        results_check(s->v.results, i, &c);
         if (c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
             continue; /* not asked for */
         if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||

@@ -79,7 +79,8 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
 
     while (at_next(&s->v, &list, &item, message) == 1) {
         status = at_find(s->v.results, &item, branch, &angles, &n);
-        s->out_of_memory |= status == FOURLINK_NO_MEMORY;
+        if (status == FOURLINK_NO_MEMORY)
+            return;
         if (status != FOURLINK_OK || n == 0)
             write_missing(s, branch, &item, status);
         for (i = 0; status == FOURLINK_OK && i < n; i++)

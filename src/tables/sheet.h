@@ -92,7 +92,6 @@ typedef struct sheet {
     double right, of;        /* marks of this deck, or of the answers */
     /* called for these, at most MOST_MISTAKES times for a deck */
     void (*no_value)(const fourlink_check *check, const char *deck_name);
-    int out_of_memory;
 } sheet;
 
 /* One row: values by the deck's columns. */

@@ -10,7 +10,9 @@
 
 #include "system/format.h"
 #include "base/text.h"
+#include "system/memory.h"
 #include "view.h"
+#include "results.h"
 
 /* The last crank angle of a given motion, in its unit. */
 static double end_of(const fourlink_motion *motion, const fourlink_range *range)
@@ -115,7 +117,7 @@ int view_find_solution(const fourlink_deck *deck, fourlink_solution **found)
     *found = NULL;
     if (fourlink_deck_solutions(deck, 0, NULL, &chosen, &n) != FOURLINK_OK)
         return 1;
-    *found = malloc((chosen + 1) * sizeof **found);
+    *found = memory_get(chosen + 1, sizeof **found);
     if (!*found)
         return 0;
     fourlink_deck_solutions(deck, chosen + 1, *found, &chosen, &n);
@@ -153,7 +155,7 @@ const fourlink_value *view_extreme(const view_extremes *x, int handle)
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
                 int n, fourlink_results **results, fourlink_mistake *mistake)
 {
-    fourlink_change *changes = malloc((source->n_changes + 2) * sizeof *changes);
+    fourlink_change *changes = memory_get(source->n_changes + 2, sizeof *changes);
     fourlink_source other = *source;
     int status, i;
 
@@ -167,7 +169,7 @@ int view_reopen(const fourlink_source *source, const char *origin, const char *c
     }
     other.changes = changes;
     other.whole_cycle = 1;
-    status = fourlink_results_open(&other, 1, results, mistake, NULL);
+    status = results_open(&other, 1, results, mistake, NULL);
     free(changes);
     return status;
 }

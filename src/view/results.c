@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** results.c - the functions of fourlink.h that need memory.
+*/
+#include <string.h>
+
+#include "system/memory.h"
+#include "results.h"
+
+static int noted(int status)
+{
+    if (status == FOURLINK_NO_MEMORY)
+        memory_note_failure();
+    return status;
+}
+
+int results_open(const fourlink_source *source, unsigned long max_mistakes,
+                 fourlink_results **results, fourlink_mistake *mistakes, unsigned long *n_mistakes)
+{
+    return noted(fourlink_results_open(source, max_mistakes, results, mistakes, n_mistakes));
+}
+
+int results_design(const fourlink_results *from, unsigned long design, unsigned long max_mistakes,
+                   fourlink_results **results, fourlink_mistake *mistakes,
+                   unsigned long *n_mistakes)
+{
+    return noted(
+        fourlink_results_design(from, design, max_mistakes, results, mistakes, n_mistakes));
+}
+
+int results_set(fourlink_results *results, const char *name, double value)
+{
+    return noted(fourlink_results_set(results, name, value, NULL));
+}
+
+int results_put(fourlink_results *results, unsigned long n, const int *handles,
+                const double *values)
+{
+    return noted(fourlink_results_put(results, n, handles, values, NULL));
+}
+
+void results_check(fourlink_results *results, unsigned long i, fourlink_check *check)
+{
+    if (noted(fourlink_results_check(results, i, check)) == FOURLINK_OK)
+        return;
+    memset(check, 0, sizeof *check);
+    check->file = check->unit = "";
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** results.h - the functions of fourlink.h that need memory, with the same names but for their beginning: if it fails,
+** that is noted (system/memory.h).  The command calls no others that could fail so: it asks for the branches that the
+** deck requests, whose motion is found where the deck is opened.
+*/
+#ifndef FOURLINK_VIEW_RESULTS_H
+#define FOURLINK_VIEW_RESULTS_H
+
+#include "fourlink.h"
+
+int results_open(const fourlink_source *source, unsigned long max_mistakes,
+                 fourlink_results **results, fourlink_mistake *mistakes, unsigned long *n_mistakes);
+int results_design(const fourlink_results *from, unsigned long design, unsigned long max_mistakes,
+                   fourlink_results **results, fourlink_mistake *mistakes,
+                   unsigned long *n_mistakes);
+int results_set(fourlink_results *results, const char *name, double value);
+int results_put(fourlink_results *results, unsigned long n, const int *handles,
+                const double *values);
+
+/* The i-th comparison; all 0, with empty texts, if memory fails. */
+void results_check(fourlink_results *results, unsigned long i, fourlink_check *check);
+
+#endif
