@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # failed_allocations.sh FOURLINK DATA SHIM [EVERY] - memory runs out: each allocation of many runs fails in turn
-# (or every EVERY-th), alone and with all after it.  The run then ends as if nothing had happened, or with exit
-# status 3, a message, and files that are old or complete.  There is a run with each option of the program's table.
+# (or every EVERY-th of fewer runs), alone, where there are old files, and with all after it, where there are none.  The run then ends
+# as if nothing had happened, byte by byte, or with exit status 3, a message, and files that are old or complete.
+# failing_malloc.c says what is right.  There is a run with each option of the program's table, and each question is put
+# to machines of each kind, given and driven by motors.
 # Prints what became of each run, and how much it tried.
 #
 # SHIM is failing_malloc.c as a shared library, or 'sanitizer': the program is then built here by $CC with
@@ -11,10 +13,13 @@
 . "$(dirname "$0")/sweeps.sh"
 cd - >/dev/null || exit 1
 shim=$3
-every=${4:-1}
+EVERY=${4:-1}
+AT_ONCE=${AT_ONCE:-$(nproc)}
+export EVERY AT_ONCE
 root=$(cd "$(dirname "$0")/../.." && pwd)
 case $shim in /* | sanitizer) ;; *) shim=$PWD/$shim ;; esac
 cd "$work" || exit 1
+[ -d /proc/self/fd ] || { echo 'skipped: no /proc/self/fd' && exit 77; }
 
 if [ "$shim" = sanitizer ]; then
     # GSL's own allocations are reached in its static library
@@ -25,50 +30,14 @@ if [ "$shim" = sanitizer ]; then
     shim=
 fi
 
-mkdir files usual
-most=600 # of a run; then a search repeats itself
-tries=0
-refused=0
-picture=plot.svg # what is written beside files/result
+# An rsvg-convert that takes no time, and does not convert.
+mkdir bin
+printf '#!/bin/sh\nexec cat\n' >bin/rsvg-convert
+chmod +x bin/rsvg-convert
+PATH=$work/bin:$PATH
 
-# start ARGUMENT...: the program with the shim, where there are old files
-start() {
-    echo old >files/result
-    echo old >"files/$picture"
-    LD_PRELOAD=$shim "$fourlink" "$@" >out 2>err </dev/null
-    status=$?
-}
-
-# first_line FILE, last_line FILE: that line is in $line
-first_line() { IFS= read -r line <"$1" || line=; }
-
-last_line() {
-    line=
-    while IFS= read -r next; do line=$next; done <"$1"
-}
-
-is_old_or_complete() {
-    first_line "files/$1"
-    [ "$line" = old ] || cmp -s "files/$1" "usual/$1" ||
-        { [ -f usual/alone ] && cmp -s "files/$1" usual/alone; }
-}
-
-only_two_files() {
-    set -- files/* files/.[!.]*
-    [ "$*" = "files/$picture files/result files/.[!.]*" ]
-}
-
-is_refused() {
-    last_line err
-    case $line in fourlink:*) ;; *) return 1 ;; esac
-    [ $status -eq 3 ] && only_two_files && is_old_or_complete result &&
-        is_old_or_complete "$picture" && none '^# bad deck' out
-}
-
-is_as_usual() {
-    [ $status -eq $usual ] && cmp -s err usual/err && cmp -s out usual/out && only_two_files &&
-        cmp -s files/result usual/result && cmp -s "files/$picture" "usual/$picture"
-}
+tries=0 refused=0 same=0 wrong=0 runs=0
+began=$(date +%s)
 
 # The options of the program's table: -x --name in a line each.
 "$fourlink" --help | sed -n 's/^ *\(-[a-zA-Z]\)*,* *--\([a-z-]*\).*/\1 --\2/p' | sort -u >options
@@ -85,10 +54,55 @@ note_options() {
     done >>tried
 }
 
-# report ARGUMENT...: a line of the table
-report() {
-    printf '%5d failed: %5d refused, %5d as usual, %d wrong: %s\n' $((tries - tries_before)) $((refused - refused_before)) \
-        $((tries - tries_before - refused + refused_before - failed + failed_before)) $((failed - failed_before)) "$*"
+input=/dev/null # of the program
+WHOLE=0         # 1: for a program that waits for another
+export WHOLE
+begin() { :; } # what is in the folder at the start
+
+# start ARGUMENT...: the program in FOLDER/run
+start() {
+    (cd run && exec "$fourlink" "$@" >out 2>err <"$input")
+    status=$?
+}
+
+# try FAIL_ON USUAL ARGUMENT...: all trials, alone or with those after it; where there are old files, or none
+try() {
+    FAIL_ON=$1 USUAL=$2
+    shift 2
+    rm -rf run usual old report [0-9]
+    mkdir run
+    (cd run && begin)
+    start "$@"
+    check "exit status $status, expected $USUAL: fourlink $*: $(head -n 1 run/err)" test $status -eq "$USUAL" || return
+    mv run usual
+    mkdir old
+    (cd old && begin)
+    for file in usual/*; do
+        case ${file##*/} in out | err) continue ;; esac
+        [ "$FAIL_ON" -eq 1 ] || [ -h "old/${file##*/}" ] || echo old >"old/${file##*/}"
+    done
+    cp -R old run
+    export FAIL_ON USUAL
+    TRIALS=$work LD_PRELOAD=$shim
+    export TRIALS LD_PRELOAD
+    start "$@"
+    unset TRIALS LD_PRELOAD
+    last=
+    while IFS= read -r line; do
+        case $line in FAILED*) check "$line" false fourlink "$@" ;; *) last=$line ;; esac
+    done <report
+    check 'no report' test -n "$last" || return
+    check "not as usual where nothing fails: exit status $status" same_folders "$@"
+    # shellcheck disable=SC2086
+    set -- $last
+    tries=$((tries + $1)) refused=$((refused + $2)) same=$((same + $3)) wrong=$((wrong + $4))
+    now_tried=$((now_tried + $1)) now_refused=$((now_refused + $2)) now_same=$((now_same + $3)) now_wrong=$((now_wrong + $4))
+}
+
+same_folders() {
+    [ $status -eq "$USUAL" ] && for file in usual/*; do
+        cmp -s "$file" "run/${file##*/}" || return 1
+    done
 }
 
 # all STATUS ARGUMENT...: every allocation of this run, which usually ends so
@@ -96,111 +110,92 @@ all() {
     usual=$1
     shift
     note_options "$@"
-    tries_before=$tries refused_before=$refused failed_before=$failed
-    unset FAIL_AT FAIL_ON
-    COUNT_FILE=$work/count
-    export COUNT_FILE
+    now_tried=0 now_refused=0 now_same=0 now_wrong=0
+    try 0 "$usual" "$@" && try 1 "$usual" "$@"
+    runs=$((runs + 1))
+    printf '%5d failed: %5d refused, %5d as usual, %d wrong: %s\n' $now_tried $now_refused $now_same $now_wrong "$*"
+}
+
+# each ARGUMENT...: a question to a machine, which may refuse it; with EVERY each question to one of ten machines
+each() {
+    question=$((question + 1))
+    [ "$EVERY" -eq 1 ] || [ $(((question + machine) % 10)) -eq 0 ] || return 0
+    rm -rf run
+    mkdir run
     start "$@"
-    unset COUNT_FILE
-    cp out err files/* usual
-    first_line count
-    n=$line
-    check "exit status $status, expected $usual, $n allocations: fourlink $*: $(head -n 1 err)" \
-        test $status -eq "$usual" -a "$n" -gt 3
-    [ "$n" -le $most ] || n=$most
-    for FAIL_ON in 0 1; do
-        export FAIL_ON
-        FAIL_AT=1
-        export FAIL_AT
-        while [ "$FAIL_AT" -le "$n" ]; do
-            start "$@"
-            tries=$((tries + 1))
-            if is_refused; then
-                refused=$((refused + 1))
-            elif ! is_as_usual; then
-                check "allocation $FAIL_AT of $n (FAIL_ON=$FAIL_ON): exit status $status, usually $usual; files: $(ls -A files); $(head -n 3 err)" \
-                    false fourlink "$@"
-                rm -f files/* files/.[!.]*
-            fi
-            FAIL_AT=$((FAIL_AT + every))
-        done
-    done
-    unset FAIL_AT FAIL_ON
-    rm -f usual/alone
-    report "$*"
+    [ $status -ne 2 ] || unanswered=$((unanswered + 1))
+    all $status "$@"
 }
 
-# all_designs ENDING ARGUMENT...: the same of a run that writes a file for each design into folder/
-all_designs() {
-    ending=$1
-    shift
-    note_options "$@"
-    tries_before=$tries refused_before=$refused failed_before=$failed
-    rm -rf folder complete
-    mkdir folder
-    COUNT_FILE=$work/count
-    export COUNT_FILE
-    "$fourlink" "$@" >out 2>err </dev/null
-    status=$?
-    unset COUNT_FILE
-    check "exit status $status: fourlink $*: $(head -n 1 err)" test $status -eq 0
-    cp -r folder complete
-    first_line count
-    n=$line
-    for FAIL_ON in 0 1; do
-        FAIL_AT=1
-        export FAIL_ON FAIL_AT
-        while [ "$FAIL_AT" -le "$n" ]; do
-            for file in complete/*; do echo old >"folder/${file#*/}"; done
-            LD_PRELOAD=$shim "$fourlink" "$@" >out 2>err </dev/null
-            status=$?
-            tries=$((tries + 1))
-            refused=$((refused + (status == 3)))
-            for file in folder/* folder/.[!.]*; do
-                [ "$file" = 'folder/.[!.]*' ] && continue
-                first_line "$file"
-                { [ "$line" = old ] && [ $status -eq 3 ]; } || cmp -s "$file" "complete/${file#*/}" ||
-                    check "allocation $FAIL_AT of $n (FAIL_ON=$FAIL_ON): exit status $status, $file: $line; $(head -n 1 err)" \
-                        false fourlink "$@"
-            done
-            check "allocation $FAIL_AT: $(ls folder | tr '\n' ' ')" test "$(ls -A folder)" = "$(ls -A complete)"
-            [ $status -eq 0 ] || [ $status -eq 3 ] || check "exit status $status at allocation $FAIL_AT" false "$@"
-            FAIL_AT=$((FAIL_AT + every))
-        done
-    done
-    unset FAIL_AT FAIL_ON
-    report "$*"
-}
-
+# Decks are one folder up from where the program works.
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" .
+for deck in springs steady motor free lever; do cp "$decks/../fuzz/decks/$deck.deck" "$deck.deck"; done
 sed 's/^indicator.*/indicator = file card.csv deg bar/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
-sed "s/^duration.*/duration = 40 ms/" "$decks/../fuzz/decks/free.deck" >time.deck # rows by time
+sed "s/^duration.*/duration = 40 ms/" free.deck >time.deck # rows by time
+sed '/^rows\|^duration\|^time_step/d; s|^speed.*|speed = 20 rad/s|' free.deck >turning.deck
 sed 's/^cg = 0 mm//' single.deck >note.deck # point masses: notes
+sed 's/^turns.*/to = 20 deg/' motor.deck >run-up.deck # with friction
+cat >engine-up.deck <<END
+mechanism = slider-crank
+[crank]
+length = 20 mm
+mass = 1 kg
+uniform = yes
+[rod]
+length = 60 mm
+mass = 1 kg
+uniform = yes
+[piston]
+mass = 1 kg
+[load L]
+link = crank
+torque = -1 N m
+[motor]
+stall_torque = 50 N m
+no_load_speed = 10 rad/s
+[flywheel]
+inertia = 0.1
+[motion]
+mode = run-up
+to = 200 deg
+interval = 30 deg
+END
 few='-i 90deg'
+mkdir alvi
+cp alvi-5.1.expect alvi
 
-# each allocation of an integrated motion: without it the crank would turn as if its motion were given
-other=$every every=1
-sed '/^rows\|^duration\|^time_step/d; s|^speed.*|speed = 20 rad/s|' time.deck >free.deck
-all 0 -f csv -b open -o files/result time.deck
-all 0 -f csv -b open -o files/result $few free.deck
-every=$other
-
+all 0 -f csv -b open -o result ../time.deck
+all 0 -f csv -b open -o result $few ../turning.deck
+all 0 -f csv -b open -o result $few ../run-up.deck
 for format in table csv json; do
-    all 0 -f $format -o files/result $few single.deck
+    all 0 -f $format -o result $few ../single.deck
 done
-all 0 -f paper -o files/result $few alvi-5.1.deck
-all 0 $few note.deck
-all 0 --color=never -c all -o files/result $few -s 'crank.length = 21 mm' single.deck
-all 0 -o files/result $few gas-engine.deck
-all 0 -o files/result $few card.deck
-all 1 -o files/result reach.deck
-all 2 -o files/result mistakes.deck
-all 0 --summary -o files/result card.deck
-all 0 --summary -f json -o files/result steam-engine-240.deck
-all 0 --check -o files/result steam-engine-240.deck
-all 0 --check=alvi-5.1.expect -o files/result alvi-5.1.deck
-all 0 --check=. -o files/result alvi-5.1.deck
+all 0 -f paper -o result $few ../alvi-5.1.deck
+all 0 $few ../note.deck
+all 0 --color=never -c all -o result $few -s 'crank.length = 21 mm' ../single.deck
+all 0 -o result $few ../gas-engine.deck
+all 0 -o result $few ../card.deck
+all 1 -o result ../reach.deck
+all 2 -o result ../mistakes.deck
+all 0 --summary -o result ../card.deck
+all 0 --summary -f json -o result ../steam-engine-240.deck
+all 0 --check -o result ../steam-engine-240.deck
+all 0 --check=../alvi-5.1.expect -o result ../alvi-5.1.deck
+all 0 --check=../alvi -o result ../alvi-5.1.deck
+all 0 --expect --at='0 deg, 90 deg' -o result ../single.deck
+all 0 --form --at='0 deg, 90 deg' -o result ../single.deck
+all 0 --list -o result ../single.deck
+all 0 --matrix -o result $few ../single.deck
+input=$work/single.deck
+all 0 $few
+all 0 -f csv $few - ../single.deck
+input=/dev/null
+begin() { ln -s result link; }
+all 0 -f csv -o link $few ../single.deck
+check 'a link stays a link' test -h run/link
+begin() { :; }
+
 # grading: no score because memory failed, neither in a file nor printed
 mkdir class answers
 for student in anna ben carla; do
@@ -208,101 +203,148 @@ for student in anna ben carla; do
     cp alvi-5.1.expect answers/$student.expect
 done
 sed -i 's/^length *= 66 mm/length = 67 mm/' class/ben.deck
-all 1 -f csv --check=answers/ -o files/result class/anna.deck class/ben.deck class/carla.deck
-all 1 --check=answers/ class/anna.deck class/ben.deck class/carla.deck
-all 1 --answers=answers --scores -f csv -o files/result class/anna.deck
-mkdir feedback
+all 1 -f csv --check=../answers/ -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --answers=../answers --scores -f csv -o result ../class/anna.deck
 printf 'name,id,late\nanna,1,2\n' >names.csv
-all 1 --answers=answers --scores --names=names.csv -f csv -o files/result class/anna.deck
-all 1 --answers=answers --feedback=feedback/ -o files/result class/anna.deck
-all 1 --answers=answers --tolerance='1 %, 1 deg' -o files/result class/anna.deck
+all 1 --answers=../answers --scores --names=../names.csv -f csv -o result ../class/anna.deck
+all 1 --answers=../answers --feedback=./ -o result ../class/anna.deck
+all 1 --answers=../answers --tolerance='1 %, 1 deg' -o result ../class/anna.deck
+all 1 --check=../answers/ --scores ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ --scores -f csv -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ --feedback=./ ../class/anna.deck ../class/ben.deck ../class/carla.deck
 echo 'crank = 20 mn' >>class/carla.deck
-all 2 -f csv --check=answers/ -o files/result class/carla.deck class/anna.deck
-all 0 --expect --at='0 deg, 90 deg' -o files/result single.deck
-all 0 --form --at='0 deg, 90 deg' -o files/result single.deck
-all 0 --list -o files/result single.deck
-all 0 --matrix -o files/result $few single.deck
-ln -s files/result link
-all 0 -f csv -o link $few single.deck
-check 'a link stays a link' test -h link
+all 2 -f csv --check=../answers/ -o result ../class/carla.deck ../class/anna.deck
 
-# the other deck is written
-"$fourlink" -f csv -o alone.csv $few single.deck absent.deck 2>err
-cp alone.csv usual/alone
-all 0 -f csv -o files/result $few single.deck single.deck
+# many decks
+all 0 -f csv -o result $few ../single.deck ../gas-engine.deck
+all 0 $few ../single.deck ../gas-engine.deck
+all 0 -f csv -c 'mu_min, max(omega4), crank.length' -o result ../alvi-5.1.deck ../single.deck
+all 0 -f json -c 'mu_min, max(omega4), crank.length' -o result ../alvi-5.1.deck ../single.deck
+all 0 -S -o result ../single.deck ../slotted-lever.deck
+all 3 -f csv -o result $few ../single.deck absent.deck
 
 sweep 'crank.length = 20 mm, 300 mm, 22 mm' 'output = mu_min, max(Ts)'
-all 1 -f csv -o files/result t.deck
-all 1 -f json -o files/result t.deck
-all 1 -o files/result t.deck
-all 1 -f csv --part=2/3 -o files/result t.deck
-all 1 -f csv -s 'sweep.yield=mu_min > 40 deg' -o files/result t.deck
-all 1 --plot=files/plot.svg --plot-kind=columns -o files/result t.deck
+all 1 -f csv -o result ../t.deck
+all 1 -f json -o result ../t.deck
+all 1 -o result ../t.deck
+all 1 -f csv --part=2/3 -o result ../t.deck
+all 1 -f csv -s 'sweep.yield=mu_min > 40 deg' -o result ../t.deck
+all 1 --plot=plot.svg --plot-kind=columns -o result ../t.deck
+all 1 -f csv -o result ../t.deck ../single.deck
 sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's simplex
-all 0 "--best=max swing" -o files/result t.deck
-all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o files/result alvi-5.1.deck
-all 0 -f csv -c "mu_min, max(omega4), crank.length" -o files/result alvi-5.1.deck
+all 0 "--best=max swing" -o result ../t.deck
+all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o result ../alvi-5.1.deck
+all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" --print-deck -o result ../alvi-5.1.deck
+all 0 -f csv -c "mu_min, max(omega4), crank.length" -o result ../alvi-5.1.deck
 
 for kind in mechanism motion forces turning-moment polar vectors; do
-    all 0 --plot=files/plot.svg --plot-kind=$kind -o files/result $few single.deck
+    all 0 --plot=plot.svg --plot-kind=$kind -o result $few ../single.deck
 done
-picture=plot.txt
-rm files/plot.svg
-all 0 --plot=files/plot.txt --ascii -o files/result $few single.deck
-picture=plot.svg
-rm files/plot.txt
-all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-240.deck
-all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
-all 0 --plot=files/plot.svg --plot-kind=motion -o files/result -b open time.deck
-
+all 0 --plot=plot.txt --ascii -o result $few ../single.deck
+all 0 --plot=plot.svg --plot-kind=klein -o result $few ../steam-engine-240.deck
+all 0 --plot=plot.svg --plot-kind=motion -o result -b open ../time.deck
 for kind in mechanism limits; do
-    all 0 --plot=files/plot.svg --plot-kind=$kind --plot-at='40 deg' -o files/result $few single.deck
+    all 0 --plot=plot.svg --plot-kind=$kind --plot-at='40 deg' -o result $few ../single.deck
 done
-all 0 --plot=files/plot.svg --plot-kind=columns --plot-x=theta4 -o files/result -b open $few single.deck
+all 0 --plot=plot.svg --plot-kind=columns --plot-x=theta4 -o result -b open $few ../single.deck
+WHOLE=1
+all 0 --plot=plot.png $few ../single.deck
+WHOLE=0
+
+# a text in UTF-16; a value that is sought on the other branch too, whose motion is found then
+{ printf '\377\376' && iconv -f UTF-8 -t UTF-16LE single.deck; } >wide.deck
+all 0 --report=report.html $few ../wide.deck
+{ cat engine-up.deck && printf '[expect]\nat = 60 deg\nomega2 = 1.234 rad/s\n'; } >other.deck
+all 1 -b open --check ../other.deck
 
 # options that the runs above do not have
-all 0 --units='mm, kg, rpm' --wide --columns=theta2,B.x --branch=open --interval='90 deg' --output=files/result \
-    --set='crank.length = 21 mm' --format=table single.deck
+all 0 --units='mm, kg, rpm' --wide --columns=theta2,B.x --branch=open --interval='90 deg' --output=result \
+    --set='crank.length = 21 mm' --format=table ../single.deck
 mkdir sub
 cp card.csv sub
 sed 's,card.csv,sub/../card.csv,' card.deck >elsewhere.deck
-all 0 --allow-files -o files/result $few elsewhere.deck
-all 1 --check=alvi-5.1.expect --scores --tolerance='1 %' -o files/result alvi-5.1.deck
-all 0 --at='30 deg, theta4 = 120 deg' -o files/result -b open single.deck
-all 0 --list -f json --output=files/result
+all 0 --allow-files -o result $few ../elsewhere.deck
+all 1 --check=../alvi-5.1.expect --scores --tolerance='1 %' -o result ../alvi-5.1.deck
+all 0 --at='30 deg, theta4 = 120 deg' -o result -b open ../single.deck
+all 0 --list -f json --output=result
 all 0 --help
 all 0 --version
 
 # synthesis: each task; one solution, all, a report, a check
-cp "$data"/synthesis/*.deck "$data"/synthesis/*.expect .
+mkdir task
+cp "$data"/synthesis/*.deck "$data"/synthesis/*.expect task
 for task in osu-lecture-12 three-positions khurmi-5.3 power-nine quadratic-slider best-return norton-3-2; do
-    "$fourlink" --synthesis $task.deck >/dev/null 2>&1
-    all $? --synthesis -o files/result $task.deck
+    "$fourlink" --synthesis task/$task.deck >/dev/null 2>&1
+    all $? --synthesis -o result ../task/$task.deck
+    all $? --synthesis --summary -o result ../task/$task.deck
 done
-all 0 --synthesis --solution=1 -f csv -o files/result three-positions.deck
-all 0 --synthesis -f csv -o files/result three-positions.deck
-all 0 --synthesis --check=osu-lecture-12.expect -o files/result osu-lecture-12.deck
+all 0 --synthesis --solution=1 -f csv -o result ../task/three-positions.deck
+all 0 --synthesis -f csv -o result ../task/three-positions.deck
+all 0 --synthesis --check=../task/osu-lecture-12.expect -o result ../task/osu-lecture-12.deck
+all 0 --synthesis --report=report.html ../task/khurmi-5.3.deck
 
 # designs of a sweep as decks, as answers
 sweep 'crank.length = 18 mm, 20 mm, 22 mm' 'output = mu_min, max(Ts)'
-all 0 --design=2 -f csv -o files/result $few t.deck
-all 0 --design=2 --print-deck -o files/result t.deck
+all 0 --design=2 -f csv -o result $few ../t.deck
+all 0 --design=2 --print-deck -o result ../t.deck
 printf 'Anna\nBen\n' >class.txt
-all_designs .deck --design=all --print-deck --output=folder/ --names=class.txt t.deck
-all_designs .expect --design=all --expect --output=folder/ -b open $few t.deck
-all_designs .html --design=all --report=folder/ -b open $few t.deck
+all 0 --design=all --print-deck --output=./ --names=../class.txt ../t.deck
+all 0 --design=all --expect --output=./ -b open $few ../t.deck
+all 0 --design=all --report=./ -b open $few ../t.deck
 
-rm files/plot.svg
-picture=report.html
-all 0 --synthesis --report=files/report.html -o files/result khurmi-5.3.deck
-all 0 --report=files/report.html -o files/result $few single.deck
-all 0 --report=files/report.html -o files/result -b open time.deck
-all 2 --report=files/report.html -o files/result mistakes.deck
+all 0 --report=report.html -o result $few ../single.deck
+all 2 --report=report.html -o result ../mistakes.deck
+
+# every question to every sort of machine
+unanswered=0 machine=0
+for deck in single gas-engine rubbing-yoke slotted-lever springs card steady engine-up turning time; do
+    machine=$((machine + 1)) question=0
+    "$fourlink" --expect $few $deck.deck >$deck.answers 2>/dev/null
+    sed 's/\([0-9]\)\.\([0-9]\)/\1.9\2/' $deck.answers >$deck.wrong # some of them right
+    for format in table csv json paper; do
+        each -f $format $few -o result ../$deck.deck
+    done
+    each -c all -w $few ../$deck.deck
+    each -S -o result ../$deck.deck
+    each -S -f csv -o result ../$deck.deck
+    each -S -f json -o result ../$deck.deck
+    each -m -f csv $few ../$deck.deck
+    each -l -f json -o result ../$deck.deck
+    each --expect $few -o result ../$deck.deck
+    each --form $few -o result ../$deck.deck
+    each --at='50 deg' -f json -o result ../$deck.deck
+    each --check=../$deck.answers -f csv -o result ../$deck.deck
+    each --check=../$deck.wrong -f json -o result ../$deck.deck
+    each --check=../$deck.wrong --scores ../$deck.deck
+    each -f csv -c 'max(theta4), min(omega4), mean(omega2), rms(Ts)' -o result ../$deck.deck
+    each --print-deck -s 'crank.length = 101 %' ../$deck.deck
+    each --print-deck -o result ../$deck.deck
+    for kind in mechanism motion forces turning-moment polar vectors limits klein animation speed columns; do
+        each --plot=plot.svg --plot-kind=$kind $few ../$deck.deck
+    done
+    each --plot=- --plot-kind=mechanism --plot-at='50 deg' ../$deck.deck
+    each --report=report.html $few ../$deck.deck
+    mkdir -p $deck
+    cp $deck.answers $deck/anna.expect
+    cp $deck.wrong $deck/ben.expect
+    each --answers=../$deck --scores -f csv -o result ../$deck.deck
+    each --answers=../$deck --feedback=./ ../$deck.deck
+    { cat $deck.deck && printf '\n[sweep]\ncrank.mass = 0.1 kg, 0.2 kg\noutput = max(Ts), mean(Ts)\nyield = max(Ts) > 0 N m\n'; } >$deck-sweep.deck
+    each -f csv -o result ../$deck-sweep.deck
+    each --plot=plot.svg --plot-kind=columns ../$deck-sweep.deck
+    each --design=2 --print-deck ../$deck-sweep.deck
+    each '--best=min max(Ts)' -o result ../$deck-sweep.deck
+    case $deck in steady | engine-up | turning | time) continue ;; esac # some minutes
+    each '--solve=crank.mass = 1 g .. 2 kg where max(Ts) = 1 N m' --print-deck ../$deck.deck
+done
 
 sort -u tried >by_name
 while read -r letter name; do
     check "no run with ${name:-$letter}" grep -qxF -e "${name:-$letter}" by_name
 done <options
 
-echo "$tries allocations failed: $refused runs ended with exit status 3, $((tries - refused - failed)) as usual"
+echo "$runs runs; $tries allocations failed: $refused runs ended with exit status 3, $same as usual, $wrong wrong;" \
+    "$(($(date +%s) - began)) s"
+echo "$unanswered of the runs are usually refused"
 finish
