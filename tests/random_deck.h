@@ -300,7 +300,7 @@ static void write_motion(double cycle)
         write("from = %.17g deg\nto = %.17g deg\n", from, from + turn * range);
 }
 
-static void make_deck(void)
+static inline void make_deck(void)
 {
     double cycle = seldom(0.2) ? 720 : 360, scale = pow(10, between(-1.5, 0.5));
     static const char *const carriers[] = {"coupler", "rod", "slider", "yoke"};

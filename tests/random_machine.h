@@ -165,7 +165,7 @@ static void write_any_motion(void)
     write("interval = 10 deg\n");
 }
 
-static void make_any_machine(long number)
+static inline void make_any_machine(long number)
 {
     int loads, i;
 
@@ -378,7 +378,7 @@ static void write_driven_motion(double from)
     write("[table]\nbranch = %s\n", machine == A_YOKE || seldom(0.5) ? "open" : "crossed");
 }
 
-static void make_driven_machine(long number)
+static inline void make_driven_machine(long number)
 {
     double from;
 

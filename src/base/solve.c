@@ -72,6 +72,8 @@ double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
     double x = fabs(b->f_low) < fabs(b->f_high) ? b->low : b->high, value;
     int is_rising = b->f_low < 0, is_beside = 0, k;
 
+    if (b->f_low == 0 || b->f_high == 0)
+        return x;
     for (k = 0; k < ITERATIONS && b->high - b->low > DBL_EPSILON * fabs(b->high); k++) {
         double next = is_beside ? 0.5 * (b->low + b->high) : flk_bracket_next(b);
 

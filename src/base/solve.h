@@ -9,7 +9,8 @@
 
 typedef double flk_function(double x, void *data);
 
-/* Two places, low < high, with values of opposite signs.  An infinite value has a sign, but no size. */
+/* Two places, low < high, with values of opposite signs; one of them may be 0.  An infinite value has a sign,
+** but no size. */
 typedef struct flk_bracket {
     double low, high, f_low, f_high;
     int side; /* which end the last value replaced: -1 low, 1 high, 0 none, or an infinite value */
@@ -25,7 +26,7 @@ double flk_bracket_next(const flk_bracket *b);
 void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
 
 /* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place evaluated.  The
-** bracket shrinks around it.  NaN ends the search. */
+** bracket shrinks around it, unless f is 0 at one of its ends.  NaN ends the search. */
 double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close);
 
 /* A search for the zero of an increasing function. */

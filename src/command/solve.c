@@ -12,6 +12,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/message.h"
 #include "base/solve.h"
 #include "system/memory.h"
@@ -151,7 +152,7 @@ static double excess(double x, void *data)
     q->most = GSL_MAX_DBL(q->most, v.value);
     f = v.value - q->wanted;
     if (q->turn > 0)
-        f -= q->turn * floor(f / q->turn + 0.5);
+        f = flk_cycle_beside(f, q->turn);
     return f;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "mechanics/kind.h"
 #include "build_motor.h"
 #include "found.h"
@@ -124,12 +125,12 @@ int flk_synthesis_run(parser *p)
 
 double flk_synthesis_error(const deck_synthesis *t, double theta2)
 {
-    double at = theta2 - t->chosen->crank_turn, error = GSL_NAN, output, turn = 2 * M_PI;
+    double at = theta2 - t->chosen->crank_turn, error = GSL_NAN, output;
     double low = GSL_MIN(t->wanted.crank[0], t->wanted.crank[1]);
 
     if (!t->function.wanted)
         return GSL_NAN;
-    at -= turn * floor((at - low) / turn + 1e-12);
+    at = flk_cycle_place(at, low, 2 * M_PI);
     output = t->function.wanted(t->function.host, at);
     return fourlink_synthesis_error(t->chosen, at, output, &error) == FOURLINK_OK ? error : GSL_NAN;
 }

@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/number.h"
 #include "base/trig.h"
 #include "mechanics/kind.h"
@@ -210,9 +211,9 @@ static int is_reached(parser *p, double theta2)
     const setting *at = flk_setting_find(p, KEY_MOTION_AT);
     double from = IS_SET(at) ? at->si[0] : flk_setting_or(p, KEY_MOTION_FROM, 0);
     double to = IS_SET(at) ? from : flk_setting_or(p, KEY_MOTION_TO, from + 2 * M_PI);
-    double low = GSL_MIN(from, to) - 1e-12, beyond = fmod(theta2 - low, 2 * M_PI);
+    double low = GSL_MIN(from, to);
 
-    return (beyond < 0 ? beyond + 2 * M_PI : beyond) <= fabs(to - from) + 2e-12;
+    return flk_cycle_place(theta2, low, 2 * M_PI) - low <= fabs(to - from) + 1e-12;
 }
 
 static void put_positions(page *g, const char *point_name)

@@ -5,8 +5,7 @@
 **
 ** Between the points the interpolation is Steffen's (base/steffen.c).
 */
-#include <math.h>
-
+#include "base/cycle.h"
 #include "base/steffen.h"
 #include "curve.h"
 
@@ -43,14 +42,10 @@ double flk_curve_piece(const curve *c, double x, double within)
 
     if (c->period <= 0)
         return flk_steffen_on(c->x, c->y, c->n, x, within);
-    beside -= c->period * floor(beside / c->period + 0.5);
-    within = fmod(within - c->x[0], c->period);
-    within = c->x[0] + (within < 0 ? within + c->period : within);
+    beside = flk_cycle_beside(beside, c->period);
+    within = flk_cycle_place(within, c->x[0], c->period);
     low = flk_steffen_find(c->x, c->n + 1, within);
-    d = within - c->x[low];
-    if (d < 0)
-        d = 0; /* rounding */
-    d += beside;
+    d = within - c->x[low] + beside;
     return flk_steffen_value(d, c->x[low + 1] - c->x[low], c->y[low], c->y[low + 1], c->slope[low],
                              c->slope[(low + 1) % c->n]);
 }

@@ -5,21 +5,23 @@
 */
 #include <math.h>
 
+#include "base/cycle.h"
 #include "machine.h"
 #include "switch.h"
 
 #define ROUNDING 1e-12 /* of the cycle */
 
-/* 1 if the load acts at a crank angle.  It acts at the edge where the crank enters its range, but not where
-** it leaves it. */
+/* 1 if the load acts at a crank angle: if the crank has passed the edge where it enters the range later than
+** the other.  It acts at the edge where the crank enters its range, but not where it leaves it. */
 static int is_on(const flk_given_load *given, double cycle, double theta2, int sense)
 {
-    double after = sense < 0 ? given->window[1] - theta2 : theta2 - given->window[0];
+    const double *window = given->window;
+    int first = sense < 0;
 
-    if (!given->is_windowed)
+    if (!given->is_windowed || window[1] - window[0] >= cycle * (1 - ROUNDING))
         return 1;
-    after -= cycle * floor(after / cycle + ROUNDING);
-    return after < given->window[1] - given->window[0] - ROUNDING * cycle;
+    return flk_cycle_place(sense * (theta2 - window[first]), 0, cycle) <
+           flk_cycle_place(sense * (theta2 - window[!first]), 0, cycle);
 }
 
 /* value sign(w) (|w| / at_speed)^exponent, with the sign of a speed `within` the cell; if linear, it has no

@@ -221,9 +221,3 @@ double flk_kind_clamp(double x)
 {
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
-
-double flk_kind_one_turn(double angle)
-{
-    angle = fmod(angle, 2 * M_PI);
-    return angle < 0 ? angle + 2 * M_PI : angle;
-}

@@ -111,9 +111,6 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 ** assembled. */
 double flk_kind_clamp(double x);
 
-/* The same angle, rad, in 0 ... 2 pi. */
-double flk_kind_one_turn(double angle);
-
 /* Find the nine unknowns from the free bodies, in closed form (closed_form.c) or by GSL (nine_equations.c),
 ** without checking them: FOURLINK_OK, FOURLINK_SINGULAR.  The closed form does not test for a singular
 ** state. */

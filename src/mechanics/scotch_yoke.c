@@ -10,6 +10,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/trig.h"
 #include "kind.h"
 
@@ -161,8 +162,8 @@ static void yoke_limits(const fourlink_mechanism *mechanism, fourlink_branch bra
     limits->mu_min = limits->mu_max = flk_angle(fabs(u->y), fabs(u->x));
     limits->has_stroke = 1;
     limits->stroke = 2 * a / fabs(u->y);
-    limits->inner = flk_kind_one_turn(inner);
-    limits->outer = flk_kind_one_turn(inner + M_PI);
+    limits->inner = flk_cycle_place(inner, 0, 2 * M_PI);
+    limits->outer = flk_cycle_place(inner + M_PI, 0, 2 * M_PI);
     limits->has_slide = 1;
     limits->slide_min = one < other ? one : other;
     limits->slide_max = one < other ? other : one;

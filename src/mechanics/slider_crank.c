@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/trig.h"
 #include "balance.h"
 #include "kind.h"
@@ -208,8 +209,8 @@ static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branc
     if (e != 0)
         limits->time_ratio = slow / (2 * M_PI - slow);
     limits->stroke = sqrt((l + r - e) * (l + r + e)) - sqrt((l - r - e) * (l - r + e));
-    limits->inner = flk_kind_one_turn(inner);
-    limits->outer = flk_kind_one_turn(outer);
+    limits->inner = flk_cycle_place(inner, 0, 2 * M_PI);
+    limits->outer = flk_cycle_place(outer, 0, 2 * M_PI);
 }
 
 static void slider_crank_limits(const fourlink_mechanism *mechanism, fourlink_branch branch,

@@ -18,6 +18,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/trig.h"
 #include "kind.h"
 #include "spring.h"
@@ -204,7 +205,7 @@ static double first_reached(const fourlink_mechanism *mechanism)
 
         if (from < BESIDE && BESIDE < reach.to[i])
             return BESIDE;
-        from -= 2 * M_PI * floor(from / (2 * M_PI));
+        from = flk_cycle_place(from, 0, 2 * M_PI);
         first = from < first ? from : first;
     }
     return first;
@@ -225,7 +226,7 @@ int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring
                 FOURLINK_OK) {
             double angle = angle_between(mechanism, &state, spring) - spring->free_length;
 
-            spring->turns[i] = -2 * M_PI * floor(angle / (2 * M_PI) + 0.5);
+            spring->turns[i] = -2 * M_PI * flk_cycle_nearest(angle, 2 * M_PI);
         }
     }
     return status;

@@ -4,6 +4,7 @@
 */
 #include <math.h>
 
+#include "base/cycle.h"
 #include "kind.h"
 #include "friction.h"
 #include "switch.h"
@@ -105,7 +106,7 @@ size_t flk_switch_below(const double *level, size_t n, double x)
 /* The number of levels below x, counted through all periods. */
 static double count_below(const flk_switch *s, double x)
 {
-    double turns = s->period > 0 ? floor((x - s->level[0]) / s->period) : 0;
+    double turns = s->period > 0 ? flk_cycle_count(x - s->level[0], s->period) : 0;
 
     x -= turns * s->period;
     return turns * (double)s->n + (double)flk_switch_below(s->level, s->n, x);
@@ -113,7 +114,7 @@ static double count_below(const flk_switch *s, double x)
 
 double flk_switch_level(const flk_switch *s, double number)
 {
-    double turns = s->period > 0 ? floor(number / (double)s->n) : 0;
+    double turns = s->period > 0 ? flk_cycle_count(number, (double)s->n) : 0;
 
     return s->level[(size_t)(number - turns * (double)s->n)] + turns * s->period;
 }

@@ -10,6 +10,7 @@
 
 #include "actual.h"
 #include "steady.h"
+#include "base/cycle.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
@@ -245,14 +246,14 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
     if (m->d->drive.by_time)
         return flk_path_at(p, s, row);
     if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
-        turns = floor(s / m->cycle + 1e-12);
-        s -= turns * m->cycle;
+        turns = flk_cycle_count(s, m->cycle);
+        s = flk_cycle_place(s, 0, m->cycle);
     } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
                                          s > flk_path_end(p)->y[FLK_PASSED] * (1 + 1e-14))) {
         return status;
     }
     status = flk_path_at(p, s, row);
-    row->time += turns > 0 || turns < 0 ? turns * flk_path_end(p)->t : 0;
+    row->time += turns != 0 ? turns * flk_path_end(p)->t : 0;
     row->crank.theta2 = angle * motion->angle_unit;
     return status;
 }

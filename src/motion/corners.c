@@ -15,6 +15,7 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
 
+#include "base/cycle.h"
 #include "base/solve.h"
 #include "corners.h"
 #include "mechanics/kind.h"
@@ -68,13 +69,13 @@ static double value_at(double theta2, void *data)
     if (!move(x->corners, x->branch, theta2, &state))
         return GSL_NAN;
     value = flk_switch_value(&x->corners->d->machine, x->s, &state) - x->level;
-    return x->s->period > 0 ? value - x->s->period * floor(value / x->s->period + 0.5) : value;
+    return x->s->period > 0 ? flk_cycle_beside(value, x->s->period) : value;
 }
 
 /* The value within half a period of `near`. */
 static double nearest(const flk_switch *s, double value, double near)
 {
-    return s->period > 0 ? value - s->period * floor((value - near) / s->period + 0.5) : value;
+    return s->period > 0 ? value - s->period * flk_cycle_nearest(value - near, s->period) : value;
 }
 
 /* Store where the levels of switch j are crossed between two crank angles. */
@@ -162,7 +163,7 @@ static void offer_levels(search *s, const double *level, size_t n, double period
 
     if (n == 0)
         return;
-    here -= period * floor((here - level[0]) / period);
+    here = flk_cycle_place(here, level[0], period);
     low = flk_switch_below(level, n, here);
     for (k = 0; k < n; k++) {
         double away;
@@ -170,7 +171,7 @@ static void offer_levels(search *s, const double *level, size_t n, double period
         i = s->p->sense > 0 ? (low + k) % n : (low + 2 * n - 1 - k) % n;
         offer_angle(s, level[i], period, FLK_END_PLAIN);
         away = s->p->sense * (level[i] - here);
-        if (away - period * floor(away / period) > 2 * CLOSEST)
+        if (flk_cycle_place(away, 0, period) > 2 * CLOSEST)
             return;
     }
 }

@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "crank_motion.h"
 #include "mechanics/kind.h"
 #include "mechanics/spring.h"
@@ -100,7 +101,7 @@ int flk_crank_motion_find_angle(const flk_crank_motion *c, double angle, double 
     if (c->d->drive.by_time)
         return 1; /* the angles that it reaches depend on the branch */
     if (angle < first - tiny || angle > last + tiny)
-        *at = angle + turn * ceil((first - tiny - angle) / turn);
+        *at = angle - turn * flk_cycle_count(angle + tiny - first, turn);
     return first - tiny <= *at && *at <= last + tiny;
 }
 

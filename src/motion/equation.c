@@ -13,6 +13,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "equation.h"
 #include "mechanics/dormand_prince.h"
 #include "mechanics/kind.h"
@@ -44,8 +45,9 @@ static double after_change(const flk_equation *e, double s)
     int i;
 
     for (i = 0; i < 2; i++) {
-        double turns = (flk_equation_theta2(e, s) - folded - i * M_PI) / (2 * M_PI);
-        double after = e->sense * 2 * M_PI * (turns - floor(turns + 0.5));
+        double after = flk_equation_theta2(e, s) - folded - i * M_PI;
+
+        after = e->sense * flk_cycle_beside(after, 2 * M_PI);
 
         if ((i ? mechanism->change_stretched : mechanism->change_folded) &&
             fabs(after) < fabs(nearest))

@@ -52,14 +52,16 @@ static const flk_node *step_to(const flk_path *p, double s)
 /* The state after s within the step that begins at a node. */
 static void at_angle(const flk_node *node, double s, flk_node *at)
 {
-    double change = s - node->y[FLK_PASSED], part, most;
+    double change = s - node->y[FLK_PASSED], whole, part, most;
 
     *at = *node;
-    if (node->h == 0 || change == 0)
+    if (node->h == 0)
+        return;
+    whole = node[1].y[FLK_PASSED] - node->y[FLK_PASSED];
+    change = GSL_MAX(GSL_MIN(change, GSL_MAX(0, whole)), GSL_MIN(0, whole));
+    if (change == 0)
         return;
     most = (node[1].t - node->t) / node->h;
-    change = GSL_MAX(GSL_MIN(change, GSL_MAX(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED])),
-                     GSL_MIN(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED]));
     part = flk_node_part(node, FLK_PASSED, node->y[FLK_PASSED] + change, GSL_MIN(most, 1));
     flk_node_within(node, GSL_MAX(0, GSL_MIN(part, 1)), at);
 }

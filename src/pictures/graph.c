@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "graph.h"
 #include "view/place.h"
 #include "sketch.h"
@@ -87,7 +88,8 @@ static int has_point(const plot_sample *s, int x, int y)
 /* Continue an angle from the one before it, past half a turn. */
 static double go_on(double value, double last, double turn)
 {
-    return turn > 0 && !gsl_isnan(last) ? value + turn * floor((last - value) / turn + 0.5) : value;
+    return turn > 0 && !gsl_isnan(last) ? value + turn * flk_cycle_nearest(last - value, turn)
+                                        : value;
 }
 
 /* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
@@ -107,7 +109,7 @@ static int is_periodic(const picture *p)
 ** sample that is missing, as at a change point, is no gap. */
 static void join_ends(const picture *p, double turn, double values[PICTURE_STEPS + 1])
 {
-    double shift = turn * floor((values[0] - values[PICTURE_STEPS]) / turn + 0.5);
+    double shift = turn * flk_cycle_nearest(values[0] - values[PICTURE_STEPS], turn);
     int k = PICTURE_STEPS;
 
     if (!(turn > 0) || !is_periodic(p) || gsl_isnan(shift))

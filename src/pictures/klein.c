@@ -18,6 +18,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "figure.h"
 
 /* Greek letters and the power, in UTF-8. */
@@ -94,12 +95,6 @@ static void put_length(sketch *s, const picture *p, const char *name, double len
         figure_note(s, p, name, format_settled(length, rod), QUANTITY_LENGTH);
 }
 
-/* An angle, less whole turns: from -pi to pi. */
-static double remainder_of_turn(double angle)
-{
-    return angle - 2 * M_PI * floor(angle / (2 * M_PI) + 0.5);
-}
-
 /* Draw the lines at the crank, and put each letter on the side away from the middle of the rod. */
 static void draw_crank(sketch *s, const construction *k, double rod)
 {
@@ -110,7 +105,7 @@ static void draw_crank(sketch *s, const construction *k, double rod)
 
     sketch_arc(s, PEN_CONSTRUCTION, k->B, BM, 0, 2 * M_PI);
     if (k->meet)
-        side = fabs(remainder_of_turn(of_K - of_B)) * 1.2;
+        side = fabs(flk_cycle_beside(of_K - of_B, 2 * M_PI)) * 1.2;
     sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, of_B - side, of_B + side);
     if (k->meet)
         sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);

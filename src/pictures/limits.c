@@ -13,6 +13,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "figure.h"
 
 #define I_13 "I" SUB_1 SUB_3
@@ -168,7 +169,7 @@ static void put_transmission(sketch *s, const picture *p, const fourlink_state *
         return;
     rod = atan2(pins.B.y - pins.C.y, pins.B.x - pins.C.x);
     other = p->v.kind.has_stroke ? M_PI_2 : atan2(pins.D.y - pins.C.y, pins.D.x - pins.C.x);
-    span = other - rod - M_PI * floor((other - rod) / M_PI + 0.5); /* the acute one */
+    span = flk_cycle_beside(other - rod, M_PI); /* the acute one */
     if (p->v.kind.has_stroke)
         sketch_line(s, PEN_CONSTRUCTION, pins.C, place_polar(pins.C, 1.5 * radius, rod + span));
     else if (cos(rod + span - other) < 0) /* beyond C */

@@ -9,6 +9,7 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "base/cycle.h"
 #include "panel.h"
 
 #define RINGS 3       /* a number stands beside its extreme */
@@ -32,14 +33,14 @@ static double x_step(const picture *p, const panel *q, double span)
 /* Mark the deck's one instant in a picture of its cycle, over the crank angle. */
 static void put_instant(const picture *p, panel *q)
 {
-    double from = p->v.problem.motion.from, cycle = p->v.end - from, angle = p->instant;
+    double from = p->v.problem.motion.from, cycle = p->v.end - from, angle;
     char words[PICTURE_MARK + 10], number[PICTURE_MARK];
     display_item *words_at;
     double half, x;
 
     if (!p->has_instant || cycle == 0)
         return;
-    angle -= cycle * floor((angle - from) / cycle);
+    angle = flk_cycle_place(p->instant, from, cycle);
     flk_message(words, sizeof words, "\316\270" SUB_2 " = %s",
                 picture_mark(p, p->instant, 4, number));
     half = 0.55 * canvas_width_of(words) / q->r.x_scale;
@@ -60,8 +61,8 @@ static void put_instants(const picture *p, panel *q)
 
     if (!p->has_instant || cycle == 0)
         return;
-    part = (p->instant - from) / cycle;
-    k = (int)(PICTURE_STEPS * (part - floor(part)) + 0.5);
+    part = (flk_cycle_place(p->instant, from, cycle) - from) / cycle;
+    k = (int)(PICTURE_STEPS * part + 0.5);
     for (i = 0; i < q->n; i++)
         if (!gsl_isnan(q->line[i].y[k]))
             graph_mark(p, place_at(q->line[i].x[k], q->line[i].y[k]), 5, 1);
@@ -148,7 +149,7 @@ static double on_curve(const graph_line *line, fourlink_value value, double turn
             nearest = fabs(line->x[k] - value.angle);
             y = line->y[k];
         }
-    return turn > 0 ? value.value + turn * floor((y - value.value) / turn + 0.5) : value.value;
+    return turn > 0 ? value.value + turn * flk_cycle_nearest(y - value.value, turn) : value.value;
 }
 
 /* Mark an extreme, with its value above a maximum or below a minimum if there is room. */

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "figure.h"
 
 #define FEWEST_TEETH 5
@@ -170,7 +171,7 @@ static void draw_torsional(sketch *s, const picture *p, const fourlink_state *st
     double from = direction_from(p, state, spring->to, pin);
     double span = direction_from(p, state, spring->link, pin) - from;
 
-    span += 2 * M_PI * (TURNS - floor(span / (2 * M_PI)));
+    span += 2 * M_PI * (TURNS - flk_cycle_count(span, 2 * M_PI));
     sketch_spiral(s, PEN_GROUND, pin, 0.3 * RADIUS * s->size, RADIUS * s->size, from, from + span);
     sketch_text_around(s, pin, RADIUS * s->size, from + span + 2, name);
 }

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "mathml.h"
 #include "report.h"
 #include "sample_motion.h"
@@ -44,12 +45,6 @@ static void end_given(report *r, math *m)
     put_heading(m, "Position");
 }
 
-/* An angle in (-pi, pi]. */
-static double principal(double angle)
-{
-    return angle - 2 * M_PI * ceil((angle - M_PI) / (2 * M_PI));
-}
-
 /* Write an angle whose equation, with the value `plain`, may need a full turn more or less, so that it is the
 ** library's, in (-pi, pi]. */
 static void let_turned(math *m, const char *name, const char *equation, double plain, double angle)
@@ -75,7 +70,8 @@ static void put_four_bar_position(report *r, math *m)
     double f = gsl_hypot(d - B->x, B->y), psi = atan2(-B->y, d - B->x),
            side = now->sine > 0 ? 1 : -1;
     double theta3 = now->link[3].theta, theta4 = now->link[4].theta;
-    double beta3 = fabs(principal(theta3 - psi)), beta4 = fabs(principal(psi + M_PI - theta4));
+    double beta3 = fabs(flk_cycle_beside(theta3 - psi, 2 * M_PI)),
+           beta4 = fabs(flk_cycle_beside(psi + M_PI - theta4, 2 * M_PI));
 
     put_words(m, "Pin B, then the diagonal BD of the loop, its length f and its angle \317\210:");
     math_let(m, "xB", "a * cos theta2", B->x);

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/message.h"
 #include "expected.h"
 #include "base/quantity.h"
@@ -116,7 +117,7 @@ static void hint_of_angle(flk_opened *o, const flk_name *n, fourlink_check *c, d
         flk_message(c->hint, sizeof c->hint,
                     "%s is the value at theta2 = %g: angles are counter-clockwise", c->printed_text,
                     -c->angle);
-    else if (agrees_on_motion(o, n, c, rad - full * floor(rad / full), turn))
+    else if (agrees_on_motion(o, n, c, flk_cycle_place(rad, 0, full), turn))
         flk_message(c->hint, sizeof c->hint, "%s is the value at theta2 = %g rad", c->printed_text,
                     c->angle);
 }
@@ -424,7 +425,7 @@ static double difference(double x, double y, double turn)
 {
     double d = x - y;
 
-    return turn > 0 ? d - turn * floor(d / turn + 0.5) : d;
+    return turn > 0 ? flk_cycle_beside(d, turn) : d;
 }
 
 int flk_expected_agrees(const fourlink_check *check, double value, double turn)

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/trig.h"
 #include "follow.h"
 
@@ -26,7 +27,7 @@ static void skip_periods(flk_follower *f)
         flk_crank_motion_repeats(&f->a->crank_motion) ? f->a->crank_motion.period : GSL_POSINF;
     if (f->motion.length < 3 * f->motion.period)
         return;
-    f->skipped = f->motion.period * (floor(f->motion.length / f->motion.period) - 2);
+    f->skipped = f->motion.period * (flk_cycle_count(f->motion.length, f->motion.period) - 2);
     f->motion.length -= f->skipped;
 }
 
@@ -183,7 +184,7 @@ double flk_followed_value(const flk_follower *f, const flk_followed *t, double s
 /* The whole turns of an angle from one value to another, in its unit. */
 static double whole_turns(const flk_followed *t, double from, double to)
 {
-    return t->turn * floor((to - from) / t->turn + 0.5);
+    return t->turn * flk_cycle_nearest(to - from, t->turn);
 }
 
 double flk_followed_nearest(const flk_followed *t, double value, double near)
@@ -208,9 +209,7 @@ double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
 
 double flk_followed_change(const flk_followed *t, double from, double to)
 {
-    double d = (to - from) / t->turn;
-
-    return fabs(d - floor(d + 0.5));
+    return fabs(flk_cycle_beside((to - from) / t->turn, 1));
 }
 
 /* Where a force passes through zero its direction jumps by half a turn. */

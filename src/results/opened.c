@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/quantity.h"
 #include "deck/numbers.h"
 #include "deck/reader.h"
@@ -490,14 +491,10 @@ static void hold_instant(deck *d)
     double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
     double cycle = flk_unit_from_si(d->machine.cycle, d->units[QUANTITY_ANGLE].unit);
 
-    if (turn < 0) {
-        motion->from = cycle * ceil(motion->from / cycle);
-        motion->to = motion->from - cycle;
-    } else {
-        motion->from = cycle * floor(motion->from / cycle);
-        motion->to = motion->from + cycle;
-    }
     motion->interval = cycle / 72;
+    cycle = turn < 0 ? -cycle : cycle;
+    motion->from = cycle * flk_cycle_count(motion->from, cycle) + 0.0;
+    motion->to = motion->from + cycle;
     motion->hold = 1;
     d->one_instant = 0;
 }

@@ -11,6 +11,7 @@
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "synthesis.h"
 
 /* A position is missed by more than this, relative to the size of the linkage (or in rad): far more than
@@ -147,9 +148,10 @@ static void continue_angles(fourlink_solution *s, int sense)
     int i;
 
     for (i = 1; i < s->n_positions; i++) {
-        double from = s->position[i - 1].theta2, step = flk_reduced(s->position[i].theta2 - from);
+        double from = s->position[i - 1].theta2, *to = &s->position[i].theta2;
 
-        s->position[i].theta2 = from + step + (sense * step < 0 ? sense * 2 * M_PI : 0);
+        *to = sense ? flk_cycle_place(*to, from, sense * 2 * M_PI)
+                    : from + flk_cycle_beside(*to - from, 2 * M_PI);
     }
 }
 
@@ -233,7 +235,7 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
         }
     }
     if (high - low >= 2 * M_PI * (1 - ROUNDING))
-        s->mu_min_at -= 2 * M_PI * floor(s->mu_min_at / (2 * M_PI));
+        s->mu_min_at = flk_cycle_place(s->mu_min_at, 0, 2 * M_PI);
 }
 
 /* The working range: the smallest that has all positions and the range that is given, in its sense. */

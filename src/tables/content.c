@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/message.h"
 #include "system/memory.h"
 #include "content.h"
@@ -508,12 +509,14 @@ static void find_yield(const sheet *s, sheet_output *outputs)
                 yield->v.value = 0;
 }
 
+#define CLOSE 1e-9 /* rad */
+
 /* 1 if crank angles from `from` to `to`, in rad, are within a range, or whole turns from it. */
 static int is_within(double from, double to, double low, double high)
 {
-    double turns = floor((from - low) / (2 * M_PI) + 1e-9) * (2 * M_PI);
+    double turns = 2 * M_PI * flk_cycle_count(from + CLOSE - low, 2 * M_PI);
 
-    return high - low > 2 * M_PI - 1e-9 || to - turns <= high + 1e-9;
+    return high - low > 2 * M_PI - CLOSE || to - turns <= high + CLOSE;
 }
 
 /* Why a design has no positions at some crank angles of its motion: the angles at which it has; null if

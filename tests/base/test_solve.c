@@ -53,6 +53,21 @@ TEST(test_smooth)
     assert_near(flk_find_zero(dottie, NULL, &b, 1e-3), 0.739085133215160641655, 1e-3);
 }
 
+/* A zero at an end is found there, whether the function rises or falls. */
+TEST(test_zero_at_end)
+{
+    uint64_t seed = 8;
+    int i;
+
+    for (i = 0; i < 1000; i++) {
+        double low = uniform(&seed, -10, 10), high = low + pow(10, uniform(&seed, -6, 3));
+        steep s = {i % 2 ? low : high, uniform(&seed, -30, 30) / (high - low)};
+        flk_bracket b = flk_bracket_of(low, high, rise(low, &s), rise(high, &s));
+
+        assert_true(flk_find_zero(rise, &s, &b, 0) == s.zero);
+    }
+}
+
 TEST(test_many)
 {
     uint64_t seed = 3;
