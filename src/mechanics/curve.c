@@ -43,7 +43,7 @@ double flk_curve_piece(const curve *c, double x, double within)
     if (c->period <= 0)
         return flk_steffen_on(c->x, c->y, c->n, x, within);
     beside = flk_cycle_beside(beside, c->period);
-    within = flk_cycle_place(within, c->x[0], c->period);
+    within = c->x[0] + flk_cycle_place(within - c->x[0], 0, c->period);
     low = flk_steffen_find(c->x, c->n + 1, within);
     d = within - c->x[low] + beside;
     return flk_steffen_value(d, c->x[low + 1] - c->x[low], c->y[low], c->y[low + 1], c->slope[low],

@@ -261,7 +261,7 @@ static void evaluate(equations *e, double share)
         } else if (fabs(x[1]) >= j->couple * fabs(x[0])) {
             size = fabs(x[1]);
             d[0] = 0;
-            d[1] = x[1] < 0 ? -factor : factor;
+            d[1] = factor * GSL_SIGN(x[1]) * (size > 0); /* nothing presses, nothing locks */
         } else {
             size = j->couple * fabs(x[0]);
             d[0] = j->couple * (x[0] < 0 ? -factor : factor);

@@ -45,9 +45,8 @@ static double after_change(const flk_equation *e, double s)
     int i;
 
     for (i = 0; i < 2; i++) {
-        double after = flk_equation_theta2(e, s) - folded - i * M_PI;
-
-        after = e->sense * flk_cycle_beside(after, 2 * M_PI);
+        double turns = (flk_equation_theta2(e, s) - folded - i * M_PI) / (2 * M_PI);
+        double after = e->sense * 2 * M_PI * flk_cycle_beside(turns, 1);
 
         if ((i ? mechanism->change_stretched : mechanism->change_folded) &&
             fabs(after) < fabs(nearest))

@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/trig.h"
+#include "mechanics/friction.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
 #include "deck/found.h"
@@ -233,26 +234,69 @@ static void list_forces(const fourlink_mechanism *mechanism, const fourlink_stat
     list[10] /= length;
 }
 
+/* The loads of the whole minus those of a part, at the same points. */
+static void subtract_loads(const fourlink_load *whole, const fourlink_load *part, unsigned long n,
+                           fourlink_load *rest)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++) {
+        rest[i] = whole[i];
+        rest[i].force.x -= part[i].force.x;
+        rest[i].force.y -= part[i].force.y;
+        rest[i].torque -= part[i].torque;
+    }
+}
+
+/* The forces of loads and weights at a standstill, with the friction that these cause in the sense of the
+** motion. */
+static int solve_at_standstill(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                               const fourlink_load *loads, unsigned long n_loads,
+                               const fourlink_friction *friction, fourlink_forces *forces,
+                               fourlink_losses *losses)
+{
+    fourlink_state rest = *state;
+    int status = fourlink_velocity(mechanism, 0, &rest);
+
+    if (status == FOURLINK_OK)
+        status = fourlink_acceleration(mechanism, 0, &rest);
+    if (status != FOURLINK_OK)
+        return status;
+    return friction ? flk_friction_solve(mechanism, &rest, state, loads, n_loads, friction, 0,
+                                         forces, losses)
+                    : fourlink_solve(mechanism, &rest, loads, n_loads, forces);
+}
+
+/* Forces are linear in the loads, so that two parts make the whole: that at a standstill, and the rest, which
+** is the inertia forces, and the friction of the whole minus that of the first part.  Friction grows with the
+** sizes of the pin forces, so that the rest is not what inertia alone would cause.  Where friction locks the
+** first part there are no parts. */
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
                              const fourlink_load *loads, unsigned long n_loads,
-                             const fourlink_forces *forces, flk_derived *e)
+                             const fourlink_friction *friction, const fourlink_forces *forces,
+                             flk_derived *e)
 {
     fourlink_mechanism weightless = *mechanism;
-    fourlink_state rest = *state;
     fourlink_forces of_loads, of_inertia;
+    fourlink_losses losses;
+    fourlink_load added[FOURLINK_FRICTION_LOADS];
+    unsigned long n_friction = friction ? FOURLINK_FRICTION_LOADS : 0;
     double largest = 0, difference = 0;
     double whole[FLK_FORCES], part[FLK_FORCES], other[FLK_FORCES];
     int status, i;
 
     weightless.design.gravity.x = 0;
     weightless.design.gravity.y = 0;
-    status = fourlink_velocity(mechanism, 0, &rest);
-    if (status == FOURLINK_OK)
-        status = fourlink_acceleration(mechanism, 0, &rest);
-    if (status == FOURLINK_OK)
-        status = fourlink_solve(mechanism, &rest, loads, n_loads, &of_loads);
-    if (status == FOURLINK_OK)
-        status = fourlink_solve(&weightless, state, NULL, 0, &of_inertia);
+    n_loads -= n_friction;
+    status = solve_at_standstill(mechanism, state, loads, n_loads, friction, &of_loads, &losses);
+    if (status == FOURLINK_LOCKED) {
+        e->Ts_static = e->Ts_inertia = e->superposition = FLK_UNDEFINED;
+        return FOURLINK_OK;
+    }
+    if (status == FOURLINK_OK) {
+        subtract_loads(loads + n_loads, losses.load, n_friction, added);
+        status = fourlink_solve(&weightless, state, added, n_friction, &of_inertia);
+    }
     if (status != FOURLINK_OK)
         return status;
     list_forces(mechanism, state, forces, whole);
@@ -355,8 +399,9 @@ static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *
     if ((needs & NEED_DERIVED) && forces)
         flk_derive_from_forces(mechanism, &at->state, &at->forces, &a->acting, derived);
     if (needs & NEED_SUPERPOSITION)
-        return flk_derive_superposition(mechanism, &at->state, a->acting.load,
-                                        a->d->machine.n_loads, &at->forces, derived);
+        return flk_derive_superposition(
+            mechanism, &at->state, a->acting.load, a->d->machine.n_loads,
+            a->d->machine.has_friction ? &a->d->machine.friction : NULL, &at->forces, derived);
     return FOURLINK_OK;
 }
 

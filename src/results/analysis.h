@@ -37,7 +37,7 @@ typedef struct flk_derived {
     fourlink_vector I13, I24;     /* m, instantaneous centres; NaN at infinity */
     double A, B, C;               /* m2, coefficients of Freudenstein's equation; four-bar */
     double structural_error;      /* rad or m, of a linkage found for a function */
-    double Ts_static, Ts_inertia; /* N m, of loads and weights alone, and of inertia alone */
+    double Ts_static, Ts_inertia; /* N m, without inertia, and what inertia adds */
     double superposition; /* 1, largest difference, of all nine unknowns, between the sum of both
                              and the whole, relative to the largest force */
 } flk_derived;
@@ -62,10 +62,12 @@ void flk_derive_rubbing(const fourlink_mechanism *mechanism, const fourlink_stat
 void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,
                         double reciprocating, flk_derived *e);
 
-/* Solve for loads and inertia separately; returns a status. */
+/* Solve for loads and inertia separately; returns a status.  With friction, not null, the last
+** FOURLINK_FRICTION_LOADS of the loads are those of friction. */
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
                              const fourlink_load *loads, unsigned long n_loads,
-                             const fourlink_forces *forces, flk_derived *e);
+                             const fourlink_friction *friction, const fourlink_forces *forces,
+                             flk_derived *e);
 
 /* -------------------------------------------------------------------------------------------------- a row */
 

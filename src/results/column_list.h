@@ -251,11 +251,12 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     X(I24y, LENGTH, ALL, OF_MOTION(I24.y), "instantaneous centre of links 2 and 4, y", "")         \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, 0), "driving torque of loads and weights alone", \
-      "")                                                                                          \
-    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia, 0), "driving torque of inertia alone", "")     \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, 0),                                              \
+      "driving torque without inertia: of loads, weights and the friction that these cause", "")   \
+    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia, 0),                                            \
+      "driving torque that inertia adds, friction included: Ts - Ts_static", "")                   \
     X(superposition, NUMBER, ALL, OF_SPLIT(superposition, FOURLINK_OF_ROUNDING),                   \
-      "error of the superposition, relative to the largest force", "")                             \
+      "error of the sum of both parts, relative to the largest force", "")                         \
     X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0), "driving torque without friction", "")             \
     X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power), "power lost by friction", "")          \
     X(efficiency, NUMBER, ALL | USUAL, OF_LOSSES(efficiency),                                      \

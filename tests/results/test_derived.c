@@ -87,8 +87,9 @@ static void draw(sample *x)
              fabs(x->state.sine) < 0.3);
     flk_derive_from_motion(&x->m, &x->state, &x->e);
     derive_from_forces(x, x->gas);
-    assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 3, &x->forces, &x->e),
-                     FOURLINK_OK);
+    assert_int_equal(
+        flk_derive_superposition(&x->m, &x->state, x->loads, 3, NULL, &x->forces, &x->e),
+        FOURLINK_OK);
 }
 
 /* Momentum of the links, linear and about A, at a time t from the sample's. */
