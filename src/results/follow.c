@@ -289,34 +289,43 @@ static double extrapolate(const flk_limit_rows *e, values y, int order, int scal
     return value;
 }
 
-/* The scale on which the limit of x^order y is most exact. */
+/* The scale on which the limit of x^order y is most exact, the same for both components of a vector. */
 typedef struct best {
-    double value, error, size;
+    double value[2], error, size;
     double reach;
 } best;
 
-static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial *p)
+/* The size of a vector, or of a number with 0. */
+static double size_on(const flk_limit_rows *e, values y[2], int n, int order, int scale)
 {
-    flk_polynomial here;
-    double value, error;
-    best b;
-    int scale;
+    double v = n == 2 ? y[1][scale][NODES - 1] : 0;
 
-    b.value = GSL_NAN;
+    return gsl_pow_int(e->x[scale][NODES - 1], order) * flk_length(y[0][scale][NODES - 1], v);
+}
+
+static best best_of(const flk_limit_rows *e, values y[2], int n, int order, flk_polynomial p[2])
+{
+    flk_polynomial here[2];
+    double value[2] = {0, 0}, error[2] = {0, 0}, both;
+    int scale, k;
+    best b;
+
+    b.value[0] = GSL_NAN;
+    b.value[1] = b.size = b.reach = 0;
     b.error = GSL_POSINF;
-    b.size = b.reach = 0;
     for (scale = 0; scale < SCALES; scale++) {
-        value = extrapolate(e, y, order, scale, &here, &error);
-        if (error < b.error) {
-            b.value = value;
-            b.error = error;
+        for (k = 0; k < n; k++)
+            value[k] = extrapolate(e, y[k], order, scale, &here[k], &error[k]);
+        both = flk_length(error[0], error[1]);
+        if (both < b.error) {
+            memcpy(b.value, value, sizeof value);
+            memcpy(p, here, (size_t)n * sizeof *here);
+            b.error = both;
             b.reach = e->x[scale][NODES - 1];
-            b.size = fabs(gsl_pow_int(b.reach, order) * y[scale][NODES - 1]);
-            *p = here;
+            b.size = size_on(e, y, n, order, scale);
         }
     }
-    b.size = GSL_MAX_DBL(
-        b.size, fabs(gsl_pow_int(e->x[SCALES - 1][NODES - 1], order) * y[SCALES - 1][NODES - 1]));
+    b.size = GSL_MAX_DBL(b.size, size_on(e, y, n, order, SCALES - 1));
     return b;
 }
 
@@ -420,29 +429,30 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
     1e-6 /* of a vector's size: a smaller one has no direction; it is taken at this part */
 #define BESIDE 1e-3 /* ... of the reach */
 
-/* The limit of a column without a pole, or of the direction of a vector that may have one. */
-static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
-                        const best b[2], double size, flk_limit *l)
+/* The limit of a column without a pole, or of the direction of a vector that may have one.  Its polynomial
+** replaces rows that can be rounding error. */
+static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2], const best *b,
+                        double size, flk_limit *l)
 {
-    double error = b[0].error, here = b[0].size, length = flk_length(b[0].value, b[1].value), least;
+    double lost = e->is_change ? LOST : LOST_DEAD, least;
 
-    if (l->n == 2) {
-        error = flk_length(error, b[1].error);
-        here = flk_length(here, b[1].size);
+    size = GSL_MAX_DBL(b->size, t->turn > 0 ? 0 : size);
+    least = GSL_MAX_DBL(4 * b->error, EXACT * size);
+    if (b->error <= (e->is_change && !(t->turn > 0) ? KNOWN : EXACT) * size) {
+        l->reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
+        lost = e->is_root ? gsl_pow_2(l->reach) : l->reach;
     }
-    size = GSL_MAX_DBL(here, t->turn > 0 ? 0 : size);
-    least = GSL_MAX_DBL(4 * error, EXACT * size);
-    if (error <= EXACT * size)
-        l->reach = GSL_MIN_DBL(b[0].reach, b[l->n - 1].reach);
-    else if (e->is_change || !is_finite(e, y[0]))
-        l->rounded = e->is_change ? LOST : LOST_DEAD;
+    if (b->error > EXACT * size && (e->is_change || !is_finite(e, y[0])))
+        l->rounded = lost;
     if (l->n == 2 && t->turn > 0) {
-        if (error <= KNOWN * size)
-            l->value = join(l, t, length > VANISHES * here ? 0 : BESIDE * b[0].reach, GSL_NAN);
+        double length = flk_length(b->value[0], b->value[1]);
+
+        if (b->error <= KNOWN * size)
+            l->value = join(l, t, length > VANISHES * b->size ? 0 : BESIDE * b->reach, GSL_NAN);
         return;
     }
-    if (error <= KNOWN * size)
-        l->value = l->n == 2 ? length : b[0].value;
+    if (b->error <= KNOWN * size)
+        l->value = l->n == 2 ? flk_length(b->value[0], b->value[1]) : b->value[0];
     else if (l->n == 1 && is_finite(e, y[0]))
         l->value = y[0][0][0];
     if (fabs(l->value) <= least)
@@ -468,8 +478,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order;
     double strength, growth;
-    best b[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     values y[2];
+    best b;
 
     take_values(e, t, is_vector, y);
     flk_limit_of_crank(e, l);
@@ -486,13 +496,11 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
         if (t->turn <= 0)
             l->value = strength > 0 || is_vector ? GSL_POSINF : GSL_NEGINF;
     }
-    for (k = 0; k < l->n; k++)
-        b[k] = best_of(e, y[k], l->order, &l->of[k]);
+    b = best_of(e, y, l->n, l->order, l->of);
     if (!has_pole || (is_vector && t->turn > 0))
-        find_finite(e, t, y, b, size, l);
-    else if (is_vector && l->order > 0 && b[0].error <= EXACT * b[0].size &&
-             b[1].error <= EXACT * b[1].size)
-        l->reach = GSL_MIN_DBL(b[0].reach, b[1].reach);
+        find_finite(e, t, y, &b, size, l);
+    else if (is_vector && l->order > 0 && b.error <= EXACT * b.size)
+        l->reach = b.reach;
 }
 
 double flk_limit_value(const flk_limit *l, const flk_followed *t, double passed, double near)
