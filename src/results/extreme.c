@@ -18,6 +18,7 @@
 
 #include "base/solve.h"
 #include "extreme.h"
+#include "pole.h"
 
 #define CLOSE 1e-12       /* relative difference of values that are equal within rounding, */
 #define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
@@ -117,12 +118,11 @@ static void offer_samples(const sought *k, int which)
         ;
     if (i < x->n)
         offer_at(k, which, v[i], x->s[i]);
-    for (end = 0; end < 2; end++) {
+    for (end = 0; end < 2; end++)
         if (k->c->is_inside[end] && x->n > 0)
             offer_corner(k, which, end);
-        if (gsl_isinf(k->c->limit[end].value) == (which == 0 ? 1 : -1))
-            offer_at(k, which, k->c->limit[end].value, end);
-    }
+        else if (gsl_finite(k->c->of.bound) && x->n > 2 && gsl_isnan(v[end ? x->n - 1 : 0]))
+            offer_at(k, which, k->c->corner[end], end); /* 0 / 0 there */
 }
 
 /* ------------------------------------------------------------------------------------------------ peaks */
@@ -374,61 +374,15 @@ static void resolve_narrow(sought *k, flk_samples *x)
 
 /* ------------------------------------------------------------------------------------------------ poles */
 
-#define BESIDE_POLE 1e-8 /* s */
-
-/* The denominator of a column that has poles, at a parameter. */
-static double divisor_at(double s, void *data)
+/* Offer a pole: one of both infinities, or both. */
+static void offer_pole(void *data, const flk_pole *pole)
 {
     const sought *k = data;
-    const flk_column *c = k->c->of.c;
-    flk_row row;
 
-    flk_follow_row(&k->x->f, flk_column_need(c), flk_follow_passed(&k->x->f, s), &row);
-    return row.at.status == FOURLINK_OK ? flk_column_denominator(c, &row) : GSL_NAN;
-}
-
-/* 1 if a column grows towards a parameter from one side. */
-static int grows_towards(const sought *k, double s, double step, double *nearer)
-{
-    *nearer = flk_samples_value(k->x, k->c, s + step, GSL_NAN);
-    return fabs(*nearer) > 1.5 * fabs(flk_samples_value(k->x, k->c, s + 2 * step, GSL_NAN));
-}
-
-/* Offer the poles of a column.  Where the denominator changes its sign between samples both infinities are
-** offered, unless the numerator vanishes too; at an end of the piece, the one towards which the rows grow. */
-static void find_poles(sought *k)
-{
-    const flk_samples *x = k->x;
-    double at, before = GSL_NAN, nearer, bound = k->c->of.bound;
-    size_t i, last = 0;
-    int end;
-
-    for (i = 0; i < x->n && gsl_finite(bound); i++) {
-        at = divisor_at(x->s[i], k);
-        if (at == 0) /* the zero is found between its neighbours */
-            continue;
-        if (before * at < 0) {
-            flk_bracket b = flk_bracket_of(x->s[last], x->s[i], before, at);
-            double pole = flk_find_zero(divisor_at, k, &b, 0);
-
-            if (grows_towards(k, pole, -BESIDE_POLE, &nearer)) {
-                offer_at(k, 0, GSL_POSINF, pole);
-                offer_at(k, 1, GSL_NEGINF, pole);
-            }
-        }
-        before = at;
-        last = i;
-    }
-    for (end = 0; end < 2 && x->n > 2 && gsl_finite(bound); end++) {
-        if (fabs(k->c->v[end ? x->n - 1 : 0]) < bound)
-            continue;
-        if (grows_towards(k, end, (end ? -1 : 1) * sqrt(BESIDE_POLE), &nearer)) {
-            offer_at(k, nearer > 0 ? 0 : 1, nearer > 0 ? GSL_POSINF : GSL_NEGINF, end);
-        } else {
-            offer_at(k, 0, k->c->corner[end], end);
-            offer_at(k, 1, k->c->corner[end], end);
-        }
-    }
+    if (pole->signs & FLK_POLE_UP)
+        offer_at(k, 0, GSL_POSINF, pole->s);
+    if (pole->signs & FLK_POLE_DOWN)
+        offer_at(k, 1, GSL_NEGINF, pole->s);
 }
 
 /* --------------------------------------------------------------------------------------- piece by piece */
@@ -445,7 +399,7 @@ static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
         commit(b, 0);
     for (which = 0; which < 2; which++)
         offer_samples(&k, which);
-    find_poles(&k);
+    flk_poles_find(x, c, offer_pole, &k);
     if (!c->of.is_noise && !(c->of.turn > 0) && !gsl_finite(c->of.bound))
         resolve_narrow(&k, x);
     for (which = 0; which < 2 && !c->of.is_noise; which++)

@@ -428,7 +428,7 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     v.branch = (int)branch;
     status = statistic == FLK_MAX || statistic == FLK_MIN
                  ? find_extreme(a, x, c, branch, statistic, all, &v)
-                 : flk_mean_find(a, c, branch, statistic, &v.value);
+                 : flk_mean_find(a, &x->room, c, branch, statistic, &v.value);
     if (status == FOURLINK_NOT_REACHED && end_of_motion(a, branch) != FOURLINK_OK)
         status = end_of_motion(a, branch);
     if (status == FOURLINK_OK)

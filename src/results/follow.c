@@ -372,12 +372,12 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
     return 0;
 }
 
-/* A number with the sign of a pole, if the rows close to the end grow towards it; else 0.  Beside a narrow
-** locked range, or a change point that the links nearly reach, a pole has one order close to it and another
-** farther away. */
+/* A number with the sign of a pole, if the rows close to the end grow towards it, and its order by the two
+** closest; else 0.  Beside a narrow locked range, or a change point that the links nearly reach, a pole has
+** one order close to it and another farther away. */
 #define LEAST_ORDER 0.7
 
-static double find_growth(const flk_limit_rows *e, values y)
+static double find_growth(const flk_limit_rows *e, values y, int *order)
 {
     const double *x = e->x[0], *near = y[0];
     int k;
@@ -385,7 +385,20 @@ static double find_growth(const flk_limit_rows *e, values y)
     for (k = 0; k + 1 < NODES; k++)
         if (!(near[k] / near[k + 1] > pow(x[k + 1] / x[k], LEAST_ORDER)))
             return 0;
+    *order = (int)floor(log(near[0] / near[1]) / log(x[1] / x[0]) + 0.5);
     return x[0] * near[0];
+}
+
+/* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
+** order `of_scale` on the scale on which it was found, 0 if on none. */
+static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, int *order,
+                           int *of_scale)
+{
+    double strength, growth;
+
+    *order = *of_scale = find_pole(e, y, &strength);
+    growth = has_direction ? 0 : find_growth(e, y, order);
+    return growth != 0 ? growth : strength;
 }
 
 /* ------------------------------------------------------------------------------------------ their values */
@@ -435,12 +448,16 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
                         double size, flk_limit *l)
 {
     double lost = e->is_change ? LOST : LOST_DEAD, least;
+    double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
+    int is_smooth = !(t->turn > 0);
 
     size = GSL_MAX_DBL(b->size, t->turn > 0 ? 0 : size);
     least = GSL_MAX_DBL(4 * b->error, EXACT * size);
-    if (b->error <= (e->is_change && !(t->turn > 0) ? KNOWN : EXACT) * size) {
-        l->reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
-        lost = e->is_root ? gsl_pow_2(l->reach) : l->reach;
+    if (is_smooth)
+        l->rough = reach;
+    if (b->error <= (is_smooth && e->is_change ? KNOWN : EXACT) * size) {
+        l->reach = reach;
+        lost = e->is_root ? gsl_pow_2(reach) : reach;
     }
     if (b->error > EXACT * size && (e->is_change || !is_finite(e, y[0])))
         l->rounded = lost;
@@ -462,7 +479,7 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
 void flk_limit_none(flk_limit *l)
 {
     memset(l, 0, sizeof *l);
-    l->reach = -1;
+    l->reach = l->rough = -1;
     l->value = GSL_NAN;
 }
 
@@ -476,8 +493,8 @@ void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l)
 
 void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
 {
-    int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order;
-    double strength, growth;
+    int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order, of_scale;
+    double strength;
     values y[2];
     best b;
 
@@ -486,13 +503,12 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     l->n = is_vector ? 2 : 1;
     l->reach = 0;
     for (k = 0; k < l->n && (is_vector || !(t->turn > 0)); k++) {
-        order = find_pole(e, y[k], &strength);
-        growth = t->turn > 0 ? 0 : find_growth(e, y[k]);
-        strength = growth != 0 ? growth : strength;
+        strength = find_pole_of(e, y[k], t->turn > 0, &order, &of_scale);
         if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size)
             continue;
         has_pole |= strength != 0;
-        l->order = GSL_MAX_INT(l->order, order);
+        l->order = GSL_MAX_INT(l->order, of_scale);
+        l->growth = GSL_MAX_DBL(l->growth, GSL_MAX_INT(order, 1) / (e->is_root ? 2.0 : 1.0));
         if (t->turn <= 0)
             l->value = strength > 0 || is_vector ? GSL_POSINF : GSL_NEGINF;
     }
@@ -503,12 +519,23 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
         l->reach = b.reach;
 }
 
-double flk_limit_value(const flk_limit *l, const flk_followed *t, double passed, double near)
+static double value_within(double reach, const flk_limit *l, const flk_followed *t, double passed,
+                           double near)
 {
     double x = fabs(passed - l->edge);
 
     x = l->is_root ? sqrt(x) : x;
-    if (!(x <= l->reach))
+    if (!(x <= reach))
         return GSL_NAN;
     return x > 0 ? join(l, t, x, near) : l->value;
+}
+
+double flk_limit_value(const flk_limit *l, const flk_followed *t, double passed, double near)
+{
+    return value_within(l->reach, l, t, passed, near);
+}
+
+double flk_limit_rough(const flk_limit *l, const flk_followed *t, double passed)
+{
+    return value_within(l->rough, l, t, passed, GSL_NAN);
 }

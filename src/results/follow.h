@@ -115,9 +115,11 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
 /* A column at the end of a piece and near it, where rows can be rounding error: a polynomial in x divided
 ** by x^order; for the size or the direction of a vector, one for each component. */
 typedef struct flk_limit {
-    double value; /* at the end; infinite at a pole; NaN: it is not known */
+    double value;  /* at the end; infinite at a pole; NaN: it is not known */
+    double growth; /* towards a pole it grows as distance^-growth */
     double
         reach; /* up to this x the polynomials replace the column; 0: only its value at the end is known */
+    double rough;   /* ... its integral, which needs them less exact */
     double rounded; /* rad, up to this distance rows are rounding error */
     int order, n, is_root;
     double edge; /* rad passed at the end */
@@ -131,7 +133,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
 void flk_limit_none(flk_limit *l);
 void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l);
 
-/* The column by its polynomials, NaN beyond their reach. */
+/* The column by its polynomials, NaN beyond their reach; the same for an integral. */
 double flk_limit_value(const flk_limit *l, const flk_followed *t, double passed, double near);
+double flk_limit_rough(const flk_limit *l, const flk_followed *t, double passed);
 
 #endif

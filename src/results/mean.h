@@ -6,13 +6,13 @@
 #ifndef FOURLINK_MEAN_H
 #define FOURLINK_MEAN_H
 
-#include "column.h"
+#include "samples.h"
 
-/* FLK_MEAN or FLK_RMS of a column, in its unit; infinite if the integral is.  Returns FOURLINK_OK,
-** FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG or, for a motion of one
+/* FLK_MEAN or FLK_RMS of a column, in its unit; infinite if the integral is.  `room` is for two columns.
+** Returns FOURLINK_OK, FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG or, for a motion of one
 ** instant, the status of its row. */
-int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
-                  flk_statistic statistic, double *mean);
+int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_column *c,
+                  fourlink_branch branch, flk_statistic statistic, double *mean);
 
 /* Allocate the memory that the turning moment of a deck needs, until flk_analysis_close; 0 when out of
 ** memory. */

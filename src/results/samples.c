@@ -78,6 +78,16 @@ double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, d
                                                         : flk_followed_nearest(&c->of, value, near);
 }
 
+double flk_samples_smooth(const flk_samples *x, const flk_sampled *c, double s)
+{
+    double passed = flk_follow_corner(&x->f, s);
+    double value = flk_limit_rough(&c->limit[0], &c->of, passed);
+
+    if (gsl_isnan(value))
+        value = flk_limit_rough(&c->limit[1], &c->of, passed);
+    return gsl_isnan(value) ? flk_samples_value(x, c, s, GSL_NAN) : value;
+}
+
 int flk_sampled_is_rounded(const flk_sampled *c, double passed)
 {
     return fabs(passed - c->limit[0].edge) < c->limit[0].rounded ||
@@ -128,6 +138,14 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 /* The sample at an end of the piece is the row there or, where a load jumps, the row just inside. */
 #define AGREES 1e-6 /* of the column's size: a greater difference is a jump */
 
+/* The value just inside an end, where an angle goes on from the end's value, or starts anew. */
+static double inside_of(const flk_sampled *c, double inside, double end)
+{
+    return c->of.turn > 0 && flk_followed_turns_over(&c->of, end, inside)
+               ? inside
+               : flk_followed_nearest(&c->of, inside, end);
+}
+
 static void take_end(const flk_samples *x, double s, size_t i)
 {
     flk_piece_end end = s <= 0 ? x->f.piece.begin : x->f.piece.end;
@@ -145,7 +163,7 @@ static void take_end(const flk_samples *x, double s, size_t i)
                     fabs(flk_followed_nearest(&c->of, here, there) - there) > AGREES * size;
 
         c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !gsl_finite(c->of.bound);
-        c->v[i] = c->is_inside[s >= 1] ? flk_followed_nearest(&c->of, there, here) : here;
+        c->v[i] = c->is_inside[s >= 1] ? inside_of(c, there, here) : here;
         c->corner[s >= 1] = c->is_inside[s >= 1] ? here : there;
     }
 }

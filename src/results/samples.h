@@ -71,6 +71,9 @@ int flk_samples_insert(flk_samples *x, size_t i, double s);
 ** it. */
 double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, double near);
 
+/* The same for an integral: where rows are rounding error, the polynomial that follows the others best. */
+double flk_samples_smooth(const flk_samples *x, const flk_sampled *c, double s);
+
 /* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad, and rows beside one another
 ** differ by rounding. */
 #define FLK_SAMPLES_NEAR_LINE 0.05
