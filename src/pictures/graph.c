@@ -10,6 +10,7 @@
 #include "base/cycle.h"
 #include "graph.h"
 #include "view/place.h"
+#include "view/rounding.h"
 #include "sketch.h"
 
 /* rad: with a larger transmission angle a dead position is far.  If a curve is so many times higher near one,

@@ -10,6 +10,7 @@
 #include "mechanism.h"
 #include "plot.h"
 #include "wanted.h"
+#include "view/rounding.h"
 
 #define GHOSTS 12
 

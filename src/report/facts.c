@@ -9,6 +9,7 @@
 #include "report.h"
 #include "tables/sheet.h"
 #include "view/notation.h"
+#include "view/rounding.h"
 
 /* The angle of a value as a cell. */
 static void put_angle(report *r, const fourlink_value *v)

@@ -2,34 +2,29 @@
 **
 ** sample.c - the sample calculation of a report, as a textbook writes it.
 */
-#include <math.h>
 #include <string.h>
-
-#include <gsl/gsl_math.h>
 
 #include "mathml.h"
 #include "report.h"
 #include "sample_forces.h"
 #include "sample_motion.h"
+#include "view/rounding.h"
 
-/* The sizes of values: what the crank alone would have, and the largest pin force. */
 static void set_sizes(const report *r, math *m)
 {
-    const fourlink_crank *crank = &r->now.row.crank;
-    double a = r->v.design->link[FOURLINK_CRANK].length, omega = fabs(crank->omega2), force = 0;
-    double alpha = GSL_MAX_DBL(omega * omega, fabs(crank->alpha2)), x[9];
+    static const quantity quantities[MATH_UNITS] = {
+        QUANTITY_LENGTH,        QUANTITY_AREA,
+        QUANTITY_ANGLE,         QUANTITY_NUMBER,
+        QUANTITY_SPEED,         QUANTITY_ACCELERATION,
+        QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
+        QUANTITY_FORCE,         QUANTITY_TORQUE,
+        QUANTITY_POWER};
+    double sizes[QUANTITY_COUNT];
     int i;
 
-    fourlink_unknowns(r->v.mechanism, &r->now.forces, x);
-    for (i = 0; i < 8; i++)
-        force = GSL_MAX_DBL(force, fabs(x[i]));
-    m->size[MATH_M] = a;
-    m->size[MATH_RAD_S] = omega;
-    m->size[MATH_RAD_S2] = alpha;
-    m->size[MATH_M_S] = omega * a;
-    m->size[MATH_M_S2] = alpha * a;
-    m->size[MATH_N] = r->v.problem.has_forces ? force : 0;
-    m->size[MATH_NM] = r->v.problem.has_forces ? force * a : 0;
+    view_find_sizes(&r->v, &r->now, r->loads, sizes);
+    for (i = 0; i < MATH_UNITS; i++)
+        m->size[i] = sizes[quantities[i]];
 }
 
 void report_put_sample(report *r)

@@ -280,7 +280,7 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
     page_print(p,
                "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
                "balance, the difference is %.2g.</p>\n",
-               r->now.forces.Ts, fabs(r->now.forces.residual));
+               math_settled(m, r->now.forces.Ts, MATH_NM), fabs(r->now.forces.residual));
 }
 
 void sample_put_forces(report *r, math *m)

@@ -83,7 +83,7 @@ static void put_way(const report *r, math *m, const way *w, double mu, double l,
         math_let(m, "F34", w->resultant, gsl_hypot(f->F34x, f->F34y));
 }
 
-static void put_loads_of_joint(report *r, unsigned long joint)
+static void put_loads_of_joint(report *r, const math *m, unsigned long joint)
 {
     fourlink_load_info info;
     unsigned long i;
@@ -98,13 +98,14 @@ static void put_loads_of_joint(report *r, unsigned long joint)
                  load->torque != 0                          ? pins[joint].pin
                  : r->v.kind.has_stroke && joint < PINS - 1 ? "slot"
                                                             : "guide",
-                 r->v.kind.link[info.link], load->force.x, load->force.y, load->torque);
+                 r->v.kind.link[info.link], math_settled(m, load->force.x, MATH_N),
+                 math_settled(m, load->force.y, MATH_N), math_settled(m, load->torque, MATH_NM));
     }
 }
 
 /* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the
 ** link that slides. */
-static void put_loads(report *r)
+static void put_loads(report *r, const math *m)
 {
     page *p = &r->page;
     unsigned long joint;
@@ -118,7 +119,7 @@ static void put_loads(report *r)
     page_table_of(p, "facts friction", "Forces and moments of friction",
                   "Load|x (N)|y (N)|moment (N\302\267m)");
     for (joint = 0; joint < PINS; joint++)
-        put_loads_of_joint(r, joint);
+        put_loads_of_joint(r, m, joint);
     page_table_end(p);
 }
 
@@ -148,5 +149,5 @@ void sample_put_friction(report *r, math *m)
     if (friction.guide > 0)
         put_way(r, m, r->v.kind.has_stroke ? &on_ground : &on_lever, friction.guide,
                 friction.guide_length, r->now.losses.guide);
-    put_loads(r);
+    put_loads(r, m);
 }

@@ -13,12 +13,14 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/scale.h"
 #include "base/solve.h"
 #include "crossing.h"
 
 #define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
 #define SAME 1e-7       /* rad: closer crank angles are the same */
+#define LEVEL 1e-11 /* of the size of its quantity in a row: so much a constant column may vary */
 
 /* Samples here are of the column minus the value sought; NaN: it is undefined. */
 typedef struct crossings {
@@ -27,6 +29,7 @@ typedef struct crossings {
     double value;
     double side;        /* 1 or -1: the side of the present samples */
     double first, last; /* rad passed at the first and the last crossing found */
+    int was_level;      /* 1: the column has the value throughout the last piece */
     unsigned long max, n;
     double *angles;
 } crossings;
@@ -383,6 +386,64 @@ static void insert_samples(crossings *k)
     }
 }
 
+#define MIDDLE 0.5 /* s */
+
+/* How large the column's quantity is in the row of a sample, in its unit, or if there is none, in the middle of the
+** piece: a column that is 0 by symmetry is only rounding error of that. */
+static double size_at(const crossings *k, double s)
+{
+    const flk_column *c = k->c->of.c;
+    const fourlink_design *design = &k->x.f.a->d->machine.mechanism.design;
+    flk_scale scale = {0, 0, 0, 0};
+    flk_row row;
+    int i;
+
+    if (k->c->of.turn > 0)
+        return k->c->of.turn;
+    flk_follow_row(&k->x.f, flk_column_need(c), flk_follow_inside(&k->x.f, s), &row);
+    if (row.at.status != FOURLINK_OK)
+        return s == MIDDLE ? 0 : size_at(k, MIDDLE);
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        flk_scale_take(&scale.length, design->link[i].length);
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+        double omega = row.at.state.link[i].omega;
+
+        flk_scale_take(&scale.speed, omega);
+        flk_scale_take(&scale.acceleration, omega * omega);
+        flk_scale_take(&scale.acceleration, row.at.state.link[i].alpha);
+    }
+    if (flk_column_need(c) & NEED_FORCES) {
+        const fourlink_forces *f = &row.at.forces;
+
+        flk_scale_take(&scale.force, gsl_hypot(f->F12x, f->F12y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F23x, f->F23y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F34x, f->F34y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F14x, f->F14y));
+    }
+    return c->scale * flk_scale_of(&scale, flk_column_quantity(c));
+}
+
+/* 1 if the column is constant in the piece.  Takes its value there in place of NaN, which stays if there is
+** none. */
+static int is_level(const crossings *k, double *value)
+{
+    size_t i;
+
+    for (i = 0; i < k->x.n; i++) {
+        double v = k->c->v[i], size;
+
+        if (!has_value(k, i))
+            continue;
+        if (gsl_isnan(*value))
+            *value = v;
+        v = flk_followed_nearest(&k->c->of, v - *value, 0);
+        size = GSL_MAX_DBL(fabs(*value), fabs(k->c->v[i]));
+        if (!(fabs(v) <= EXACT * size) && !(fabs(v) <= LEVEL * size_at(k, k->x.s[i])))
+            return 0;
+    }
+    return 1;
+}
+
 /* Keep the row at an end of the piece, if it has the value; or if the column passes it from the piece
 ** before. */
 static void search_end(crossings *k, const flk_sample *end, const flk_sample *before)
@@ -396,6 +457,34 @@ static void search_end(crossings *k, const flk_sample *end, const flk_sample *be
         keep_crossing(k, end->x, around);
 }
 
+/* Of a stretch in which the column has the value, keep the ends: of a piece where it has, its end, and its
+** beginning unless the stretch began before. */
+#define BESIDE 1e-5 /* s, from an end at which a load jumps */
+
+static void keep_level(crossings *k)
+{
+    unsigned long n;
+    int end;
+
+    if (k->was_level && k->last == k->x.f.piece.from)
+        k->n--;
+    for (end = k->was_level; end < 2; end++) {
+        n = k->n;
+        k->last = GSL_NAN;
+        keep_crossing(k, end, 0);
+        if (k->n == n)
+            keep_crossing(k, end ? 1 - BESIDE : BESIDE, 0);
+    }
+    k->was_level = 1;
+}
+
+static int has_level(const crossings *k)
+{
+    double any = GSL_NAN, value = k->value;
+
+    return is_level(k, &any) && !gsl_isnan(any) && is_level(k, &value);
+}
+
 static void search_piece(crossings *k, flk_sample *before)
 {
     flk_sample a, b, c;
@@ -403,6 +492,12 @@ static void search_piece(crossings *k, flk_sample *before)
 
     a.x = b.x = c.x = 0;
     a.value = b.value = c.value = GSL_NAN;
+    if (has_level(k)) {
+        keep_level(k);
+        *before = c;
+        return;
+    }
+    k->was_level = 0;
     insert_samples(k);
     for (i = 0; i < k->x.n && !flk_follow_is_over(&k->x.f); i++) {
         a = b;
@@ -432,19 +527,12 @@ static void begin(crossings *k, const flk_samples_room *room, flk_analysis *a, c
 /* 1 if the column is not constant. */
 static int varies(crossings *k)
 {
-    double least = GSL_POSINF, most = GSL_NEGINF;
-    size_t i;
+    double value = GSL_NAN;
 
     while (flk_samples_next(&k->x))
-        for (i = 0; i < k->x.n; i++) {
-            double value = k->c->v[i];
-
-            if (!has_value(k, i))
-                continue;
-            least = GSL_MIN_DBL(least, value);
-            most = GSL_MAX_DBL(most, value);
-        }
-    return !(most - least <= EXACT * GSL_MAX_DBL(fabs(least), fabs(most)));
+        if (!is_level(k, &value))
+            return 1;
+    return 0;
 }
 
 static void search_crossings(crossings *k)

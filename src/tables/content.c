@@ -82,7 +82,7 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
     fourlink_instant at;
     sheet_row row;
 
-    fourlink_results_at(s->v.results, branch, angle, s->values, &at, NULL);
+    sheet_find_at(s, branch, angle, &at);
     take_row(s, branch, &at, &row);
     s->format->row(s, &row);
 }

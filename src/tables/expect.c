@@ -92,9 +92,9 @@ static void put_section(sheet *s, fourlink_branch branch, double angle, const do
 
 static void put_at(sheet *s, fourlink_branch branch, double angle)
 {
-    int status = fourlink_results_at(s->v.results, branch, angle, s->values, NULL, NULL);
+    fourlink_instant at;
 
-    put_section(s, branch, angle, NULL, status);
+    put_section(s, branch, angle, NULL, sheet_find_at(s, branch, angle, &at));
 }
 
 /* A revolution at constant speed ends with its first row again. */

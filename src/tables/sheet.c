@@ -11,6 +11,7 @@
 #include "at.h"
 #include "base/message.h"
 #include "sheet.h"
+#include "view/rounding.h"
 
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                       "no value"};
@@ -65,6 +66,15 @@ static void write_missing(sheet *s, fourlink_branch branch, const at_item *item,
     s->failed += status != FOURLINK_OK;
     if (status != FOURLINK_OK || s->format->is_brief)
         s->format->row(s, &row);
+}
+
+int sheet_find_at(sheet *s, fourlink_branch branch, double angle, fourlink_instant *at)
+{
+    int status = fourlink_results_at(s->v.results, branch, angle, s->values, at, s->loads);
+
+    if (status == FOURLINK_OK)
+        view_settle_row(&s->v, at, s->loads, s->values);
+    return status;
 }
 
 void sheet_for_each_at(sheet *s, fourlink_branch branch,

@@ -171,6 +171,9 @@ const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_
 /* Write where the crank comes to rest, or why the machine goes no further, if so. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
+/* Set the values of the row at a crank angle of s->at, 0 for rounding error; returns its status. */
+int sheet_find_at(sheet *s, fourlink_branch branch, double angle, fourlink_instant *at);
+
 /* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format
 ** is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,

@@ -13,6 +13,7 @@
 #include "sheet.h"
 #include "summary.h"
 #include "head.h"
+#include "view/rounding.h"
 
 #define LINE 100
 #define NAME 20

@@ -11,6 +11,7 @@
 #include "sheet.h"
 #include "table_lines.h"
 #include "summary.h"
+#include "view/rounding.h"
 
 static void open_deck(sheet *s)
 {
@@ -77,11 +78,14 @@ static void block_begins(sheet *s, fourlink_branch branch)
 static void put_extreme(sheet *s, const style *x, int at_angle, size_t width)
 {
     static const style angle = {3, 0, 0, 0, 0, 0, 0, 0, 0, NULL};
+    fourlink_value extreme;
 
-    if (x->extreme && at_angle && x->extreme->has_angle)
-        style_put(&s->l, x->extreme->angle, &angle, width);
+    if (x->extreme)
+        extreme = s->at ? view_settled(&s->v, x->extreme) : *x->extreme;
+    if (x->extreme && at_angle && extreme.has_angle)
+        style_put(&s->l, extreme.angle, &angle, width);
     else if (x->extreme && !at_angle)
-        style_put(&s->l, x->extreme->value, x, width);
+        style_put(&s->l, extreme.value, x, width);
     else
         line_field(&s->l, "", width);
 }

@@ -8,6 +8,7 @@
 #include "system/format.h"
 #include "base/text.h"
 #include "geometry.h"
+#include "rounding.h"
 #include "tracks.h"
 
 static const fourlink_vector zero = {0, 0};

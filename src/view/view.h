@@ -88,18 +88,4 @@ double view_si(const view *v, quantity q, double value);
 /* 1 if the deck gives the crank no speed and no acceleration: all velocities are 0. */
 int view_is_still(const view *v);
 
-/* Smaller velocities and accelerations, in the deck's unit, are rounding beside those of the crank alone
-** at a speed of omega, rad/s; 0 for another quantity. */
-double view_rounding(const view *v, const char *quantity, double omega);
-
-/* An extreme as it is written: one that is rounding is 0 and has no crank angle. */
-fourlink_value view_settled(const view *v, const fourlink_value *extreme);
-
-/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is
-** 0. */
-double view_torque_rounding(const view *v, const fourlink_forces *forces);
-
-/* N m, Ts, or 0 if it is rounding. */
-double view_driving_torque(const view *v, const fourlink_forces *forces);
-
 #endif
