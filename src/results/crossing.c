@@ -13,7 +13,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/scale.h"
 #include "base/solve.h"
 #include "crossing.h"
 
@@ -386,41 +385,14 @@ static void insert_samples(crossings *k)
     }
 }
 
-#define MIDDLE 0.5 /* s */
-
-/* How large the column's quantity is in the row of a sample, in its unit, or if there is none, in the middle of the
-** piece: a column that is 0 by symmetry is only rounding error of that. */
+/* How large the column's quantity is in the row of a sample or, if there is none, in the middle of the piece: a
+** column that is 0 by symmetry is only rounding error of that. */
 static double size_at(const crossings *k, double s)
 {
-    const flk_column *c = k->c->of.c;
-    const fourlink_design *design = &k->x.f.a->d->machine.mechanism.design;
-    flk_scale scale = {0, 0, 0, 0};
     flk_row row;
-    int i;
 
-    if (k->c->of.turn > 0)
-        return k->c->of.turn;
-    flk_follow_row(&k->x.f, flk_column_need(c), flk_follow_inside(&k->x.f, s), &row);
-    if (row.at.status != FOURLINK_OK)
-        return s == MIDDLE ? 0 : size_at(k, MIDDLE);
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-        flk_scale_take(&scale.length, design->link[i].length);
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        double omega = row.at.state.link[i].omega;
-
-        flk_scale_take(&scale.speed, omega);
-        flk_scale_take(&scale.acceleration, omega * omega);
-        flk_scale_take(&scale.acceleration, row.at.state.link[i].alpha);
-    }
-    if (flk_column_need(c) & NEED_FORCES) {
-        const fourlink_forces *f = &row.at.forces;
-
-        flk_scale_take(&scale.force, gsl_hypot(f->F12x, f->F12y));
-        flk_scale_take(&scale.force, gsl_hypot(f->F23x, f->F23y));
-        flk_scale_take(&scale.force, gsl_hypot(f->F34x, f->F34y));
-        flk_scale_take(&scale.force, gsl_hypot(f->F14x, f->F14y));
-    }
-    return c->scale * flk_scale_of(&scale, flk_column_quantity(c));
+    flk_follow_row(&k->x.f, flk_column_need(k->c->of.c), flk_follow_inside(&k->x.f, s), &row);
+    return row.at.status == FOURLINK_OK ? flk_samples_scale(&k->x, k->c, &row) : k->c->scale;
 }
 
 /* 1 if the column is constant in the piece.  Takes its value there in place of NaN, which stays if there is

@@ -131,6 +131,8 @@ static void offer_samples(const sought *k, int which)
 #define AGREED \
     1e-11 /* of the column's size: the row at the top of the polynomial is what that says */
 #define EQUAL 1e-14 /* of the column's size: a search by rows ends */
+#define AGREED_BEND \
+    1e-6 /* of the bend of the samples: in closer samples a corner agrees by chance */
 
 /* The column, or its negative where its smallest value is sought. */
 static double peak_at(double s, void *data)
@@ -219,12 +221,17 @@ static flk_sample find_peak(sought *k, size_t i)
 {
     flk_polynomial of;
     flk_sample at[3];
+    double size, bend;
 
     at[0] = sample_of(k, i - 1);
     at[1] = sample_of(k, i);
     at[2] = sample_of(k, i + 1);
     through(k, i, &of);
-    if (!take_top(peak_at, k, &of, at[0].x, at[2].x, AGREED * size_of(k, at[1].value), &at[1]))
+    size = size_of(k, at[1].value);
+    bend = 2 * at[1].value - at[0].value - at[2].value;
+    if (!take_top(peak_at, k, &of, at[0].x, at[2].x,
+                  GSL_MAX_DBL(EQUAL * size, GSL_MIN_DBL(AGREED * size, AGREED_BEND * bend)),
+                  &at[1]))
         at[1] = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
     sharpen(peak_at, k, at[0].x, at[2].x, &at[1]);
     return at[1];
@@ -262,6 +269,14 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 
 /* A column may exceed a sample by this multiple of the bend of the sample and its neighbours. */
 #define MARGIN 4
+#define NOISE_OF_QUANTITY \
+    1e-14 /* of the size of its quantity: so little hides no peak, but rounding error */
+
+/* 1 if the samples bend by no more than rounding error: the column is constant there. */
+static int is_flat(const sought *k, double here, double bend)
+{
+    return bend <= GSL_MAX_DBL(CLOSE / MARGIN * fabs(here), NOISE_OF_QUANTITY * k->c->scale);
+}
 
 /* The best value so far; -infinite if there is none.  Angles are compared only since they last started
 ** anew. */
@@ -296,7 +311,7 @@ static void refine(sought *k, int which)
         b = gsl_isnan(behind) ? before : behind;
         if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)) ||
             !(here + MARGIN * (2 * here - a - b) >= best_so_far(k, which)) ||
-            flk_follow_is_over(&x->f))
+            is_flat(k, here, 2 * here - a - b) || flk_follow_is_over(&x->f))
             continue;
         k->near = v[i];
         top = gsl_isnan(before)   ? find_peak_at_end(k, i, i + 1)

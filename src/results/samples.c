@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/scale.h"
 #include "base/solve.h"
 #include "samples.h"
 
@@ -348,6 +349,33 @@ static void continue_angle(const flk_samples *x, flk_sampled *c)
 
 /* --------------------------------------------------------------------------------------------- pieces */
 
+double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_row *row)
+{
+    const fourlink_design *design = &x->f.a->d->machine.mechanism.design;
+    const fourlink_forces *f = &row->at.forces;
+    flk_scale scale = {0, 0, 0, 0};
+    int i;
+
+    if (c->of.turn > 0)
+        return c->of.turn;
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        flk_scale_take(&scale.length, design->link[i].length);
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+        const fourlink_link_state *link = &row->at.state.link[i];
+
+        flk_scale_take(&scale.speed, link->omega);
+        flk_scale_take(&scale.acceleration, link->omega * link->omega);
+        flk_scale_take(&scale.acceleration, link->alpha);
+    }
+    if (flk_column_need(c->of.c) & NEED_FORCES) {
+        flk_scale_take(&scale.force, gsl_hypot(f->F12x, f->F12y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F23x, f->F23y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F34x, f->F34y));
+        flk_scale_take(&scale.force, gsl_hypot(f->F14x, f->F14y));
+    }
+    return c->of.c->scale * flk_scale_of(&scale, flk_column_quantity(c->of.c));
+}
+
 /* The size of columns, in the middle of the piece. */
 static void measure(flk_samples *x)
 {
@@ -360,6 +388,7 @@ static void measure(flk_samples *x)
         flk_sampled *c = &x->columns[k];
         double size = fabs(flk_column_value(c->of.c, &row));
 
+        c->scale = row.at.status == FOURLINK_OK ? flk_samples_scale(x, c, &row) : 0;
         if (size < c->of.bound) /* elsewhere there is no row, or a pole */
             c->size = GSL_MAX_DBL(c->size, size);
     }

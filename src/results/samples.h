@@ -23,7 +23,8 @@ typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples, continuous for an angle; NaN: no value, or a pole */
-    double size;        /* its largest magnitude in the middle of pieces so far */
+    double size;        /* its largest magnitude in the middle of pieces so far, */
+    double scale;       /* ... and that of its quantity in the middle of this piece */
     double largest;     /* the largest magnitude of the samples */
     flk_limit limit[2]; /* at the beginning and the end of the piece */
     int is_inside[2];   /* 1: the first, the last sample is just inside, where a load jumps */
@@ -73,6 +74,9 @@ double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, d
 
 /* The same for an integral: where rows are rounding error, the polynomial that follows the others best. */
 double flk_samples_smooth(const flk_samples *x, const flk_sampled *c, double s);
+
+/* How large the column's quantity is in a row, in its unit: rounding error is small beside it. */
+double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_row *row);
 
 /* |sin(mu)|: where links are closer to one line, columns change within 1e-5 rad, and rows beside one another
 ** differ by rounding. */

@@ -4,8 +4,9 @@
 ** that are printed in it, and compares it with the printed result.
 **
 ** A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of
-** a degree).  An equation agrees if the difference can come from that.  With NAME=VALUE, the result NAME has
-** that value, within a unit of the last digit.  Prints what is wrong, and how many samples were checked.
+** a degree).  An equation agrees if the difference can come from that.  No number is so small beside those of the
+** crank and the largest force that it is rounding error.  With NAME=VALUE, the result NAME has that value, within a
+** unit of the last digit.  Prints what is wrong, and how many samples were checked.
 */
 #include <math.h>
 
@@ -452,6 +453,98 @@ static void check_sums(const xml_node *section)
     }
 }
 
+/* ------------------------------------------------------------------------------------------ rounding error */
+
+#define ROUNDING 1e-13 /* of the size of a quantity */
+
+typedef struct {
+    double length, speed, acceleration, force; /* m, rad/s, rad/s2, N */
+} sizes;
+
+/* The number in front of its unit. */
+static double number_of(const xml_node *unit)
+{
+    static equation e;
+    const xml_node *x = unit->parent->first;
+
+    while (x->next != unit)
+        x = x->next;
+    memset(&e, 0, sizeof e);
+    put_element(&e, x);
+    return evaluate(e.text, e.value);
+}
+
+/* The unit of a number: "W" of "\302\240W"; null for another text. */
+static const char *unit_of(const xml_node *x, char words[200])
+{
+    if (!xml_is(x, "mtext") || x == x->parent->first ||
+        strncmp(words_of(x, words), "\302\240", 2) != 0)
+        return NULL;
+    return words + 2;
+}
+
+/* The length, the speed and the acceleration of the crank are the first of their units. */
+static sizes find_sizes(const xml_node *section)
+{
+    sizes s = {0, 0, 0, 0};
+    const xml_node *x;
+    char words[200];
+
+    for (x = section; x; x = xml_next(x, section)) {
+        const char *unit = unit_of(x, words);
+        double size = unit ? fabs(number_of(x)) : 0;
+
+        if (!unit)
+            continue;
+        if (strcmp(unit, "m") == 0 && s.length == 0)
+            s.length = size;
+        if (strcmp(unit, "rad/s") == 0 && s.speed == 0)
+            s.speed = size;
+        if (strcmp(unit, "rad/s\302\262") == 0 && s.acceleration == 0)
+            s.acceleration = fmax(size, s.speed * s.speed);
+        if (strcmp(unit, "N") == 0)
+            s.force = fmax(s.force, size);
+    }
+    return s;
+}
+
+static double size_of(const sizes *s, const char *unit)
+{
+    return strcmp(unit, "m") == 0               ? s->length
+           : strcmp(unit, "rad/s") == 0         ? s->speed
+           : strcmp(unit, "rad/s\302\262") == 0 ? s->acceleration
+           : strcmp(unit, "m/s") == 0           ? s->length * s->speed
+           : strcmp(unit, "m/s\302\262") == 0   ? s->length * s->acceleration
+           : strcmp(unit, "N") == 0             ? s->force
+           : strcmp(unit, "N\302\267m") == 0    ? s->force * s->length
+           : strcmp(unit, "W") == 0             ? s->force * s->length * s->speed
+                                                : 0;
+}
+
+static void check_rounding(const xml_node *section)
+{
+    sizes s = find_sizes(section);
+    const xml_node *x;
+    char words[200];
+
+    for (x = section; x; x = xml_next(x, section)) {
+        const char *unit = unit_of(x, words);
+        double value = 0, size = 0;
+
+        if (unit) {
+            value = number_of(x);
+            size = size_of(&s, unit);
+        } else if (xml_is(x, "td") && xml_is(x->parent->parent, "tbody")) {
+            value = cell(x);
+            size = s.force * fmin(s.length, 1); /* N or N m */
+        }
+        if (value != 0 && fabs(value) < ROUNDING * size)
+            wrong("%g %s is rounding error", value, unit ? unit : "in a table");
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------- a report */
+
 static void check_expected(const results *found, const char *pair)
 {
     const char *value = strchr(pair, '=') + 1;
@@ -503,6 +596,7 @@ static void check_report(int argc, char **argv)
         wrong("a solution of %d numbers", n);
     if (n)
         check_sums(section);
+    check_rounding(section);
     for (i = 1; i < argc; i++)
         if (strchr(argv[i], '='))
             check_expected(&found, argv[i]);
