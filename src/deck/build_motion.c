@@ -218,10 +218,11 @@ static void check_range(parser *p)
     fourlink_range range;
     char count[40] = "";
     int status = fourlink_motion_range(motion, &range);
-    int is_counted = status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time;
+    int has_too_many = status == FOURLINK_TOO_MANY_ROWS ||
+                       (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time);
 
-    if (is_counted)
-        flk_message(count, sizeof count, " (%g)", (double)range.n_rows);
+    if (has_too_many && flk_motion_intervals(motion) < FLK_MOTION_MOST)
+        flk_message(count, sizeof count, " (%g)", flk_motion_intervals(motion) + 1);
     if (status == FOURLINK_BAD_RANGE)
         flk_mistake(p->mistakes, place_of_end(p),
                     "the range runs against the rotation of an accelerated crank: swap 'from' and "
@@ -229,7 +230,7 @@ static void check_range(parser *p)
     else if (status == FOURLINK_NO_RUN_UP)
         flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_RUN_UP)->place,
                     "a run-up from rest needs an acceleration");
-    else if (status == FOURLINK_TOO_MANY_ROWS || is_counted)
+    else if (has_too_many)
         flk_mistake(
             p->mistakes, place_of_rows(p),
             "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",

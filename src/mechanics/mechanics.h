@@ -43,6 +43,11 @@
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
 
+/* How many intervals the range of a motion has, also where an unsigned long has no room for so many rows
+** (motion.c).  Beyond the most a row number is not exact in floating point. */
+#define FLK_MOTION_MOST 1e15
+double flk_motion_intervals(const fourlink_motion *motion);
+
 /* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 

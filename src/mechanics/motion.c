@@ -14,9 +14,6 @@
 
 #include "mechanics.h"
 
-/* Above this a row number is not exact in floating point. */
-#define MAX_ROWS 1e15
-
 /* The last crank angle, in the motion's unit. */
 static double last_angle(const fourlink_motion *motion)
 {
@@ -58,9 +55,26 @@ static double intervals(double span, double interval)
     return fabs(n - whole) <= rounding && whole > 0 ? whole : ceil(n);
 }
 
+/* As stopping_angle; negative also if the range ends before. */
+static double stop_within_range(const fourlink_motion *motion)
+{
+    double stop = stopping_angle(motion), span = fabs(last_angle(motion) - motion->from);
+
+    return stop < span * (1 - 1e-12) ? stop : -1;
+}
+
+double flk_motion_intervals(const fourlink_motion *motion)
+{
+    double stop = stop_within_range(motion);
+
+    if (stop >= 0)
+        return floor(stop / motion->interval * (1 + 1e-12));
+    return intervals(fabs(last_angle(motion) - motion->from), motion->interval);
+}
+
 int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 {
-    double span, stop, n, turning;
+    double stop, n, turning;
     fourlink_row last;
     int stops;
 
@@ -83,14 +97,10 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
         motion->from != motion->to && turning * direction(motion) < 0)
         return FOURLINK_BAD_RANGE;
 
-    span = fabs(last_angle(motion) - motion->from);
-    stop = stopping_angle(motion);
-    stops = stop >= 0 && stop < span * (1 - 1e-12);
-    if (stops)
-        n = floor(stop / motion->interval * (1 + 1e-12));
-    else
-        n = intervals(span, motion->interval);
-    if (n >= MAX_ROWS || n >= (double)ULONG_MAX)
+    stop = stop_within_range(motion);
+    stops = stop >= 0;
+    n = flk_motion_intervals(motion);
+    if (n >= FLK_MOTION_MOST || n >= (double)ULONG_MAX)
         return FOURLINK_TOO_MANY_ROWS;
     if (fourlink_motion_at(motion, stops ? motion->from : last_angle(motion), &last) != FOURLINK_OK)
         return FOURLINK_BAD_NUMBER; /* the crank is so slow that its time is infinite */
