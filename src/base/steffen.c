@@ -34,12 +34,12 @@ double flk_steffen_value(double d, double h, double y0, double y1, double slope0
     return y0 + d * (slope0 + d * (b + d * a));
 }
 
-unsigned long flk_steffen_find(const double *x, unsigned long n, double at)
+size_t flk_steffen_find(const double *x, size_t n, double at)
 {
-    unsigned long low = 0, high = n - 1;
+    size_t low = 0, high = n - 1;
 
     while (high - low > 1) {
-        unsigned long middle = (low + high) / 2;
+        size_t middle = (low + high) / 2;
 
         if (x[middle] <= at)
             low = middle;
@@ -49,12 +49,12 @@ unsigned long flk_steffen_find(const double *x, unsigned long n, double at)
     return low;
 }
 
-static double secant(const double *x, const double *y, unsigned long i)
+static double secant(const double *x, const double *y, size_t i)
 {
     return (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
 }
 
-static double slope_at(const double *x, const double *y, unsigned long n, unsigned long i)
+static double slope_at(const double *x, const double *y, size_t n, size_t i)
 {
     if (i == 0)
         return secant(x, y, 0);
@@ -64,9 +64,9 @@ static double slope_at(const double *x, const double *y, unsigned long n, unsign
                              secant(x, y, i));
 }
 
-double flk_steffen_on(const double *x, const double *y, unsigned long n, double at, double within)
+double flk_steffen_on(const double *x, const double *y, size_t n, double at, double within)
 {
-    unsigned long i;
+    size_t i;
 
     if (!(within > x[0]) || within >= x[n - 1])
         return within >= x[n - 1] ? y[n - 1] : y[0];

@@ -5,6 +5,8 @@
 #ifndef FOURLINK_STEFFEN_H
 #define FOURLINK_STEFFEN_H
 
+#include <stddef.h>
+
 #include "arithmetic.h"
 
 /* The slope at a point between two intervals with these widths and secants. */
@@ -15,11 +17,11 @@ double flk_steffen_value(double d, double h, double y0, double y1, double slope0
 
 /* The last of the n - 1 intervals between increasing x that begins at or before `at`; the first if none
 ** does. */
-unsigned long flk_steffen_find(const double *x, unsigned long n, double at);
+size_t flk_steffen_find(const double *x, size_t n, double at);
 
 /* The value of a curve through n >= 2 points with increasing x.  The slope at an end is that of the first or
 ** last secant; beyond the ends the curve is constant.  The piece that contains `within` is used, and is
 ** continued smoothly beyond its ends. */
-double flk_steffen_on(const double *x, const double *y, unsigned long n, double at, double within);
+double flk_steffen_on(const double *x, const double *y, size_t n, double at, double within);
 
 #endif

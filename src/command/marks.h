@@ -19,8 +19,8 @@ typedef struct marks {
     unsigned long readable, number; /* answers that could be read, of so many */
     const options *o;
     const input *deck;
-    unsigned long n_compared; /* with the decks of others */
-    roster names;             /* of --names; empty: none */
+    size_t n_compared; /* with the decks of others */
+    roster names;      /* of --names; empty: none */
 } marks;
 
 /* Find what is asked of many answers, those to one deck or of a folder: the values of the deck's own

@@ -261,7 +261,7 @@ static int read_points(parser *p, setting *s)
         return flk_mistake(p->mistakes, s->place,
                            "give three or more points, at most 100, such as %s",
                            flk_curve_point_example(t->kind->output));
-    task->n = read.n_points;
+    task->n = (unsigned long)read.n_points;
     for (i = 0; i < task->n && read.curve; i++) {
         t->theta2[i] = read.curve[i].x;
         t->output[i] = read.curve[i].y[0];

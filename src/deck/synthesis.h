@@ -35,7 +35,7 @@ typedef struct deck_wanted {
     int f; /* which function */
     double exponent;
     const double *table_x, *table_y; /* of a table */
-    unsigned long n_rows;
+    size_t n_rows;
     double x[2], y[2];
     double crank[2], output[2]; /* rad, rad or m */
 } deck_wanted;
