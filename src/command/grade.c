@@ -120,17 +120,19 @@ int grade_read(grade_answers *a, const grade_answers *all, const options *o, con
         return EXIT_FILES;
     }
     a->path = file ? files_beside("", file) : files_within(o->check_file, flk_text_of(own), "");
-    if (own && a->path && !students_is_text(own)) {
+    if (!a->path)
+        return command_lacks_memory("cannot read", deck);
+    if (own && !students_is_text(own)) {
         flk_message(why, 400, "%s cannot be read: save it as text or csv", a->path);
         return command_complain("cannot read", a->path, "save it as text or csv");
     }
-    if (a->path && files_is_output(o, a->path))
+    if (files_is_output(o, a->path))
         return command_complain("cannot write", a->path, "it is also read");
-    a->text = a->path ? read_answers(o->check_file, a->path, &a->length, &reason) : NULL;
+    a->text = read_answers(o->check_file, a->path, &a->length, &reason);
     if (a->text)
         return 0;
-    if (!a->path || reason == ENOMEM)
-        return command_lacks_memory("cannot read", a->path ? a->path : deck);
+    if (reason == ENOMEM)
+        return command_lacks_memory("cannot read", a->path);
     flk_message(why, 400, "cannot read %s: %s", a->path, reason_text(reason));
     return command_complain("cannot read", a->path, reason_text(reason));
 }
