@@ -9,12 +9,13 @@
 
 Values are in the units of the results: SI, or those of the deck's [units].  Lengths, forces and the like have
 the unit that r.units tells for each name.  A deck with a mistake raises Mistake.  The library releases the GIL
-while it works; results belong to one thread at a time.
+while it works.  Threads may share results: their calls take turns.
 """
 from __future__ import annotations
 
 import ctypes as c
 import difflib
+import functools
 import html
 import os
 import re
@@ -22,7 +23,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -107,8 +109,22 @@ def open(deck: str | os.PathLike, *, units: str | None = None, changes: dict[str
     return Results(Path(deck).read_bytes() if _is_file(deck) else deck.encode(), name, folder, units, changes or {})
 
 
+def _alone(method: Callable) -> Callable:
+    """A method that no other thread's call disturbs, and that tells if the results are closed."""
+    @functools.wraps(method)
+    def call(self: Results, *arguments, **named):
+        with self._lock:
+            if not self._r:
+                raise ValueError(f"the results of {self.name} are closed: open the deck again")
+            return method(self, *arguments, **named)
+    return call
+
+
 class Results:
-    """All results of a deck.  Free its memory with close(), or use it in a `with` statement."""
+    """All results of a deck.  Free its memory with close(), or use it in a `with` statement; after that each use raises
+    ValueError.  copy and pickle open the deck again, with the numbers set."""
+
+    _r: c.c_void_p | None = None
 
     def __init__(self, text: bytes, name: str, folder: Path, units: str | None, changes: dict[str, str]):
         kept = []  # what a loader has returned, until the deck is read
@@ -125,7 +141,8 @@ class Results:
                          units=units.encode() if units else None, n_changes=len(changes),
                          changes=(_Change * len(changes))(*[(b"changes", f"{k}={v}".encode()) for k, v in changes.items()]))
         mistakes, n = (_Mistake * _MISTAKES)(), c.c_ulong()
-        self.name = name
+        self.name, self._folder, self._units = name, folder, units
+        self._lock = threading.RLock()
         self._r = c.c_void_p()
         status = _lib.fourlink_results_open(c.byref(source), c.c_ulong(_MISTAKES), c.byref(self._r), mistakes, c.byref(n))
         if status == _BAD_DECK:
@@ -157,12 +174,19 @@ class Results:
 
     def close(self) -> None:
         """Free the memory."""
-        if self._r:
+        if not self._r:
+            return
+        with self._lock:
             _lib.fourlink_results_free(self._r)
             self._r = c.c_void_p()
 
     __del__ = close
 
+    @_alone
+    def __reduce__(self) -> tuple:
+        return Results, (self._text(), self.name, self._folder, self._units, {})
+
+    @_alone
     def __enter__(self) -> Results:
         return self
 
@@ -191,11 +215,13 @@ class Results:
         self._check(_lib.fourlink_results_list(self._r, _LISTS[which], c.byref(found), c.byref(n)))
         return found[:n.value]
 
+    @_alone
     def __getitem__(self, name: str) -> float | str:
         """A fact ("mu_min"), an extreme ("max(Ts)"), a mean, an input ("crank.length"), on the deck's first branch, in
         the unit of the results; "type" and the like are words."""
         return self.value(name)
 
+    @_alone
     def value(self, name: str, angle: float = 0.0, branch: str | None = None) -> float | str:
         """Any number by its name; a column at a crank angle, in the unit of the results."""
         if name not in self._handles:
@@ -205,26 +231,31 @@ class Results:
         self._check(status, name)
         return v.get()
 
+    @_alone
     def unit(self, name: str) -> str:
         """The unit of a name in the results; "1" for a plain number."""
         return self._find(name).unit.decode()
 
     @property
+    @_alone
     def names(self) -> dict[str, str]:
         """All columns that the deck has, with their meanings."""
         return {v.name.decode(): v.meaning.decode() for v in self._list("all")}
 
     @property
+    @_alone
     def units(self) -> dict[str, str]:
         """The units of all columns."""
         return {v.name.decode(): v.unit.decode() for v in self._list("all")}
 
     @property
+    @_alone
     def inputs(self) -> dict[str, float | str]:
         """What the deck gives, as the library understood it, in the units of the results."""
         return {v.name.decode(): v.get() for v in self._list("inputs")}
 
     @property
+    @_alone
     def facts(self) -> dict[str, float | str]:
         """Type, reach, limits, masses, extremes, turning moment of the deck's first branch."""
         return {v.name.decode(): v.get() for v in self._facts(self._branch(None), 15)}
@@ -232,6 +263,7 @@ class Results:
     def _asked(self, names: str | None) -> list[str]:
         return [n for n in re.split(r"[,\s]+", names) if n] if names else [v.name.decode() for v in self._list("columns")]
 
+    @_alone
     def columns(self, names: str | None = None, branch: str | None = None) -> np.ndarray:
         """Columns such as "theta2, Ts", one array for each, with a number for each row; without names the table's.
         NaN where the linkage cannot be assembled."""
@@ -244,6 +276,7 @@ class Results:
                                                values.ctypes.data_as(c.POINTER(c.c_double))), names or "columns")
         return values.T
 
+    @_alone
     def frame(self, names: str | None = None, branch: str | None = None):
         """The same columns as a pandas.DataFrame; its attrs["units"] has their units."""
         import pandas
@@ -252,6 +285,7 @@ class Results:
         frame.attrs["units"] = {name: self.unit(name) for name in asked}
         return frame
 
+    @_alone
     def set(self, name: str, value: float | str) -> None:
         """Set a number: as text with a unit, "45 mm", or a number in the unit that its line has in the deck, line_unit().
         All results are then those of the deck with this number; a mistake leaves them as they were."""
@@ -264,6 +298,7 @@ class Results:
             raise self._told([m])
         self._check(status, name)
 
+    @_alone
     def line_unit(self, name: str) -> str:
         """The unit in which a number of the deck is set."""
         v = _Value()
@@ -272,6 +307,7 @@ class Results:
 
     _FACTORS = {"deg": np.pi / 180, "rad": 1, "m": 1, "cm": 1e-2, "mm": 1e-3, "rpm": np.pi / 30, "rad/s": 1}
 
+    @_alone
     def at(self, question: str, names: str = "theta2", branch: str | None = None) -> np.ndarray:
         """Columns where one of them has a value: r.at("theta4 = 120 deg") has the crank angles, r.at("theta4 = 120 deg",
         "Ts, omega4") these columns there, one array for each.  A bare number is in the unit of the results."""
@@ -291,13 +327,17 @@ class Results:
         columns = np.array([[self.value(x, angle, branch) for angle in found] for x in self._asked(names)])
         return columns[0] if len(columns) == 1 else columns
 
+    @_alone
     def deck(self) -> str:
         """The text of the deck with the numbers set."""
+        return self._text().decode()
+
+    def _text(self) -> bytes:
         deck, n = c.c_void_p(_lib.fourlink_results_deck(self._r)), c.c_ulong()
         _lib.fourlink_deck_write(deck, None, c.c_ulong(0), c.byref(n))
         out = c.create_string_buffer(n.value + 1)
         _lib.fourlink_deck_write(deck, out, c.c_ulong(n.value + 1), c.byref(n))
-        return out.value.decode()
+        return out.raw[:n.value]
 
     def _lines(self) -> Iterator[str]:
         for v in self._facts(self._branch(None), 3):
@@ -305,6 +345,7 @@ class Results:
             yield f"<tr><th style='text-align:left'>{html.escape(v.name.decode())}</th><td>{html.escape(number)}</td>" \
                   f"<td style='text-align:left'>{html.escape(v.meaning.decode())}</td></tr>"
 
+    @_alone
     def _repr_html_(self) -> str:
         """Drawing, if the command is installed, and facts, for notebooks."""
         drawing = ""

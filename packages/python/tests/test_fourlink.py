@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Python package against the command: every deck of data/, its columns, facts, numbers set; mistakes; documents.
 FOURLINK is the command, the library that of the installed package, or FOURLINK_LIBRARY."""
+import copy
 import csv
 import io
 import math
 import os
+import pickle
 import re
 import subprocess
 import threading
@@ -165,6 +167,100 @@ def test_threads_release_the_lock():
     for t in threads:
         t.join()
     assert np.allclose(found, expected, rtol=1e-15)
+
+
+def together(*works):
+    """Run functions in threads of their own; what they raise is raised here."""
+    raised = []
+
+    def run_one(work):
+        try:
+            work()
+        except BaseException as e:
+            raised.append(e)
+
+    threads = [threading.Thread(target=run_one, args=(work,)) for work in works]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    if raised:
+        raise raised[0]
+
+
+def test_threads_share_results():
+    """Each number is that of one of the cranks that the threads set, and all columns of a call are of the same one."""
+    lengths = [15 + k for k in range(9)]
+    apart = [fourlink.open(TEXT, changes={"crank.length": f"{length} mm"}) for length in lengths]
+    largest = {one["max(omega4)"] for one in apart}
+    columns = {one.columns("theta4, omega4, B.x").tobytes() for one in apart}
+    words = {one.deck() for one in apart}
+    r = fourlink.open(TEXT)
+
+    def work():
+        for k in range(300):
+            r.set("crank.length", f"{lengths[k % 9]} mm")
+            assert r["max(omega4)"] in largest
+            assert r.columns("theta4, omega4, B.x").tobytes() in columns
+            assert r.facts["type"] == "crank-rocker" and r.inputs["crank.length"] < 0.024
+            if k % 10 == 0:
+                assert r.deck() in words and len(r.at("theta4 = 2 rad")) == 2
+                assert copy.copy(r)["max(omega4)"] in largest
+
+    together(work, work, work, work)
+
+
+def test_threads_while_results_are_closed():
+    for _ in range(30):
+        r = fourlink.open(TEXT)
+
+        def work():
+            with pytest.raises(ValueError, match="closed"):
+                while True:
+                    assert len(r.columns("theta2, omega4")[0]) == 73
+
+        together(work, work, r.close, r.close)
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda r: pickle.loads(pickle.dumps(r))], ids=["copy", "deepcopy", "pickle"])
+def test_copies_are_opened_again(again, tmp_path):
+    """A copy has the numbers set, the files and the units; it does not know of what happens to the other."""
+    (tmp_path / "torque.txt").write_text("0 1\n180 2\n360 1\n")
+    (tmp_path / "a.deck").write_text(TEXT + "[load T]\nlink = rocker\ntorque = file torque.txt\n")
+    with fourlink.open(tmp_path / "a.deck", units="mm, rpm", changes={"coupler.length": "68.5 mm"}) as r:
+        r.set("crank.length", 22.3)
+        other = again(r)
+        expected = r.columns().copy(), r.facts, r.inputs, r.units, r.deck(), r.name, r.branches
+        r.set("crank.length", 18)
+    found = other.columns(), other.facts, other.inputs, other.units, other.deck(), other.name, other.branches
+    assert np.array_equal(expected[0], found[0]) and expected[1:] == found[1:]
+    assert other["crank.length"] == 22.3 and other["coupler.length"] == 68.5
+    (tmp_path / "torque.txt").unlink()
+    with pytest.raises(fourlink.Mistake, match="cannot read the file"):
+        again(other)
+
+
+@pytest.mark.parametrize("deck", DECKS[::7], ids=lambda p: p.stem)
+def test_copies_of_decks(deck):
+    r = fourlink.open(deck)
+    with pickle.loads(pickle.dumps(r)) as other:
+        assert r.columns().tobytes() == other.columns().tobytes() and r.deck() == other.deck()
+
+
+def test_closed_results_say_so():
+    with fourlink.open(MATRIX) as r:
+        assert r["max(Ts)"] > 0
+    r.close()
+    uses = [lambda: r["max(Ts)"], lambda: r.value("Ts", 40), lambda: r.unit("Ts"), lambda: r.names, lambda: r.units,
+            lambda: r.inputs, lambda: r.facts, lambda: r.columns(), lambda: r.frame(), lambda: r.set("crank.length", 20),
+            lambda: r.line_unit("crank.length"), lambda: r.at("theta4 = 120 deg"), lambda: r.deck(), r._repr_html_,
+            lambda: copy.copy(r), lambda: copy.deepcopy(r), lambda: pickle.dumps(r), r.__enter__]
+    for use in uses:
+        with pytest.raises(ValueError, match="me3491-matrix.deck are closed: open the deck again"):
+            use()
+    public = {name for name in vars(fourlink.Results) if not name.startswith("_")}
+    assert public == {"close", "value", "unit", "names", "units", "inputs", "facts", "columns", "frame", "set", "line_unit",
+                      "at", "deck"}, "a new one belongs into `uses`, too"
 
 
 def test_random_numbers_against_the_command():
