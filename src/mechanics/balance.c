@@ -53,6 +53,8 @@ int fourlink_add_counterweight(const fourlink_link *link, const fourlink_vector 
         return FOURLINK_BAD_NUMBER;
     if (radius <= 0)
         return FOURLINK_BAD_BALANCE;
+    if (radius < FOURLINK_LENGTH_MIN)
+        return FOURLINK_BAD_NUMBER;
     size = sqrt(moment->x * moment->x + moment->y * moment->y);
     m = size / radius;
     sum = *link;

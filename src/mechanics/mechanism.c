@@ -4,7 +4,7 @@
 ** steps of an analysis.
 */
 #include <math.h>
-#include <stddef.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -58,6 +58,7 @@ int fourlink_uniform_bar(double length, double mass, fourlink_link *link)
 int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism)
 {
     const flk_kind *kind;
+    fourlink_mechanism prepared;
     int i, status;
 
     if (!design || !mechanism)
@@ -80,12 +81,12 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
         !FLK_BOTH_WITHIN(design->gravity, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
 
-    mechanism->design = *design;
-    mechanism->dead_centre = 0;
-    mechanism->h = 0;
-    mechanism->lever.x = mechanism->lever.y = 0;
-    mechanism->slot.x = mechanism->slot.y = 0;
-    return kind->prepare(mechanism);
+    memset(&prepared, 0, sizeof prepared);
+    prepared.design = *design;
+    status = kind->prepare(&prepared);
+    if (status == FOURLINK_OK)
+        *mechanism = prepared;
+    return status;
 }
 
 /* Sine and cosine of half the crank angle, and the sine of the position on this branch, or why there is

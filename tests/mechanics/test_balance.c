@@ -126,6 +126,9 @@ TEST(test_counterweight)
     assert_int_equal(fourlink_add_counterweight(&link, &u, 0, &sum, NULL), FOURLINK_BAD_BALANCE);
     assert_int_equal(fourlink_add_counterweight(&link, &u, -1, &sum, NULL), FOURLINK_BAD_BALANCE);
     assert_int_equal(fourlink_add_counterweight(&link, &u, NAN, &sum, NULL), FOURLINK_BAD_NUMBER);
+    u.x = 1; /* of a counterweight whose mass no double can hold */
+    assert_int_equal(fourlink_add_counterweight(&link, &u, 1e-310, &sum, NULL),
+                     FOURLINK_BAD_NUMBER);
     u.x = INFINITY;
     assert_int_equal(fourlink_add_counterweight(&link, &u, 1, &sum, NULL), FOURLINK_BAD_NUMBER);
     assert_int_equal(fourlink_add_counterweight(NULL, &u, 1, &sum, NULL), FOURLINK_NULL);

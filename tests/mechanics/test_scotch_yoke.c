@@ -519,7 +519,7 @@ TEST(test_balance)
 TEST(test_refused)
 {
     static const double parallel[] = {0, PI, -PI, 1e-8, 2 * PI - 1e-9};
-    fourlink_mechanism m;
+    fourlink_mechanism m, untouched;
     fourlink_limits limits;
     fourlink_reach reach;
     fourlink_state state;
@@ -528,7 +528,10 @@ TEST(test_refused)
 
     for (i = 0; i < COUNT(parallel); i++) {
         begin(0.1, parallel[i], 0, &s);
+        memset(&m, 7, sizeof m);
+        untouched = m;
         assert_int_equal(fourlink_prepare(&s.design, &m), FOURLINK_PARALLEL_SLOT);
+        assert_memory_equal(&m, &untouched, sizeof m);
     }
     begin(0, 1, 0, &s);
     assert_int_equal(fourlink_prepare(&s.design, &m), FOURLINK_BAD_LENGTH);
