@@ -161,9 +161,12 @@ FILE *system_create(char *name, const char *like)
 int system_rename(const char *name, const char *path)
 {
     web_file *file = find(name);
+    char *copy = file ? copy_of(path) : NULL;
 
-    if (!file || (file->name = copy_of(path)) == NULL)
+    if (!copy)
         return refuse();
+    free((char *)file->name);
+    file->name = copy;
     return 1;
 }
 
