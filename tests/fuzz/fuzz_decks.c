@@ -103,6 +103,57 @@ static void ask_checks(fourlink_results *r, const fourlink_problem *p)
     }
 }
 
+/* Rows by handles are those by number; where a column has the value of a row it has it at the row's angle too. */
+static void ask_columns(fourlink_results *r, const fourlink_problem *p)
+{
+    const fourlink_value *columns;
+    unsigned long n, found;
+    double values[2 * MOST_COLUMNS], angles[4], angle;
+    int handles[MOST_COLUMNS], b, status;
+
+    fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &n);
+    for (found = 0; found < n; found++) {
+        handles[found] = columns[found].handle;
+        fourlink_results_meant(r, columns[found].name);
+    }
+    for (b = 0; b < 2; b++) {
+        status = fourlink_results_rows(r, branches[b], 0, 2, n, handles, values);
+        MUST((status == FOURLINK_NO_SUCH_ROW) == (p->n_rows < 2));
+        if (n && status == FOURLINK_OK && isfinite(values[n]) && p->mode == FOURLINK_MODE_GIVEN)
+            fourlink_results_crossings(r, columns[0].name, branches[b], values[n], 4, angles,
+                                       &found);
+        status = fourlink_results_end(r, branches[b], &angle);
+        MUST(status < 20 && isfinite(angle));
+    }
+}
+
+/* Set numbers: their own values, and others, with which the deck may have a mistake. */
+static void ask_set(fourlink_results *r, const char *assignment)
+{
+    fourlink_mistake mistake;
+    const fourlink_value *list;
+    fourlink_value input;
+    unsigned long n, i;
+    double value;
+    char name[200];
+    int status;
+
+    fourlink_results_list(r, FOURLINK_INPUTS, &list, &n);
+    for (i = 0; i < n && i < 3; i++) {
+        snprintf(name, sizeof name, "%s", list[i].name);
+        status = fourlink_results_input(r, name, &input);
+        if (status != FOURLINK_OK || isnan(input.value))
+            continue;
+        value = input.value;
+        MUST(fourlink_results_put(r, 1, &input.handle, &value, &mistake) == FOURLINK_OK);
+        status = fourlink_results_set(r, name, value * 1.25, &mistake);
+        MUST(status == FOURLINK_OK || mistake.message[0]);
+        fourlink_results_list(r, FOURLINK_INPUTS, &list, &n);
+    }
+    if (*assignment)
+        fourlink_results_set_text(r, assignment, &mistake);
+}
+
 /* Names and units of the deck. */
 static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
 {
@@ -125,18 +176,47 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
         MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
 }
 
-static void ask_design(const fourlink_source *source, fourlink_results *r)
+/* Its text is that of a deck again, with as many rows. */
+static void ask_text(const fourlink_deck *deck, const fourlink_problem *p, part *card)
+{
+    fourlink_mistake mistakes[MOST_MISTAKES];
+    fourlink_problem again;
+    fourlink_deck *other;
+    fourlink_spring spring;
+    fourlink_friction friction;
+    const char *name;
+    unsigned long length, n;
+    char *words;
+
+    MUST(fourlink_deck_write(deck, NULL, 0, &length) == FOURLINK_OK);
+    words = malloc(length + 1);
+    MUST(words && fourlink_deck_write(deck, words, length + 1, &length) == FOURLINK_OK);
+    MUST(fourlink_deck_read(words, length, load, card, MOST_MISTAKES, &other, mistakes, &n) ==
+         FOURLINK_OK);
+    fourlink_deck_problem(other, &again);
+    MUST(again.n_rows == p->n_rows && again.n_loads == p->n_loads);
+    for (n = 0; n < p->n_springs; n++)
+        MUST(fourlink_deck_spring(other, n, &name, &spring) == FOURLINK_OK && *name);
+    MUST(fourlink_deck_friction(other, &friction) == FOURLINK_OK);
+    fourlink_deck_free(other);
+    free(words);
+    MUST(fourlink_deck_defects(deck, MOST_MISTAKES, mistakes, &n) == FOURLINK_OK);
+}
+
+static void ask_design(fourlink_results *r)
 {
     fourlink_results *other;
     const fourlink_value *list;
     fourlink_problem p;
     double *low, *high, *values;
-    unsigned long n;
+    unsigned long n, chosen, found;
     int status;
 
     fourlink_deck_problem(fourlink_results_deck(r), &p);
+    if (fourlink_deck_solutions(fourlink_results_deck(r), 0, NULL, &chosen, &found) != FOURLINK_OK)
+        found = 0;
     status = fourlink_results_design(r, p.n_designs / 2, 0, &other, NULL, NULL);
-    MUST((status == FOURLINK_BAD_NUMBER) == !p.n_designs);
+    MUST((status == FOURLINK_BAD_NUMBER) == (!p.n_designs && !found));
     if (status == FOURLINK_OK)
         fourlink_results_free(other);
     fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
@@ -152,7 +232,7 @@ static void ask_design(const fourlink_source *source, fourlink_results *r)
     free(values);
 }
 
-static void ask_all(fourlink_results *r)
+static void ask_all(fourlink_results *r, part *card, const char *assignment)
 {
     const fourlink_deck *deck = fourlink_results_deck(r);
     fourlink_mistake notes[MOST_MISTAKES];
@@ -165,8 +245,10 @@ static void ask_all(fourlink_results *r)
     MUST(fourlink_deck_problem(deck, &p) == FOURLINK_OK);
     MUST(memchr(p.title, 0, sizeof p.title));
     MUST(fourlink_results_notes(r, MOST_MISTAKES, notes, &n_notes) == FOURLINK_OK);
+    MUST(fourlink_results_slips(r, MOST_MISTAKES, notes, &n_notes) == FOURLINK_OK);
     ask_lists(r);
     ask_deck(deck, &p);
+    ask_text(deck, &p, card);
     fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &n);
     if (p.n_rows > MOST_ROWS || p.n_designs > MOST_DESIGNS || n > MOST_COLUMNS)
         return;
@@ -176,6 +258,9 @@ static void ask_all(fourlink_results *r)
     ask_rows(r, &p, values, loads);
     ask_facts(r);
     ask_checks(r, &p);
+    ask_columns(r, &p);
+    if (p.mode == FOURLINK_MODE_GIVEN) /* another motion takes its time */
+        ask_set(r, assignment);
     free(values);
     free(loads);
 }
@@ -214,8 +299,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         MUST(mistakes[i].message[0] && mistakes[i].line >= 0);
     }
     if (status == FOURLINK_OK) {
-        ask_design(&source, r);
-        ask_all(r);
+        ask_design(r);
+        ask_all(r, &card, assignment);
     }
     fourlink_results_free(r);
     free(assignment);

@@ -84,13 +84,13 @@ static fourlink_vector next_vector(void)
 static fourlink_design next_design(void)
 {
     static const int kinds[] = {0, FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
-                                FOURLINK_INVERTED_SLIDER_CRANK};
-    int code = next_code(1, 3), i;
+                                FOURLINK_INVERTED_SLIDER_CRANK, FOURLINK_SCOTCH_YOKE};
+    int code = next_code(1, 4), i;
     unsigned simple = next_byte();
     fourlink_design d;
 
     memset(&d, 0, sizeof d);
-    d.kind = (fourlink_kind)(code >= 1 && code <= 3 ? kinds[code] : code);
+    d.kind = (fourlink_kind)(code >= 1 && code <= 4 ? kinds[code] : code);
     for (i = 1; i <= 4; i++) {
         d.link[i].length = next_number();
         if (simple & 1)
@@ -253,6 +253,121 @@ static void ask_forces(const fourlink_mechanism *m, const fourlink_state *s,
         MUST_BE_UNTOUCHED(b);
 }
 
+static void ask_friction(const fourlink_mechanism *m, const fourlink_state *s,
+                         const fourlink_load *loads, unsigned long n)
+{
+    fourlink_friction friction;
+    fourlink_losses losses;
+    fourlink_forces f;
+    int status, i;
+
+    memset(&friction, 0, sizeof friction);
+    for (i = 0; i < 4; i++)
+        friction.circle[i] = next_number();
+    friction.guide = next_number();
+    friction.guide_length = next_number();
+    friction.slot = next_number();
+    friction.slot_length = next_number();
+    friction.direction = next_code(-1, 3);
+    PREPARE(f);
+    status = fourlink_solve_friction(m, s, loads, n, &friction, next_code(0, 2) == 1, &f, &losses);
+    MUST(is_known(status));
+    if (status == FOURLINK_OK)
+        MUST(are_finite(NUMBERS(f)) && are_finite(losses.pin, 4) && isfinite(losses.power));
+    else
+        MUST_BE_UNTOUCHED(f);
+}
+
+static void ask_energy(const fourlink_mechanism *m, const fourlink_state *s,
+                       const fourlink_load *loads, unsigned long n)
+{
+    fourlink_spring spring;
+    fourlink_spring_state at;
+    double value, slope;
+
+    if (fourlink_inertia(m, s, &value, &slope) == FOURLINK_OK)
+        MUST(value >= 0 && isfinite(value) && isfinite(slope));
+    if (fourlink_generalised_force(m, s, loads, n, &value) == FOURLINK_OK)
+        MUST(isfinite(value));
+    memset(&spring, 0, sizeof spring);
+    spring.link = next_code(1, 4);
+    spring.to = next_code(1, 4);
+    spring.is_torsional = next_code(0, 2);
+    spring.at = next_vector();
+    spring.to_at = next_vector();
+    spring.stiffness = next_number();
+    spring.free_length = next_number();
+    spring.preload = next_number();
+    spring.damping = next_number();
+    spring.only = next_code(0, 3);
+    if (fourlink_spring_prepare(m, &spring) == FOURLINK_OK &&
+        fourlink_spring_at(m, s, &spring, &at) == FOURLINK_OK)
+        MUST(isfinite(at.length) && isfinite(at.force) && isfinite(at.energy) && at.n_loads <= 2);
+}
+
+static void ask_balance(const fourlink_mechanism *m)
+{
+    fourlink_balance balance;
+    fourlink_link link, balanced;
+    double mass;
+
+    PREPARE(balance);
+    if (fourlink_balance_of(m, next_number(), &balance) == FOURLINK_OK)
+        MUST(are_finite(NUMBERS(balance)));
+    else
+        MUST_BE_UNTOUCHED(balance);
+    PREPARE(link);
+    if (fourlink_uniform_bar(next_number(), next_number(), &link) != FOURLINK_OK) {
+        MUST_BE_UNTOUCHED(link);
+        return;
+    }
+    PREPARE(balanced);
+    if (fourlink_add_counterweight(&link, &balance.crank, next_number(), &balanced, &mass) ==
+        FOURLINK_OK)
+        MUST(are_finite(NUMBERS(balanced)) && isfinite(mass));
+    else
+        MUST_BE_UNTOUCHED(balanced);
+}
+
+static void ask_motor(void)
+{
+    double speeds[4], torques[4], torque;
+    fourlink_motor motor;
+    int i;
+
+    memset(&motor, 0, sizeof motor);
+    motor.kind = (fourlink_motor_kind)next_code(1, 5);
+    motor.torque = next_number();
+    motor.stall_torque = next_number();
+    motor.no_load_speed = next_number();
+    motor.power = next_number();
+    motor.max_torque = next_number();
+    motor.inertia = next_number();
+    motor.ratio = next_number();
+    for (i = 0; i < 4; i++) {
+        speeds[i] = next_number();
+        torques[i] = next_number();
+    }
+    motor.curve_speed = speeds;
+    motor.curve_torque = torques;
+    motor.n_curve = next_byte() % 5;
+    if (fourlink_motor_torque(&motor, next_number(), &torque) == FOURLINK_OK)
+        MUST(isfinite(torque));
+}
+
+/* Takes a thousand times as long as a position: seldom. */
+static void ask_extreme(const fourlink_mechanism *m, const fourlink_load *loads, unsigned long n)
+{
+    static const char *const names[] = {"max(Ts)", "min(omega4)", "max(F12)", "max(mu)", "?"};
+    fourlink_motion motion = {0, 2 * M_PI, 0.1, 2, 0, 0, 0, 0};
+    double value, angle;
+
+    if (next_bytes(2) % 2048 == 1 &&
+        fourlink_extreme(m, &motion, loads, n, next_branch(), names[next_byte() % 5], &value,
+                         &angle) == FOURLINK_OK)
+        MUST(!isnan(value));
+}
+
 static void ask_position(const fourlink_mechanism *m)
 {
     fourlink_branch branch = next_branch();
@@ -288,6 +403,9 @@ static void ask_position(const fourlink_mechanism *m)
         MUST_BE_UNTOUCHED(p);
     ask_forces(m, &s, loads, n);
     ask_engine(m, &s, loads, n);
+    ask_friction(m, &s, loads, n);
+    ask_energy(m, &s, loads, n);
+    ask_extreme(m, loads, n);
 }
 
 /* A state that the library did not fill may give any numbers, but it must end. */
@@ -350,7 +468,7 @@ static void ask_motion(void)
 
 static void ask_fortran77(void)
 {
-    double links[20], grav[2], crank[3], loads[14], state[36], slide[4], forces[10];
+    double links[20], grav[2], crank[3], loads[14], state[36], slide[4], forces[11];
     double offset = next_number(), angle = next_number();
     int branch = (int)next_branch(), n_loads = next_code(0, 3), status = -1, i;
     char text[40];
@@ -372,6 +490,8 @@ static void ask_fortran77(void)
     flinvs_(links, &offset, &angle, grav, &branch, crank, &n_loads, loads, state, slide, forces,
             &status);
     MUST(is_known(status) && (status || (are_finite(state, 36) && are_finite(forces, 10))));
+    flyoke_(links, &offset, &angle, grav, crank, &n_loads, loads, state, slide, forces, &status);
+    MUST(is_known(status) && (status || (are_finite(state, 36) && are_finite(forces, 11))));
     fltext_(&status, text, sizeof text);
 }
 
@@ -515,6 +635,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     switch (next_byte() % 8) {
     case 0:
         ask_motion();
+        ask_motor();
         ask_texts();
         break;
     case 1:
@@ -532,6 +653,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             MUST_BE_UNTOUCHED(m);
         } else {
             ask_mechanism(&m);
+            ask_balance(&m);
             ask_position(&m);
             ask_wrong_state(&m);
         }

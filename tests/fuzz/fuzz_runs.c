@@ -3,13 +3,15 @@
 ** fuzz_runs.c - whole runs of the command, by its own main, without other programs.
 **
 ** Input: a line of arguments, with tabs between them; a deck, which the command finds as x.deck and on
-** standard input; after a form feed, a file y, such as answers.  A line that begins with '>' stands for a
-** terminal.  Standard output and standard error are to be thrown away, as libFuzzer's -close_fd_mask=3 does.
+** standard input; after a form feed, a file y, such as answers or names; after others, the files of the folder
+** answers.  A line that begins with '>' stands for a terminal.  Standard output and standard error are to be thrown
+** away, as libFuzzer's -close_fd_mask=3 does.
 */
 #define _XOPEN_SOURCE 700
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "command/convert.h"
@@ -24,12 +26,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 extern __typeof__(output_prepare) __wrap_output_prepare;
 extern __typeof__(terminal_width) __wrap_terminal_width;
 extern __typeof__(convert_svg) __wrap_convert_svg;
-extern __typeof__(fourlink_results_open) __wrap_fourlink_results_open;
-extern __typeof__(fourlink_results_open) __real_fourlink_results_open;
 
-#define MOST_ROWS 100
-#define MOST_DESIGNS 10
-#define MOST_COLUMNS 20
 #define MOST_ARGUMENTS 40
 
 static char folder[400];
@@ -59,39 +56,23 @@ const char *__wrap_convert_svg(FILE *svg, plot_file file, FILE *out, char reason
     return NULL;
 }
 
-/* Long and wide tables and sweeps take as long as they are asked to: here they are as if memory ran out. */
-int __wrap_fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
-                                 fourlink_results **results, fourlink_mistake *mistakes,
-                                 unsigned long *n_mistakes)
-{
-    int status = __real_fourlink_results_open(source, max_mistakes, results, mistakes, n_mistakes);
-    const fourlink_value *columns;
-    unsigned long n_columns;
-    fourlink_problem p;
-
-    if (status != FOURLINK_OK)
-        return status;
-    fourlink_deck_problem(fourlink_results_deck(*results), &p);
-    fourlink_results_list(*results, FOURLINK_COLUMNS, &columns, &n_columns);
-    if (p.n_rows <= (n_columns > MOST_COLUMNS ? 4 : MOST_ROWS) && p.n_designs <= MOST_DESIGNS)
-        return status;
-    fourlink_results_free(*results);
-    *results = NULL;
-    return FOURLINK_NO_MEMORY;
-}
-
-/* Remove what a run has left; a file whose name begins with a dot was a temporary one. */
+/* Remove what a run has left in the current folder; a file whose name begins with a dot was a temporary one. */
 static void empty_folder(void)
 {
     DIR *all = opendir(".");
     struct dirent *one;
 
     MUST(all);
-    while ((one = readdir(all)) != NULL)
-        if (strcmp(one->d_name, ".") != 0 && strcmp(one->d_name, "..") != 0) {
-            MUST(strncmp(one->d_name, ".fourlink", 9) != 0);
-            MUST(unlink(one->d_name) == 0);
-        }
+    while ((one = readdir(all)) != NULL) {
+        if (strcmp(one->d_name, ".") == 0 || strcmp(one->d_name, "..") == 0)
+            continue;
+        MUST(strncmp(one->d_name, ".fourlink", 9) != 0);
+        if (unlink(one->d_name) == 0)
+            continue;
+        MUST(chdir(one->d_name) == 0);
+        empty_folder();
+        MUST(chdir("..") == 0 && rmdir(one->d_name) == 0);
+    }
     closedir(all);
 }
 
@@ -122,16 +103,32 @@ static void write_file(const char *name, part p)
     MUST(fclose(file) == 0);
 }
 
-/* 1 if an argument names no file outside the folder.  Other arguments may have a '/' only in the value of an
-** option that takes no file. */
+/* The parts of a text with form feeds between them, as the files of a folder. */
+static void write_answers(part rest)
+{
+    char name[] = "answers/a.txt";
+
+    MUST(mkdir("answers", 0777) == 0);
+    for (; rest.length && name[8] <= 'e'; name[8]++)
+        write_file(name, take_part(&rest, '\f'));
+}
+
+/* 1 if an argument names no file outside the folder: it has '/' or ".." only in the value of an option that takes no
+** file, or is one of a few with a folder. */
 static int is_harmless(const char *argument)
 {
-    static const char *const options[] = {"--set=",      "--part=", "--best=",    "--columns=",
-                                          "--interval=", "--at=",   "--plot-at=", "--plot-x="};
+    static const char *const options[] = {
+        "--set=",     "--part=",   "--best=",  "--columns=", "--interval=", "--at=",
+        "--plot-at=", "--plot-x=", "--solve=", "--units=",   "--tolerance="};
+    static const char *const folders[] = {"--feedback=f/", "--output=f/", "--check=answers/",
+                                          "--answers=answers/"};
     size_t i;
 
-    if (!strchr(argument, '/'))
-        return strcmp(argument, "..") != 0;
+    if (!strchr(argument, '/') && !strstr(argument, ".."))
+        return 1;
+    for (i = 0; i < sizeof folders / sizeof folders[0]; i++)
+        if (strcmp(argument, folders[i]) == 0)
+            return 1;
     for (i = 0; i < sizeof options / sizeof options[0]; i++)
         if (strncmp(argument, options[i], strlen(options[i])) == 0)
             return 1;
@@ -166,7 +163,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
     is_terminal = *copy == '>';
     write_file("x.deck", deck);
-    write_file("y", rest);
+    write_file("y", take_part(&rest, '\f'));
+    write_answers(rest);
     input = open("x.deck", O_RDONLY);
     MUST(input >= 0 && dup2(input, STDIN_FILENO) == STDIN_FILENO);
     close(input);

@@ -23,8 +23,8 @@ static void put_word(const char *word)
 
 static void put_schema(void)
 {
-    const word_info *w;
-    int i;
+    const char *words[MOST_WORDS];
+    int i, k;
 
     for (i = 0; i < SECTION_COUNT; i++) {
         const char *name = flk_section_table[i].name;
@@ -32,10 +32,12 @@ static void put_schema(void)
         put(flk_section_table[i].repeats ? "\\x0a[" : "\\x0a[", name, (int)strlen(name),
             flk_section_table[i].repeats ? " a]\\x0a" : "]\\x0a");
     }
-    for (i = 0; i < KEY_COUNT; i++)
+    for (i = 0; i < KEY_COUNT; i++) {
         put("\\x0a", flk_key_table[i].name, (int)strlen(flk_key_table[i].name), " = ");
-    for (w = flk_word_table; w->word; w++)
-        put_word(w->word);
+        flk_key_words((key_code)i, NULL, words);
+        for (k = 0; words[k]; k++)
+            put_word(words[k]);
+    }
     for (i = 0; i < QUANTITY_COUNT; i++) {
         put_word(flk_quantities[i].example);
         put(" ", flk_quantities[i].unit, (int)strlen(flk_quantities[i].unit), "");
