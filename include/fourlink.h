@@ -296,11 +296,11 @@ FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *na
 **    column that this design of a sweep does not have.
 ** 3) If several facts have the same name, such as the ends of two ranges, this is the first.
 ** 4) Mean and rms are taken over the crank angle, not over time, for the part of the deck's motion in which
-**    the linkage can be assembled: (integral of y dtheta2) / c, and the root of
-**    (integral of y^2 dtheta2) / c.  An angle is continued beyond 180 deg.  Mean and rms are infinite where
-**    the integral is: at a dead position velocities grow as 1 / sqrt(distance), so they have a mean but an
-**    infinite rms.  If a column is unbounded in both directions, as mechanical_advantage is, the status is
-**    FOURLINK_NO_MEAN.
+**    the column has a value: (integral of y dtheta2) / c, and the root of (integral of y^2 dtheta2) / c.  An
+**    angle is continued beyond 180 deg.  Mean and rms are infinite where the integral is: at a dead position
+**    velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms; at a change point forces
+**    grow as 1 / distance and have neither.  If the integral is infinite in both directions, as that of
+**    mechanical_advantage, the status is FOURLINK_NO_MEAN.
 */
 FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fourlink_branch branch,
                                       double angle, fourlink_value *value);
@@ -522,7 +522,7 @@ FOURLINK_API int fourlink_results_rows(fourlink_results *results, fourlink_branc
 **    FOURLINK_NO_SUCH_ANGLE (rows by time), FOURLINK_BAD_BRANCH, FOURLINK_BAD_NUMBER, FOURLINK_NULL
 ** Note:
 **    Touching the value counts.  Jumping over it does not: at the edge of a load, through infinity, from 180
-**    to -180 deg.  If a revolution ends where it began, that angle is counted once.
+**    to -180 deg.  Of a stretch in which the column keeps the value, the ends count.  If a revolution ends where it began, that angle is counted once.
 */
 FOURLINK_API int fourlink_results_crossings(fourlink_results *results, const char *column,
                                             fourlink_branch branch, double value, unsigned long max,

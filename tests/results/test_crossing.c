@@ -253,6 +253,75 @@ TEST(test_turns)
     fourlink_results_free(r);
 }
 
+/* Of a parallelogram the coupler does not turn and the rocker turns with the crank, through both change points, where
+** rows are rounding error. */
+TEST(test_constant)
+{
+    static const char *const zeros[] = {"omega3", "alpha3", "alpha4"};
+    uint64_t seed = 91;
+    double at[1];
+    unsigned long n;
+    int i, k;
+
+    for (i = 0; i < some_of(300); i++) {
+        double a = floor(uniform(&seed, 1, 16)) / 16, d = a + floor(uniform(&seed, 1, 16)) / 16;
+        double speed = uniform(&seed, -40, 40), from = uniform(&seed, -200, 200);
+        char text[600];
+        fourlink_results *r;
+
+        sprintf(text,
+                "mechanism = four-bar\n[ground]\nlength = %.17g m\n[crank]\nlength = %.17g m\n"
+                "[coupler]\nlength = %.17g m\n[rocker]\nlength = %.17g m\n[motion]\nspeed = %.17g "
+                "rad/s\nfrom = %.17g deg\nto = %.17g deg\n",
+                d, a, d, a, speed, from, from + (speed < 0 ? -1 : 1) * uniform(&seed, 60, 1000));
+        r = opened(text);
+        for (k = 0; k < 4; k++) {
+            const char *name = k < 3 ? zeros[k] : "omega4";
+            int status =
+                fourlink_results_crossings(r, name, FOURLINK_OPEN, k < 3 ? 0 : speed, 1, at, &n);
+
+            if (status != FOURLINK_CONSTANT)
+                fail_msg("%s: %s\n%s", name, fourlink_status_text(status), text);
+        }
+        fourlink_results_free(r);
+    }
+}
+
+/* A force that is there in a part of each turn: where it is not, the ends of that part are found, and no angle within
+** it, whatever rounding error there is. */
+TEST(test_stretches)
+{
+    uint64_t seed = 92;
+    double at[MOST];
+    int i;
+
+    for (i = 0; i < some_of(300); i++) {
+        double from = uniform(&seed, 20, 70), to = uniform(&seed, 110, 160);
+        unsigned long n, k;
+        char text[700];
+        fourlink_results *r;
+
+        /* a parallelogram, whose rocker has a force across it from `from` to `to` */
+        sprintf(
+            text,
+            "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = 0.375 m\n[coupler]\n"
+            "length = 1 m\nmass = 1 kg\n[rocker]\nlength = 0.375 m\n[load P]\nlink = rocker\n"
+            "torque = %.17g N m\nfrom = %.17g deg\nto = %.17g deg\n[motion]\nspeed = %.17g "
+            "rad/s\nto = 720 deg\n",
+            uniform(&seed, 1, 20), from, to, uniform(&seed, 1, 20));
+        r = opened(text);
+        n = crossings(r, "F34_across", FOURLINK_OPEN, 0, at);
+        if (n > 6)
+            fail_msg("%lu crossings\n%s", n, text);
+        for (k = 0; k < n; k++)
+            if (fmin(fmin(fabs(remainder(at[k], 180)), fabs(remainder(at[k] - from, 360))),
+                     fabs(remainder(at[k] - to, 360))) > 1e-4)
+                fail_msg("crossing at %.12g\n%s", at[k], text);
+        assert_true(n >= 2);
+        fourlink_results_free(r);
+    }
+}
+
 TEST(test_statuses)
 {
     fourlink_results *r = opened(ROCKER SPEED),
