@@ -39,6 +39,7 @@ typedef struct search {
     double *best, *low, *high; /* of the grid, with its neighbours; then of the free ones, in the
                                       units of their lines */
     int is_words;              /* what is sought has no number */
+    const char *gave_up;       /* why a value is not known; null: it is, or there is none */
     fourlink_results *trial;   /* the best design, in which values between these are set */
     int *handles;              /* of the variables that have neighbours: the free ones */
     unsigned long n_free;
@@ -47,7 +48,15 @@ typedef struct search {
     fourlink_branch branch;   /* on which it is */
 } search;
 
-static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, double from)
+/* 1 if there is a value; why it is not known is kept. */
+static int is_found(search *s, int status)
+{
+    if (results_gave_up(status))
+        s->gave_up = fourlink_status_text(status);
+    return status == FOURLINK_OK;
+}
+
+static int is_met(search *s, fourlink_results *r, fourlink_branch branch, double from)
 {
     fourlink_value v;
     unsigned long i;
@@ -55,7 +64,7 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     for (i = 0; i < s->n_conditions; i++) {
         const fourlink_value *c = &s->conditions[i];
 
-        if (fourlink_results_get(r, c->handle, branch, from, &v) != FOURLINK_OK ||
+        if (!is_found(s, fourlink_results_get(r, c->handle, branch, from, &v)) ||
             !sheet_meets(c, &v))
             return 0;
     }
@@ -75,7 +84,7 @@ static double value_of(search *s, fourlink_results *r, fourlink_branch *branch)
         fourlink_branch b = (fourlink_branch)i;
 
         if (!(b == FOURLINK_OPEN ? problem.open : problem.crossed) ||
-            fourlink_results_value(r, s->name, b, problem.motion.from, &v) != FOURLINK_OK)
+            !is_found(s, fourlink_results_value(r, s->name, b, problem.motion.from, &v)))
             continue;
         s->is_words |= v.words != NULL;
         if (v.words || !gsl_finite(v.value) || !(s->sign * v.value < least) ||
@@ -294,6 +303,8 @@ static int write_result(FILE *out, const search *s)
     line_put(&l, "# The best design of %s: %s %s = %6g%s%s, %s branch.\n", s->in->name,
              s->sign > 0 ? "min" : "max", s->name, v.value, strcmp(v.unit, "1") ? " " : "",
              strcmp(v.unit, "1") ? v.unit : "", fourlink_branch_text((int)s->branch));
+    if (s->gave_up)
+        line_put(&l, "# Designs of which it is not known are left out: %s.\n", s->gave_up);
     put_ends(&l, s);
     line_end(&l);
     write_deck(out, deck, length);
@@ -334,16 +345,21 @@ static void close_search(search *s)
 static int find_best(FILE *out, search *s)
 {
     char message[MESSAGE_SIZE];
-    int is_found = search_grid(s, out);
+    int has_best = search_grid(s, out);
 
-    if (is_found && !system_caught())
+    if (has_best && !system_caught())
         refine(s);
     if (system_caught())
         return command_complain("stopped", s->in->name, "interrupted");
     if (memory_has_failed())
         return command_lacks_memory("cannot analyse", s->in->name);
-    if (is_found)
-        return write_result(out, s);
+    if (s->gave_up)
+        command_tell("error", "--best", 0,
+                     flk_message(message, sizeof message, "%s of some designs is not known: %s",
+                                 s->name, s->gave_up),
+                     NULL);
+    if (has_best)
+        return command_worse(write_result(out, s), s->gave_up ? EXIT_ROWS : 0);
     flk_message(message, sizeof message,
                 s->is_words       ? "%s is in words: it has no largest or smallest value"
                 : s->n_conditions ? "no design has a value of %s and meets the yield"

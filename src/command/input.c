@@ -390,6 +390,17 @@ char *input_deck_text(const fourlink_results *results, unsigned long *length)
     return contents;
 }
 
+int input_write_deck(const input *in, FILE *out)
+{
+    unsigned long length = 0;
+    char *contents = input_deck_text(in->results, &length);
+
+    if (contents)
+        fwrite(contents, 1, length, out);
+    free(contents);
+    return contents != NULL;
+}
+
 /* 1 if the deck of the linkage found is reported, or checked by its own [expect] sections. */
 static int takes_found(const input *in)
 {

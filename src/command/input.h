@@ -67,4 +67,7 @@ double input_in_line_unit(fourlink_results *results, const char *name, double to
 /* The text of a deck with the values that are computed: memory to free, null if there is not enough. */
 char *input_deck_text(const fourlink_results *results, unsigned long *length);
 
+/* Write that text; 0 if memory fails. */
+int input_write_deck(const input *in, FILE *out);
+
 #endif

@@ -28,14 +28,7 @@
 /* Write the text of a deck with the values that are computed; returns the exit status. */
 static int write_deck(FILE *out, const input *in)
 {
-    unsigned long length = 0;
-    char *contents = input_deck_text(in->results, &length);
-
-    if (!contents)
-        return command_lacks_memory("cannot write", in->name);
-    fwrite(contents, 1, length, out);
-    free(contents);
-    return 0;
+    return input_write_deck(in, out) ? 0 : command_lacks_memory("cannot write", in->name);
 }
 
 /* 1 if nothing but rows is asked for. */
@@ -58,11 +51,9 @@ static int write_sheet(const options *o, input *in, const grade_answers *answers
 
     if (status)
         return status;
-    if (o->solve) {
+    if (o->solve)
         written = solve_write(out.file, in);
-        if (!written && o->print_deck)
-            written = write_deck(out.file, in);
-    } else if (o->print_deck || (prints_found(o, in) && !o->has_format))
+    else if (o->print_deck || (prints_found(o, in) && !o->has_format))
         written = write_deck(out.file, in);
     else if (o->best)
         written = best_write(out.file, in);

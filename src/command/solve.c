@@ -43,7 +43,8 @@ typedef struct question {
     line *l;
     unsigned long n;
     double first;
-    int is_flat; /* 1: the result is the value wanted in a part of the range */
+    int is_flat;         /* 1: the result is the value wanted in a part of the range */
+    const char *gave_up; /* why it is not known somewhere; null: it is, or there is none */
 } question;
 
 /* ------------------------------------------------------------------------------------------- reading */
@@ -136,7 +137,7 @@ static int set_key(const question *q, double x)
     return results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x));
 }
 
-/* NAME - VALUE with KEY set to x; NaN where it cannot be computed, or is unbounded. */
+/* NAME - VALUE with KEY set to x; NaN where it has no value or an unbounded one, or is not known. */
 static double excess(double x, void *data)
 {
     question *q = data;
@@ -146,6 +147,8 @@ static double excess(double x, void *data)
 
     if (status == FOURLINK_OK)
         status = fourlink_results_value(q->in->results, q->name, q->branch, q->angle, &v);
+    if (results_gave_up(status))
+        q->gave_up = fourlink_status_text(status);
     if (status != FOURLINK_OK || v.words || !gsl_finite(v.value))
         return GSL_NAN;
     q->least = GSL_MIN_DBL(q->least, v.value);
@@ -280,6 +283,8 @@ static int tell_none(const question *q)
 {
     char message[MESSAGE_SIZE];
 
+    if (q->least > q->most && q->gave_up)
+        return EXIT_ROWS; /* which is told */
     if (q->least > q->most)
         flk_message(message, sizeof message, "%s has no value in this range of %s", q->name,
                     q->key);
@@ -293,6 +298,7 @@ static int tell_none(const question *q)
 
 int solve_write(FILE *out, input *in)
 {
+    char message[MESSAGE_SIZE];
     question q;
     line l;
     int i;
@@ -320,5 +326,12 @@ int solve_write(FILE *out, input *in)
     if (q.is_flat)
         command_tell("note", "--solve", 0,
                      "the result has this value in a part of the range, or in all of it", NULL);
-    return q.n ? 0 : tell_none(&q);
+    if (q.n && in->o->print_deck && !input_write_deck(in, out))
+        return command_lacks_memory("cannot write", in->name);
+    if (q.gave_up)
+        command_tell("error", "--solve", 0,
+                     flk_message(message, sizeof message,
+                                 "in a part of the range %s is not known: %s", q.name, q.gave_up),
+                     NULL);
+    return !q.n ? tell_none(&q) : q.gave_up ? EXIT_ROWS : 0;
 }

@@ -39,6 +39,11 @@ int results_put(fourlink_results *results, unsigned long n, const int *handles,
     return noted(fourlink_results_put(results, n, handles, values, NULL));
 }
 
+int results_gave_up(int status)
+{
+    return status == FOURLINK_TOO_LONG || status == FOURLINK_LONG_SEARCH;
+}
+
 void results_check(fourlink_results *results, unsigned long i, fourlink_check *check)
 {
     if (noted(fourlink_results_check(results, i, check)) == FOURLINK_OK)

@@ -21,4 +21,8 @@ int results_put(fourlink_results *results, unsigned long n, const int *handles,
 /* The i-th comparison; all 0, with empty texts, if memory fails. */
 void results_check(fourlink_results *results, unsigned long i, fourlink_check *check);
 
+/* 1 for a status that leaves open what a value is: the motion or the search would take too long.  Others say that there is
+** none. */
+int results_gave_up(int status);
+
 #endif

@@ -174,4 +174,14 @@ says 'no design has a value of swing and meets the yield'
 run 1 --best='max stroke' t.deck
 says 'no design has a value of stroke'
 
+# a value that is not known may be the best
+{ base | sed '/^\[motion\]/,$d' && printf '[motor]\ntorque = 1 N m\n[motion]\nmode = free\ninterval = 360 deg\nturns = 2\n'; } >turns.deck
+{ cat turns.deck && printf '[sweep]\nmotion.turns = 2, 5, 100000\noutput = max(omega2)\n'; } >t.deck
+run 1 '--best=max max(omega2)' t.deck
+says '--best: error: max(omega2) of some designs is not known: the motion takes too many steps'
+check 'the best of the others' grep -qx 'turns = 5' out
+prints '# Designs of which it is not known are left out: the motion takes too many steps'
+run 1 '--solve=motion.turns = -1e9 .. 1e5 where max(omega2) = 600 rad/s' -b open turns.deck
+says 'in a part of the range max(omega2) is not known: the motion takes too many steps'
+
 finish
