@@ -42,6 +42,7 @@ trial native/build/brute_extremes 300
 trial native/build/brute_extremes 100 1000
 trial native/build/brute_crossings 200 9
 trial native/build/brute_fits 200 2 60
+trial sh "$source/tests/command/failed_allocations.sh" native/build/fourlink "$source/data" native/build/tests/libfailing_malloc.so
 trial sh "$source/tests/results/integrated_motions.sh" native/build/integrated_motions native/build/random_decks 1000
 status=0
 AT_ONCE=$(nproc) sh "$source/tests/fuzz/fuzz.sh" "$seconds" "$work/build-fuzz" || status=1
