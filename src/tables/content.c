@@ -245,7 +245,8 @@ static void write_checks_that_are(sheet *s, int right, int all)
     int is_right;
 
     for (i = 0; i < s->v.problem.n_expected; i++) {
-        results_check(s->v.results, i, &check);
+        if (!results_check(s->v.results, i, &check))
+            return;
         is_right = check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT;
         if (!all && right != is_right)
             continue;
@@ -453,7 +454,7 @@ static void write_content(sheet *s)
     default:
         write_rows(s);
     }
-    if (s->format->close)
+    if (s->format->close && !memory_has_failed())
         s->format->close(s);
 }
 

@@ -135,7 +135,8 @@ static void write_asked(sheet *s)
 
     memset(&before, 0, sizeof before);
     for (i = 0; i < s->v.problem.n_expected; i++) {
-        results_check(s->v.results, i, &c);
+        if (!results_check(s->v.results, i, &c))
+            return;
         if (c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
             continue; /* not asked for */
         if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||

@@ -44,10 +44,11 @@ int results_gave_up(int status)
     return status == FOURLINK_TOO_LONG || status == FOURLINK_LONG_SEARCH;
 }
 
-void results_check(fourlink_results *results, unsigned long i, fourlink_check *check)
+int results_check(fourlink_results *results, unsigned long i, fourlink_check *check)
 {
     if (noted(fourlink_results_check(results, i, check)) == FOURLINK_OK)
-        return;
+        return 1;
     memset(check, 0, sizeof *check);
     check->file = check->unit = "";
+    return 0;
 }

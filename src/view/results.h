@@ -18,8 +18,8 @@ int results_set(fourlink_results *results, const char *name, double value);
 int results_put(fourlink_results *results, unsigned long n, const int *handles,
                 const double *values);
 
-/* The i-th comparison; all 0, with empty texts, if memory fails. */
-void results_check(fourlink_results *results, unsigned long i, fourlink_check *check);
+/* The i-th comparison; 0 if memory fails, and all of it is 0, with empty texts. */
+int results_check(fourlink_results *results, unsigned long i, fourlink_check *check);
 
 /* 1 for a status that leaves open what a value is: the motion or the search would take too long.  Others say that there is
 ** none. */

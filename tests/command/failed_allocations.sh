@@ -257,6 +257,7 @@ WHOLE=0
 all 0 --report=report.html $few ../wide.deck
 { cat engine-up.deck && printf '[expect]\nat = 60 deg\nomega2 = 1.234 rad/s\n'; } >other.deck
 all 1 -b open --check ../other.deck
+all 0 -b open --form ../other.deck
 
 # options that the runs above do not have
 all 0 --units='mm, kg, rpm' --wide --columns=theta2,B.x --branch=open --interval='90 deg' --output=result \
