@@ -238,6 +238,25 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
+/* Open a deck that may be the same as an open one, but for its answers or the units of its results.  Where all
+** settings and the unit of angles are the same, so is its motion: it is that of `like`.  To integrate it again could
+** take seconds.  All else is as from fourlink_results_open.
+**
+** Given:
+**    like          results of a deck; null is allowed.  Before `results` is freed it must neither be freed nor have
+**                  numbers set
+**    others        as for fourlink_results_open
+** Returned:
+**    as from fourlink_results_open
+** Returned (function value):
+**    as from fourlink_results_open
+** Note:
+**    One thread at a time can use `like` and `results`.
+*/
+FOURLINK_API int fourlink_results_open_like(const fourlink_source *source, fourlink_results *like,
+                                            unsigned long max_mistakes, fourlink_results **results,
+                                            fourlink_mistake *mistakes, unsigned long *n_mistakes);
+
 /* Free results; null is allowed. */
 FOURLINK_API void fourlink_results_free(fourlink_results *results);
 

@@ -222,7 +222,7 @@ static int open_exercise(const input *in, input *deck, options *of_deck)
         strcmp(in->name, "<stdin>") == 0)
         return 0;
     command_be_silent(1);
-    input_read_without(deck, in->o, of_deck);
+    input_read_without(deck, in->o, of_deck, in);
     command_be_silent(0);
     return deck->results && deck->problem.n_expected > 0;
 }

@@ -32,7 +32,7 @@ static int open_shown(const input *in, shown *x)
     x->own = NULL;
     if (!in->results || in->source.deck_units)
         return 1;
-    if (results_open(&x->source, 0, &x->own, NULL, NULL) != FOURLINK_OK)
+    if (results_open_like(&x->source, in->results, 0, &x->own, NULL, NULL) != FOURLINK_OK)
         return 0;
     x->results = x->own;
     return 1;

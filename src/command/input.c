@@ -265,7 +265,7 @@ static int open_results(input *in)
     int status = FOURLINK_NO_MEMORY;
 
     if (list)
-        status = results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+        status = results_open_like(&in->source, in->like, MOST_MISTAKES, &in->results, list, &n);
     if (memory_has_failed()) /* a file that the deck names could not be loaded */
         status = FOURLINK_NO_MEMORY;
     if (in->names_output) {
@@ -506,6 +506,7 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
 
     in->o = o;
     in->deck = deck;
+    in->like = deck->results;
     in->name = deck->name;
     in->source = deck->source;
     in->is_design = deck->is_design;
@@ -513,7 +514,7 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     return status ? status : open_input(in);
 }
 
-int input_read_without(input *in, const options *o, options *own)
+int input_read_without(input *in, const options *o, options *own, const input *with)
 {
     grade_answers none;
 
@@ -522,6 +523,7 @@ int input_read_without(input *in, const options *o, options *own)
     *own = *o;
     own->content = SHEET_SUMMARY;
     own->check_file = NULL;
+    in->like = with ? with->results : NULL;
     return input_read(in, o->decks[0], own, &none, NULL);
 }
 

@@ -27,6 +27,7 @@ typedef struct input {
     grade_answers answers; /* its own, of a folder */
     const struct input
         *deck; /* the same deck without answers, whose notes have been told; null: there is none */
+    fourlink_results *like;     /* of the same deck with other answers, opened before; or null */
     int has_slips;              /* 1: some lines of its answers are not read */
     char remarks[MESSAGE_SIZE]; /* what is told of its answers: such lines, decimal commas */
     /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so
@@ -51,8 +52,9 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
                        size_t i);
 
 /* Read the first deck without its answers, as for a summary; `own` are the options then, which must live as
-** long as the input.  Returns the exit status. */
-int input_read_without(input *in, const options *o, options *own);
+** long as the input.  `with` is null, or the deck with answers, which must live longer.  Returns the exit
+** status. */
+int input_read_without(input *in, const options *o, options *own, const input *with);
 
 void input_close(input *in);
 

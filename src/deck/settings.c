@@ -104,6 +104,75 @@ double flk_setting_in_unit(parser *p, const setting *s, quantity q)
     return flk_unit_from_si(s->si[0], *u);
 }
 
+/* 1 if a key has the same value: the text, the numbers that it is read as, the points of a curve. */
+static int are_same(const setting *x, const setting *y)
+{
+    size_t i;
+
+    if (IS_SET(x) != IS_SET(y) || !same_name(x->value, y->value) || x->si[0] != y->si[0] ||
+        x->si[1] != y->si[1] || x->word != y->word || x->n_points != y->n_points ||
+        !x->parts != !y->parts)
+        return 0;
+    for (i = 0; i < x->n_points; i++)
+        if (x->curve[i].x != y->curve[i].x || x->curve[i].y[0] != y->curve[i].y[0] ||
+            x->curve[i].y[1] != y->curve[i].y[1])
+            return 0;
+    for (i = 0; x->parts && i < PART_NONE; i++)
+        if (!are_same(&x->parts[i], &y->parts[i]))
+            return 0;
+    return 1;
+}
+
+/* What has no part in the mechanism and its motion. */
+static int is_of_output(section_code section)
+{
+    return section == SECTION_TABLE || section == SECTION_EXPECT || section == SECTION_MISPRINT ||
+           section == SECTION_GRADING;
+}
+
+static int is_step_of_rows(section_code section, size_t key)
+{
+    return section == SECTION_MOTION && (key == KEY_MOTION_INTERVAL - flk_first_key(section) ||
+                                         key == KEY_MOTION_TIME_STEP - flk_first_key(section));
+}
+
+/* The next section that has a part in the motion; null: there is none. */
+static const section_use *next_of_motion(const parser *p, size_t *i)
+{
+    while (*i < p->n_uses && is_of_output(p->uses[*i].section))
+        ++*i;
+    return *i < p->n_uses ? &p->uses[(*i)++] : NULL;
+}
+
+static int have_same_settings(const parser *p, const parser *other)
+{
+    const section_use *x, *y;
+    size_t i = 0, j = 0, k;
+
+    for (;;) {
+        x = next_of_motion(p, &i);
+        y = next_of_motion(other, &j);
+        if (!x || !y)
+            return !x && !y;
+        if (x->section != y->section || !same_name(x->name, y->name))
+            return 0;
+        for (k = 0; k < flk_section_keys(x->section); k++)
+            if (!is_step_of_rows(x->section, k) && !are_same(&x->settings[k], &y->settings[k]))
+                return 0;
+    }
+}
+
+int flk_settings_move_alike(const deck *d, const deck *other)
+{
+    const fourlink_motion *x = &d->motion, *y = &other->motion;
+
+    if (x->angle_unit != y->angle_unit || x->from != y->from || x->to != y->to ||
+        !d->found != !other->found)
+        return 0;
+    return d->found ? have_same_settings(d->found, other->found)
+                    : have_same_settings(d->settings, other->settings);
+}
+
 /* Words that people use, and the words they mean. */
 static const struct {
     const char *written, *meant;

@@ -55,6 +55,10 @@ int flk_setting_target(parser *p, text_place place, text key, target *t);
 /* The same without mistakes and for the sections that the deck has. */
 int flk_setting_look(const parser *p, text key, target *t);
 
+/* 1 if two decks have the same mechanism, loads and motion by their settings and the files that these name.
+** What is shown or asked may differ, the steps from row to row, and the units of results but that of angles. */
+int flk_settings_move_alike(const deck *d, const deck *other);
+
 /* Set a target from outside its section: a number, with its text, by a design of a sweep or by a host; or
 ** by a change of the source. */
 void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,

@@ -171,7 +171,7 @@ int flk_actual_prepare(flk_actual *m, fourlink_branch branch)
     return m && !on(m, branch)->is_found ? FOURLINK_NO_MEMORY : FOURLINK_OK;
 }
 
-flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
+flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *acting, double end,
                             double period, int winds)
 {
     const fourlink_motion *motion = &d->motion;
@@ -194,11 +194,7 @@ flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *act
         p->equation.from = motion->from * motion->angle_unit;
         p->equation.sense = end < motion->from ? -1 : 1;
     }
-    if ((!d->open || flk_actual_prepare(m, FOURLINK_OPEN) == FOURLINK_OK) &&
-        (!d->crossed || flk_actual_prepare(m, FOURLINK_CROSSED) == FOURLINK_OK))
-        return m;
-    flk_actual_free(m);
-    return NULL;
+    return m;
 }
 
 void flk_actual_free(flk_actual *m)

@@ -7,17 +7,16 @@
 
 #include "path.h"
 
-/* The motion of a deck.  It is found for the requested branches when the deck is opened, and for the other
-** branch by flk_actual_prepare. */
+/* The motion of a deck, found for each branch by flk_actual_prepare. */
 typedef struct flk_actual flk_actual;
 
-/* Find the motion of a deck, for flk_actual_free; null if out of memory.
+/* Set up the motion of a deck, for flk_actual_free; null if out of memory.
 **
 ** acting  memory for the loads of a row; it and the corners must remain valid as long
 ** end     the crank angle of the last row, in the deck's unit; unused by time
 ** period  rad, of a steady motion
 ** winds   1: each cycle winds up a spring, so there is no steady motion */
-flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
+flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *acting, double end,
                             double period, int winds);
 void flk_actual_free(flk_actual *m);
 

@@ -36,7 +36,8 @@ static double period_of(const flk_machine *machine)
     return GSL_MAX(machine->cycle, turns * 2 * M_PI);
 }
 
-int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting)
+int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting,
+                          flk_actual *actual)
 {
     const flk_machine *machine = &d->machine;
     const flk_element *spring;
@@ -50,14 +51,18 @@ int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting
     for (; (spring = flk_machine_find(machine, &flk_spring_type, i)) != NULL; i++)
         c->winds |= flk_spring_winds(&machine->mechanism, spring->data, c->period);
     c->corners = flk_corners_open(d);
-    if (c->corners && d->drive.mode != DRIVE_GIVEN)
-        c->actual = flk_actual_find(d, c->corners, acting, c->end, c->period, c->winds);
-    return c->corners && (c->actual || d->drive.mode == DRIVE_GIVEN);
+    c->actual = actual;
+    c->is_shared = actual != NULL;
+    if (c->corners && !actual && d->drive.mode != DRIVE_GIVEN)
+        c->actual = flk_actual_open(d, c->corners, acting, c->end, c->period, c->winds);
+    return c->corners && (c->actual || d->drive.mode == DRIVE_GIVEN) &&
+           (!d->open || flk_actual_prepare(c->actual, FOURLINK_OPEN) == FOURLINK_OK) &&
+           (!d->crossed || flk_actual_prepare(c->actual, FOURLINK_CROSSED) == FOURLINK_OK);
 }
 
 void flk_crank_motion_close(flk_crank_motion *c)
 {
-    flk_actual_free(c->actual);
+    flk_actual_free(c->is_shared ? NULL : c->actual);
     flk_corners_close(c->corners);
 }
 

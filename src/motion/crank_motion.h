@@ -19,11 +19,13 @@ typedef struct flk_crank_motion {
     int winds;  /* 1: a spring winds up, so that cycles differ */
     flk_corners *corners;
     flk_actual *actual; /* null: the motion is given */
+    int is_shared;      /* 1: it belongs to another deck */
 } flk_crank_motion;
 
 /* Set up the motion of a deck, which must remain valid as long, and memory for the loads of a row; 0 if out
-** of memory. */
-int flk_crank_motion_open(flk_crank_motion *crank_motion, const deck *d, flk_acting *acting);
+** of memory.  `actual` is null, or that of the same deck, found before, which must remain valid too. */
+int flk_crank_motion_open(flk_crank_motion *crank_motion, const deck *d, flk_acting *acting,
+                          flk_actual *actual);
 void flk_crank_motion_close(flk_crank_motion *crank_motion);
 
 /* 1 if the actual motion of a branch took too many steps: its facts depend on where the budget ended. */

@@ -289,8 +289,8 @@ static int reopen(picture *p, const char *columns, const char *further, fourlink
             flk_text_join(assignment, sizeof assignment, "table.columns=", columns, (char *)NULL);
     if (further)
         assignments[n++] = further;
-    status = view_reopen(p->source, p->request->x ? "--plot-x" : "--plot-kind", assignments, n,
-                         &p->own.results, mistake);
+    status = view_reopen(p->source, p->request->opened, p->request->x ? "--plot-x" : "--plot-kind",
+                         assignments, n, &p->own.results, mistake);
     return status == FOURLINK_OK && take_results(p, p->own.results);
 }
 

@@ -116,26 +116,27 @@ static int draws_all(const rows *t)
 }
 
 /* Open the deck, and with a further assignment unless it is null; 0 without memory or if it has mistakes. */
-static int open_deck(rows *t, const fourlink_source *source, const char *further)
+static int open_deck(rows *t, const fourlink_source *source, fourlink_results *opened,
+                     const char *further)
 {
     fourlink_mistake mistake;
     int status;
 
     fourlink_results_free(t->own);
     t->own = NULL;
-    status = view_reopen(source, "--report", &further, further != NULL, &t->own, &mistake);
+    status = view_reopen(source, opened, "--report", &further, further != NULL, &t->own, &mistake);
     if (status == FOURLINK_OK)
         view_take(&t->v, t->own);
     return status == FOURLINK_OK;
 }
 
 /* Open a deck with rows by time again, with the time step of the drawing. */
-static int reopen(rows *t, const fourlink_source *source)
+static int reopen(rows *t, const fourlink_source *source, fourlink_results *opened)
 {
     char assignment[FORMAT_SIZE + 40], number[FORMAT_SIZE];
 
     format_general(time_step_of(&t->v.problem), 17, number);
-    return open_deck(t, source,
+    return open_deck(t, source, opened,
                      flk_text_join(assignment, sizeof assignment, "motion.time_step=", number, " s",
                                    (char *)NULL));
 }
@@ -146,9 +147,9 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
     t->source = source;
     if (opened)
         view_take(&t->v, opened);
-    if ((!opened || t->v.problem.one_instant) && !open_deck(t, source, NULL))
+    if ((!opened || t->v.problem.one_instant) && !open_deck(t, source, opened, NULL))
         return 0;
-    if (!draws_all(t) || (t->v.problem.by_time && !reopen(t, source)))
+    if (!draws_all(t) || (t->v.problem.by_time && !reopen(t, source, opened)))
         return 0;
     t->steps = memory_get(MOST_ROWS * 2 + 2, sizeof *t->steps);
     if (t->steps && t->v.problem.by_time)

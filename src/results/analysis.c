@@ -343,13 +343,14 @@ static int possible(const deck *d)
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
-int flk_analysis_open(flk_analysis *a, const deck *d)
+int flk_analysis_open(flk_analysis *a, const deck *d, const flk_analysis *like)
 {
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
     a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
-    return a->acting.load && flk_crank_motion_open(&a->crank_motion, d, &a->acting);
+    return a->acting.load && flk_crank_motion_open(&a->crank_motion, d, &a->acting,
+                                                   like ? like->crank_motion.actual : NULL);
 }
 
 void flk_analysis_close(flk_analysis *a)

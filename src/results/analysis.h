@@ -119,8 +119,9 @@ typedef struct flk_analysis {
         rows_left; /* that a search may still compute; a row with loads counts as more than one */
 } flk_analysis;
 
-/* Set up an analysis; 0 if out of memory. */
-int flk_analysis_open(flk_analysis *a, const deck *d);
+/* Set up an analysis; 0 if out of memory.  `like` is null, or an analysis of the same machine and motion (see
+** flk_settings_move_alike), which has done part of the work and must live longer. */
+int flk_analysis_open(flk_analysis *a, const deck *d, const flk_analysis *like);
 void flk_analysis_close(flk_analysis *a);
 
 /* Compute any crank position; the caller fills row->at.row.  `needs` says what to compute. */

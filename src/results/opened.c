@@ -15,6 +15,7 @@
 #include "base/quantity.h"
 #include "deck/numbers.h"
 #include "deck/reader.h"
+#include "deck/settings.h"
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "mean.h"
@@ -427,14 +428,16 @@ static int allocate(flk_opened *o)
     return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
 }
 
-/* Open a deck without mistakes, which may be a design of another; 0 if out of memory. */
-static int open_deck(flk_opened *o, const flk_opened *from)
+/* Open a deck without mistakes, which may be a design of another, or `like` another; 0 if out of memory. */
+static int open_deck(flk_opened *o, const flk_opened *from, const flk_opened *like)
 {
     size_t i;
 
     if (o->d.sweep.n_variables && !o->d.solver)
         o->d.solver = SOLVER_DYAD;
-    if (!flk_analysis_open(&o->a, &o->d) || !allocate(o))
+    if (like && !flk_settings_move_alike(&o->d, &like->d))
+        like = NULL;
+    if (!flk_analysis_open(&o->a, &o->d, like ? &like->a : NULL) || !allocate(o))
         return 0;
     if (from)
         o->n_columns = flk_column_copy(&o->a, &from->a, from->columns, from->n_columns, o->columns);
@@ -504,13 +507,13 @@ static int is_fact(text name)
     return flk_fact_find(name) != 0;
 }
 
-/* Open results of their deck, with the status of flk_deck_read; `from` as in open_deck. */
-static int open_results(flk_opened *o, const flk_opened *from, int status,
+/* Open results of their deck, with the status of flk_deck_read; `from` and `like` as in open_deck. */
+static int open_results(flk_opened *o, const flk_opened *from, const flk_opened *like, int status,
                         const flk_mistake_list *list, flk_opened **opened)
 {
     if (status > 0 && o->whole_cycle && o->d.one_instant)
         hold_instant(&o->d);
-    if (status > 0 && !open_deck(o, from))
+    if (status > 0 && !open_deck(o, from, like))
         status = -1;
     else if (status == 0)
         flk_column_check(&o->d, is_fact);
@@ -531,15 +534,15 @@ static int open_results(flk_opened *o, const flk_opened *from, int status,
     return status;
 }
 
-int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
-                    flk_opened **opened)
+int flk_opened_read(const fourlink_source *source, const flk_opened *like,
+                    const flk_mistake_list *list, flk_opened **opened)
 {
     flk_opened *o = calloc(1, sizeof *o);
 
     if (!o)
         return FOURLINK_NO_MEMORY;
     o->whole_cycle = source->whole_cycle;
-    return open_results(o, NULL, read_deck(source, &o->d), list, opened);
+    return open_results(o, NULL, like, read_deck(source, &o->d), list, opened);
 }
 
 /* Room for another deck of the same source. */
@@ -557,8 +560,8 @@ int flk_opened_design(const flk_opened *from, unsigned long design, const deck_n
 {
     flk_opened *o = beside(from);
 
-    return o ? open_results(o, from, flk_deck_design(&from->d, design, set, n_set, &o->d), list,
-                            opened)
+    return o ? open_results(o, from, NULL, flk_deck_design(&from->d, design, set, n_set, &o->d),
+                            list, opened)
              : FOURLINK_NO_MEMORY;
 }
 
@@ -567,7 +570,7 @@ int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_
 {
     flk_opened *o = beside(from);
 
-    return o ? open_results(o, from, flk_deck_solution(&from->d, number, &o->d), list, opened)
+    return o ? open_results(o, from, NULL, flk_deck_solution(&from->d, number, &o->d), list, opened)
              : FOURLINK_NO_MEMORY;
 }
 

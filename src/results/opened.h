@@ -81,11 +81,12 @@ typedef struct flk_mistake_list {
     unsigned long *n;
 } flk_mistake_list;
 
-/* Open the deck of a source; another design of an opened deck's sweep, with `n_set` numbers set; another
-** solution of its [synthesis].  These share the settings of `from`, which must live longer.  Return the
+/* Open the deck of a source; `like` is null, or a deck that may be the same and has done part of the work, and
+** must then live longer.  Open another design of an opened deck's sweep, with `n_set` numbers set; another
+** solution of its [synthesis]: these share the settings of `from`, which must live longer.  Return the
 ** status of fourlink_results_open. */
-int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
-                    flk_opened **opened);
+int flk_opened_read(const fourlink_source *source, const flk_opened *like,
+                    const flk_mistake_list *list, flk_opened **opened);
 int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,
                       size_t n_set, const flk_mistake_list *list, flk_opened **opened);
 int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_mistake_list *list,

@@ -48,9 +48,9 @@ static flk_mistake_list list_of(unsigned long max, fourlink_mistake *first, unsi
     return list;
 }
 
-int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
-                          fourlink_results **results, fourlink_mistake *first,
-                          unsigned long *n_mistakes)
+int fourlink_results_open_like(const fourlink_source *source, fourlink_results *like,
+                               unsigned long max_mistakes, fourlink_results **results,
+                               fourlink_mistake *first, unsigned long *n_mistakes)
 {
     flk_mistake_list list = list_of(max_mistakes, first, n_mistakes);
     flk_opened *o = NULL;
@@ -58,8 +58,15 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
 
     if (!source || !source->text || !results || (!first && max_mistakes))
         return FOURLINK_NULL;
-    status = flk_opened_read(source, &list, &o);
+    status = flk_opened_read(source, like ? like->now : NULL, &list, &o);
     return return_results(status, o, results);
+}
+
+int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
+                          fourlink_results **results, fourlink_mistake *first,
+                          unsigned long *n_mistakes)
+{
+    return fourlink_results_open_like(source, NULL, max_mistakes, results, first, n_mistakes);
 }
 
 int fourlink_results_design(const fourlink_results *from, unsigned long design,
@@ -609,7 +616,7 @@ int fourlink_extreme(const fourlink_mechanism *mechanism, const fourlink_motion 
     memset(&x, 0, sizeof x);
     flk_deck_start(&d);
     set_motion(motion, &d);
-    status = set_machine(mechanism, loads, n_loads, &d) && flk_analysis_open(&a, &d) &&
+    status = set_machine(mechanism, loads, n_loads, &d) && flk_analysis_open(&a, &d, NULL) &&
                      flk_extremes_open(&x, flk_column_limit(&d))
                  ? find_value(&a, &x, name, branch, value, angle)
                  : FOURLINK_NO_MEMORY;

@@ -20,6 +20,14 @@ int results_open(const fourlink_source *source, unsigned long max_mistakes,
     return noted(fourlink_results_open(source, max_mistakes, results, mistakes, n_mistakes));
 }
 
+int results_open_like(const fourlink_source *source, fourlink_results *like,
+                      unsigned long max_mistakes, fourlink_results **results,
+                      fourlink_mistake *mistakes, unsigned long *n_mistakes)
+{
+    return noted(
+        fourlink_results_open_like(source, like, max_mistakes, results, mistakes, n_mistakes));
+}
+
 int results_design(const fourlink_results *from, unsigned long design, unsigned long max_mistakes,
                    fourlink_results **results, fourlink_mistake *mistakes,
                    unsigned long *n_mistakes)

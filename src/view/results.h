@@ -11,6 +11,9 @@
 
 int results_open(const fourlink_source *source, unsigned long max_mistakes,
                  fourlink_results **results, fourlink_mistake *mistakes, unsigned long *n_mistakes);
+int results_open_like(const fourlink_source *source, fourlink_results *like,
+                      unsigned long max_mistakes, fourlink_results **results,
+                      fourlink_mistake *mistakes, unsigned long *n_mistakes);
 int results_design(const fourlink_results *from, unsigned long design, unsigned long max_mistakes,
                    fourlink_results **results, fourlink_mistake *mistakes,
                    unsigned long *n_mistakes);

@@ -152,8 +152,9 @@ const fourlink_value *view_extreme(const view_extremes *x, int handle)
     return NULL;
 }
 
-int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
-                int n, fourlink_results **results, fourlink_mistake *mistake)
+int view_reopen(const fourlink_source *source, fourlink_results *opened, const char *origin,
+                const char *const *further, int n, fourlink_results **results,
+                fourlink_mistake *mistake)
 {
     fourlink_change *changes = memory_get(source->n_changes + 2, sizeof *changes);
     fourlink_source other = *source;
@@ -169,7 +170,7 @@ int view_reopen(const fourlink_source *source, const char *origin, const char *c
     }
     other.changes = changes;
     other.whole_cycle = 1;
-    status = results_open(&other, 1, results, mistake, NULL);
+    status = results_open_like(&other, opened, 1, results, mistake, NULL);
     free(changes);
     return status;
 }

@@ -51,9 +51,11 @@ int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *fou
 const fourlink_value *view_extreme(const view_extremes *x, int handle);
 
 /* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
-** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
-int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
-                int n, fourlink_results **results, fourlink_mistake *mistake);
+** cycle; `origin` is named in messages, `opened` has the deck without them, or is null.  A status, as from
+** fourlink_results_open_like, and the first mistake. */
+int view_reopen(const fourlink_source *source, fourlink_results *opened, const char *origin,
+                const char *const *further, int n, fourlink_results **results,
+                fourlink_mistake *mistake);
 
 /* Read a value in the unit that follows it, or else in the unit that [units] or --units gives for its
 ** quantity, or else in SI; the number is in the unit of results.  0 and a message, which is about `words`. */

@@ -239,7 +239,7 @@ TEST(test_tolerance)
     int i;
 
     read_deck(PUMP FORCE FAN MOTOR FLYWHEEL "[motion]\nmode = run-up\nturns = 3\n", &d);
-    assert_true(flk_analysis_open(&a, &d));
+    assert_true(flk_analysis_open(&a, &d, NULL));
     memset(&p, 0, sizeof p);
     p.d = &d;
     p.corners = a.crank_motion.corners;

@@ -26,7 +26,7 @@ static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MO
     read_deck(contents, &d);
     memset(&acting, 0, sizeof acting);
     acting.load = calloc(d.machine.n_loads + 1, sizeof *acting.load);
-    assert_true(flk_crank_motion_open(&crank_motion, &d, &acting));
+    assert_true(flk_crank_motion_open(&crank_motion, &d, &acting, NULL));
     pieces.crank_motion = &crank_motion;
     pieces.branch = FOURLINK_OPEN;
     pieces.has_loads = has_loads;
