@@ -3,12 +3,15 @@
 # csv_difference.py FILE OTHER [TOLERANCE [COLUMN...]] - compares the csv of two machines or versions.
 #
 # Prints "same", "within" or "differs", the number of values, and the largest difference of a value, divided by the
-# largest value of its column, with the name of the column.  More than TOLERANCE (2e-12) differs, and so do other words.
+# largest value of its column (of one that is small beside others of its unit, a thousandth of theirs: all of it may be
+# rounding), with the name of the column.  More than TOLERANCE (2e-12) differs, and so do other words.
 # The values of each COLUMN are not compared; +COLUMN is one that OTHER has besides.  Angles are compared modulo 360 deg; the residual, which is rounding
 # itself, has the largest value 1, and that of the energy, which has the error of the integration, 10.
 import csv
 import re
 import sys
+
+from compare import sizes_of
 
 NUMBER = re.compile(r'-?[0-9.]+(e[-+]?[0-9]+)?$')
 
@@ -25,9 +28,9 @@ def without(rows, added):
 
 
 def compared(head, ours, theirs, omitted):
-    """Do the words agree?  And of each column: how many values, its largest one, its largest difference."""
+    """Do the words agree?  And how many values, and of each column the largest difference."""
     agree = [len(row) for row in ours] == [len(row) for row in theirs] and ours[:1] == theirs[:1]
-    count, largest, difference = 0, {}, {}
+    count, difference = 0, {}
     for row, other in zip(ours[1:], theirs[1:]):
         for name, a, b in zip(head, row, other):
             if name.split(' ')[0] in omitted:
@@ -38,18 +41,23 @@ def compared(head, ours, theirs, omitted):
             count += 1
             d = abs(float(a) - float(b))
             d = abs(d - 360) if name.endswith('(deg)') and d > 180 else d
-            largest[name] = max(largest.get(name, 0), abs(float(a)))
             difference[name] = max(difference.get(name, 0), d)
-    return agree, count, largest, difference
+    return agree, count, difference
+
+
+def size_of(name, sizes):
+    """What the differences of a column are divided by."""
+    if 'residual' in name:
+        return 10 if name.startswith('energy') else 1
+    return sizes.get(name.split(' ')[0]) or 1
 
 
 def main(path, other, most='2e-12', *omitted):
     ours, theirs = records(path), without(records(other), omitted)
-    agree, count, largest, difference = compared(ours[0] if ours else [], ours, theirs, omitted)
-    for name in largest:
-        if 'residual' in name:
-            largest[name] = 10 if name.startswith('energy') else 1
-    worst, where = max(((d / (largest[name] or 1), name) for name, d in difference.items()), default=(0, ''))
+    agree, count, difference = compared(ours[0] if ours else [], ours, theirs, omitted)
+    with open(path, 'rb') as file:
+        sizes = sizes_of(file.read())
+    worst, where = max(((d / size_of(name, sizes), name) for name, d in difference.items()), default=(0, ''))
     outcome = 'differs' if not agree or worst > float(most) else 'same' if ours == theirs else 'within'
     print(outcome, count, '%g' % worst, where)
 

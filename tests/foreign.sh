@@ -122,6 +122,7 @@ emulate() {
             printf '#!/bin/sh\nexec %s "%s" "$@"\n' "$*" "$work/${program%/*}/real/${program##*/}" >"$program"
             chmod +x "$program"
         fi
+        case $program in *.exe) ln -sf "${program##*/}" "${program%.exe}" ;; esac
     done <"$name/programs"
 }
 
@@ -140,7 +141,7 @@ without_residual() {
         {print (to && length($0) >= to ? substr($0, 1, to - 1) substr($0, from) : $0)}'
 }
 
-# results COMMAND FOLDER: tables, summaries and csv files of all decks.
+# results COMMAND FOLDER: tables, summaries and csv files of all decks; NAME.integrated.csv of a motion that is computed.
 results() {
     rm -rf "$2"
     mkdir -p "$2"
@@ -148,29 +149,49 @@ results() {
         to=$2/$(basename "$deck" .deck)
         { "$1" "$deck" 2>&1 </dev/null || echo "exit status $?"; } | without_residual >"$to.table"
         { "$1" --summary "$deck" 2>&1 </dev/null || echo "exit status $?"; } | without_residual >"$to.summary"
+        ! grep -q '^mode ' "$deck" || to=$to.integrated
         "$1" --format=csv -i '5 deg' "$deck" >"$to.csv" 2>/dev/null </dev/null || true
     done
 }
 
-# compare NAME: the results of another machine with those of this one.  Summaries of x87 may differ: its angles of
-# extremes, and zeros, have other last digits.
-compare() {
+# same_text NAME FILE OTHER: of x87 the rows of a table, as its angles of extremes, and zeros, have other last digits.
+same_text() {
+    if [ "$1 ${2##*.}" = 'x87 table' ]; then
+        grep -v '^#' "$2" >rows
+        grep -v '^#' "$3" | cmp -s rows -
+    else
+        cmp -s "$2" "$3"
+    fi
+}
 
+# compare NAME: the results of another machine with those of this one.  Summaries of x87 may differ (same_text).  The steps of
+# an integration depend on rounding: its numbers may differ by 1e-9, which is its precision.
+compare() {
     results "$1/build/fourlink" "$1/results"
     for file in native/results/*; do
         other=$1/results/${file##*/}
         case $file in
+        *.integrated.csv) echo "${file##*/} $(python3 "$source/tests/csv_difference.py" "$file" "$other" 1e-9)" ;;
         *.csv) echo "${file##*/} $(python3 "$source/tests/csv_difference.py" "$file" "$other")" ;;
-        *) echo "${file##*/} $(cmp -s "$file" "$other" && echo same || echo differs)" ;;
+        *) echo "${file##*/} $(same_text "$1" "$file" "$other" && echo same || echo differs)" ;;
         esac
     done >"$1/compared"
     awk -v name="$1" '
         $1 !~ /csv$/ {texts++; same += $2 == "same"}
-        $1 ~ /csv$/ {csv++; values += $3; if ($4 >= worst) {worst = $4; where = $5 " " $6 " of " $1}}
+        $1 ~ /csv$/ {
+            motion = $1 ~ /integrated/ ? "integrated" : "given"
+            csv[motion]++
+            values[motion] += $3
+            if ($4 >= worst[motion]) {
+                worst[motion] = $4
+                where[motion] = $5 " " $6 " of " $1
+            }
+        }
         END {
             print name ": " same + 0 " of " texts + 0 " tables and summaries are the same"
-            print name ": " csv + 0 " csv files, " values + 0 " values, largest difference " worst + 0 " of the " \
-                "largest value of its column, " where
+            for (motion in csv)
+                print name ": " csv[motion] " csv files of " motion " motions, " values[motion] " values, largest " \
+                    "difference " worst[motion] + 0 " of the largest value of its column, " where[motion]
         }' "$1/compared"
     while read -r file answer more; do
         status=0
@@ -179,15 +200,21 @@ compare() {
     done <"$1/compared"
 }
 
-# run_tests NAME PATTERN: the tests of a build, but for those of a pattern; the variable TESTS selects others.
+# run_tests NAME PATTERN: the tests of a build, but for those of a pattern; the variable TESTS selects others.  A test that
+# is skipped, because something is not installed, is none.
 run_tests() {
     ctest --test-dir "$1/build" -j2 --timeout 3000 -LE '^long$' -E "$2" -R "${TESTS-.}" --output-on-failure >"$1/tests.log" 2>&1 || true
     while read -r _ _ _ name outcome; do
         status=0
-        case $outcome in *Passed*) ;; *) status=1 ;; esac
+        case $outcome in
+        *Skipped*) echo "$1: $name is skipped" && continue ;;
+        *Passed*) ;;
+        *) status=1 ;;
+        esac
         count $status "$1: $name"
     done <<TESTS
 $(sed -n 's/^ *\([0-9]*\/[0-9]* Test  *#\)/\1/p' "$1/tests.log" | tr -s '.# ' ' ')
 TESTS
     grep 'tests passed' "$1/tests.log" | sed "s/^/$1: /" || true
+    grep -a -A 40 '[*][*][*]' "$1/tests.log" | grep -a -v -e '^ *Start ' -e ' Passed ' | cut -c1-300 | head -n 100 || true
 }

@@ -9,7 +9,7 @@ page=$(dirname "$data")/doc/reference.md
 # block NAME: the text after <!-- NAME -->
 block() { awk -v name="<!-- $1 -->" '$0 == name {on = 1; next} on && /^```/ {if (inside) exit; inside = 1; next} on && inside' "$page"; }
 
-"$3" >keys
+"$3" | tr -d '\r' >keys
 block deck >page.keys
 same page.keys keys
 

@@ -9,7 +9,7 @@
 tables() {
     units=--units=${2-mm,m/s,m/s2}
     "$fourlink" --report=r.html --branch=both "$1" >out 2>err
-    "$programs/cells" r.html >cells || cat cells
+    "$programs/cells" r.html | tr -d '\r' >cells
     "$fourlink" $units --format=json --summary --branch=both "$1" >summary 2>err
     "$fourlink" $units --wide --branch=both "$1" >rows 2>err
     set -- "$1" cells json=1 summary json=0 text=1 rows text=0
