@@ -639,8 +639,8 @@ static double set(int designs)
 /* Processor seconds of something, of the sort that a number tells. */
 typedef double timer(int sort);
 
-/* What takes a part of the time of something else, in so many rounds, and at most which part.  Each name is that
-** of a test in CMakeLists.txt. */
+/* What takes a part of the time of something else, in so many rounds, and at most which part.  Each name is
+** that of a test in CMakeLists.txt. */
 static const struct ratio {
     const char *name, *what;
     timer *part;

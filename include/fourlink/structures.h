@@ -1393,9 +1393,8 @@ typedef struct fourlink_solution {
         max_error; /* rad or m, function: largest |structural error|, with the sign of the error: in
                             the working range if the wanted function is given, else at the points */
     double max_error_at;  /* rad, crank angle of the linkage there */
-    int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: the longer the links, the better the
-                             fit; this is the best whose longest link is at most 100 times as long as
-                             the shortest */
+    int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: longer links would fit better, but the
+                             longest is as long as it may be, see fourlink_synthesis_function */
 } fourlink_solution;
 
 /* The wanted output of a function generator, for the structural error between the points.
@@ -1411,7 +1410,7 @@ typedef double fourlink_wanted(void *host, double theta2);
 /* What least squares make small. */
 typedef enum fourlink_fit {
     FOURLINK_FIT_EQUATION = 0, /* sum of w F^2, F the error of the linear equation */
-    FOURLINK_FIT_ANGLE = 1     /* sum of w error^2, the error of theta4, or of X */
+    FOURLINK_FIT_ANGLE = 1     /* sum of w error^2, the error of theta4, or of X, on one branch */
 } fourlink_fit;
 
 /* A function generator.  Set it to zero first: members that stay 0 are absent. */
@@ -1532,8 +1531,12 @@ FOURLINK_API int fourlink_chebyshev(double from, double to, unsigned long n, dou
 **    S2 sin(theta2) - S3 - X^2) / X_max^2.  It is not an error of the output.
 ** 2) Three points are met exactly.  More are met by least squares; three with a fit of the angle are no
 **    different.
-** 3) A linkage that reaches a point on both branches has it on the one whose output is nearer.
-** 4) A linkage of least squares may not reach some points: FOURLINK_DEFECT_REACH.
+** 3) A linkage that reaches a point on both branches has it on the one whose output is nearer; for a fit of
+**    the angle all points are on `branch`.
+** 4) A linkage of least squares may not reach some points: FOURLINK_DEFECT_REACH.  A fit of the angle
+**    reaches all, with a transmission angle of at least 0.001 deg.  Of these linkages it has the least sum, to
+**    1 %, if no link, or offset, may be more than 100 times as long as another; of a slider-crank, crank and
+**    rod may not be as much shorter than the largest |X| either.
 ** 5) Points stand in the order of the motion.  If their angles neither rise nor fall, each follows the one
 **    before by the shorter way: 350, 10, 30 deg are 350, 370, 390 deg.
 ** Reference:

@@ -74,8 +74,8 @@ static void note(parser *p)
                     FLK_DEGREES(s->mu_min), FLK_DEGREES(s->mu_min_at), FLK_DEGREES(t->mu_min));
     if (s->is_better_longer)
         flk_mistake(NOTES(p), t->place,
-                    "the fit is the better the longer the links are; this is the best one within a "
-                    "ratio of 100");
+                    "longer links would fit better; this is the best fit with the longest link at "
+                    "most 100 times as long as the shortest");
     if (s->ratio > RATIO_USUAL)
         flk_mistake(NOTES(p), t->place,
                     "the longest link is %.4g times as long as the shortest one", s->ratio);

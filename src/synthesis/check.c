@@ -58,8 +58,8 @@ static double measure(fourlink_solution *s)
     return longest + gsl_hypot(s->point.x, s->point.y);
 }
 
-/* Find the branch on which the output is nearer to the wanted one.  Returns defects.  Least squares have more
-** than three positions and meet none. */
+/* Find the branch on which the output is nearer to the wanted one, if it is not known.  Returns defects.
+** Least squares have more than three positions and meet none. */
 static int place(const fourlink_solution *s, const fourlink_mechanism *mechanism, double size,
                  fourlink_precision *p)
 {
@@ -79,7 +79,7 @@ static int place(const fourlink_solution *s, const fourlink_mechanism *mechanism
         return FOURLINK_DEFECT_REACH;
     p->error = flk_output_error(&open, s->design.kind, p->output);
     off = flk_output_error(&crossed, s->design.kind, p->output);
-    if (fabs(off) < fabs(p->error)) {
+    if (s->branch ? s->branch == FOURLINK_CROSSED : fabs(off) < fabs(p->error)) {
         found = &crossed;
         p->error = off;
     }
@@ -260,7 +260,7 @@ int flk_check_solution(fourlink_solution *s, int is_free)
     fourlink_mechanism mechanism;
     fourlink_reach reach;
     double size = measure(s);
-    int i, status = fourlink_prepare(&s->design, &mechanism);
+    int i, first = FOURLINK_OPEN, status = fourlink_prepare(&s->design, &mechanism);
 
     if (!(size <= FOURLINK_LENGTH_MAX))
         return FOURLINK_INFINITE_LINK;
@@ -272,12 +272,12 @@ int flk_check_solution(fourlink_solution *s, int is_free)
     fourlink_type_of(&mechanism, &s->type);
     fourlink_reach_of(&mechanism, &reach);
     s->defects = 0;
-    s->branch = FOURLINK_OPEN;
     for (i = s->n_positions - 1; i >= 0; i--) {
         s->defects |= place(s, &mechanism, size, &s->position[i]);
-        if (s->position[i].branch)
-            s->branch = (fourlink_branch)s->position[i].branch;
+        first = s->position[i].branch ? s->position[i].branch : first;
     }
+    if (!s->branch)
+        s->branch = (fourlink_branch)first;
     s->defects |= find_order(s, &reach, is_free);
     set_range(s);
     s->defects |= find_way(s, &reach);

@@ -90,6 +90,8 @@ int flk_points_within(const fourlink_vector *v, unsigned long n)
 
 double flk_reduced(double angle)
 {
+    if (angle > -M_PI && angle <= M_PI)
+        return angle;
     angle = fmod(angle, 2 * M_PI);
     return angle > M_PI ? angle - 2 * M_PI : angle <= -M_PI ? angle + 2 * M_PI : angle;
 }

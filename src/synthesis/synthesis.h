@@ -39,9 +39,9 @@ double flk_output_error(const fourlink_state *state, fourlink_kind kind, double 
 flk_sample flk_find_largest(flk_function *f, void *data, double from, double step, int n);
 
 /* Check a solution that has its design, turned links, wanted positions (at most three are met exactly) and,
-** if they are not to follow from the positions, `from` and `to`.  `is_free`: the crank may run either way;
-** else it runs as theta2 of the positions goes on.  Sets all that follows from these.  FOURLINK_OK,
-** FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH (check.c). */
+** if they are not to follow from the positions, `branch`, `from` and `to`.  `is_free`: the crank may run
+** either way; else it runs as theta2 of the positions goes on.  Sets all that follows from these.
+** FOURLINK_OK, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH (check.c). */
 int flk_check_solution(fourlink_solution *s, int is_free);
 
 /* Find the only solution of a task, which is 0 before, and write it to the caller's array (check.c). */

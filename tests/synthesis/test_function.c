@@ -510,6 +510,91 @@ TEST(fits_that_reach)
     assert_true(n_reached[1] >= 39 * n_fits / 40);
 }
 
+/* The best fit is dead at the first point, so that it ends at the least transmission angle.  A search beside
+** the program found the sum 0.08193 rad^2 with crank 164.681, coupler 1358.607, rocker 1286.269 mm. */
+TEST(dead_at_a_point)
+{
+    double theta2[] = {14.5 * DEG, 94.8 * DEG, 116.2 * DEG, 123.3 * DEG, 137.8 * DEG};
+    double output[] = {36.3 * DEG, 46 * DEG, 54.1 * DEG, 75.6 * DEG, 84 * DEG}, sum = 0;
+    fourlink_function_task task = {.kind = FOURLINK_FOUR_BAR, .ground = 0.1, .n = 5};
+    fourlink_solution s;
+
+    task.theta2 = theta2;
+    task.output = output;
+    task.fit = FOURLINK_FIT_ANGLE;
+    FOUND(function, &task, &s);
+    for (int i = 0; i < 5; i++) {
+        sum += square(s.position[i].error);
+        assert_int_equal(s.position[i].branch, s.branch);
+        assert_true(s.position[i].mu >= 0.001 * DEG);
+    }
+    assert_true(sum < 0.08193);
+    assert_int_equal(s.defects, 0);
+    assert_false(s.is_better_longer);
+}
+
+/* Random tasks, wild ones among them: the fit does not depend on what was fitted before, on the unit of
+** length, or on the order in which weights and points stand; it is within its bounds, and no worse than that
+** of the equation where that has longer links or not. */
+TEST(fits_of_the_angle)
+{
+    uint64_t seed = 32;
+    int n_tried = 0, n_better = 0;
+
+    for (int k = 0; k < some_of(400); k++) {
+        double theta2[12], output[12], weight[12], back[3][12], sum[2] = {0, 0}, scale;
+        fourlink_function_task task = {.n = 4 + (unsigned long)k % 9}, mirror;
+        fourlink_solution s[2], same, by_equation;
+        unsigned long n;
+
+        task.kind = k % 2 ? FOURLINK_FOUR_BAR : FOURLINK_SLIDER_CRANK;
+        task.ground = 1;
+        for (unsigned long i = 0; i < task.n; i++) {
+            theta2[i] = k % 3 ? uniform(&seed, -3, 3)
+                              : 30 * DEG * (double)((k + (int)i * (1 + k % 2)) % 12);
+            output[i] = k % 5 ? uniform(&seed, 0.5, 2.5) : 1;
+            weight[i] = uniform(&seed, 0.1, 10);
+        }
+        task.theta2 = theta2;
+        task.output = output;
+        task.weight = k % 4 ? weight : NULL;
+        if (fourlink_synthesis_function(&task, 1, &by_equation, &n) == FOURLINK_DEPENDENT)
+            continue;
+        task.fit = FOURLINK_FIT_ANGLE;
+        n_tried++;
+        FOUND(function, &task, &s[0]);
+        assert_true(is_sound(&s[0]));
+        for (unsigned long i = 0; i < task.n; i++)
+            assert_int_equal(s[0].position[i].branch, s[0].branch);
+        assert_true(s[0].ratio <= 100 * (1 + 1e-9) && s[0].mu_positions >= 0.001 * DEG);
+        FOUND(function, &task, &same);
+        assert_memory_equal(&s[0], &same, sizeof same);
+
+        mirror = task; /* the points backwards, and a unit of length of 1/4 m */
+        scale = k % 2 ? 1 : 4;
+        for (unsigned long i = 0; i < task.n; i++) {
+            back[0][task.n - 1 - i] = theta2[i];
+            back[1][task.n - 1 - i] = output[i] * scale;
+            back[2][task.n - 1 - i] = weight[i];
+        }
+        mirror.ground = 4;
+        mirror.theta2 = back[0];
+        mirror.output = back[1];
+        mirror.weight = task.weight ? back[2] : NULL;
+        FOUND(function, &mirror, &s[1]);
+        for (int j = 0; j < 2; j++)
+            for (unsigned long i = 0; i < task.n; i++)
+                sum[j] += (!task.weight ? 1
+                           : j          ? back[2][i]
+                                        : weight[i]) *
+                          square(s[j].position[i].error / (j ? scale : 1));
+        assert_near(sqrt(sum[0]), sqrt(sum[1]), 1e-3 * sqrt(sum[0]) + 1e-9);
+        n_better += sum[0] > 1e-12;
+    }
+    assert_true(n_tried > some_of(300));
+    assert_true(n_better > some_of(200));
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);
