@@ -259,6 +259,31 @@ static void check_run_up(parser *p)
                     "load, or a motor whose torque falls with the speed");
 }
 
+/* Note an instant with an acceleration, whose row in a table has another speed than it:
+** omega2^2 = speed^2 + 2 acceleration (theta2 - from). */
+static void check_instant(parser *p)
+{
+    const fourlink_motion *motion = &p->d->motion;
+    const deck_unit *angle = &p->d->units[QUANTITY_ANGLE],
+                    *speed = &p->d->units[QUANTITY_ANGULAR_SPEED];
+    double from = flk_setting_or(p, KEY_MOTION_FROM, 0), sense = flk_build_sense(p);
+    double there = motion->from * motion->angle_unit, turned = sense * (there - from), square;
+    char row[MESSAGE_SIZE] = "there is none here, as the crank comes to rest before";
+
+    turned -= 2 * M_PI * floor(turned / (2 * M_PI));
+    if (!p->d->one_instant || motion->acceleration == 0 || motion->hold || turned == 0)
+        return;
+    square = motion->speed * motion->speed + 2 * motion->acceleration * sense * turned;
+    if (square >= 0)
+        flk_message(row, sizeof row, "the one here has %g %s",
+                    flk_unit_from_si(sense * sqrt(square), speed->unit), speed->name);
+    flk_mistake(
+        NOTES(p), flk_setting_find(p, KEY_MOTION_AT)->place,
+        "the speed is that at %g %s; in the rows of an interval it is that of the first, at "
+        "%g %s, and %s: write hold = yes if this instant is meant",
+        motion->from, angle->name, flk_unit_from_si(from, angle->unit), angle->name, row);
+}
+
 void flk_build_notes(parser *p)
 {
     const section_use *use = NULL;
@@ -284,6 +309,7 @@ void flk_build_notes(parser *p)
     check_above_one(p, flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION), "a fluctuation");
     check_motor(p);
     check_run_up(p);
+    check_instant(p);
 }
 
 /* ------------------------------------------------------------------------------------- ends of curves */

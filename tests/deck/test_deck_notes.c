@@ -195,6 +195,76 @@ TEST(test_run_up)
     check_none(contents);
 }
 
+#define INSTANT                                                                                   \
+    "the speed is that at 70 deg; in the rows of an interval it is that of the first, at 0 deg, " \
+    "and "                                                                                        \
+    "%s: write hold = yes if this instant is meant"
+
+TEST(test_instants)
+{
+    char note[400];
+
+    sprintf(note, INSTANT, "the one here has 14.06195 rad/s");
+    check_note(FOUR_BAR "[motion]\nspeed = 10 rad/s\nacceleration = 40 rad/s2\nat = 70 deg\n", NULL,
+               13, note);
+    sprintf(note, INSTANT, "there is none here, as the crank comes to rest before");
+    check_note(FOUR_BAR "[motion]\nspeed = 10 rad/s\nacceleration = -41 rad/s2\nat = 70 deg\n",
+               NULL, 13, note);
+    check_none(FOUR_BAR "[motion]\nspeed = 10 rad/s\nacceleration = 40 rad/s2\nat = 0 deg\n");
+    check_none(FOUR_BAR
+               "[motion]\nspeed = 10 rad/s\nacceleration = 40 rad/s2\ninterval = 70 deg\n");
+    check_none(FOUR_BAR "[motion]\nspeed = 10 rad/s\nat = 70 deg\n");
+    check_none(FOUR_BAR
+               "[motion]\nspeed = 10 rad/s\nacceleration = 40 rad/s2\nat = 70 deg\nhold = yes\n");
+}
+
+/* The speed of the row at 10 `k` deg of a motion with an interval of 10 deg; NaN if there is no such row. */
+static double speed_of_row(const fourlink_motion *motion, int k)
+{
+    fourlink_range range;
+    fourlink_row row;
+    unsigned long i;
+
+    assert_int_equal(fourlink_motion_range(motion, &range), FOURLINK_OK);
+    for (i = 0; i < range.n_rows; i++) {
+        assert_int_equal(fourlink_motion_row(motion, &range, i, &row), FOURLINK_OK);
+        if (fabs(remainder(row.angle - 10 * k, 360)) < 1e-9)
+            return row.crank.omega2;
+    }
+    return NAN;
+}
+
+/* What the note says of the row is so, on motions of any sense that run up or down. */
+TEST(test_instants_and_rows)
+{
+    uint64_t seed = 5;
+    int i, k, n_none = 0, n = some_of(3000);
+    char motion[200], contents[600];
+    double speed, told;
+    const char *has;
+    deck d;
+
+    for (i = 0; i < n; i++) {
+        k = 1 + (int)uniform(&seed, 0, 35);
+        sprintf(motion, FOUR_BAR "[motion]\nspeed = %.3f rad/s\nacceleration = %.3f rad/s2\n",
+                i % 7 ? uniform(&seed, -20, 20) : 0, uniform(&seed, -30, 30));
+        sprintf(contents, "%sinterval = 10 deg\n", motion);
+        read_accepted(contents, NULL, &d);
+        speed = speed_of_row(&d.motion, k);
+        flk_deck_free(&d);
+        sprintf(contents, "%sat = %d deg\n", motion, 10 * k);
+        read_accepted(contents, NULL, &d);
+        assert_int_equal(d.notes.count, 1);
+        has = strstr(d.notes.list[0].message, "the one here has ");
+        n_none += !has;
+        assert_int_equal(has != NULL, !isnan(speed));
+        if (has && sscanf(has, "the one here has %lf", &told) == 1)
+            assert_near(told, speed, 1e-8 * (1 + fabs(speed)));
+        flk_deck_free(&d);
+    }
+    assert_true(n_none > n / 20 && n_none < n / 2);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
