@@ -88,6 +88,7 @@ static void set_up(sheet *s, FILE *out, const input *in)
     s->format = in->o->format;
     terminal_set_up(s, out, in->o->wide, in->o->colour);
     s->content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
+    s->at = in->o->at;
     view_take(&s->v, in->results);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
 }

@@ -158,7 +158,7 @@ int input_has_values(const input *in)
     const fourlink_problem *p = &in->problem;
 
     return in->results && in->o->content == SHEET_ROWS &&
-           (p->has_values || (p->n_designs > 0 && p->has_outputs && in->o->n_decks > 1));
+           (p->n_designs ? p->has_outputs && in->o->n_decks > 1 : p->has_values);
 }
 
 /* 1 if a text has more than blanks. */
@@ -178,6 +178,7 @@ static int serves_options(input *in)
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
     char message[400];
+    rules_deck deck;
 
     if (o->content == SHEET_CHECK && !p->n_expected && in->has_slips) { /* which are told */
         keep_mistake(in, in->source.answers_name, 0, in->remarks);
@@ -193,14 +194,18 @@ static int serves_options(input *in)
         why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
                           (long)o->design, (long)p->n_designs);
     } else {
-        why = rules_of_deck(o, p, in->is_design, o->synthesis && !in->is_design && has_task(in),
-                            input_has_values(in));
+        deck.problem = *p;
+        deck.has_sweep = in->has_sweep;
+        deck.has_task = in->has_task;
+        deck.has_values = input_has_values(in);
+        why = rules_broken(o, &deck, message);
     }
     if (!why && p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
                           o->report ? "report" : "picture",
-                          p->by_time ? "time_step with --set=motion.time_step" : "--interval");
+                          p->by_time ? "time_step with --set=motion.time_step"
+                                     : "interval with --set=motion.interval");
     } else if (!why && (why = mistake_in_angles(in, message)) != NULL) {
         command_tell("error", "--at", 0, why, NULL);
         return 0;
@@ -447,10 +452,11 @@ static void tell_defects(input *in)
 static int open_input(input *in)
 {
     const options *o = in->o;
+    char message[400];
     int status;
 
-    if (rules_without_sweep(o) && has_no_sweep(in)) {
-        tell_mistake(in, in->name, rules_without_sweep(o));
+    if (rules_without_sweep(o, message) && has_no_sweep(in)) {
+        tell_mistake(in, in->name, message);
         return EXIT_USAGE;
     }
     in->source.load = load_file;
@@ -467,6 +473,8 @@ static int open_input(input *in)
     if (status || !in->results)
         return status;
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
+    in->has_sweep |= in->problem.n_designs > 0;
+    in->has_task |= o->synthesis && has_task(in);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
         if (o->report && !view_find_solution(fourlink_results_deck(in->results), &in->found)) {
@@ -510,6 +518,8 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->name = deck->name;
     in->source = deck->source;
     in->is_design = deck->is_design;
+    in->has_sweep = deck->has_sweep;
+    in->has_task = deck->has_task;
     status = take_answers(in, in->name, answers, answers->files[i]);
     return status ? status : open_input(in);
 }

@@ -21,8 +21,10 @@ typedef struct input {
     fourlink_results *results; /* null: the deck is not usable */
     int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
     fourlink_solution *found; /* by synthesis, for a report; or null */
-    int has_defects;          /* 1: the linkage found by synthesis has some */
-    int has_mistakes;         /* 1: because its text has mistakes */
+    int has_sweep,
+        has_task;     /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
+    int has_defects;  /* 1: the linkage found by synthesis has some */
+    int has_mistakes; /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers; /* its own, of a folder */
     const struct input

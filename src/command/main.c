@@ -148,11 +148,12 @@ static int run_variants(const options *o)
 {
     const char *folder = o->report ? o->report : o->output;
     options of_deck = *o;
-    variants v = {NULL, NULL, 0};
+    variants v;
     int status, may_write = 0;
     unsigned long i;
     input deck;
 
+    memset(&v, 0, sizeof v);
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_ROWS;
     of_deck.report = NULL;
@@ -177,12 +178,24 @@ static int run_variants(const options *o)
     return status;
 }
 
-static int run(const options *o)
+/* Say why options cannot be served; returns the exit status. */
+static int refuse(const char *why)
+{
+    command_say("fourlink: ", why, (char *)NULL);
+    command_say("Try 'fourlink --help'.", (char *)NULL);
+    return EXIT_USAGE;
+}
+
+static int run(options *o)
 {
     int status;
+    char message[400];
     grade_answers answers;
 
     status = grade_open(&answers, o);
+    o->is_class = answers.n_files > 0 && !o->answers;
+    if (!status && rules_broken(o, NULL, message))
+        status = refuse(message);
     if (!status)
         status = o->lists_all      ? run_catalogue(o)
                  : o->all_designs  ? run_variants(o)
@@ -220,13 +233,11 @@ int main(int argc, char **argv)
     output_prepare();
     status = options_read(argc, argv, &o, message);
     if (status == 1)
-        why = rules_of_options(&o);
+        why = rules_broken(&o, NULL, message);
     if (status < 0) {
         status = command_lacks_memory("cannot start", "");
     } else if (why) {
-        command_say("fourlink: ", why, (char *)NULL);
-        command_say("Try 'fourlink --help'.", (char *)NULL);
-        status = EXIT_USAGE;
+        status = refuse(why);
     } else if (o.help || o.version) {
         status = write_text(o.help);
     } else {

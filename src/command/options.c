@@ -52,10 +52,6 @@ static int set_format(options *o, const char *value, char message[400])
     return 0;
 }
 
-/* By sheet_content. */
-static const char *const content_options[] = {"",         "--summary", "--check", "--list",
-                                              "--matrix", "",          "",        "--expect"};
-
 /* 1 if a text is a whole number from 1. */
 static int is_whole(text words, double most, unsigned long *number)
 {
@@ -288,7 +284,8 @@ static const option_info table[] = {
     {0, "--design", "N|all", OWN(set_design),
      "take design N of the deck's [sweep], from 1, as a deck", NULL},
     {0, "--names", "FILE", MEMBER(names),
-     "names for the files of --design=all, one a line; with --scores a csv with name, id, late",
+     "the class, for the files of --design=all and for --scores: names, one a line, or a csv with "
+     "headings name (or first name, surname), id, late",
      NULL},
     {0, "--best", "'max|min NAME'", OWN(set_best),
      "print the best design of the deck's [sweep], refined, as a deck", NULL},
@@ -305,6 +302,8 @@ static const option_info table[] = {
     {'V', "--version", NULL, MEMBER(version), "print the version", NULL}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
+
+typedef char options_fit[TABLE_COUNT <= OPTIONS_MOST ? 1 : -1];
 
 /* 1 if an option takes the next word, where none follows after '='. */
 static int takes_next(const option_info *info)
@@ -323,41 +322,76 @@ static int set(options *o, const option_info *info, const char *value, char mess
         *(const char **)member = value;
     else if (info->member)
         *(int *)member = 1;
-    if (info->content != SHEET_ROWS) {
-        o->n_contents += o->content != info->content;
+    if (info->content != SHEET_ROWS)
         o->content = info->content;
-    }
+    o->given[info - table] = value;
     return !info->set || info->set(o, value, message);
+}
+
+/* The place of an option in the table; TABLE_COUNT for another word. */
+static size_t find_option(text name)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (flk_text_same(name, table[i].name))
+            break;
+    return i;
+}
+
+const char *options_given(const options *o, text name)
+{
+    size_t i = find_option(name);
+
+    return i < TABLE_COUNT ? o->given[i] : NULL;
+}
+
+/* Say that no option has this name, and which is the nearest; returns 0. */
+static int refuse_name(text name, char message[400])
+{
+    const char *known[TABLE_COUNT + 1] = {NULL}, *nearest;
+    char copy[100];
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        known[i] = table[i].name;
+    nearest = flk_text_nearest(name, known);
+    flk_message(message, 400,
+                nearest ? "unknown option '%s'; did you mean '%s'?" : "unknown option '%s'",
+                flk_text_copy(name, copy, sizeof copy), nearest);
+    return 0;
+}
+
+/* The option that asked for the content. */
+static const char *content_option(const options *o)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT && !(o->given[i] && table[i].content == o->content); i++)
+        ;
+    return i < TABLE_COUNT ? table[i].name : "";
 }
 
 /* --name, --name=value, --name value */
 static int read_long(options *o, const char *word, const char *next, int *used_next,
                      char message[400])
 {
-    const char *equals = strchr(word, '='), *known[TABLE_COUNT + 1] = {NULL}, *nearest;
-    size_t length = equals ? (size_t)(equals - word) : strlen(word), i;
-    text name = flk_text_of(word + 2);
-    char copy[100];
+    const char *equals = strchr(word, '='), *value;
+    text name = flk_text_of(word);
+    size_t i;
 
-    name.length = length - 2;
-    for (i = 0; i < TABLE_COUNT; i++) {
-        const char *value = equals ? equals + 1 : takes_next(&table[i]) ? next : no_value;
-
-        known[i] = table[i].name + 2;
-        if (!flk_text_same(name, known[i]))
-            continue;
-        if (!table[i].value && equals)
-            return say(message, table[i].name, " takes no value", "");
-        if (!value)
-            return say(message, table[i].name, " needs a value", "");
-        *used_next = value == next;
-        return set(o, &table[i], value, message);
-    }
-    nearest = flk_text_nearest(name, known);
-    flk_message(message, 400,
-                nearest ? "unknown option '--%s'; did you mean '--%s'?" : "unknown option '--%s'",
-                flk_text_copy(name, copy, sizeof copy), nearest);
-    return 0;
+    if (equals)
+        name.length = (size_t)(equals - word);
+    i = find_option(name);
+    if (i == TABLE_COUNT)
+        return refuse_name(name, message);
+    value = equals ? equals + 1 : takes_next(&table[i]) ? next : no_value;
+    if (!table[i].value && equals)
+        return say(message, table[i].name, " takes no value", "");
+    if (!value)
+        return say(message, table[i].name, " needs a value", "");
+    *used_next = value == next;
+    return set(o, &table[i], value, message);
 }
 
 /* -x, -xy, -ovalue, -o value */
@@ -472,8 +506,8 @@ static int refuse_at(const char *kind, char message[400])
             known[n++] = plot_names[i];
     known[n] = NULL;
     flk_text_list(known, ", ", " and ", names, sizeof names);
-    flk_text_join(message, 400, "--plot-at works with the kinds ", names, ", not with ", kind,
-                  (char *)NULL);
+    flk_text_join(message, 400, "--plot-at works with the kinds ", names,
+                  ", not with --plot-kind=", kind, (char *)NULL);
     return 0;
 }
 
@@ -485,13 +519,12 @@ static int complete_plot(options *o, char message[400])
     if (!o->plot)
         return 1;
     o->no_kind = d->kind == PLOT_COUNT;
-    if (o->no_kind)
+    if (o->no_kind) {
         d->kind = PLOT_MECHANISM;
+        o->given[find_option(flk_text_of("--plot-kind"))] = plot_names[d->kind];
+    }
     if (d->at && !plot_is_of_position(d->kind))
         return refuse_at(plot_names[d->kind], message);
-    if (d->x && d->kind != PLOT_COLUMNS)
-        return say(message, "--plot-x works with --plot-kind=columns, not with ",
-                   plot_names[d->kind], "");
     if (d->kind == PLOT_ANIMATION && d->file != PLOT_SVG)
         return say(message, "an animation needs a file name that ends in .svg, not '", o->plot,
                    "'");
@@ -542,10 +575,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
         o->decks[o->n_decks++] = "-";
     if (o->answers)
         o->check_file = o->answers;
-    if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
-        o->format = &table_format;
     if (!(o->format->writes & 1 << o->content)) {
-        flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
+        flk_message(message, 400, "%s does not go with --format=%s: it can be printed as %s only",
+                    content_option(o), o->format->name,
                     formats_of(o->content, ", ", " or ", names));
         return 0;
     }

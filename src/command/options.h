@@ -9,10 +9,14 @@
 #include "tables/at.h"
 #include "tables/sheet.h"
 
+#define OPTIONS_MOST 48
+
 typedef struct options {
+    const char
+        *given[OPTIONS_MOST]; /* by the table of options: the value, "" where there is none; null:
+                                     ** it was not given */
     const sheet_format *format;
     sheet_content content;
-    int n_contents; /* how many were asked for */
     int help, version;
     int asks_for_table;     /* 1: --format or --output was given */
     int allow_files;        /* 1: decks may name files of other folders */
@@ -20,6 +24,7 @@ typedef struct options {
     const char *colour;     /* always or never; null: on a terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *answers;    /* the folder of --answers, which check_file is then too */
+    int is_class;           /* 1: all files of the folder of --check are answers to the deck */
     int form;               /* 1: of --expect, the names without the values */
     const char *feedback;   /* the folder of --feedback; null: none */
     int scores;             /* 1: a line for each deck, or file of answers, instead of each value */
@@ -55,6 +60,10 @@ typedef struct options {
 /* Read the command line.  Returns 1; 0 and the reason in `message`; -1 if out of memory. */
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
+
+/* The value of an option that was given, "" where there is none; null: it was not.  A picture without
+** --plot-kind has the default kind. */
+const char *options_given(const options *o, text name);
 
 /* 1 if a table, or another text, is printed: a picture or a report comes alone unless one is asked for
 ** too. */

@@ -1,178 +1,329 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rules.c - what does not go together on a command line, and what a deck must have for it: a table.
+** rules.c - what goes together on a command line, and what a deck must have for it: a table.
+**
+** An option that would do nothing beside the others is refused; the message names both.
 */
 #include <string.h>
 
+#include "base/message.h"
 #include "rules.h"
 
-/* What is asked for. */
-enum {
-    CHECK = 1 << 0,
-    SUMMARY = 1 << 1,
-    MATRIX = 1 << 2,
-    LIST = 1 << 3,
-    EXPECT = 1 << 4,
-    ONE_OF = 1 << 5, /* several of these five */
-    AT = 1 << 6,
-    ANSWERS = 1 << 7,
-    BEST = 1 << 8,
-    SOLVE = 1 << 9,
-    PRINT = 1 << 10,     /* --print-deck */
-    PRINT_ONE = 1 << 11, /* the same, not of all designs */
-    PART = 1 << 12,
-    DESIGN = 1 << 13, /* one design */
-    ALL = 1 << 14,    /* all of them, a file each */
-    NAMES = 1 << 15,
-    SYNTHESIS = 1 << 16,
-    SOLUTION = 1 << 17,
-    PLOT = 1 << 18,
-    AT_OF_PLOT = 1 << 19,
-    X_OF_PLOT = 1 << 20,
-    KIND_OF_PLOT = 1 << 21,
-    REPORT = 1 << 22,
-    REPORTS = 1 << 23, /* to a folder */
-    FILES = 1 << 24,   /* one file for each design can be written */
-    BOTH = 1 << 25,    /* answers and reports for all designs */
-    PIPE = 1 << 26,    /* the deck is standard input */
-    SEVERAL = 1 << 27, /* decks */
-    CSV = 1 << 28,
-    JSON = 1 << 29,
-    PAPER = 1 << 30
-};
-
-/* What a deck has. */
-enum {
-    FORCES = 1 << 0,
-    SLIDE = 1 << 1, /* two links slide on each other */
-    SWEEP = 1 << 2,
-    TAKEN = 1 << 3,         /* a design of a [sweep] was taken from it */
-    ROWS_OF_SWEEP = 1 << 6, /* that are no values */
-    TASK = 1 << 4,          /* its linkage was found for a [synthesis] */
-    VALUES = 1 << 5         /* columns that are values of the deck, and are printed */
-};
-
-#define CONTENT (CHECK | SUMMARY | MATRIX | LIST | EXPECT)
-#define PICTURE (PLOT | REPORT)
-#define FORMAT (CSV | JSON | PAPER)
-
-/* Any of `what` together with any of `with`, or without any of `needs`, is a mistake. */
+/* Each of the options `of`, or other words, needs one of `needs`, and does not go with any of `never`.  These are
+** lists as they stand in a message, "--plot, --report or a table of rows", of
+**
+**    --NAME         an option
+**    --NAME=value   the option with this value; --NAME=FILE.txt: with a value that ends in .txt
+**    other words    what is known of all options or of the deck: find_facts
+**
+** `why` ends the message, null: nothing does; where `of` is no option, it is the message. */
 typedef struct rule {
-    long what, with, needs;
-    const char *why;
+    const char *of, *needs, *never, *why;
 } rule;
 
-/* The first that applies is told.  `with` and `needs` are asked for too. */
-static const rule of_options[] = {
-    {ONE_OF, ONE_OF, 0, "use only one of --check, --expect, --summary, --matrix and --list"},
-    {AT, CHECK | SUMMARY | MATRIX | LIST | PICTURE | PAPER, 0,
-     "--at chooses rows of a table, csv, json or --expect"},
-    {ANSWERS, SEVERAL, 0,
-     "--answers takes one deck; for a deck of each student give --check=FOLDER"},
-    {ANSWERS, PICTURE, 0, "--answers prints scores: it takes no picture and no report"},
-    {EXPECT, SEVERAL, 0, "--expect takes one deck, not several"},
-    {PART, SEVERAL, 0, "--part takes one deck, not several"},
-    {BEST, CONTENT | PART | PICTURE | SEVERAL | FORMAT, 0,
-     "--best prints a deck: it takes one deck and no other output"},
-    {SOLVE, CONTENT | PART | PICTURE | SEVERAL | BEST | AT | JSON | PAPER, 0,
-     "--solve prints a table or csv of one deck, and no other output"},
-    {PRINT, CONTENT | PART | PICTURE | SEVERAL | FORMAT | BEST | AT, 0,
-     "--print-deck prints a deck: it takes one deck and no other output"},
-    {ALL, 0, FILES,
-     "--design=all needs --print-deck or --expect with --output=FOLDER/, or --report=FOLDER/: it "
-     "writes one file each"},
-    {BOTH, BOTH, 0, "--design=all writes answers or reports, one of them at a time"},
-    {ALL, PIPE, 0, "--design=all reads the deck for each design: it needs a file"},
-    {REPORTS, 0, ALL, "--report=FOLDER/ needs --design=all"},
-    {NAMES, 0, ALL, "--names needs --design=all or --scores"},
-    {DESIGN, PART | BEST, 0, "--design takes one design, not the whole [sweep]"},
-    {SOLUTION, 0, SYNTHESIS, "--solution needs --synthesis"},
-    {SYNTHESIS, SEVERAL, 0, "--synthesis takes one deck, not several"},
-    {AT_OF_PLOT, 0, PICTURE, "--plot-at needs --plot or --report"},
-    {X_OF_PLOT, 0, PLOT, "--plot-x needs --plot"},
-    {KIND_OF_PLOT, 0, PLOT, "--plot-kind needs --plot"},
-    {REPORT, SEVERAL, 0, "--report takes one deck, not several"},
-    {PLOT, SEVERAL, 0, "--plot takes one deck, not several"}};
+#define CHECKS "--check, --answers, --scores, --feedback"
+#define FORMS "--expect, --form"
+#define TEXTS "--summary, --matrix, --list, " CHECKS ", " FORMS
+#define PICTURES "--plot, --report"
+#define A_SWEEP "a [sweep]"
+#define OF_ONE_DESIGN "take one design with --design=N"
+#define NO_TABLE "it prints a deck and nothing else"
 
-/* The same; the deck has `with` or `needs`. */
-static const rule of_deck[] = {
-    {MATRIX, 0, FORCES, "--matrix needs masses or loads; the deck has none"},
-    {PAPER, SLIDE, 0, "--format=paper works for a four-bar only"},
-    {PART, 0, SWEEP, "--part needs a [sweep]; the deck has none"},
-    {DESIGN | ALL, 0, SWEEP | TAKEN, "--design needs a [sweep]; the deck has none"},
-    {SYNTHESIS, 0, TASK | TAKEN, "--synthesis needs a [synthesis]; the deck has none"},
-    {SOLVE, SWEEP, 0, "--solve works for one design of a [sweep], with --design=N"},
-    {PRINT_ONE, SWEEP, 0,
-     "--print-deck prints one design of a [sweep], with --design=N, or all, with --design=all"},
-    {SEVERAL, ROWS_OF_SWEEP, 0,
+static const rule table[] = {
+    /* what is printed: one of these */
+    {"--summary", NULL, "--matrix, --list, " CHECKS ", " FORMS, "use only one of them"},
+    {"--matrix", NULL, "--list, " CHECKS ", " FORMS, "use only one of them"},
+    {"--list", NULL, CHECKS ", " FORMS, "use only one of them"},
+    {CHECKS, NULL, FORMS, "use only one of them"},
+    {"--expect", NULL, "--form", "use only one of them"},
+    {"--answers", NULL, "--check=FILE", "both name answers"},
+    {"--answers", NULL, "several decks", "for a deck of each student give --check=FOLDER"},
+    {"--answers", NULL, PICTURES, "it prints scores"},
+    {PICTURES, NULL, "--check=FOLDER of a class", "it prints scores"},
+    {"--print-deck", NULL, TEXTS ", --part, " PICTURES ", --format, --at, --best, several decks",
+     NO_TABLE},
+    {"--best", NULL, TEXTS ", --part, --design, " PICTURES ", --format, --at, several decks",
+     NO_TABLE},
+    {"--solve", NULL,
+     TEXTS ", --part, " PICTURES ", --best, --at, --format=json, --format=paper, several decks",
+     "it prints a table or csv of its solutions"},
+    {"--expect, --form, --synthesis, --plot, --report, --part", NULL, "several decks",
+     "it takes one deck"},
+
+    /* a file for each design */
+    {"--design=all", "--output=FOLDER/ or --report=FOLDER/", NULL, NULL},
+    {"--output=FOLDER/", "--print-deck, --expect or --form", NULL, NULL},
+    {"--output=FOLDER/, --report=FOLDER/", "--design=all", NULL, NULL},
+    {"--design=all", NULL, "--report=FILE.html, --report=FILE.htm", "it needs --report=FOLDER/"},
+    {"--report=FOLDER/", NULL, "--output, " FORMS, "one file is written for each design"},
+    {"--design=all", NULL, "--summary, --matrix, --list, " CHECKS ", --solve, --format, --plot",
+     "it writes one file for each design"},
+    {"--design=all", NULL, "standard input", "it reads the deck for each design"},
+    {"--names", "--design=all, --scores or --feedback", NULL, NULL},
+
+    /* what changes it */
+    {"--at", "a table of rows, --expect or a form without [expect]", "--format=paper, " PICTURES,
+     "it chooses rows; pictures and reports have --plot-at"},
+    {"--interval",
+     "a table of rows, a printed deck, --summary, --matrix, --expect, a form without [expect] or "
+     "--report",
+     "--at, a deck of one instant", NULL},
+    {"--columns",
+     "a table of columns, a printed deck, --summary, --expect, a form without [expect], --report "
+     "or a picture of columns",
+     NULL, NULL},
+    {"--tolerance", CHECKS ", --expect, a printed deck or a report with [expect]", NULL, NULL},
+    {"--branch", NULL, "--list alone", "it lists the names of both"},
+    {"--units", NULL, "--print-deck", "a deck keeps the units of its lines"},
+    {"--units", NULL, "--format=paper alone", "it has units of its own"},
+    {"--plot-kind", "--plot", NULL, NULL},
+    {"--plot-at", "--plot or --report", NULL, NULL},
+    {"--plot-x", "--plot-kind=columns", NULL, NULL},
+    {"--ascii", "--plot=FILE.txt or --plot=-", NULL, NULL},
+    {"--solution", "--synthesis", "a list of solutions", NULL},
+    {"--part", NULL, "--design, --list", "it is a part of the [sweep]"},
+
+    /* what the deck must have */
+    {"--part, --design", A_SWEEP, NULL, NULL},
+    {"--synthesis", "a [synthesis]", NULL, NULL},
+    {"--matrix", "masses or loads", NULL, NULL},
+    {"--format=paper", NULL, "links that slide", "it is for a four-bar"},
+    {"--format=paper", NULL, "a whole [sweep], values of the deck",
+     "these are printed as table, csv or json"},
+    {"--solve", NULL, "a whole [sweep]", OF_ONE_DESIGN},
+    {"--print-deck, " FORMS, NULL, "a whole [sweep]",
+     OF_ONE_DESIGN ", or all of them with --design=all"},
+    {"several decks", NULL, "rows of a [sweep]",
      "of several decks a [sweep] has to have values, by output or --columns='max(Ts), "
      "crank.length'"},
-    {CHECK | SUMMARY | MATRIX | EXPECT, SWEEP, 0,
-     "--check, --expect, --matrix and --summary work for one design of a [sweep], with --design=N"},
-    {PAPER, SWEEP, 0, "a [sweep] can be printed as table, csv or json only"},
-    {PAPER, VALUES, 0, "values of the deck can be printed as table, csv or json only"},
-    {AT, VALUES, 0, "--at shows rows; the columns are values of the deck"}};
+    {"--summary, --matrix, " CHECKS, NULL, "a whole [sweep]", OF_ONE_DESIGN}};
 
-static long bit(int is_set, long value)
+/* ------------------------------------------------------------------------------------------- facts */
+
+#define UNKNOWN 2 /* until the deck has been read */
+#define MOST_FACTS 32
+
+typedef struct fact {
+    const char *words;
+    int holds;
+} fact;
+
+/* What is known. */
+typedef struct known {
+    const options *o;
+    const rules_deck *deck; /* null: not read yet */
+    fact facts[MOST_FACTS];
+    int n;
+} known;
+
+static void add(known *k, const char *words, int holds)
 {
-    return is_set ? value : 0;
+    k->facts[k->n].words = words;
+    k->facts[k->n++].holds = holds;
 }
 
-static long asked(const options *o)
+/* Add a fact that needs something of the options and something of the deck. */
+static void add_of_deck(known *k, const char *words, int of_options, int of_deck)
 {
-    static const long contents[SHEET_CONTENT_COUNT] = {0, SUMMARY, CHECK,  LIST, MATRIX,
-                                                       0, 0,       EXPECT, CHECK};
-    int is_files = options_is_folder(o->output) && (o->print_deck || o->content == SHEET_EXPECT);
-    int is_reports = options_is_folder(o->report);
-
-    return contents[o->content] | bit(o->n_contents > 1, ONE_OF) | bit(o->at != NULL, AT) |
-           bit(o->answers != NULL, ANSWERS) | bit(o->best != NULL, BEST) |
-           bit(o->solve != NULL, SOLVE) | bit(o->print_deck, PRINT) |
-           bit(o->print_deck && !o->all_designs, PRINT_ONE) | bit(o->parts > 0, PART) |
-           bit(o->design > 0, DESIGN) | bit(o->all_designs, ALL) |
-           bit(o->names != NULL && !o->scores, NAMES) | bit(o->synthesis, SYNTHESIS) |
-           bit(o->solution > 0, SOLUTION) | bit(o->plot != NULL, PLOT) |
-           bit(o->drawing.at != NULL, AT_OF_PLOT) | bit(o->drawing.x != NULL, X_OF_PLOT) |
-           bit(o->drawing.kind != PLOT_COUNT, KIND_OF_PLOT) | bit(o->report != NULL, REPORT) |
-           bit(is_reports, REPORTS) | bit(is_files || (is_reports && !o->output), FILES) |
-           bit(o->all_designs && o->content == SHEET_EXPECT && o->report, BOTH) |
-           bit(o->n_decks > 0 && strcmp(o->decks[0], "-") == 0, PIPE) |
-           bit(o->n_decks > 1, SEVERAL) | bit(o->format == &csv_format, CSV) |
-           bit(o->format == &json_format, JSON) | bit(o->format == &paper_format, PAPER);
+    add(k, words, !of_options ? 0 : k->deck ? of_deck : UNKNOWN);
 }
 
-static const char *find(const rule *rules, size_t n, long what, long has)
+/* Find all facts; `d` is of zeros if the deck has not been read. */
+static void find_facts(known *k, const rules_deck *d)
 {
-    size_t i;
+    const options *o = k->o;
+    const fourlink_problem *p = &d->problem;
+    int kind = (int)p->mechanism.design.kind, is_sweep = p->n_designs > 0;
+    int is_plain = o->content == SHEET_ROWS && options_want_table(o);
+    int finds = o->synthesis && !o->at; /* a linkage, or a list of them */
+    int columns = is_plain && !o->print_deck && !o->best && !o->solve && !finds;
+    int has_outputs = is_sweep && p->has_outputs;
+    int is_paper = o->format == &paper_format, has_picture = o->plot || o->report;
 
-    for (i = 0; i < n; i++)
-        if ((what & rules[i].what) &&
-            ((has & rules[i].with) || (rules[i].needs && !(has & rules[i].needs))))
-            return rules[i].why;
+    add(k, "several decks", o->n_decks > 1);
+    add(k, "--check=FOLDER of a class", o->is_class);
+    add(k, "standard input", strcmp(o->decks[0], "-") == 0);
+    add(k, "--list alone", o->content == SHEET_LIST && !has_picture);
+    add(k, "--format=paper alone", is_paper && !has_picture);
+    add(k, "a printed deck", o->print_deck || o->best || (is_plain && finds && !o->has_format));
+    add(k, "a list of solutions", is_plain && finds && !o->print_deck && !o->best && o->has_format);
+    add_of_deck(k, "a table of columns", columns && !is_paper, p->has_values || !has_outputs);
+    add_of_deck(k, "a table of rows", columns, !has_outputs && !d->has_values);
+    add_of_deck(k, "a picture of columns", o->plot && o->drawing.kind == PLOT_COLUMNS,
+                p->has_values || !has_outputs);
+    add_of_deck(k, "a form without [expect]", o->form, !p->n_expected);
+    add_of_deck(k, "a report with [expect]", o->report != NULL, p->n_expected > 0);
+    add_of_deck(k, "a deck of one instant", 1, p->one_instant);
+    add_of_deck(k, A_SWEEP, 1, d->has_sweep);
+    add_of_deck(k, "a whole [sweep]", !o->all_designs, is_sweep);
+    add_of_deck(k, "rows of a [sweep]", 1, is_sweep && !d->has_values);
+    add_of_deck(k, "a [synthesis]", 1, d->has_task);
+    add_of_deck(k, "masses", 1, p->has_forces);
+    add_of_deck(k, "loads", 1, p->has_forces);
+    add_of_deck(k, "links that slide", 1,
+                fourlink_slides(kind, FOURLINK_COUPLER) ||
+                    fourlink_slides(kind, FOURLINK_FOLLOWER));
+    add_of_deck(k, "values of the deck", 1, d->has_values);
+}
+
+/* 1 if an option has a value as in a list: itself, or FILE.txt, whose capitals stand for anything. */
+static int is_like(const char *value, text pattern)
+{
+    size_t n = 0;
+
+    while (n < pattern.length && pattern.start[n] >= 'A' && pattern.start[n] <= 'Z')
+        n++;
+    if (!n)
+        return flk_text_same(pattern, value);
+    pattern = flk_text_from(pattern, n);
+    return strlen(value) > pattern.length &&
+           memcmp(value + strlen(value) - pattern.length, pattern.start, pattern.length) == 0;
+}
+
+/* Whether an option of a list was given, or whether a fact holds: 1, 0 or UNKNOWN. */
+static int holds(const known *k, text words)
+{
+    text name = words, value;
+    const char *given;
+    int i;
+
+    value.start = NULL;
+    for (i = 0; i < k->n; i++)
+        if (flk_text_same(words, k->facts[i].words))
+            return k->facts[i].holds;
+    flk_text_cut(words, "=", &name, &value);
+    given = options_given(k->o, name);
+    return given && (!value.start || is_like(given, value));
+}
+
+/* ------------------------------------------------------------------------------------------- lists */
+
+/* Take the next words off a list; 0 if nothing is left. */
+static int next(text *list, text *words)
+{
+    *words = *list;
+    if (!list->length)
+        return 0;
+    if (!flk_text_cut(*words, ", ", words, list) && !flk_text_cut(*words, " or ", words, list))
+        list->length = 0;
+    return 1;
+}
+
+/* The first of a list that holds, from the words that were taken on; 0 if none does. */
+static int find(const known *k, text *list, text *found)
+{
+    while (next(list, found))
+        if (holds(k, *found) == 1)
+            return 1;
+    return 0;
+}
+
+/* 1 if something of a list holds, or may hold. */
+static int has_one(const known *k, const char *list)
+{
+    text rest = flk_text_of(list), words;
+
+    while (next(&rest, &words))
+        if (holds(k, words))
+            return 1;
+    return 0;
+}
+
+/* ---------------------------------------------------------------------------------------- messages */
+
+/* What is printed or drawn, for a message. */
+#define OUTPUTS "--format=paper, " TEXTS ", --print-deck, --best, --solve, --synthesis, " PICTURES
+
+/* Why nothing of a list holds that would but for the deck. */
+static const char *why_not(const known *k)
+{
+    const fourlink_problem *p = k->deck ? &k->deck->problem : NULL;
+
+    return !p                            ? ""
+           : k->o->form && p->n_expected ? "; --form has what the [expect] asks"
+           : k->deck->has_values         ? "; the columns are values of the deck"
+           : p->n_designs && p->has_outputs
+               ? "; the [sweep] prints its outputs: without 'output', or "
+                 "with --design=N, it prints rows"
+               : "; the deck has none";
+}
+
+/* 1 if an option, or one with a value, has this name. */
+static int is_named(text option, text name)
+{
+    return option.length >= name.length && memcmp(option.start, name.start, name.length) == 0 &&
+           (option.length == name.length || option.start[name.length] == '=');
+}
+
+/* Say that an option lacks something. */
+static const char *tell_lack(const known *k, text of, const char *needs, char message[400])
+{
+    text outputs = flk_text_of(OUTPUTS), with;
+    char option[80], other[80];
+
+    flk_text_copy(of, option, sizeof option);
+    if (!k->deck && find(k, &outputs, &with) && !is_named(of, with))
+        return flk_message(message, 400, "%s does nothing with %s: it needs %s", option,
+                           flk_text_copy(with, other, sizeof other), needs);
+    return flk_message(message, 400, "%s needs %s%s", option, needs, why_not(k));
+}
+
+static const char *tell_clash(text of, text with, const char *why, char message[400])
+{
+    char option[80], other[80];
+
+    if (of.start[0] != '-')
+        return flk_message(message, 400, "%s", why);
+    return flk_message(message, 400, why ? "%s does not go with %s: %s" : "%s does not go with %s",
+                       flk_text_copy(of, option, sizeof option),
+                       flk_text_copy(with, other, sizeof other), why);
+}
+
+/* Why a rule is broken by one of its options; null: it is not. */
+static const char *broken(const known *k, const rule *r, char message[400])
+{
+    text rest = flk_text_of(r->of), of, with;
+
+    while (find(k, &rest, &of)) {
+        text never = flk_text_of(r->never ? r->never : "");
+
+        if (find(k, &never, &with))
+            return tell_clash(of, with, r->why, message);
+        if (r->needs && !has_one(k, r->needs))
+            return tell_lack(k, of, r->needs, message);
+    }
     return NULL;
 }
 
-const char *rules_of_options(const options *o)
+/* The first rule that is broken, of those with these needs, or for null of all. */
+static const char *find_broken(const options *o, const rules_deck *deck, const char *needs,
+                               char message[400])
 {
-    long what = asked(o);
+    rules_deck none;
+    const char *why = NULL;
+    known k;
+    size_t i;
 
-    return find(of_options, sizeof of_options / sizeof *of_options, what, what);
+    memset(&none, 0, sizeof none);
+    memset(&k, 0, sizeof k);
+    k.o = o;
+    k.deck = deck;
+    find_facts(&k, deck ? deck : &none);
+    for (i = 0; i < sizeof table / sizeof *table && !why; i++)
+        if (!needs || (table[i].needs && strcmp(table[i].needs, needs) == 0))
+            why = broken(&k, &table[i], message);
+    return why;
 }
 
-const char *rules_of_deck(const options *o, const fourlink_problem *p, int is_design, int has_task,
-                          int has_values)
+const char *rules_broken(const options *o, const rules_deck *deck, char message[400])
 {
-    int kind = (int)p->mechanism.design.kind;
-    int has_slide =
-        fourlink_slides(kind, FOURLINK_COUPLER) || fourlink_slides(kind, FOURLINK_FOLLOWER);
-    long has = bit(p->has_forces, FORCES) | bit(has_slide, SLIDE) | bit(p->n_designs > 0, SWEEP) |
-               bit(is_design, TAKEN) | bit(has_task, TASK) | bit(has_values, VALUES) |
-               bit(p->n_designs > 0 && !has_values, ROWS_OF_SWEEP);
-
-    return find(of_deck, sizeof of_deck / sizeof *of_deck, asked(o), has);
+    return find_broken(o, deck, NULL, message);
 }
 
-const char *rules_without_sweep(const options *o)
+const char *rules_without_sweep(const options *o, char message[400])
 {
-    return find(of_deck, sizeof of_deck / sizeof *of_deck, asked(o) & (PART | DESIGN | ALL), 0);
+    rules_deck without;
+
+    memset(&without, 0, sizeof without);
+    return find_broken(o, &without, A_SWEEP, message);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rules.h - what does not go together on a command line, and what a deck must have for it.
+** rules.h - what goes together on a command line, and what a deck must have for it.
 */
 #ifndef FOURLINK_RULES_H
 #define FOURLINK_RULES_H
@@ -8,16 +8,19 @@
 #include "fourlink.h"
 #include "options.h"
 
-/* Why the options do not go together, or null. */
-const char *rules_of_options(const options *o);
+/* A deck that has been opened. */
+typedef struct rules_deck {
+    fourlink_problem problem;
+    int has_sweep;  /* 1: it has a [sweep], or was taken from one */
+    int has_task;   /* 1: its linkage was found for a [synthesis] */
+    int has_values; /* 1: its columns are values of the deck */
+} rules_deck;
 
-/* Why a deck that has been opened cannot serve them, or null.  `is_design`: a design of a [sweep] was taken
-** from it; `has_task`: its linkage was found for a [synthesis]; `has_values`: its columns are values of the
-** deck. */
-const char *rules_of_deck(const options *o, const fourlink_problem *p, int is_design, int has_task,
-                          int has_values);
+/* Why the options do not go together, or with this deck, which is null before it has been read; in
+** `message`.  Null: they do. */
+const char *rules_broken(const options *o, const rules_deck *deck, char message[400]);
 
-/* What they need of a deck that has no [sweep]. */
-const char *rules_without_sweep(const options *o);
+/* Why they need a [sweep], as those that have no use without one do; null: they do not. */
+const char *rules_without_sweep(const options *o, char message[400]);
 
 #endif

@@ -133,7 +133,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->shows_answers = d->shows_answers;
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
-    problem->has_values = d->has_values && !d->sweep.n_designs;
+    problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->drive.mode;
     problem->by_time = d->drive.by_time;

@@ -164,7 +164,7 @@ says "'Ts' has a value in each row"
 run 2 --best='max swing' single.deck
 says '--best: error: [sweep] varies nothing'
 for other in --summary --check --part=1/2 --format=csv --plot=p.svg single.deck; do
-    usage '--best prints a deck' --best='max swing' $other t.deck
+    usage 'it prints a deck and nothing else' --best='max swing' $other t.deck
 done
 run 1 --best='max type' t.deck
 nothing

@@ -33,8 +33,9 @@ for bytes in '\0233' '\0302\0233' '\0302\0205' '\0374' '\0377\0376' '\0300\0257'
     '\0342\0202' '\0357\0277\0277' '\0357\0277\0276' '\0302'; do
     deck "$bytes" >x.deck
     : >outputs
-    for arguments in '--wide -c all' --list --summary '-fcsv -c all' '-fcsv --summary' --expect --matrix; do
-        run 0 -b open -i 90 $arguments x.deck
+    for arguments in --list '--wide -c all' --summary '-fcsv -c all' '-fcsv --summary' --expect --matrix; do
+        [ "$arguments" = --list ] || arguments="-b open -i 90 $arguments"
+        run 0 $arguments x.deck
         cat out >>outputs
     done
     printable outputs

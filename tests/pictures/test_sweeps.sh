@@ -68,7 +68,7 @@ usage "--plot-kind must be " --plot=p.svg --plot-kind=histogram t.deck
 
 # a table of any number of columns beside the outputs
 { sed '/^\[expect\]/,$d; /^\[misprint\]/,$d' "$data/dfa-example-2.deck"; printf '[sweep]\ncrank.stroke = 200 mm, 210 mm\noutput = max(Ts)\n'; } >all.deck
-listed 0 t.list --plot-kind=columns -c all all.deck
+listed 0 t.list --plot-kind=columns -s table.columns=all all.deck
 check 'the output is drawn' test "$(grep -c '<< EOD' t.list)" -ge 1
 
 finish

@@ -16,9 +16,9 @@ refused() {
 for name in r.txt html r.html.gz .html ''; do
     refused "--report needs a file name that ends in .html, not '$name'" --report="$name" "$fourbar"
 done
-refused '--report takes one deck, not several' --report=r.html "$fourbar" "$engine"
+refused '--report does not go with several decks' --report=r.html "$fourbar" "$engine"
 refused '--report needs a value' "$fourbar" --report
-refused '--best prints a deck: it takes one deck and no other output' --best='max mu_min' --report=r.html "$fourbar"
+refused '--best does not go with --report: it prints a deck' --best='max mu_min' --report=r.html "$fourbar"
 for name in a.htm A.HTML; do
     run 0 --report=$name -b open "$alvi"
     quiet
@@ -130,7 +130,7 @@ echo old >o/r.html
 cp o/r.html old
 run 2 --report=o/r.html --format=csv --interval='0.018 deg' "$fourbar"
 nothing
-says ':1: error: 20001 rows; a report shows at most 20,000: give a coarser --interval'
+says ':1: error: 20001 rows; a report shows at most 20,000: give a coarser interval with --set=motion.interval'
 same o/r.html old
 ln -s /dev/full full.html
 if [ -c /dev/full ]; then

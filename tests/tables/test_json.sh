@@ -113,7 +113,7 @@ objects 1
 gives 'the keys of a list' 'keys_unsorted == ["deck", "title", "mechanism", "columns", "facts"]' \
     'columns of a list' '.columns | length > 60 and all(keys_unsorted == ["name", "unit", "meaning", "source"])' \
     'facts of a list, each once' '.facts | map(.name) | length == (unique | length) and index("max(COLUMN)") > 0'
-usage '--matrix can be printed as table only' -f json -m "$matrix"
+usage '--matrix does not go with --format=json: it can be printed as table only' -f json -m "$matrix"
 
 # ----------------------------------------------------------------------------------- several decks
 
