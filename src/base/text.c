@@ -127,11 +127,31 @@ int flk_text_separator(text t)
     return memchr(t.start, ';', t.length) ? ';' : memchr(t.start, '\t', t.length) ? '\t' : ',';
 }
 
+/* The length up to the quote that ends a field in double quotes; 0 if the field has none, or if none ends
+** it. */
+static size_t length_of_quoted(text t, int separator)
+{
+    const char *end = NULL;
+    text inside = t;
+
+    while (flk_text_blank(inside) && inside.start[0] != separator)
+        inside = flk_text_from(inside, flk_text_blank(inside));
+    if (inside.length && inside.start[0] == '"')
+        end = memchr(inside.start + 1, '"', inside.length - 1);
+    return end ? (size_t)(end + 1 - t.start) : 0;
+}
+
 int flk_text_field(text *rest, int separator, text *field)
 {
-    if (!flk_text_split(rest, separator, field))
+    size_t quoted = rest->start ? length_of_quoted(*rest, separator) : 0;
+    text start = *rest;
+
+    if (!rest->start)
         return 0;
-    *field = flk_text_unquoted(flk_text_trim(*field));
+    *rest = flk_text_from(*rest, quoted);
+    flk_text_split(rest, separator, field);
+    start.length = quoted + field->length;
+    *field = flk_text_unquoted(flk_text_trim(start));
     return 1;
 }
 

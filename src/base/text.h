@@ -54,7 +54,8 @@ int flk_text_ends_in(text t, const char *ending);
 int flk_text_split(text *rest, int stop, text *piece);
 
 /* What separates the fields of a spreadsheet's lines: ;, a tab or a comma, the first of these that it has.
-** Take a field off the front of a line, trimmed and without the quotes around it; 0 if nothing is left. */
+** Take a field off the front of a line, trimmed and without the quotes around it, within which a separator is
+** a letter; 0 if nothing is left. */
 int flk_text_separator(text t);
 int flk_text_field(text *rest, int separator, text *field);
 

@@ -131,11 +131,27 @@ static void tell(const marks *m, const char *name, int is_class)
     command_tell("note", name, 0, words, NULL);
 }
 
+/* Read the ids and the days late of a class; returns the exit status. */
+static int read_roster(marks *m, const char *path)
+{
+    int status = roster_read(&m->names, path);
+
+    if (status || m->names.has_header)
+        return status;
+    command_tell("error", path, 1, "expected the titles of columns: name, id, late", NULL);
+    return EXIT_USAGE;
+}
+
 int marks_begin(marks *m, const options *o, const input *deck)
 {
+    int status;
+
     memset(m, 0, sizeof *m);
     m->o = o;
     m->deck = deck;
+    status = o->names && o->scores ? read_roster(m, o->names) : 0;
+    if (status)
+        return status;
     if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
         return 0;
     m->list = memory_get(MOST_QUESTIONS, sizeof *m->list);
@@ -146,7 +162,7 @@ int marks_begin(marks *m, const options *o, const input *deck)
         add(m, deck, 0);
     m->n_of_deck = m->n;
     m->set_tolerances = 0;
-    return o->names ? roster_read(&m->names, o->names) : 0;
+    return 0;
 }
 
 void marks_add(marks *m, const input *in)

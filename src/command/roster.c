@@ -14,9 +14,31 @@
 #include "roster.h"
 #include "students.h"
 
-enum { NAME, ID, LATE, COLUMNS };
+enum { NAME, FIRST_NAME, SURNAME, ID, LATE, OTHER, COLUMNS };
 
-static const char *const titles[COLUMNS] = {"name", "id", "late"};
+/* Headings by which a first line is known: those of lists that people write, and of learning platforms. */
+static const struct {
+    const char *words;
+    int column;
+} headings[] = {{"name", NAME},
+                {"full name", NAME},
+                {"student", NAME},
+                {"student name", NAME},
+                {"first name", FIRST_NAME},
+                {"given name", FIRST_NAME},
+                {"surname", SURNAME},
+                {"last name", SURNAME},
+                {"family name", SURNAME},
+                {"id", ID},
+                {"id number", ID},
+                {"student id", ID},
+                {"late", LATE},
+                {"days late", LATE},
+                {"email", OTHER},
+                {"email address", OTHER},
+                {"username", OTHER},
+                {"group", OTHER},
+                {"groups", OTHER}};
 
 static int refuse(const char *path, long at, const char *why)
 {
@@ -24,66 +46,118 @@ static int refuse(const char *path, long at, const char *why)
     return EXIT_USAGE;
 }
 
-/* Read a line; the status. */
-static int read_entry(roster *r, const char *path, long at, text row, int separator,
-                      const int *place)
+/* Find the columns of a line by its headings, -1 for none; returns how many it has. */
+static int find_columns(text row, int separator, int place[COLUMNS])
 {
-    roster_entry *e = &r->list[r->n];
-    text field, late = {"", 0};
-    int i;
+    text field;
+    size_t k;
+    int i, n = 0;
 
-    memset(e, 0, sizeof *e);
-    e->name = e->id = late;
+    for (i = 0; i < COLUMNS; i++)
+        place[i] = -1;
     for (i = 0; flk_text_field(&row, separator, &field); i++)
-        if (i == place[NAME])
-            e->name = field;
-        else if (i == place[ID])
-            e->id = field;
-        else if (i == place[LATE])
-            late = field;
-    if (!e->name.length)
-        return 0;
-    if (late.length &&
-        (flk_number_read(&late, &e->late) != NUMBER_OK || late.length || !(e->late >= 0)))
-        return refuse(path, at, "late must be a number of days, such as 2");
-    r->n++;
+        for (k = 0; k < sizeof headings / sizeof *headings; k++)
+            if (flk_text_equal(field, headings[k].words)) {
+                place[headings[k].column] = i;
+                n++;
+            }
+    return n;
+}
+
+/* Add a part of a name, with a blank after the part before. */
+static void add_name(roster_entry *e, text part)
+{
+    char *end = (char *)e->name.start + e->name.length;
+
+    if (!part.length)
+        return;
+    if (e->name.length)
+        *end++ = ' ';
+    memcpy(end, part.start, part.length);
+    e->name.length = (size_t)(end - e->name.start) + part.length;
+}
+
+/* Read a line; the status. */
+static int read_entry(const char *path, text row, int separator, const int *place, roster_entry *e)
+{
+    text fields[COLUMNS], field;
+    int i, k;
+
+    memset(fields, 0, sizeof fields);
+    for (i = 0; flk_text_field(&row, separator, &field); i++)
+        for (k = 0; k < COLUMNS; k++)
+            if (i == place[k])
+                fields[k] = field;
+    if (fields[NAME].length) {
+        add_name(e, fields[NAME]);
+    } else {
+        add_name(e, fields[FIRST_NAME]);
+        add_name(e, fields[SURNAME]);
+    }
+    e->id = fields[ID];
+    field = fields[LATE];
+    if (e->name.length && field.length &&
+        (flk_number_read(&field, &e->late) != NUMBER_OK || field.length || !(e->late >= 0)))
+        return refuse(path, e->line, "late must be a number of days, such as 2");
     return 0;
+}
+
+/* Read all lines; the status. */
+static int read_lines(roster *r, const char *path, text rest)
+{
+    int place[COLUMNS], line_end = flk_text_line_end(rest), separator = 0, status = 0;
+    char *next = r->names; /* a name is not longer than its line */
+    long at = 0;
+    text row;
+
+    while (!status && flk_text_split(&rest, line_end, &row)) {
+        roster_entry *e = &r->list[r->n];
+
+        if (++at == 1) {
+            separator = flk_text_separator(row);
+            r->has_header = find_columns(row, separator, place) > 0;
+            if (r->has_header && place[NAME] < 0 && place[FIRST_NAME] < 0 && place[SURNAME] < 0)
+                return refuse(path, 1, "no column has the heading name, or first name and surname");
+            if (r->has_header)
+                continue;
+        }
+        memset(e, 0, sizeof *e);
+        e->line = at;
+        e->name.start = next;
+        if (r->has_header)
+            status = read_entry(path, row, separator, place, e);
+        else
+            add_name(e, flk_text_trim(row));
+        next += e->name.length;
+        *next++ = '\0';
+        r->n += e->name.length > 0;
+    }
+    return status;
 }
 
 int roster_read(roster *r, const char *path)
 {
-    int place[COLUMNS] = {-1, -1, -1}, separator, line_end, i, k, status = 0;
-    text rest, row, field;
     size_t length = 0;
-    long at = 1;
+    text all;
 
     memset(r, 0, sizeof *r);
     r->contents = files_read(path, &length);
     if (!r->contents)
         return command_complain("cannot read", path, strerror(errno));
-    rest.start = r->contents;
-    rest.length = length;
-    rest = flk_text_without_mark(rest);
-    line_end = flk_text_line_end(rest);
-    r->list = memory_get(flk_text_count(rest, line_end) + 1, sizeof *r->list);
-    if (!r->list)
+    all.start = r->contents;
+    all.length = length;
+    all = flk_text_without_mark(all);
+    r->list = memory_get(flk_text_count(all, flk_text_line_end(all)) + 1, sizeof *r->list);
+    r->names = memory_get(length + 2, 1);
+    if (!r->list || !r->names)
         return command_lacks_memory("cannot read", path);
-    flk_text_split(&rest, line_end, &row);
-    separator = flk_text_separator(row);
-    for (i = 0; flk_text_field(&row, separator, &field); i++)
-        for (k = 0; k < COLUMNS; k++)
-            if (flk_text_equal(field, titles[k]))
-                place[k] = i;
-    if (place[NAME] < 0)
-        return refuse(path, 1, "expected the titles of columns: name, id, late");
-    while (!status && rest.start && flk_text_split(&rest, line_end, &row))
-        status = read_entry(r, path, ++at, flk_text_trim(row), separator, place);
-    return status;
+    return read_lines(r, path, all);
 }
 
 void roster_free(roster *r)
 {
     free(r->contents);
+    free(r->names);
     free(r->list);
 }
 

@@ -8,19 +8,21 @@
 #include "base/text.h"
 
 typedef struct roster_entry {
-    text name, id;
-    double late; /* days */
+    text name, id; /* a name is null-terminated */
+    double late;   /* days */
+    long line;
 } roster_entry;
 
 typedef struct roster {
-    char *contents;
+    char *contents, *names;
     roster_entry *list;
     size_t n;
+    int has_header; /* 0: a list of names, one a line */
 } roster;
 
-/* Read a file of a spreadsheet with the columns name, id and late, separated by ; or a tab or a comma, in
-** any order; the first line names them, and others are not read.  Prints a mistake and returns the exit
-** status. */
+/* Read a list of names, one a line, or a file of a spreadsheet, separated by ; or a tab or a comma, whose first
+** line has headings: name, or first name and surname; id; late.  Other columns are not read.  Prints a mistake
+** and returns the exit status. */
 int roster_read(roster *r, const char *path);
 void roster_free(roster *r);
 

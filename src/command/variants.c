@@ -2,14 +2,10 @@
 **
 ** variants.c - the designs of a [sweep] as files, with numbers or with names from a list.
 */
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
-#include "system/memory.h"
-#include "system/system.h"
 #include "command.h"
 #include "files.h"
 #include "variants.h"
@@ -36,35 +32,29 @@ static int is_file_name(text name)
     return name.start[0] != '.' && name.length <= LONGEST_NAME;
 }
 
-/* Add the name on a line; 1 if it can be used, 0 after a message. */
-static int add_name(variants *v, const char *file, long where, text name)
+/* 1 if an earlier entry has the same name. */
+static int is_there(const roster *r, const roster_entry *e)
 {
-    unsigned long i;
+    const roster_entry *other;
 
-    if (!is_file_name(name))
-        return refuse(file, where, "'%t' cannot be the name of a file", name) == 0;
-    for (i = 0; i < v->n; i++)
-        if (flk_text_equal(name, v->names[i]))
-            return refuse(file, where, "'%t' is there twice", name) == 0;
-    ((char *)name.start)[name.length] = '\0'; /* of v->text */
-    v->names[v->n++] = name.start;
-    return 1;
+    for (other = r->list; other < e; other++)
+        if (flk_text_equal(e->name, other->name.start))
+            return 1;
+    return 0;
 }
 
-/* Split the list into lines; returns the exit status. */
-static int read_names(variants *v, const char *file, size_t length)
+/* Refuse names that cannot be those of files; returns the exit status. */
+static int check_names(const roster *r, const char *file)
 {
-    text rest, name;
-    long where = 0;
+    size_t i;
 
-    rest.start = v->text;
-    rest.length = length;
-    rest = flk_text_without_mark(rest);
-    while (flk_text_split(&rest, '\n', &name)) {
-        where++;
-        name = flk_text_trim(name);
-        if (name.length && !add_name(v, file, where, name))
-            return EXIT_USAGE;
+    for (i = 0; i < r->n; i++) {
+        const roster_entry *e = &r->list[i];
+
+        if (!is_file_name(e->name))
+            return refuse(file, e->line, "'%t' cannot be the name of a file", e->name);
+        if (is_there(r, e))
+            return refuse(file, e->line, "'%t' is there twice", e->name);
     }
     return 0;
 }
@@ -74,21 +64,17 @@ int variants_open(variants *v, const input *deck)
     const char *file = deck->o->names;
     unsigned long designs = deck->problem.n_designs;
     char words[MESSAGE_SIZE];
-    size_t length = 0;
     int status;
 
-    if (!file) {
-        v->n = designs;
+    v->n = designs;
+    if (!file)
         return 0;
-    }
-    v->text = files_read(file, &length);
-    v->names = v->text ? memory_get(length + 1, sizeof *v->names) : NULL;
-    if (!v->names)
-        return command_complain("cannot read", file, strerror(errno));
-    v->text[length] = '\0';
-    status = read_names(v, file, length);
+    status = roster_read(&v->names, file);
+    if (!status)
+        status = check_names(&v->names, file);
     if (status)
         return status;
+    v->n = (unsigned long)v->names.n;
     if (v->n <= designs && v->n)
         return 0;
     flk_message(words, sizeof words, "%ld names, but the [sweep] of %s has %ld designs", (long)v->n,
@@ -99,8 +85,7 @@ int variants_open(variants *v, const input *deck)
 
 void variants_close(variants *v)
 {
-    free((void *)v->names);
-    free(v->text);
+    roster_free(&v->names);
 }
 
 char *variants_path(const variants *v, const char *folder, const input *deck, unsigned long i,
@@ -110,8 +95,8 @@ char *variants_path(const variants *v, const char *folder, const input *deck, un
     char end[100];
     int digits = 1;
 
-    if (v->names)
-        return files_within(folder, flk_text_of(v->names[i]), ending);
+    if (v->names.list)
+        return files_within(folder, v->names.list[i].name, ending);
     for (; n > 9; n /= 10)
         digits++;
     sprintf(end, "-%0*lu%s", digits, i + 1, ending);

@@ -6,11 +6,11 @@
 #define FOURLINK_VARIANTS_H
 
 #include "input.h"
+#include "roster.h"
 
 /* The names of the files.  Set it to zero first. */
 typedef struct variants {
-    char *text; /* of the list; null: the files have numbers */
-    const char **names;
+    roster names;    /* without a list: the files have numbers */
     unsigned long n; /* how many files are written */
 } variants;
 

@@ -121,6 +121,10 @@ void table_put_mark(sheet *s, const sheet_mark *m)
     line_value(&s->l, m->right, 6, 7);
     line_value(&s->l, m->of, 6, 7);
     line_field(&s->l, format_fixed(sheet_percent(m), 1, number), 10);
+    if (s->has_roster) {
+        line_value(&s->l, m->late, 6, 7);
+        line_value(&s->l, m->total, 6, 8);
+    }
     line_put(&s->l, *m->note ? "  %s\n" : "%s\n", m->note);
 }
 
@@ -257,7 +261,8 @@ void table_begin(sheet *s)
         put_value_heading(s, 1);
     }
     if (s->content == SHEET_SCORES)
-        line_put(&s->l, "# %-28s  right     of  per cent  note\n", "name");
+        line_put(&s->l, "# %-28s  right     of  per cent%s  note\n", "name",
+                 s->has_roster ? "   late   total" : "");
     if (s->content != SHEET_DESIGNS)
         return;
     head_put_title(s);
