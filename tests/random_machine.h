@@ -25,6 +25,20 @@ static void choose_machine(long number)
     machine = number % 4 == 3 ? A_YOKE : (int)(number % 3);
 }
 
+/* Leave the deck as a file of the present folder. */
+static inline void leave_deck(const char *sort, long number)
+{
+    char name[100];
+    FILE *out;
+
+    snprintf(name, sizeof name, "%s-%ld.deck", sort, number);
+    out = fopen(name, "w");
+    if (!out)
+        return;
+    fwrite(deck_text, 1, length, out);
+    fclose(out);
+}
+
 static double power_of_ten(double low, double high)
 {
     return pow(10, between(low, high));

@@ -33,7 +33,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
 /* Compare names that users choose; case matters. */
 static int same_name(text x, text y)
 {
-    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
+    return x.length == y.length && (!x.length || memcmp(x.start, y.start, x.length) == 0);
 }
 
 section_use *flk_section_next(const parser *p, section_code section, const section_use *after)

@@ -206,8 +206,6 @@ static int check(void)
 int main(int argc, char **argv)
 {
     long n = argc > 1 ? atol(argv[1]) : 100, first = argc > 2 ? atol(argv[2]) : 0;
-    char name[100];
-    FILE *out;
 
     for (number = first; number < first + n; number++) {
         begin_chance(66, number);
@@ -216,12 +214,7 @@ int main(int argc, char **argv)
         if (check())
             continue;
         failed++;
-        snprintf(name, sizeof name, "cycles-%ld.deck", number);
-        out = fopen(name, "w");
-        if (out) {
-            fwrite(deck_text, 1, length, out);
-            fclose(out);
-        }
+        leave_deck("cycles", number);
     }
     printf("%ld decks, %ld of them without a steady motion: %ld rows compared, worst %.2g, %s; %ld "
            "decks "

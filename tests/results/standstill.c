@@ -170,8 +170,6 @@ static int check(void)
 int main(int argc, char **argv)
 {
     long n = argc > 1 ? atol(argv[1]) : 1000, first = argc > 2 ? atol(argv[2]) : 0;
-    char name[100];
-    FILE *out;
 
     for (number = first; number < first + n; number++) {
         begin_chance(67, number);
@@ -180,12 +178,7 @@ int main(int argc, char **argv)
         if (check())
             continue;
         failed++;
-        snprintf(name, sizeof name, "standstill-%ld.deck", number);
-        out = fopen(name, "w");
-        if (out) {
-            fwrite(deck_text, 1, length, out);
-            fclose(out);
-        }
+        leave_deck("standstill", number);
     }
     printf("%ld decks, %ld with friction: %ld rows compared, %ld of them backward, %ld with "
            "another Ts; %ld locked at a "
