@@ -450,19 +450,19 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
 {
     double lost = e->is_change ? LOST : LOST_DEAD, least;
     double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
-    int is_smooth = !(t->turn > 0);
+    int is_direction = t->turn > 0;
 
-    size = GSL_MAX_DBL(b->size, t->turn > 0 ? 0 : size);
+    size = GSL_MAX_DBL(b->size, is_direction ? 0 : size);
     least = GSL_MAX_DBL(4 * b->error, EXACT * size);
-    if (is_smooth)
+    if (!is_direction)
         l->rough = reach;
-    if (b->error <= (is_smooth && e->is_change ? KNOWN : EXACT) * size) {
+    if (b->error <= (e->is_change && !is_direction ? KNOWN : EXACT) * size) {
         l->reach = reach;
         lost = e->is_root ? gsl_pow_2(reach) : reach;
     }
     if (b->error > EXACT * size && (e->is_change || !is_finite(e, y[0])))
         l->rounded = lost;
-    if (l->n == 2 && t->turn > 0) {
+    if (l->n == 2 && is_direction) {
         double length = flk_length(b->value[0], b->value[1]);
 
         if (b->error <= KNOWN * size)
