@@ -286,7 +286,7 @@ static void run(const char *const *words, size_t n, outcome *o)
     FILE *err;
     pid_t child;
     size_t i;
-    int status;
+    int status = 0;
 
     arguments[0] = (char *)fourlink;
     for (i = 0; i < n; i++)
