@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "arithmetic.h"
 #include "cycle.h"
 
 #define ROUNDING 1e-12 /* of the cycle; */

@@ -1026,7 +1026,7 @@ def chosen_rows(deck):
         span = abs(turns) * 2 * math.pi / angle
     interval = '%.6g %s' % (0.97 * span / (ANGLES - 1), deck.units.get('motion.interval', 'deg'))
     both = deck.table('--interval=' + interval, '--branch=both' if not is_slow(deck) else '--branch=open')
-    deck.options = ('--interval=' + interval,)
+    deck.options = ('--set=motion.interval=' + interval,)
     return both
 
 
