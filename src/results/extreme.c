@@ -328,22 +328,21 @@ static void refine(sought *k, int which)
 #define NARROWEST 2e-6   /* s: no samples are closer */
 #define MOST_INSERTED 40 /* of a piece, for a column */
 
-/* How far a sample is from the polynomial through the four nearest: with equal steps on both sides, and with
-** any. */
+/* How far a sample is from the polynomial through its four neighbours: with equal steps, and with any. */
 static double roughness_of_even(const double *v)
 {
     return fabs(v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
 }
 
-static double roughness(const flk_samples *x, const double *v, size_t i)
+static double roughness(const double *s, const double *v)
 {
-    size_t from = i < 2 ? 0 : GSL_MIN(i - 2, x->n - 5), j;
     flk_polynomial p;
+    int k;
 
-    for (p.n = 0, j = from; j < from + 5; j++)
-        if (j != i)
-            flk_polynomial_add(&p, x->s[j], v[j]);
-    return fabs(flk_polynomial_value(&p, x->s[i]) - v[i]);
+    for (p.n = 0, k = -2; k <= 2; k++)
+        if (k != 0)
+            flk_polynomial_add(&p, s[k], v[k]);
+    return fabs(flk_polynomial_value(&p, s[0]) - v[0]);
 }
 
 /* 1 if the column near so rough a value may be better than the best. */
@@ -356,16 +355,13 @@ static int may_be_better(const sought *k, double value, double rough)
 /* 1 if a better value may hide beside sample i, as where a force nearly vanishes. */
 static int may_hide(const sought *k, size_t i)
 {
-    const flk_samples *x = k->x;
-    const double *v = k->c->v;
-    double least = GSL_MAX_DBL(ROUGH * GSL_MAX_DBL(fabs(v[i - 1]), fabs(v[i + 1])),
-                               NOISE_OF_QUANTITY * k->c->scale);
-    double rough = i < 2 || i + 2 >= x->n ? GSL_POSINF : roughness_of_even(v + i);
+    const double *v = k->c->v + i;
+    double size = GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])), rough = roughness_of_even(v);
 
-    if (!(rough > least && may_be_better(k, v[i], rough)))
+    if (!(rough > ROUGH * size && may_be_better(k, v[0], rough)))
         return 0;
-    rough = roughness(x, v, i);
-    return rough > least && may_be_better(k, v[i], rough);
+    rough = roughness(k->x->s + i, v);
+    return rough > ROUGH * size && may_be_better(k, v[0], rough);
 }
 
 static void offer_sample(const sought *k, size_t i)
@@ -379,7 +375,7 @@ static void resolve_narrow(sought *k, flk_samples *x)
 {
     size_t i, most = x->n + MOST_INSERTED;
 
-    for (i = 1; i + 1 < x->n && x->n > 4 && x->n < most; i++) {
+    for (i = 2; i + 2 < x->n && x->n < most; i++) {
         if (!may_hide(k, i) || x->s[i + 1] - x->s[i - 1] < NARROWEST || flk_follow_is_over(&x->f))
             continue;
         if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
@@ -387,7 +383,7 @@ static void resolve_narrow(sought *k, flk_samples *x)
             return;
         offer_sample(k, i);
         offer_sample(k, i + 2);
-        i = i > 4 ? i - 4 : 0;
+        i = i > 4 ? i - 4 : 1;
     }
 }
 
