@@ -29,9 +29,11 @@
 #define RATIO 100
 #define AIM (RATIO * (1 - 1e-6))
 
-/* The least transmission angle at a point, 0.001 deg: the best linkage is often dead at p or q. */
-#define MU_LEAST (1.0001e-3 * M_PI / 180)
-#define PASSES 3
+/* The least transmission angle at a point, 0.001 deg, and what rounding of short couplers may take of it: the
+** best linkage is often dead at p or q. */
+#define MU_LEAST (1.01e-3 * M_PI / 180)
+#define SAME 1e-7 /* of a length that repetition no longer changes, */
+#define PASSES 30 /* ... or it does not exist */
 
 /* The starts: the step of K1 relative to R, the least R that counts, and so many swings at p and at q. */
 #define STEP 0.15
@@ -124,14 +126,17 @@ static double swing_of(const search *s, unsigned long i, double x, const fourlin
     return least + x * (1 - 2 * least / M_PI);
 }
 
-/* The linkage of a place, and its swings at p and q.  They depend a little on its coupler: repetition. */
+/* The linkage of a place, and its swings at p and q.  They depend a little on its coupler b: repetition. */
 static int set_linkage(search *s, const double x[3], fourlink_solution *found, double swing[2])
 {
-    double K[3], W;
+    double K[3], W, b = 0, before = GSL_POSINF;
     int status = FOURLINK_OK, pass;
 
     set_K1(s, x[0]);
-    for (pass = 0; pass < PASSES && status == FOURLINK_OK; pass++) {
+    for (pass = 0; status == FOURLINK_OK && !(fabs(b - before) <= SAME * b); pass++) {
+        if (pass == PASSES)
+            return FOURLINK_NO_LINKAGE;
+        before = b;
         swing[0] = pass == 0 ? x[1] : swing_of(s, s->p, x[1], &found->design);
         swing[1] = pass == 0 ? x[2] : swing_of(s, s->q, x[2], &found->design);
         W = W_at(s, s->p, swing[0]);
@@ -139,6 +144,7 @@ static int set_linkage(search *s, const double x[3], fourlink_solution *found, d
         K[1] = (W - W_at(s, s->q, swing[1])) / (s->along[s->p] - s->along[s->q]);
         K[2] = K[1] * s->along[s->p] - W;
         status = flk_set_lengths(s->task, K, found);
+        b = found->design.link[FOURLINK_COUPLER].length;
     }
     return status;
 }

@@ -23,7 +23,7 @@
 #define PI 3.14159265358979323846
 #define MOST 12
 #define RATIO 100
-#define MU_LEAST (0.000999 * PI / 180)
+#define MU_LEAST (0.001 * PI / 180)
 #define MISSED 0.01
 #define NO_FIT 1e-12 /* sums below it, of errors relative to unit(), are rounding error */
 
