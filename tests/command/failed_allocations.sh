@@ -161,7 +161,7 @@ mode = run-up
 to = 200 deg
 interval = 30 deg
 END
-few='-i 90deg'
+few='-s motion.interval=90deg'
 mkdir alvi
 cp alvi-5.1.expect alvi
 
@@ -280,7 +280,7 @@ for task in osu-lecture-12 three-positions khurmi-5.3 power-nine quadratic-slide
     all $? --synthesis -o result ../task/$task.deck
     all $? --synthesis --summary -o result ../task/$task.deck
 done
-all 0 --synthesis --solution=1 -f csv -o result ../task/three-positions.deck
+all 0 --synthesis --solution=1 -o result ../task/three-positions.deck
 all 0 --synthesis -f csv -o result ../task/three-positions.deck
 all 0 --synthesis --check=../task/osu-lecture-12.expect -o result ../task/osu-lecture-12.deck
 all 0 --synthesis --report=report.html ../task/khurmi-5.3.deck
