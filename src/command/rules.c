@@ -73,14 +73,14 @@ static const rule table[] = {
      "or a picture of columns",
      NULL, NULL},
     {"--tolerance", CHECKS ", --expect, a printed deck or a report with [expect]", NULL, NULL},
-    {"--branch", NULL, "--list alone", "it lists the names of both"},
-    {"--units", NULL, "--print-deck", "a deck keeps the units of its lines"},
+    {"--branch", NULL, "--list alone, a list of solutions alone", "it has both branches"},
+    {"--units", NULL, "--print-deck, --synthesis alone", "a deck keeps the units of its lines"},
     {"--units", NULL, "--format=paper alone", "it has units of its own"},
     {"--plot-kind", "--plot", NULL, NULL},
     {"--plot-at", "--plot or --report", NULL, NULL},
     {"--plot-x", "--plot-kind=columns", NULL, NULL},
     {"--ascii", "--plot=FILE.txt or --plot=-", NULL, NULL},
-    {"--solution", "--synthesis", "a list of solutions", NULL},
+    {"--solution", "--synthesis", "a list of solutions alone", NULL},
     {"--part", NULL, "--design, --list", "it is a part of the [sweep]"},
 
     /* what the deck must have */
@@ -135,8 +135,9 @@ static void find_facts(known *k, const rules_deck *d)
     const fourlink_problem *p = &d->problem;
     int kind = (int)p->mechanism.design.kind, is_sweep = p->n_designs > 0;
     int is_plain = o->content == SHEET_ROWS && options_want_table(o);
-    int finds = o->synthesis && !o->at; /* a linkage, or a list of them */
-    int columns = is_plain && !o->print_deck && !o->best && !o->solve && !finds;
+    int is_sheet = is_plain && !o->print_deck && !o->best && !o->solve;
+    int finds = is_sheet && o->synthesis && !o->at; /* a linkage, or a list of them */
+    int columns = is_sheet && !finds;
     int has_outputs = is_sweep && p->has_outputs;
     int is_paper = o->format == &paper_format, has_picture = o->plot || o->report;
 
@@ -145,8 +146,12 @@ static void find_facts(known *k, const rules_deck *d)
     add(k, "standard input", strcmp(o->decks[0], "-") == 0);
     add(k, "--list alone", o->content == SHEET_LIST && !has_picture);
     add(k, "--format=paper alone", is_paper && !has_picture);
-    add(k, "a printed deck", o->print_deck || o->best || (is_plain && finds && !o->has_format));
-    add(k, "a list of solutions", is_plain && finds && !o->print_deck && !o->best && o->has_format);
+    add_of_deck(k, "--synthesis alone", finds && !o->has_format && !has_picture, !is_sweep);
+    add_of_deck(k, "a list of solutions alone", finds && !has_picture, o->has_format || is_sweep);
+    if (o->print_deck || o->best)
+        add(k, "a printed deck", 1);
+    else
+        add_of_deck(k, "a printed deck", finds && !o->has_format, !is_sweep);
     add_of_deck(k, "a table of columns", columns && !is_paper, p->has_values || !has_outputs);
     add_of_deck(k, "a table of rows", columns, !has_outputs && !d->has_values);
     add_of_deck(k, "a picture of columns", o->plot && o->drawing.kind == PLOT_COLUMNS,
@@ -239,9 +244,10 @@ static const char *why_not(const known *k)
 {
     const fourlink_problem *p = k->deck ? &k->deck->problem : NULL;
 
-    return !p                            ? ""
-           : k->o->form && p->n_expected ? "; --form has what the [expect] asks"
-           : k->deck->has_values         ? "; the columns are values of the deck"
+    return !p                                ? ""
+           : k->o->form && p->n_expected     ? "; --form has what the [expect] asks"
+           : k->deck->has_values             ? "; the columns are values of the deck"
+           : p->n_designs && k->o->synthesis ? "; each design is a line"
            : p->n_designs && p->has_outputs
                ? "; the [sweep] prints its outputs: without 'output', or "
                  "with --design=N, it prints rows"
