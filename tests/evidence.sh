@@ -7,7 +7,7 @@
 #   evidence.sh record FILE TRIAL WHEN STATUS SECONDS SAID   a run; SAID is a file with its figures (trials.sh calls this)
 #   evidence.sh write                                        the runs into doc/reliability.md and doc/accuracy.md
 #   evidence.sh check                                        these are as `write` leaves them, and no other figure stands there
-#   evidence.sh age [COMMITS]                                no run is older than so many commits (200)
+#   evidence.sh age [COMMITS]                                each trial has a run, none older than so many commits (200)
 set -u
 top=$(cd "$(dirname "$0")/.." && pwd)
 runs=$top/doc/evidence/trials.jsonl
@@ -193,7 +193,7 @@ stands() {
 
 check_all() {
     check 'doc/evidence: a line is no run' test -z "$(grep -vE '^\{"trial":"[a-z]+","commit":"[0-9a-f]+","date":"[0-9-]+","run":"(ci|short|night)","machine":".*","seconds":[0-9]+,"status":[0-9]+,"said":".*"\}$' "$runs")"
-    sed -n 's/^\([a-z]*\):.*/\1/p' "$top/tests/trials.txt" | sort >"$work/trials"
+    trial_names >"$work/trials"
     check "doc/evidence: a trial is not in tests/trials.txt: $(run_names | comm -23 - "$work/trials" | tr '\n' ' ')" \
         test -z "$(run_names | comm -23 - "$work/trials")"
     index_names >"$work/index"
@@ -208,10 +208,15 @@ check_all() {
         done <"$work/figures"
     done
 }
+trial_names() { sed -n 's/^\([a-z]*\):.*/\1/p' "$top/tests/trials.txt" | sort; }
 run_names() { sed 's/^{"trial":"\([a-z]*\)".*/\1/' "$runs" | sort; }
 
-# The commits of the runs are in the history, and not far back.
+# Each trial has a run, whose commit is in the history, and not far back.
 check_age() {
+    trial_names >"$work/trials"
+    for trial in $(run_names | comm -13 - "$work/trials"); do
+        check "$trial: no run on record: sh tests/nightly.sh $trial" false
+    done
     has_history || { echo 'skipped: there is no history of commits' && exit 77; }
     sed 's/^{"trial":"\([a-z]*\)","commit":"\([0-9a-f]*\)".*/\1 \2/' "$runs" >"$work/commits"
     while read -r trial commit; do
