@@ -164,6 +164,17 @@ struct fourlink_load {
     double torque;         /* N m, counter-clockwise positive */
 };
 
+/* A moving link, cut free: its centre of mass G, and what acts on it besides the joints. */
+typedef struct fourlink_body {
+    fourlink_vector arm;          /* m, from the link's origin to G */
+    fourlink_vector k;            /* m, d(G)/d(theta2): velocity of G for unit crank speed */
+    fourlink_vector acceleration; /* m/s2, of G */
+    fourlink_vector weight;       /* N */
+    fourlink_vector force;        /* N, sum of the loads */
+    double moment;                /* N m, of the loads about G */
+    double work;                  /* N m, power of the loads for unit crank speed */
+} fourlink_body;
+
 /* The nine unknowns of a crank position, and the check on them. */
 typedef struct fourlink_forces {
     double F12x, F12y; /* N, ground on crank, at A */
@@ -707,6 +718,29 @@ FOURLINK_API int fourlink_acceleration(const fourlink_mechanism *mechanism, doub
 FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fourlink_vector *at,
                                 fourlink_vector *position, fourlink_vector *velocity,
                                 fourlink_vector *acceleration);
+
+/* The moving links as bodies, each cut free of the others: what Newton's and Euler's equations have besides the
+** unknown forces of the joints, and the terms of virtual work.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    state      from fourlink_acceleration
+**    loads      forces and torques in addition to the weights; may be null if n_loads is 0
+**    n_loads    how many
+** Returned:
+**    body       5 bodies, by link number; [0] and [1] stay as they are
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+** Note:
+**    With the mass m and the moment of inertia I of a link, the right-hand sides of its equations are
+**    m a_G - weight - force and I alpha - moment; its power for unit crank speed is
+**    weight.k - m a_G.k - I alpha k_link + work.
+** Reference:
+**    ME3491, eqs. 1 to 11; see free_body.h.
+*/
+FOURLINK_API int fourlink_bodies(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                 const fourlink_load *loads, unsigned long n_loads,
+                                 fourlink_body body[5]);
 
 /* Pin forces and driving torque: solves the nine Newton-Euler equations of a crank position.
 **

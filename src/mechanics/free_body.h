@@ -28,13 +28,10 @@ static double flk_dot_size(fourlink_vector u, fourlink_vector v)
 static void flk_apply_load(const fourlink_load *load, const fourlink_link_state *link,
                            flk_body *body)
 {
-    fourlink_vector F = load->force, r, k;
+    fourlink_vector F, r, k;
     double by_force, by_torque = load->torque * link->k;
 
-    FLK_TURN(r, link, load->at);
-    if (load->frame == FOURLINK_FRAME_LINK)
-        FLK_TURN(F, link, load->force);
-    FLK_UNIT_VELOCITY(k, link, r);
+    FLK_PLACE_LOAD(load, link, r, F, k);
     by_force = FLK_DOT(F, k);
     r.x -= body->arm.x;
     r.y -= body->arm.y;
@@ -50,14 +47,11 @@ static void flk_apply_load(const fourlink_load *load, const fourlink_link_state 
 static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *link,
                          const fourlink_vector *gravity, flk_body *body)
 {
-    double omega2 = link->omega * link->omega, turning = data->inertia * link->alpha;
+    double turning = data->inertia * link->alpha;
     double by_weight, by_inertia, by_turning;
     fourlink_vector r, a, k;
 
-    FLK_TURN(r, link, data->cg);
-    FLK_UNIT_VELOCITY(k, link, r);
-    a.x = link->acceleration.x - omega2 * r.x - link->alpha * r.y;
-    a.y = link->acceleration.y - omega2 * r.y + link->alpha * r.x;
+    FLK_PLACE_MASS(data, link, r, k, a);
     by_weight = data->mass * FLK_DOT(*gravity, k);
     by_inertia = data->mass * FLK_DOT(a, k);
     by_turning = turning * link->k;

@@ -24,13 +24,9 @@ void flk_inertia_of_motion(const fourlink_mechanism *mechanism, const fourlink_s
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
         const fourlink_link *data = &mechanism->design.link[i];
         const fourlink_link_state *link = &state->link[i];
-        double square = link->omega * link->omega;
         fourlink_vector r, k, a;
 
-        FLK_TURN(r, link, data->cg);
-        FLK_UNIT_VELOCITY(k, link, r);
-        a.x = link->acceleration.x - link->alpha * r.y - square * r.x;
-        a.y = link->acceleration.y + link->alpha * r.x - square * r.y;
+        FLK_PLACE_MASS(data, link, r, k, a);
         *J += data->mass * FLK_DOT(k, k) + data->inertia * link->k * link->k;
         *turning += data->mass * FLK_DOT(k, a) + data->inertia * link->k * link->alpha;
     }
@@ -77,11 +73,7 @@ double flk_inertia_force(const fourlink_mechanism *mechanism, const fourlink_sta
     for (n = 0; n < n_loads; n++) {
         const fourlink_link_state *link = &state->link[loads[n].link];
 
-        F = loads[n].force;
-        FLK_TURN(r, link, loads[n].at);
-        if (loads[n].frame == FOURLINK_FRAME_LINK)
-            FLK_TURN(F, link, loads[n].force);
-        FLK_UNIT_VELOCITY(k, link, r);
+        FLK_PLACE_LOAD(&loads[n], link, r, F, k);
         Q += FLK_DOT(F, k) + loads[n].torque * link->k;
     }
     return Q;

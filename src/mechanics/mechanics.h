@@ -66,4 +66,26 @@ void flk_list_forces(const fourlink_forces *forces, double list[FLK_FORCES]);
 #define FLK_UNIT_VELOCITY(v, link, r) \
     ((v).x = (link)->k_origin.x - (link)->k * (r).y, (v).y = (link)->k_origin.y + (link)->k * (r).x)
 
+/* a, the acceleration of the point at arm r from a link's origin O: a = a_O - omega^2 r + alpha x r. */
+#define FLK_ACCELERATION(a, link, r)                                                             \
+    ((a).x =                                                                                     \
+         (link)->acceleration.x - (link)->omega * (link)->omega * (r).x - (link)->alpha * (r).y, \
+     (a).y =                                                                                     \
+         (link)->acceleration.y - (link)->omega * (link)->omega * (r).y + (link)->alpha * (r).x)
+
+/* Of the centre of mass of a link: its arm r, its velocity k for unit crank speed, its acceleration a. */
+#define FLK_PLACE_MASS(data, link, r, k, a) \
+    (FLK_TURN(r, link, (data)->cg), FLK_UNIT_VELOCITY(k, link, r), FLK_ACCELERATION(a, link, r))
+
+/* Of a load on a link: the arm r of its point, its force F in the frame of link 1, and the velocity k of the
+** point for unit crank speed. */
+#define FLK_PLACE_LOAD(load, link, r, F, k)       \
+    do {                                          \
+        FLK_TURN(r, link, (load)->at);            \
+        (F) = (load)->force;                      \
+        if ((load)->frame == FOURLINK_FRAME_LINK) \
+            FLK_TURN(F, link, (load)->force);     \
+        FLK_UNIT_VELOCITY(k, link, r);            \
+    } while (0)
+
 #endif

@@ -254,12 +254,8 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
         velocity->x = body->velocity.x - body->omega * r.y;
         velocity->y = body->velocity.y + body->omega * r.x;
     }
-    if (acceleration) {
-        double n = body->omega * body->omega;
-
-        acceleration->x = body->acceleration.x - body->alpha * r.y - n * r.x;
-        acceleration->y = body->acceleration.y + body->alpha * r.x - n * r.y;
-    }
+    if (acceleration)
+        FLK_ACCELERATION(*acceleration, body, r);
     return FOURLINK_OK;
 }
 

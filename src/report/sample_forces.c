@@ -14,68 +14,9 @@
 #include "sample_forces.h"
 #include "view/geometry.h"
 
-/* A moving link at this position, in the axes of the ground. */
-typedef struct body {
-    const fourlink_link *data;
-    const fourlink_link_state *now;
-    fourlink_vector G;     /* its centre of mass */
-    fourlink_vector rho;   /* from its origin to G */
-    fourlink_vector a;     /* of G */
-    fourlink_vector v;     /* of G, for a unit crank speed */
-    fourlink_vector force; /* sum of its loads, and their moment about G */
-    double moment;
-    double work; /* of its loads, for a unit crank speed */
-} body;
-
-/* The velocity of a place on a link, for a unit crank speed. */
-static fourlink_vector velocity_of(const fourlink_link_state *link, fourlink_vector place)
-{
-    fourlink_vector v;
-
-    v.x = link->k_origin.x - link->k * (place.y - link->origin.y);
-    v.y = link->k_origin.y + link->k * (place.x - link->origin.x);
-    return v;
-}
-
-static fourlink_vector from(fourlink_vector origin, fourlink_vector point)
-{
-    point.x -= origin.x;
-    point.y -= origin.y;
-    return point;
-}
-
 static double dot(fourlink_vector u, fourlink_vector v)
 {
     return u.x * v.x + u.y * v.y;
-}
-
-static double cross(fourlink_vector u, fourlink_vector v)
-{
-    return u.x * v.y - u.y * v.x;
-}
-
-static body cut_free(const report *r, int link)
-{
-    body b;
-
-    memset(&b, 0, sizeof b);
-    b.data = &r->v.design->link[link];
-    b.now = &r->now.state.link[link];
-    fourlink_point(&r->now.state, link, &b.data->cg, &b.G, NULL, &b.a);
-    b.rho = from(b.now->origin, b.G);
-    b.v = velocity_of(b.now, b.G);
-    return b;
-}
-
-static void add_load(const report *r, body *b, const fourlink_load *load)
-{
-    fourlink_vector at = geometry_of_link(&r->now.state, load->link, &load->at);
-    fourlink_vector force = geometry_force(load, &r->now.state);
-
-    b->force.x += force.x;
-    b->force.y += force.y;
-    b->moment += load->torque + cross(from(b->G, at), force);
-    b->work += dot(force, velocity_of(b->now, at)) + load->torque * b->now->k;
 }
 
 /* ------------------------------------------------------------------------------ accelerations */
@@ -95,14 +36,14 @@ static const char *const of_centre[5][2] = {
     {"aBx - alpha3 * rho3y - omega3 ^2 * rho3x", "aBy + alpha3 * rho3x - omega3 ^2 * rho3y"},
     {"- alpha4 * rho4y - omega4 ^2 * rho4x", "alpha4 * rho4x - omega4 ^2 * rho4y"}};
 
-static void put_centre(report *r, math *m, const body *b, int link)
+static void put_centre(report *r, math *m, const fourlink_body *b, int link)
 {
     page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->v.kind.link[link]);
-    math_given(m, names[link][0], b->rho.x);
-    math_given(m, names[link][1], b->rho.y);
+    math_given(m, names[link][0], b->arm.x);
+    math_given(m, names[link][1], b->arm.y);
     page_print(m->p, "</ul>\n");
-    math_let(m, names[link][2], of_centre[link][0], b->a.x);
-    math_let(m, names[link][3], of_centre[link][1], b->a.y);
+    math_let(m, names[link][2], of_centre[link][0], b->acceleration.x);
+    math_let(m, names[link][3], of_centre[link][1], b->acceleration.y);
 }
 
 /* The acceleration of B, with the crank's length under its name. */
@@ -122,7 +63,7 @@ static void put_crank_pin(report *r, math *m)
              a->y);
 }
 
-static void put_centres(report *r, math *m, const body bodies[5])
+static void put_centres(report *r, math *m, const fourlink_body bodies[5])
 {
     int link;
 
@@ -131,15 +72,15 @@ static void put_centres(report *r, math *m, const body bodies[5])
     math_set(m, "omega4", r->now.state.link[4].omega);
     math_set(m, "alpha4", r->now.state.link[4].alpha);
     for (link = 2; link <= 4; link++) {
-        if (!(bodies[link].data->mass > 0))
+        if (!(r->v.design->link[link].mass > 0))
             continue;
         if (link == 3)
             put_crank_pin(r, m);
         if (link == 4 && r->v.kind.has_stroke)
-            math_let(m, "aG4x", "aC", bodies[4].a.x);
+            math_let(m, "aG4x", "aC", bodies[4].acceleration.x);
         else if (link == 3 && r->v.kind.has_one_branch) { /* it does not turn */
-            math_let(m, "aG3x", "aBx", bodies[3].a.x);
-            math_let(m, "aG3y", "aBy", bodies[3].a.y);
+            math_let(m, "aG3x", "aBx", bodies[3].acceleration.x);
+            math_let(m, "aG3y", "aBy", bodies[3].acceleration.y);
         } else
             put_centre(r, m, &bodies[link], link);
     }
@@ -155,9 +96,8 @@ static void put_side(math *m, const char *link, const char *what, double inertia
              math_settled(m, -weight, of), math_settled(m, -load, of), math_settled(m, b, of));
 }
 
-static void put_sides(report *r, math *m, const body bodies[5], const double b[9])
+static void put_sides(report *r, math *m, const fourlink_body bodies[5], const double b[9])
 {
-    const fourlink_vector *g = &r->v.design->gravity;
     page *p = m->p;
     int link;
 
@@ -170,15 +110,17 @@ static void put_sides(report *r, math *m, const body bodies[5], const double b[9
         p, "facts sides", "What is known of the nine equations",
         "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b (N, N\302\267m)");
     for (link = 2; link <= 4; link++) {
-        const body *x = &bodies[link];
+        const fourlink_body *x = &bodies[link];
+        const fourlink_link *data = &r->v.design->link[link];
         const char *name = r->v.kind.link[link];
-        double mass = x->data->mass;
         const double *side = b + 3 * (link - 2);
 
-        put_side(m, name, "x", mass * x->a.x, mass * g->x, x->force.x, side[0], MATH_N);
-        put_side(m, name, "y", mass * x->a.y, mass * g->y, x->force.y, side[1], MATH_N);
-        put_side(m, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2],
-                 MATH_NM);
+        put_side(m, name, "x", data->mass * x->acceleration.x, x->weight.x, x->force.x, side[0],
+                 MATH_N);
+        put_side(m, name, "y", data->mass * x->acceleration.y, x->weight.y, x->force.y, side[1],
+                 MATH_N);
+        put_side(m, name, "moments", data->inertia * r->now.state.link[link].alpha, 0, x->moment,
+                 side[2], MATH_NM);
     }
     page_table_end(p);
 }
@@ -248,7 +190,7 @@ static void put_works(math *m, const char *name, const double work[3])
 **
 **    Ts = sum (m a_G.v_G + I alpha omega) - sum W.v_G - sum (F.v_P + M omega)
 */
-static void put_virtual_work(report *r, math *m, const body bodies[5])
+static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
 {
     double sum[3] = {0, 0, 0}, work[3];
     page *p = m->p;
@@ -262,10 +204,12 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
                   "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
                   "\342\210\222 loads\302\267v");
     for (link = 2; link <= 4; link++) {
-        const body *b = &bodies[link];
+        const fourlink_body *b = &bodies[link];
+        const fourlink_link *data = &r->v.design->link[link];
+        const fourlink_link_state *now = &r->now.state.link[link];
 
-        work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
-        work[1] = -b->data->mass * dot(r->v.design->gravity, b->v);
+        work[0] = data->mass * dot(b->acceleration, b->k) + data->inertia * now->alpha * now->k;
+        work[1] = -dot(b->weight, b->k);
         work[2] = -b->work;
         put_works(m, r->v.kind.link[link], work);
         for (i = 0; i < 3; i++)
@@ -286,14 +230,9 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
 void sample_put_forces(report *r, math *m)
 {
     double A[9][9], b[9];
-    body bodies[5];
-    unsigned long i;
-    int link;
+    fourlink_body bodies[5];
 
-    for (link = 2; link <= 4; link++)
-        bodies[link] = cut_free(r, link);
-    for (i = 0; i < r->v.problem.n_loads; i++)
-        add_load(r, &bodies[r->loads[i].link], &r->loads[i]);
+    fourlink_bodies(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, bodies);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
     put_centres(r, m, bodies);
     put_sides(r, m, bodies, b);

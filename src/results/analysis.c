@@ -157,21 +157,16 @@ static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
 **
 ** F at the distance h from G has the moment C about it if it passes on the left, looking along F.  There
 ** is no h where a_G = a_O + alpha x r - omega^2 r is only rounding error. */
-static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                                   int i)
+static flk_offset_force inertia_of(const fourlink_link *link, const fourlink_link_state *at,
+                                   const fourlink_vector *a)
 {
-    const fourlink_link *link = &mechanism->design.link[i];
-    const fourlink_link_state *at = &state->link[i];
-    double r = flk_length(link->cg.x, link->cg.y), a_G, terms;
-    fourlink_vector a;
+    double r = flk_length(link->cg.x, link->cg.y), a_G = flk_length(a->x, a->y), terms;
     flk_offset_force F;
 
-    fourlink_point(state, i, &link->cg, NULL, NULL, &a);
-    a_G = flk_length(a.x, a.y);
     terms = flk_length(at->acceleration.x, at->acceleration.y) +
             (fabs(at->alpha) + at->omega * at->omega) * r;
     F.size = link->mass * a_G;
-    F.direction = F.size > 0 ? flk_angle(-a.y + 0.0, -a.x + 0.0) : FLK_UNDEFINED;
+    F.direction = F.size > 0 ? flk_angle(-a->y + 0.0, -a->x + 0.0) : FLK_UNDEFINED;
     F.couple = 0 - link->inertia * at->alpha;
     F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
     return F;
@@ -201,8 +196,10 @@ static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
 {
+    fourlink_body body[5];
     int i;
 
+    fourlink_bodies(mechanism, state, NULL, 0, body);
     find_shaking(state, f, acting, e);
     e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
     e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
@@ -211,7 +208,8 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
     e->F34 = in_axes(f->F34x, f->F34y, &state->link[4]);
     e->F14 = in_axes(f->F14x, f->F14y, &state->link[4]);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        e->inertia[i] = inertia_of(mechanism, state, i);
+        e->inertia[i] =
+            inertia_of(&mechanism->design.link[i], &state->link[i], &body[i].acceleration);
 }
 
 /* The unknowns as forces: couples are divided by a length.  The friction of a guide is one of the loads

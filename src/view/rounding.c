@@ -23,21 +23,21 @@ static double growth_of(const fourlink_state *state)
 /* Pin forces, loads, weights, and mass times acceleration. */
 static double largest_force(const view *v, const fourlink_instant *now, const fourlink_load *loads)
 {
-    const fourlink_vector *g = &v->design->gravity;
     double largest = 0, x[9];
-    fourlink_vector a;
+    fourlink_body body[5];
     unsigned long k;
     int i;
 
     fourlink_unknowns(v->mechanism, &now->forces, x);
     for (i = 0; i < 8; i++)
         flk_scale_take(&largest, x[i]);
+    fourlink_bodies(v->mechanism, &now->state, NULL, 0, body);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        const fourlink_link *link = &v->design->link[i];
+        const fourlink_body *b = &body[i];
 
-        fourlink_point(&now->state, i, &link->cg, NULL, NULL, &a);
-        flk_scale_take(&largest, link->mass * gsl_hypot(a.x, a.y));
-        flk_scale_take(&largest, link->mass * gsl_hypot(g->x, g->y));
+        flk_scale_take(&largest,
+                       v->design->link[i].mass * gsl_hypot(b->acceleration.x, b->acceleration.y));
+        flk_scale_take(&largest, gsl_hypot(b->weight.x, b->weight.y));
     }
     for (k = 0; loads && k < v->problem.n_loads; k++)
         flk_scale_take(&largest, gsl_hypot(loads[k].force.x, loads[k].force.y));

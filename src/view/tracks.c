@@ -203,24 +203,22 @@ static void put_loads(tracks *t, const fourlink_state *state, const fourlink_loa
 /* Put weight, -m a_G and -I alpha of each link. */
 static void put_inertia(tracks *t, const fourlink_state *state)
 {
-    const fourlink_vector *g = &t->v->design->gravity;
-    fourlink_vector a = zero;
+    fourlink_body body[5];
     char name[TRACKS_NAME];
     unsigned long link;
 
+    fourlink_bodies(t->v->mechanism, state, NULL, 0, body);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        const fourlink_link *body = &t->v->design->link[link];
+        const fourlink_link *data = &t->v->design->link[link];
 
-        if (body->mass > 0) {
-            fourlink_point(state, (int)link, &body->cg, NULL, NULL, &a);
-            put(t, tracks_name("W", link, "", name), QUANTITY_FORCE,
-                place_at(body->mass * g->x, body->mass * g->y));
+        if (data->mass > 0) {
+            put(t, tracks_name("W", link, "", name), QUANTITY_FORCE, body[link].weight);
             put(t, tracks_name("I", link, "F", name), QUANTITY_FORCE,
-                place_at(-body->mass * a.x, -body->mass * a.y));
+                place_in(zero, body[link].acceleration, -data->mass, 0));
         }
-        if (body->inertia > 0)
+        if (data->inertia > 0)
             put_number(t, tracks_name("I", link, "T", name), QUANTITY_TORQUE,
-                       -body->inertia * state->link[link].alpha);
+                       -data->inertia * state->link[link].alpha);
     }
 }
 

@@ -993,6 +993,79 @@ static void expected_matrix(const sample *s, double A[9][9])
     A[2][8] = 1;
 }
 
+/* The place of G at a crank angle, from the axes of the link and nothing else. */
+static fourlink_vector centre_at(const sample *s, double theta2, int i)
+{
+    const fourlink_vector *cg = &s->design.link[i].cg;
+    fourlink_state at;
+    fourlink_vector G;
+
+    assert_int_equal(fourlink_position(&s->mechanism, s->branch, theta2, &at), FOURLINK_OK);
+    G.x = at.link[i].origin.x + cg->x * cos(at.link[i].theta) - cg->y * sin(at.link[i].theta);
+    G.y = at.link[i].origin.y + cg->x * sin(at.link[i].theta) + cg->y * cos(at.link[i].theta);
+    return G;
+}
+
+/* Bodies: the motion of G by differences of positions; the right-hand sides of the nine equations, and the
+** power that the driving torque balances. */
+TEST(test_bodies)
+{
+    uint64_t seed = 23;
+    double h = 1e-4, A[9][9], b[9];
+    int n, i;
+
+    for (n = 0; n < 2000; n++) {
+        fourlink_body body[5];
+        double power = 0, size = 0;
+        sample s;
+
+        draw(&seed, n, 0.2, &s);
+        assert_int_equal(fourlink_bodies(&s.mechanism, &s.state, s.load, s.n_loads, body),
+                         FOURLINK_OK);
+        assert_int_equal(fourlink_system(&s.mechanism, &s.state, s.load, s.n_loads, A, b),
+                         FOURLINK_OK);
+        for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+            const fourlink_link *data = &s.design.link[i];
+            const fourlink_link_state *link = &s.state.link[i];
+            const fourlink_body *one = &body[i];
+            double omega2 = s.crank.omega2, m = data->mass, *side = b + 3 * (i - 2);
+            fourlink_vector before = centre_at(&s, s.crank.theta2 - h, i),
+                            now = centre_at(&s, s.crank.theta2, i),
+                            after = centre_at(&s, s.crank.theta2 + h, i);
+            double kx = (after.x - before.x) / (2 * h), ky = (after.y - before.y) / (2 * h);
+            double lx = (after.x - 2 * now.x + before.x) / (h * h),
+                   ly = (after.y - 2 * now.y + before.y) / (h * h);
+            double large = 1 + fabs(kx) + fabs(ky) + fabs(lx) + fabs(ly);
+            double terms[4];
+            int k;
+
+            assert_near(one->arm.x, now.x - link->origin.x, 1e-12);
+            assert_near(one->arm.y, now.y - link->origin.y, 1e-12);
+            assert_near(one->k.x, kx, 2e-5 * large);
+            assert_near(one->k.y, ky, 2e-5 * large);
+            large *= 1 + fabs(s.crank.alpha2) + omega2 * omega2;
+            assert_near(one->acceleration.x, kx * s.crank.alpha2 + lx * omega2 * omega2,
+                        2e-4 * large);
+            assert_near(one->acceleration.y, ky * s.crank.alpha2 + ly * omega2 * omega2,
+                        2e-4 * large);
+            large = 1e-12 * (1 + fabs(side[0]) + fabs(side[1]) + fabs(side[2]) + 500);
+            assert_near(m * one->acceleration.x - one->weight.x - one->force.x, side[0], large);
+            assert_near(m * one->acceleration.y - one->weight.y - one->force.y, side[1], large);
+            assert_near(data->inertia * link->alpha - one->moment, side[2], large);
+            terms[0] = one->weight.x * one->k.x + one->weight.y * one->k.y;
+            terms[1] = -m * (one->acceleration.x * one->k.x + one->acceleration.y * one->k.y);
+            terms[2] = -data->inertia * link->alpha * link->k;
+            terms[3] = one->work;
+            for (k = 0; k < 4; k++) {
+                power += terms[k];
+                size += fabs(terms[k]);
+            }
+        }
+        assert_near(s.forces.Ts_work, -power, 1e-12 * (1 + size));
+        assert_near(s.forces.Ts, -power, 1e-10 * (1 + size));
+    }
+}
+
 TEST(test_system)
 {
     uint64_t seed = 8;
@@ -1102,6 +1175,7 @@ TEST(test_no_allocation)
     assert_true(allocations > before); /* the counter sees what GSL allocates */
     for (n = 0; n < 200; n++) {
         double A[9][9], b[9];
+        fourlink_body body[5];
         sample s;
         int status;
 
@@ -1112,6 +1186,7 @@ TEST(test_no_allocation)
                                    &s.forces);
         status |= fourlink_solve(&s.mechanism, &s.state, s.load, s.n_loads, &s.forces);
         status |= fourlink_system(&s.mechanism, &s.state, s.load, s.n_loads, A, b);
+        status |= fourlink_bodies(&s.mechanism, &s.state, s.load, s.n_loads, body);
         assert_int_equal(allocations, before);
         assert_int_equal(status, FOURLINK_OK);
     }
@@ -1184,7 +1259,7 @@ TEST(test_singular)
 ** Wrong calls
 ** ------------------------------------------------------------------------------------------- */
 
-/* All three functions refuse the loads, and leave their outputs as they were. */
+/* All four functions refuse the loads, and leave their outputs as they were. */
 static void assert_refused(const sample *s, const fourlink_load *loads, unsigned long n_loads,
                            int status)
 {
@@ -1192,11 +1267,13 @@ static void assert_refused(const sample *s, const fourlink_load *loads, unsigned
         fourlink_state state;
         fourlink_forces forces;
         double A[9][9], b[9];
+        fourlink_body body[5];
     } out, pattern;
 
     memset(&out, 0xa5, sizeof out);
     memset(&pattern, 0xa5, sizeof pattern);
     assert_int_equal(fourlink_solve(&s->mechanism, &s->state, loads, n_loads, &out.forces), status);
+    assert_int_equal(fourlink_bodies(&s->mechanism, &s->state, loads, n_loads, out.body), status);
     assert_int_equal(fourlink_system(&s->mechanism, &s->state, loads, n_loads, out.A, out.b),
                      status);
     assert_int_equal(fourlink_analyse(&s->mechanism, s->branch, &s->crank, loads, n_loads,
@@ -1229,6 +1306,7 @@ TEST(test_null)
 {
     uint64_t seed = 12;
     double A[9][9], b[9];
+    fourlink_body body[5];
     sample s;
 
     draw(&seed, 0, 0.1, &s);
@@ -1239,6 +1317,10 @@ TEST(test_null)
     assert_int_equal(fourlink_system(&s.mechanism, NULL, NULL, 0, A, b), FOURLINK_NULL);
     assert_int_equal(fourlink_system(&s.mechanism, &s.state, NULL, 0, NULL, b), FOURLINK_NULL);
     assert_int_equal(fourlink_system(&s.mechanism, &s.state, NULL, 0, A, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_bodies(NULL, &s.state, NULL, 0, body), FOURLINK_NULL);
+    assert_int_equal(fourlink_bodies(&s.mechanism, NULL, NULL, 0, body), FOURLINK_NULL);
+    assert_int_equal(fourlink_bodies(&s.mechanism, &s.state, NULL, 1, body), FOURLINK_NULL);
+    assert_int_equal(fourlink_bodies(&s.mechanism, &s.state, NULL, 0, NULL), FOURLINK_NULL);
 }
 
 /* test_nine_equations ROWS prints the largest residual of so many rows of very unequal links. */
