@@ -12,8 +12,8 @@
 **
 **    F14 = f4 - F34,   F23 = f3 + F34,   F12 = f2 + F23,   Ts = M2 + a e2 x F23
 */
-int flk_dyad_of_bodies(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                       const fourlink_state *state, const flk_body body[3], fourlink_forces *forces)
+static void solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, const flk_body body[3], fourlink_forces *forces)
 {
     const fourlink_vector *e2 = &state->link[2].axis;
     fourlink_vector F34, F23;
@@ -33,7 +33,6 @@ int flk_dyad_of_bodies(const flk_kind *kind, const fourlink_mechanism *mechanism
     forces->F14y = body[2].force.y - F34.y;
     forces->Ts =
         FLK_MOMENT_ABOUT_ORIGIN(&body[0]) + mechanism->design.link[2].length * FLK_CROSS(*e2, F23);
-    return FOURLINK_OK;
 }
 
 void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
@@ -43,12 +42,12 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_body body[3];
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    flk_dyad_of_bodies(kind, mechanism, state, body, forces);
+    solve(kind, mechanism, state, body, forces);
     flk_virtual_work(state, body, forces);
 }
 
 /* The position functions never give a singular state, or axes that are NaN, but a caller may. */
-int flk_dyad_is_singular(const fourlink_state *state)
+static int is_singular(const fourlink_state *state)
 {
     int i;
 
@@ -69,7 +68,7 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
         status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    if (flk_dyad_is_singular(state))
+    if (is_singular(state))
         return FOURLINK_SINGULAR;
     flk_dyad(kind, mechanism, state, loads, n_loads, &result);
     if (!flk_is_finite(&result))
@@ -77,3 +76,22 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
     *forces = result;
     return FOURLINK_OK;
 }
+
+/* ---- for friction, which solves a position several times */
+
+static int factor(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, flk_factors *factors)
+{
+    (void)kind, (void)mechanism, (void)factors;
+    return is_singular(state) ? FOURLINK_SINGULAR : FOURLINK_OK;
+}
+
+static void solve_again(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                        const fourlink_state *state, const flk_factors *factors,
+                        const flk_body body[3], fourlink_forces *forces)
+{
+    (void)factors;
+    solve(kind, mechanism, state, body, forces);
+}
+
+const flk_solver flk_closed_form = {factor, solve_again};

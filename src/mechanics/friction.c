@@ -201,33 +201,32 @@ static void apply_load(const fourlink_load *load, const fourlink_state *state, f
     flk_apply_load(load, &state->link[load->link], &body[load->link - FOURLINK_CRANK]);
 }
 
-/* x0 and S; a status. */
-static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                        const fourlink_state *state, flk_solution *solve,
-                        const fourlink_forces *without, equations *e)
+/* x0 and S. */
+static void find_columns(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                         const fourlink_state *state, const flk_solver *solver,
+                         const flk_factors *factors, const fourlink_forces *without, equations *e)
 {
     fourlink_forces forces;
     flk_body body[3];
     double x[2];
-    int i, k, status = FOURLINK_OK;
+    int i, k;
 
     memset(e->S, 0, sizeof e->S);
     memset(e->matrix, 0, sizeof e->matrix);
     memset(e->phi, 0, sizeof e->phi);
     for (k = 0; k < e->n; k++)
         take_unknowns(&e->joint[k], without, e->x0[k]);
-    for (k = 0; k < e->n_coupled && status == FOURLINK_OK; k++) {
+    for (k = 0; k < e->n_coupled; k++) {
         memset(body, 0, sizeof body);
         for (i = 0; i < e->joint[k].n_loads; i++)
             apply_load(&e->joint[k].load[i], state, body);
-        status = solve(kind, mechanism, state, body, &forces);
+        solver->solve(kind, mechanism, state, factors, body, &forces);
         for (i = 0; i < e->n; i++) {
             take_unknowns(&e->joint[i], &forces, x);
             e->S[i][0][k] = x[0];
             e->S[i][1][k] = x[1];
         }
     }
-    return status;
 }
 
 /* x0 + S y of a joint. */
@@ -537,33 +536,33 @@ static int check_friction(const fourlink_friction *friction)
 static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
                      const fourlink_state *state, const fourlink_state *held,
                      const fourlink_load *loads, unsigned long n_loads,
-                     const fourlink_friction *friction, flk_solution *solve,
+                     const fourlink_friction *friction, const flk_solver *solver,
                      fourlink_forces *forces, fourlink_losses *losses)
 {
     double omega2 = state->link[FOURLINK_CRANK].omega;
     double length = mechanism->design.link[FOURLINK_CRANK].length, Ts0;
     fourlink_forces found;
+    flk_factors factors;
     flk_body body[3];
     equations e;
-    int status;
+    int status = solver->factor(kind, mechanism, state, &factors);
 
-    flk_cut_free(mechanism, state, loads, n_loads, body);
-    status = solve(kind, mechanism, state, body, &found);
     if (status != FOURLINK_OK)
         return status;
+    flk_cut_free(mechanism, state, loads, n_loads, body);
+    solver->solve(kind, mechanism, state, &factors, body, &found);
     Ts0 = found.Ts;
     list_rubbing_joints(kind, mechanism, state, held, friction, &e);
-    status = find_columns(kind, mechanism, state, solve, &found, &e);
-    if (status == FOURLINK_OK)
-        status = find_sizes(&e);
+    find_columns(kind, mechanism, state, solver, &factors, &found, &e);
+    status = find_sizes(&e);
     if (status != FOURLINK_OK)
         return status;
     find_friction_at_A(&e);
     apply(state, &e, body);
-    status = solve(kind, mechanism, state, body, &found);
+    solver->solve(kind, mechanism, state, &factors, body, &found);
     flk_virtual_work(state, body, &found);
-    if (status != FOURLINK_OK || !flk_is_finite(&found))
-        return status != FOURLINK_OK ? status : FOURLINK_BAD_NUMBER;
+    if (!flk_is_finite(&found))
+        return FOURLINK_BAD_NUMBER;
     list_losses(kind, &e, length, omega2, losses);
     losses->Ts0 = Ts0;
     losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(omega2, friction));
@@ -584,11 +583,9 @@ int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state
         status = state && friction && losses ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status == FOURLINK_OK)
         status = check_friction(friction);
-    if (status == FOURLINK_OK && closed_form && flk_dyad_is_singular(state))
-        status = FOURLINK_SINGULAR;
     if (status == FOURLINK_OK)
         status = solve_all(kind, mechanism, state, held, loads, n_loads, friction,
-                           closed_form ? flk_dyad_of_bodies : flk_matrix_of_bodies, forces, losses);
+                           closed_form ? &flk_closed_form : &flk_nine_equations, forces, losses);
     return status;
 }
 

@@ -111,14 +111,32 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 ** assembled. */
 double flk_kind_clamp(double x);
 
-/* Find the nine unknowns from the free bodies, in closed form (closed_form.c) or by GSL (nine_equations.c),
-** without checking them: FOURLINK_OK, FOURLINK_SINGULAR.  The closed form does not test for a singular
-** state. */
-typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                         const fourlink_state *state, const flk_body body[3],
-                         fourlink_forces *forces);
-flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
-int flk_dyad_is_singular(const fourlink_state *state);
+/* A position whose forces are to be found, for any loads: flk_factors is the matrix of the nine equations,
+** factored (nine_equations.c); the closed form has none. */
+#define FLK_BELOW 3 /* the band of the matrix, beside its diagonal */
+#define FLK_ABOVE 2
+#define FLK_BAND (2 * FLK_BELOW + FLK_ABOVE + 1)
+
+typedef struct flk_factors {
+    double A[9 * FLK_BAND];
+    unsigned int pivot[9];
+    double moment[5]; /* factors of the moment equations, by link number */
+} flk_factors;
+
+/* How the nine unknowns are found from the free bodies, without checking them.
+**
+** factor    FOURLINK_OK, FOURLINK_SINGULAR
+** solve     for the bodies of this position, as often as there are loads
+*/
+typedef struct flk_solver {
+    int (*factor)(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, flk_factors *factors);
+    void (*solve)(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, const flk_factors *factors, const flk_body body[3],
+                  fourlink_forces *forces);
+} flk_solver;
+
+extern const flk_solver flk_closed_form, flk_nine_equations;
 
 /* The joint of load i of fourlink_losses, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
 extern const int flk_friction_joint[FOURLINK_FRICTION_LOADS];

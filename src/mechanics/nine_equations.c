@@ -39,20 +39,19 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     return FOURLINK_OK;
 }
 
-/* The arm of a joint from the point about which the moments of a link are taken: its origin or, at the arm of
-** `body`, G.  The pins of a link with a length are at its origin and its tip.  This needs no difference of
+/* The arm of a joint from the point about which the moments of a link are taken: `about`, from its origin.  The pins of a link with a length are at its origin and its tip.  This needs no difference of
 ** positions, which has few digits for a short link behind a long crank. */
 static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
                               const fourlink_state *state, const fourlink_joint *joint, int i,
-                              const flk_body *body)
+                              const fourlink_vector *about)
 {
     const fourlink_link_state *link = &state->link[i], *other = &state->link[joint->at];
     int is_tip = joint->at == i ? joint->is_tip : !joint->slider && kind->has_length[i];
     double length = is_tip ? mechanism->design.link[i].length : 0;
     fourlink_vector rho;
 
-    rho.x = length * link->axis.x - body->arm.x;
-    rho.y = length * link->axis.y - body->arm.y;
+    rho.x = length * link->axis.x - about->x;
+    rho.y = length * link->axis.y - about->y;
     if (joint->at != i && !is_tip) {
         rho.x += other->origin.x - link->origin.x;
         rho.y += other->origin.y - link->origin.y;
@@ -91,13 +90,14 @@ typedef struct scaling {
 **
 ** A slider has F_ij = N n, and also its couple M_ij in the moment equations, in the column before N.
 **
-** The equations are multiplied by `scale`.  The unknown couples are scaled like the moments of the link on
-** which they act: Ts like those of the crank. */
-static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                     const fourlink_state *state, const flk_body body[3], const scaling *scale,
-                     const layout *at, double *A, double b[9])
+** `about` has the points about which moments are taken, from the origins of the links 2, 3, 4.  The equations
+** are multiplied by `scale`.  The unknown couples are scaled like the moments of the link on which they act:
+** Ts like those of the crank. */
+static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                       const fourlink_state *state, const fourlink_vector about[3],
+                       const scaling *scale, const layout *at, double *A)
 {
-    int i, k, side;
+    int k, side;
 
     memset(A, 0, 81 * sizeof A[0]);
     for (k = 0; k < 4; k++) {
@@ -109,7 +109,7 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
             double *x = A + at->row[row], *y = A + at->row[row + 1], *m = A + at->row[row + 2];
             double f = side * scale->force[link], s = side * scale->moment[link];
             fourlink_vector rho =
-                arm_of(kind, mechanism, state, joint, link, &body[link - FOURLINK_CRANK]);
+                arm_of(kind, mechanism, state, joint, link, &about[link - FOURLINK_CRANK]);
 
             if (joint->slider) {
                 fourlink_vector n = normal_of(&state->link[joint->slider]);
@@ -127,11 +127,6 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
         }
     }
     A[at->row[2] + at->column[8]] = 1;
-    for (i = 0; i < 3; i++) {
-        b[3 * i] = scale->force[i + 2] * body[i].force.x;
-        b[3 * i + 1] = scale->force[i + 2] * body[i].force.y;
-        b[3 * i + 2] = scale->moment[i + 2] * body[i].moment;
-    }
 }
 
 /* Solve A x = b.  With the unknowns in the order F14, F34, F23, Ts, F12 and the equations in the order
@@ -148,12 +143,12 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 ** they are not chosen as pivots too early.  Moments are divided by the length of the link or, if it has none,
 ** of the link before it.  Then coefficients are at most 1, and pivots can be compared with a limit.
 */
-#define BELOW 3
-#define ABOVE 2
 #define LATER (1.0 / 32)
-#define WIDTH (2 * BELOW + ABOVE + 1)
-#define COLUMN(j) ((WIDTH - 1) * (j) + BELOW + ABOVE)
+#define COLUMN(j) ((FLK_BAND - 1) * (j) + FLK_BELOW + FLK_ABOVE)
 #define DIAGONAL(j) (COLUMN(j) + (j))
+
+/* Moments are divided by lengths besides. */
+static const scaling banded_scale = {{0, 0, LATER *LATER, LATER, 1}, {0, 0, LATER *LATER, 1, 1}};
 
 #define PLACES(X, x34, y34)                                      \
     {                                                            \
@@ -170,45 +165,57 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
 static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
-static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                 const fourlink_state *state, const flk_body body[3], double x[9])
+static int factor(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, flk_factors *factors)
 {
+    static const fourlink_vector origins[3] = {{0, 0}, {0, 0}, {0, 0}};
     const fourlink_link *link = mechanism->design.link;
-    double A[9 * WIDTH], b[9], ordered[9], length = 0;
-    unsigned int pivot[9];
-    flk_body about[3];
+    double length = 0;
     const layout *at = &banded[kind->joint[2].slider != 0];
-    const int *place = places[kind->joint[2].slider != 0];
-    scaling scale = {{0, 0, LATER * LATER, LATER, 1}, {0, 0, LATER * LATER, 1, 1}};
-    gsl_matrix_view A_view = gsl_matrix_view_array(A, 9, WIDTH);
-    gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
-    gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(pivot, 9);
+    scaling scale = banded_scale;
+    gsl_matrix_view A_view = gsl_matrix_view_array(factors->A, 9, FLK_BAND);
+    gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(factors->pivot, 9);
     int i;
 
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
         length = kind->has_length[i] == FLK_LENGTH ? link[i].length : length;
         scale.moment[i] /= length;
     }
-    for (i = 0; i < 3; i++) {
-        about[i].arm.x = about[i].arm.y = 0;
-        about[i].force = body[i].force;
-        about[i].moment = FLK_MOMENT_ABOUT_ORIGIN(&body[i]);
-    }
-    assemble(kind, mechanism, state, about, &scale, at, A, b);
+    memcpy(factors->moment, scale.moment, sizeof factors->moment);
+    put_joints(kind, mechanism, state, origins, &scale, at, factors->A);
+    gsl_linalg_LU_band_decomp(9, FLK_BELOW, FLK_ABOVE, &A_view.matrix, &pivot_view.vector);
     for (i = 0; i < 9; i++)
-        ordered[at->row[i]] = b[i];
-    gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
-    for (i = 0; i < 9; i++)
-        if (!(fabs(A[DIAGONAL(i)]) > FLK_SINGULAR))
+        if (!(fabs(factors->A[DIAGONAL(i)]) > FLK_SINGULAR))
             return FOURLINK_SINGULAR;
-    gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
+    return FOURLINK_OK;
+}
+
+static void find_unknowns(const flk_kind *kind, const flk_factors *factors, const flk_body body[3],
+                          double x[9])
+{
+    double ordered[9];
+    const layout *at = &banded[kind->joint[2].slider != 0];
+    const int *place = places[kind->joint[2].slider != 0];
+    gsl_matrix_const_view A_view = gsl_matrix_const_view_array(factors->A, 9, FLK_BAND);
+    gsl_vector_uint_const_view pivot_view = gsl_vector_uint_const_view_array(factors->pivot, 9);
+    gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        double scale = banded_scale.force[i + 2];
+
+        ordered[at->row[3 * i]] = scale * body[i].force.x;
+        ordered[at->row[3 * i + 1]] = scale * body[i].force.y;
+        ordered[at->row[3 * i + 2]] = factors->moment[i + 2] * FLK_MOMENT_ABOUT_ORIGIN(&body[i]);
+    }
+    gsl_linalg_LU_band_svx(FLK_BELOW, FLK_ABOVE, &A_view.matrix, &pivot_view.vector,
+                           &x_view.vector);
     for (i = 0; i < 9; i++)
         x[i] = ordered[place[i]];
     for (i = 0; i < 4; i++)
         if (kind->joint[i].slider)
-            x[2 * i] /= scale.moment[kind->joint[i].on];
-    x[8] /= scale.moment[FOURLINK_CRANK];
-    return FOURLINK_OK;
+            x[2 * i] /= factors->moment[kind->joint[i].on];
+    x[8] /= factors->moment[FOURLINK_CRANK];
 }
 
 int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -218,7 +225,8 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     static const scaling none = {{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}};
     const flk_kind *kind;
     flk_body body[3];
-    int status;
+    fourlink_vector centre[3];
+    int i, status;
 
     status = flk_kind_find(mechanism, A, &kind);
     if (status == FOURLINK_OK)
@@ -226,7 +234,13 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    assemble(kind, mechanism, state, body, &none, &dense, A[0], b);
+    for (i = 0; i < 3; i++) {
+        centre[i] = body[i].arm;
+        b[3 * i] = body[i].force.x;
+        b[3 * i + 1] = body[i].force.y;
+        b[3 * i + 2] = body[i].moment;
+    }
+    put_joints(kind, mechanism, state, centre, &none, &dense, A[0]);
     return FOURLINK_OK;
 }
 
@@ -247,22 +261,24 @@ static void list_forces(const flk_kind *kind, const fourlink_state *state, const
         }
 }
 
-int flk_matrix_of_bodies(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                         const fourlink_state *state, const flk_body body[3],
-                         fourlink_forces *forces)
+static void solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                  const fourlink_state *state, const flk_factors *factors, const flk_body body[3],
+                  fourlink_forces *forces)
 {
     double x[9];
-    int status = solve(kind, mechanism, state, body, x);
 
-    if (status == FOURLINK_OK)
-        list_forces(kind, state, x, forces);
-    return status;
+    (void)mechanism;
+    find_unknowns(kind, factors, body, x);
+    list_forces(kind, state, x, forces);
 }
+
+const flk_solver flk_nine_equations = {factor, solve};
 
 int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
     const flk_kind *kind;
+    flk_factors factors;
     flk_body body[3];
     fourlink_forces result;
     int status;
@@ -272,10 +288,11 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
         status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    flk_cut_free(mechanism, state, loads, n_loads, body);
-    status = flk_matrix_of_bodies(kind, mechanism, state, body, &result);
+    status = factor(kind, mechanism, state, &factors);
     if (status != FOURLINK_OK)
         return status;
+    flk_cut_free(mechanism, state, loads, n_loads, body);
+    solve(kind, mechanism, state, &factors, body, &result);
     flk_virtual_work(state, body, &result);
     if (!flk_is_finite(&result))
         return FOURLINK_BAD_NUMBER;
