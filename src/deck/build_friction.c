@@ -82,7 +82,7 @@ void flk_build_friction(parser *p)
     friction->guide_length = length->si[0];
     friction->slot = slot->si[0];
     friction->slot_length = slot_length->si[0];
-    if (p->d->drive.mode == DRIVE_GIVEN)
+    if (p->d->mode.kind == MODE_GIVEN)
         friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
     else /* from rest it starts towards the last row */
         friction->direction = p->d->motion.to < p->d->motion.from ? -1 : 1;

@@ -85,7 +85,7 @@ static void check_mode_of_motion(parser *p, int mode)
                   *mean = flk_setting_find(p, KEY_MOTION_MEAN_SPEED);
     size_t i;
 
-    for (i = 0; mode != DRIVE_GIVEN && i < sizeof of_given / sizeof of_given[0]; i++) {
+    for (i = 0; mode != MODE_GIVEN && i < sizeof of_given / sizeof of_given[0]; i++) {
         const setting *s = flk_setting_find(p, of_given[i]);
 
         if (IS_SET(s))
@@ -93,10 +93,10 @@ static void check_mode_of_motion(parser *p, int mode)
                         flk_key_table[of_given[i]].name,
                         flk_setting_find(p, KEY_MOTION_MODE)->value);
     }
-    if (mode == DRIVE_RUN_UP && speed->si[0] != 0)
+    if (mode == MODE_RUN_UP && speed->si[0] != 0)
         flk_mistake(p->mistakes, speed->place,
                     "a run-up starts from rest: for a motion from this speed, mode = free");
-    if (mode == DRIVE_STEADY && IS_SET(speed))
+    if (mode == MODE_STEADY && IS_SET(speed))
         flk_mistake(p->mistakes, speed->place,
                     "the speed of the steady motion is computed: give a mean_speed with [motor] "
                     "torque = constant, or a motor that has a speed");
@@ -110,18 +110,18 @@ static void check_mode_of_motion(parser *p, int mode)
 }
 
 /* The keys of rows by time, which have their own end of the range. */
-static void build_rows_by_time(parser *p, int mode)
+static void build_rows_by_time(parser *p)
 {
     static const key_code of_angle[] = {KEY_MOTION_TO, KEY_MOTION_TURNS, KEY_MOTION_INTERVAL};
     const setting *rows = flk_setting_find(p, KEY_MOTION_ROWS),
                   *step = flk_setting_find(p, KEY_MOTION_TIME_STEP),
                   *duration = flk_setting_find(p, KEY_MOTION_DURATION);
-    deck_drive *drive = &p->d->drive;
+    deck_mode *mode = &p->d->mode;
     size_t i;
 
-    drive->by_time = rows->word;
-    drive->time_step = step->si[0];
-    drive->duration = duration->si[0];
+    mode->by_time = rows->word;
+    mode->time_step = step->si[0];
+    mode->duration = duration->si[0];
     if (!rows->word) {
         if (IS_SET(step) || IS_SET(duration))
             flk_mistake(p->mistakes, (IS_SET(step) ? step : duration)->place,
@@ -129,7 +129,7 @@ static void build_rows_by_time(parser *p, int mode)
                         IS_SET(step) ? "time_step" : "duration");
         return;
     }
-    if (mode != DRIVE_FREE && mode != DRIVE_RUN_UP)
+    if (mode->kind != MODE_FREE && mode->kind != MODE_RUN_UP)
         flk_mistake(p->mistakes, rows->place, "rows by time need mode = free or run-up");
     if ((!IS_SET(step) || !IS_SET(duration)) && !flk_section_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, rows->place, "rows by time need '%s'",
@@ -160,7 +160,7 @@ static double last_angle(parser *p, double cycle)
                   *turns = flk_setting_find(p, KEY_MOTION_TURNS);
     double from = p->d->motion.from, sense = flk_build_sense(p);
 
-    p->d->drive.turns = turns->si[0];
+    p->d->mode.turns = turns->si[0];
     if (IS_SET(turns) && IS_SET(to))
         flk_mistake(p->mistakes, turns->place, "give either 'to' or 'turns', not both");
     else if (IS_SET(turns) && turns->si[0] == 0 && !flk_section_is_mistaken(p, SECTION_MOTION))
@@ -201,12 +201,12 @@ static text_place place_of_rows(parser *p)
 /* The name of the setting that turns a steady motion against its range; null: none. */
 static const char *against_range(parser *p)
 {
-    const deck_drive *drive = &p->d->drive;
+    const deck_mode *mode = &p->d->mode;
 
-    if (drive->mode != DRIVE_STEADY ||
+    if (mode->kind != MODE_STEADY ||
         (p->d->motion.to - p->d->motion.from) * flk_build_sense(p) >= 0)
         return NULL;
-    if (drive->mean_speed != 0)
+    if (mode->mean_speed != 0)
         return "mean_speed";
     return p->d->machine.motor.kind == FOURLINK_MOTOR_LINEAR ? "motor" : NULL;
 }
@@ -219,7 +219,7 @@ static void check_range(parser *p)
     char count[40] = "";
     int status = fourlink_motion_range(motion, &range);
     int has_too_many = status == FOURLINK_TOO_MANY_ROWS ||
-                       (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time);
+                       (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->mode.by_time);
 
     if (has_too_many && flk_motion_intervals(motion) < FLK_MOTION_MOST)
         flk_message(count, sizeof count, " (%g)", flk_motion_intervals(motion) + 1);
@@ -238,7 +238,7 @@ static void check_range(parser *p)
     else if (status != FOURLINK_OK)
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
                     fourlink_status_text(status));
-    else if (p->d->drive.mode == DRIVE_FREE && (motion->to - motion->from) * motion->speed < 0)
+    else if (p->d->mode.kind == MODE_FREE && (motion->to - motion->from) * motion->speed < 0)
         flk_mistake(p->mistakes, place_of_end(p),
                     "the range runs against the speed at its beginning: swap 'from' and 'to'");
     else if (against_range(p))
@@ -256,9 +256,9 @@ void flk_build_motion(parser *p)
     size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
-    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    check_mode_of_motion(p, p->d->drive.mode);
-    build_rows_by_time(p, p->d->drive.mode);
+    p->d->mode.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    check_mode_of_motion(p, p->d->mode.kind);
+    build_rows_by_time(p);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);

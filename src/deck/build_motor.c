@@ -81,18 +81,18 @@ static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
 /* A motor needs a motion that is not given; a motor that balances needs a cycle and its mean speed. */
 static void check_mode_of_motor(parser *p, const section_use *use, const fourlink_motor *motor)
 {
-    int mode = p->d->drive.mode;
+    int mode = p->d->mode.kind;
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *word = flk_setting_find(p, KEY_MOTION_MODE);
 
-    if (mode == DRIVE_GIVEN && IS_SET(word) && !flk_text_equal(word->value, "given"))
+    if (mode == MODE_GIVEN && IS_SET(word) && !flk_text_equal(word->value, "given"))
         return; /* already reported */
-    if (mode == DRIVE_GIVEN)
+    if (mode == MODE_GIVEN)
         flk_mistake(
             p->mistakes, use->place,
             "the motion is given, so that a motor does nothing: [motion] needs mode = free, "
             "run-up or steady");
-    else if (motor->kind == FOURLINK_MOTOR_BALANCE && mode != DRIVE_STEADY)
+    else if (motor->kind == FOURLINK_MOTOR_BALANCE && mode != MODE_STEADY)
         flk_mistake(p->mistakes, torque->place,
                     "torque = constant balances the loads over a cycle: it needs mode = steady");
     else if (motor->kind == FOURLINK_MOTOR_BALANCE &&
@@ -148,8 +148,8 @@ int flk_build_sense(parser *p)
     double turning = flk_setting_or(p, KEY_MOTION_SPEED, 0);
 
     if (turning == 0)
-        turning = p->d->drive.mode == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
-                                                  : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+        turning = p->d->mode.kind == MODE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
+                                                : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
     if (turning == 0 && (motor->kind != FOURLINK_MOTOR_CURVE || motor->n_curve))
         turning = flk_motor_torque(motor, 0, 0);
     return turning < 0 ? -1 : 1;

@@ -86,17 +86,17 @@ void fourlink_deck_free(fourlink_deck *d)
 
 int flk_deck_range(const deck *d, fourlink_range *range)
 {
-    double n = d->drive.by_time ? ceil(d->drive.duration / d->drive.time_step - 1e-9) : 0;
+    double n = d->mode.by_time ? ceil(d->mode.duration / d->mode.time_step - 1e-9) : 0;
     int status = fourlink_motion_range(&d->motion, range);
 
-    if (status == FOURLINK_OK && d->drive.by_time)
+    if (status == FOURLINK_OK && d->mode.by_time)
         range->n_rows = (unsigned long)n + 1;
     return status;
 }
 
 double flk_deck_time(const deck *d, unsigned long row)
 {
-    return GSL_MIN((double)row * d->drive.time_step, d->drive.duration);
+    return GSL_MIN((double)row * d->mode.time_step, d->mode.duration);
 }
 
 int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
@@ -135,10 +135,10 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->design = d->sweep.design;
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
-    problem->mode = d->drive.mode;
-    problem->by_time = d->drive.by_time;
-    problem->time_step = d->drive.by_time ? d->drive.time_step : 0;
-    problem->duration = d->drive.by_time ? d->drive.duration : 0;
+    problem->mode = d->mode.kind;
+    problem->by_time = d->mode.by_time;
+    problem->time_step = d->mode.by_time ? d->mode.time_step : 0;
+    problem->duration = d->mode.by_time ? d->mode.duration : 0;
     return FOURLINK_OK;
 }
 

@@ -95,25 +95,24 @@ enum { DECIMAL_POINT = 1, DECIMAL_COMMA = 2 };
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
-/* How the speed of the crank is determined. */
 enum {
-    DRIVE_GIVEN = FOURLINK_MODE_GIVEN,   /* as d->motion says */
-    DRIVE_FREE = FOURLINK_MODE_FREE,     /* from motion.speed, with or without a motor */
-    DRIVE_RUN_UP = FOURLINK_MODE_RUN_UP, /* from rest */
-    DRIVE_STEADY = FOURLINK_MODE_STEADY  /* the motion that repeats after d->machine.cycle */
+    MODE_GIVEN = FOURLINK_MODE_GIVEN,   /* as d->motion says */
+    MODE_FREE = FOURLINK_MODE_FREE,     /* from motion.speed, with or without a motor */
+    MODE_RUN_UP = FOURLINK_MODE_RUN_UP, /* from rest */
+    MODE_STEADY = FOURLINK_MODE_STEADY  /* the motion that repeats after d->machine.cycle */
 };
 
-/* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval
+/* How the speed of the crank is found.  With a kind other than MODE_GIVEN, motion.from, to and interval
 ** describe the rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up
 ** and hold are 0. */
-typedef struct deck_drive {
-    int mode;
+typedef struct deck_mode {
+    int kind;
     double mean_speed;          /* rad/s, steady motion with a torque that balances; 0: not given */
     double turns;               /* 1; 0: not given.  motion.to is set from it */
     int by_time;                /* 1: rows by time */
     double time_step, duration; /* s, of rows by time */
     double fluctuation;         /* 1, exact: find the flywheel with this fluctuation; 0: none */
-} deck_drive;
+} deck_mode;
 
 /* A deck; programs that use the library see an opaque fourlink_deck. */
 typedef struct fourlink_deck deck;
@@ -139,7 +138,7 @@ struct fourlink_deck {
     int shows_answers;           /* 1: feedback has the computed values */
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
-    deck_drive drive;
+    deck_mode mode;
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
     struct deck_synthesis *synthesis;    /* its task, and what was found; null: there is none */

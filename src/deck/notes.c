@@ -251,7 +251,7 @@ static void check_run_up(parser *p)
     const fourlink_motor *motor = &machine->motor;
     double turns = flk_setting_or(p, KEY_MOTION_TO, 0) / (2 * M_PI);
 
-    if (p->d->drive.mode != DRIVE_GIVEN && !p->d->drive.by_time && !machine->n_elements &&
+    if (p->d->mode.kind != MODE_GIVEN && !p->d->mode.by_time && !machine->n_elements &&
         !machine->has_friction && motor->kind == FOURLINK_MOTOR_TORQUE && motor->torque != 0 &&
         fabs(flk_setting_or(p, KEY_MOTION_TURNS, turns)) > MANY_TURNS)
         flk_mistake(NOTES(p), flk_setting_find(p, KEY_MOTOR_TORQUE)->place,
@@ -374,8 +374,7 @@ void flk_build_curve_ends(parser *p)
                       *back = flk_setting_of(use, KEY_LOAD_BACK);
         const flk_given_load *given = use->element->data;
 
-        if (over->word <= FLK_THETA4 ||
-            (p->d->drive.mode != DRIVE_GIVEN && FLK_IS_SPEED(over->word)))
+        if (over->word <= FLK_THETA4 || (p->d->mode.kind != MODE_GIVEN && FLK_IS_SPEED(over->word)))
             continue;
         check_ends(p, flk_setting_of(use, KEY_LOAD_FORCE), over, &given->values.force_curve[0]);
         check_ends(p, flk_setting_of(use, KEY_LOAD_TORQUE), over, &given->values.torque_curve);

@@ -34,10 +34,10 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                                    \
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
     YES_WORDS(X, MOTION_HOLD)                                                 \
-    X(MOTION_MODE, "given", DRIVE_GIVEN)                                      \
-    X(MOTION_MODE, "free", DRIVE_FREE)                                        \
-    X(MOTION_MODE, "run-up", DRIVE_RUN_UP)                                    \
-    X(MOTION_MODE, "steady", DRIVE_STEADY)                                    \
+    X(MOTION_MODE, "given", MODE_GIVEN)                                       \
+    X(MOTION_MODE, "free", MODE_FREE)                                         \
+    X(MOTION_MODE, "run-up", MODE_RUN_UP)                                     \
+    X(MOTION_MODE, "steady", MODE_STEADY)                                     \
     X(MOTION_ROWS, "angle", 0)                                                \
     X(MOTION_ROWS, "time", 1)                                                 \
     YES_WORDS(X, FLYWHEEL_EXACT)                                              \

@@ -39,7 +39,7 @@ struct flk_actual {
 /* A run-up, or a free motion. */
 static int run_free(flk_path *p, const deck *d, double length)
 {
-    double speed = d->drive.mode == DRIVE_FREE ? p->equation.sense * d->motion.speed : 0;
+    double speed = d->mode.kind == MODE_FREE ? p->equation.sense * d->motion.speed : 0;
 
     if (speed < 0) {
         p->n = 0;
@@ -81,7 +81,7 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 /* Rows by time: the sense of the motion is that in which the crank starts. */
 static int run_for(flk_path *p, const deck *d)
 {
-    double speed = d->drive.mode == DRIVE_FREE ? d->motion.speed : 0;
+    double speed = d->mode.kind == MODE_FREE ? d->motion.speed : 0;
     flk_actual_row first;
     flk_node node;
 
@@ -91,26 +91,26 @@ static int run_for(flk_path *p, const deck *d)
     p->status = flk_path_row(p, &node, &first);
     if (p->status == FOURLINK_OK && speed == 0 && first.crank.alpha2 < 0)
         p->equation.sense = -1;
-    if (p->status == FOURLINK_OK && d->drive.mode == DRIVE_RUN_UP && first.crank.alpha2 == 0)
+    if (p->status == FOURLINK_OK && d->mode.kind == MODE_RUN_UP && first.crank.alpha2 == 0)
         p->status = FOURLINK_DOES_NOT_START;
-    return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->drive.duration);
+    return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->mode.duration);
 }
 
 static int find_actual(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->d;
 
-    if (d->drive.by_time)
+    if (d->mode.by_time)
         return run_for(p, d);
     if (m->winds)
         p->status = FOURLINK_NO_STEADY;
-    if (d->drive.mode == DRIVE_STEADY && m->winds)
+    if (d->mode.kind == MODE_STEADY && m->winds)
         return 0;
-    if (d->drive.mode == DRIVE_RUN_UP)
+    if (d->mode.kind == MODE_RUN_UP)
         return run_up(m, p, f);
-    if (d->drive.mode == DRIVE_STEADY)
-        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
-                               d->drive.fluctuation);
+    if (d->mode.kind == MODE_STEADY)
+        return flk_steady_find(p, m->cycle, p->equation.sense * d->mode.mean_speed,
+                               d->mode.fluctuation);
     return run_free(p, d, m->length);
 }
 
@@ -126,7 +126,7 @@ static double angle_of(const flk_path *p, double s)
 static unsigned long budget_of(const flk_machine *machine, int mode)
 {
     unsigned long n = machine->n_loads,
-                  most = mode == DRIVE_FREE ? MOST_STEPS : MOST_STEPS_OF_SEARCH,
+                  most = mode == MODE_FREE ? MOST_STEPS : MOST_STEPS_OF_SEARCH,
                   cost = 1 + n / 16 + (machine->has_friction ? 9 + n / 5 : 0);
 
     return most / cost;
@@ -140,7 +140,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
 
     p->equation.branch = branch;
     p->tolerance = TOLERANCE;
-    p->budget = budget_of(&p->equation.machine, m->d->drive.mode);
+    p->budget = budget_of(&p->equation.machine, m->d->mode.kind);
     p->no_memory = 0;
     flk_facts_forget(f);
     found = find_actual(m, p, f);
@@ -210,9 +210,9 @@ double flk_actual_length(flk_actual *m, fourlink_branch branch)
 {
     const on_branch *b = on(m, branch);
 
-    if (m->d->drive.by_time)
+    if (m->d->mode.by_time)
         return flk_path_travel(&b->path);
-    return b->facts.status != FOURLINK_OK && b->path.n > 1 && m->d->drive.mode != DRIVE_STEADY
+    return b->facts.status != FOURLINK_OK && b->path.n > 1 && m->d->mode.kind != MODE_STEADY
                ? flk_path_end(&b->path)->y[FLK_PASSED]
                : m->length;
 }
@@ -226,7 +226,7 @@ double flk_actual_time(flk_actual *m, fourlink_branch branch)
 
 int flk_actual_from_rest(const deck *d)
 {
-    return d->drive.mode == DRIVE_RUN_UP || (d->drive.mode == DRIVE_FREE && d->motion.speed == 0);
+    return d->mode.kind == MODE_RUN_UP || (d->mode.kind == MODE_FREE && d->motion.speed == 0);
 }
 
 int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
@@ -239,12 +239,12 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
     memset(row, 0, sizeof *row);
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
-    if (m->d->drive.by_time)
+    if (m->d->mode.by_time)
         return flk_path_at(p, s, row);
-    if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
+    if (m->d->mode.kind == MODE_STEADY && status == FOURLINK_OK) {
         turns = flk_cycle_count(s, m->cycle);
         s = flk_cycle_place(s, 0, m->cycle);
-    } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
+    } else if (status != FOURLINK_OK && (m->d->mode.kind == MODE_STEADY || p->n == 0 ||
                                          s > flk_path_end(p)->y[FLK_PASSED] * (1 + 1e-14))) {
         return status;
     }
@@ -278,10 +278,10 @@ const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branc
 
     if (!b)
         return NULL;
-    if (!m->d->drive.by_time && !b->is_known && b->facts.status == FOURLINK_OK) {
-        if (m->d->drive.mode == DRIVE_RUN_UP)
+    if (!m->d->mode.by_time && !b->is_known && b->facts.status == FOURLINK_OK) {
+        if (m->d->mode.kind == MODE_RUN_UP)
             flk_facts_of_run_up(&b->path, &b->facts);
-        else if (m->d->drive.mode == DRIVE_STEADY || m->length >= m->cycle * (1 - 1e-12))
+        else if (m->d->mode.kind == MODE_STEADY || m->length >= m->cycle * (1 - 1e-12))
             flk_facts_of_cycle(&b->path, m->cycle, &b->facts);
     }
     b->is_known = 1;

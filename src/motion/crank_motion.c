@@ -22,7 +22,7 @@ static double last_angle(const flk_crank_motion *c)
 {
     fourlink_row last;
 
-    if (c->d->drive.by_time)
+    if (c->d->mode.by_time)
         return c->d->motion.to;
     fourlink_motion_row(&c->d->motion, &c->range, c->range.n_rows - 1, &last);
     return c->range.stops ? c->range.stop_angle : last.angle;
@@ -53,9 +53,9 @@ int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting
     c->corners = flk_corners_open(d);
     c->actual = actual;
     c->is_shared = actual != NULL;
-    if (c->corners && !actual && d->drive.mode != DRIVE_GIVEN)
+    if (c->corners && !actual && d->mode.kind != MODE_GIVEN)
         c->actual = flk_actual_open(d, c->corners, acting, c->end, c->period, c->winds);
-    return c->corners && (c->actual || d->drive.mode == DRIVE_GIVEN) &&
+    return c->corners && (c->actual || d->mode.kind == MODE_GIVEN) &&
            (!d->open || flk_actual_prepare(c->actual, FOURLINK_OPEN) == FOURLINK_OK) &&
            (!d->crossed || flk_actual_prepare(c->actual, FOURLINK_CROSSED) == FOURLINK_OK);
 }
@@ -78,7 +78,7 @@ int flk_crank_motion_repeats(const flk_crank_motion *c)
     const fourlink_motion *motion = &c->d->motion;
 
     if (c->actual)
-        return c->d->drive.mode == DRIVE_STEADY;
+        return c->d->mode.kind == MODE_STEADY;
     return !c->winds && motion->run_up <= 0 && !c->range.stops &&
            (motion->acceleration == 0 || motion->hold);
 }
@@ -103,7 +103,7 @@ int flk_crank_motion_find_angle(const flk_crank_motion *c, double angle, double 
     if (!FLK_WITHIN(angle * motion->angle_unit, ANGLE_MAX))
         return 0;
     *at = angle;
-    if (c->d->drive.by_time)
+    if (c->d->mode.by_time)
         return 1; /* the angles that it reaches depend on the branch */
     if (angle < first - tiny || angle > last + tiny)
         *at = angle - turn * flk_cycle_count(angle + tiny - first, turn);
@@ -122,7 +122,7 @@ double flk_crank_motion_length(const flk_crank_motion *c, fourlink_branch branch
 
 double flk_crank_motion_end(const flk_crank_motion *c, fourlink_branch branch)
 {
-    if (c->d->drive.by_time)
+    if (c->d->mode.by_time)
         return flk_actual_time(c->actual, branch);
     return flk_crank_motion_length(c, branch) < whole_length(c)
                ? flk_actual_facts_of(c->actual, branch)->end_angle
@@ -224,7 +224,7 @@ int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 {
     if (!(piece->to < x->length))
         return 0;
-    if (x->crank_motion->d->drive.by_time)
+    if (x->crank_motion->d->mode.by_time)
         return next_by_time(x->length, piece);
     piece->begin = piece->to > 0 ? piece->end : first_end(x);
     piece->from = piece->to;

@@ -317,7 +317,7 @@ static int has_time(const deck *d)
 {
     const fourlink_motion *motion = &d->motion;
 
-    if (d->drive.mode != DRIVE_GIVEN)
+    if (d->mode.kind != MODE_GIVEN)
         return 1;
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
 }
@@ -329,7 +329,7 @@ static int possible(const deck *d)
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (flk_machine_count(&d->machine, &flk_gas_type) ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES | NEED_RUBBING : 0) |
-                (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0) |
+                (d->mode.kind != MODE_GIVEN ? NEED_ACTUAL : 0) |
                 (d->synthesis && d->synthesis->function.wanted ? NEED_WANTED : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->machine.mechanism, &rod);
@@ -453,7 +453,7 @@ void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, do
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
-    if (a->d->drive.by_time) {
+    if (a->d->mode.by_time) {
         flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
         return;
     }

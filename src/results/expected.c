@@ -321,7 +321,7 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
     else if (e->at_is_time)
         flk_message(c->message, sizeof c->message, "no value at %g s, %s: %s", e->at,
                     fourlink_branch_text((int)e->branch),
-                    !o->d.drive.by_time                ? "the rows are by angle"
+                    !o->d.mode.by_time                 ? "the rows are by angle"
                     : status == FOURLINK_NO_SUCH_ANGLE ? "the motion ends before"
                                                        : fourlink_status_text(status));
     else if (status == FOURLINK_NO_SUCH_ANGLE)

@@ -106,7 +106,7 @@ static const char *meaning_of(const deck *d, fact_code code)
     size_t i;
 
     for (i = 0; i < sizeof meanings_if_free / sizeof meanings_if_free[0]; i++)
-        if (d->drive.mode == DRIVE_FREE && meanings_if_free[i].code == code)
+        if (d->mode.kind == MODE_FREE && meanings_if_free[i].code == code)
             return meanings_if_free[i].meaning;
     return fact_table[code].meaning;
 }
@@ -375,9 +375,9 @@ static int is_of_motion(const deck *d, int i)
 {
     switch (i) {
     case FACT_RUN_UP_TIME:
-        return d->drive.mode == DRIVE_RUN_UP;
+        return d->mode.kind == MODE_RUN_UP;
     case FACT_STEADY_RATE:
-        return d->drive.mode != DRIVE_FREE;
+        return d->mode.kind != MODE_FREE;
     case FACT_MOTOR_TORQUE:
         return d->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
     case FACT_EFFICIENCY_CYCLE:

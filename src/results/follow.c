@@ -48,7 +48,7 @@ void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch)
     f->from = a->d->motion.from;
     f->end = flk_crank_motion_end(crank_motion, branch);
     f->per_rad = (f->end < f->from ? -1 : 1) / a->d->motion.angle_unit;
-    if (a->d->drive.by_time) {
+    if (a->d->mode.by_time) {
         f->from = 0;
         f->per_rad = f->motion.length > 0 ? f->end / f->motion.length : 0;
     }
@@ -119,7 +119,7 @@ double flk_follow_crank(const flk_follower *f, double angle)
 {
     flk_row row;
 
-    if (!f->a->d->drive.by_time)
+    if (!f->a->d->mode.by_time)
         return angle;
     flk_analysis_at_time(f->a, 0, f->branch, angle, &row);
     return row.at.row.angle;
@@ -146,7 +146,7 @@ void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *ro
         return;
     }
     f->a->rows_left -= cost_of_row(f->a);
-    if (f->a->d->drive.by_time)
+    if (f->a->d->mode.by_time)
         flk_analysis_at_time(f->a, needs, f->branch, angle, row);
     else
         flk_analysis_at_angle(f->a, needs, f->branch, angle, row);

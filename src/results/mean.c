@@ -338,8 +338,8 @@ static double excess(double theta2, void *data)
 /* 1 if the crank turns at one speed, or its steady motion has a mean speed. */
 static int has_speed(const deck *d)
 {
-    if (d->drive.mode != DRIVE_GIVEN)
-        return d->drive.mode == DRIVE_STEADY;
+    if (d->mode.kind != MODE_GIVEN)
+        return d->mode.kind == MODE_STEADY;
     return d->motion.speed != 0 && d->motion.acceleration == 0;
 }
 

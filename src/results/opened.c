@@ -128,7 +128,7 @@ int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch bra
 {
     flk_row row;
 
-    if (!(time >= 0 && time <= o->d.drive.duration * (1 + 1e-12)))
+    if (!(time >= 0 && time <= o->d.mode.duration * (1 + 1e-12)))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_time(&o->a, flk_column_need(&n->c), branch, time, &row);
     return value_in_row(o, &n->c, branch, &row, value);
@@ -175,7 +175,7 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
     char statistic[DECK_NAME_SIZE];
     const char *nearest, *meant;
 
-    if (o->d.drive.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
+    if (o->d.mode.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
     if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT || n->kind == FLK_NAME_GIVEN ||
         (n->kind == FLK_NAME_COLUMN && o->d.one_instant))

@@ -27,32 +27,32 @@ TEST(test_modes)
     deck d;
 
     read_accepted(PUMP "speed = 3\n", NULL, &d);
-    assert_int_equal(d.drive.mode, DRIVE_GIVEN);
+    assert_int_equal(d.mode.kind, MODE_GIVEN);
     assert_int_equal(d.machine.motor.kind, FOURLINK_NO_MOTOR);
     flk_deck_free(&d);
     read_accepted(PUMP "mode = given\nturns = 2\nspeed = 3 rad/s\n", NULL, &d);
     assert_near(d.motion.to, 720, 0);
     flk_deck_free(&d);
     read_accepted(PUMP "mode = free\nspeed = -3 rad/s\n", NULL, &d);
-    assert_int_equal(d.drive.mode, DRIVE_FREE);
+    assert_int_equal(d.mode.kind, MODE_FREE);
     assert_near(d.motion.speed, -3, 0);
     assert_near(d.motion.to, -360, 0);
     flk_deck_free(&d);
     read_accepted(RUN_UP "from = 10 deg\nturns = 2.5\n" LINE FLYWHEEL, NULL, &d);
-    assert_int_equal(d.drive.mode, DRIVE_RUN_UP);
+    assert_int_equal(d.mode.kind, MODE_RUN_UP);
     assert_near(d.motion.to, 910, 0);
-    assert_near(d.drive.turns, 2.5, 0);
+    assert_near(d.mode.turns, 2.5, 0);
     assert_near(d.machine.flywheel, 0.5, 0);
     flk_deck_free(&d);
     read_accepted(PUMP "mode = run-up\nrows = time\ntime_step = 10 ms\nduration = 2 s\n" LINE, NULL,
                   &d);
-    assert_int_equal(d.drive.by_time, 1);
-    assert_near(d.drive.time_step, 0.01, 1e-18);
-    assert_near(d.drive.duration, 2, 0);
+    assert_int_equal(d.mode.by_time, 1);
+    assert_near(d.mode.time_step, 0.01, 1e-18);
+    assert_near(d.mode.duration, 2, 0);
     flk_deck_free(&d);
     read_accepted(STEADY "mean_speed = -60 rpm\n[motor]\ntorque = constant\n", NULL, &d);
     assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_BALANCE);
-    assert_close(d.drive.mean_speed, -60 * turn, 1e-15);
+    assert_close(d.mode.mean_speed, -60 * turn, 1e-15);
     assert_near(d.motion.to, -360, 0);
     flk_deck_free(&d);
 }
@@ -141,11 +141,11 @@ TEST(test_exact_flywheel)
     deck d;
 
     read_accepted(STEADY LINE "[flywheel]\nfluctuation = 2 %\nexact = yes\n", NULL, &d);
-    assert_near(d.drive.fluctuation, 0.02, 0);
+    assert_near(d.mode.fluctuation, 0.02, 0);
     assert_near(d.machine.flywheel, 0, 0);
     flk_deck_free(&d);
     read_accepted(PUMP "speed = 3 rad/s\n[flywheel]\nfluctuation = 2 %\n", NULL, &d);
-    assert_near(d.drive.fluctuation, 0, 0);
+    assert_near(d.mode.fluctuation, 0, 0);
     flk_deck_free(&d);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_drive.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a
+** test_modes.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a
 ** fluctuation; against an independent solver.
 */
 #include "machines.h"
