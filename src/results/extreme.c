@@ -290,6 +290,17 @@ static double best_so_far(const sought *k, int which)
                : GSL_MAX_DBL(best, signed_value(which, b->best[which].value));
 }
 
+/* How much the samples bend about sample i; at an end, about the next sample too: of two on both sides of a
+** peak, the difference is nothing. */
+static double bend_of(const sought *k, size_t i, double a, double b)
+{
+    const double *v = k->c->v;
+    size_t last = k->x->n - 1, next = i == 0 ? 1 : i == last ? last - 1 : i;
+    double bend = fabs(2 * v[next] - v[next - 1] - v[next + 1]);
+
+    return GSL_MAX_DBL(bend, 2 * signed_value(k->which, v[i]) - a - b);
+}
+
 /* Refine the peaks of the samples that can be better than the best. */
 static void refine(sought *k, int which)
 {
@@ -303,15 +314,17 @@ static void refine(sought *k, int which)
         double here = signed_value(which, v[i]);
         double before = i > 0 ? signed_value(which, v[i - 1]) : GSL_NAN;
         double behind = i + 1 < x->n ? signed_value(which, v[i + 1]) : GSL_NAN;
-        double a, b;
+        double a, b, bend;
 
         if (before > here || behind > here) /* nearly all samples */
             continue;
         a = gsl_isnan(before) ? behind : before;
         b = gsl_isnan(behind) ? before : behind;
-        if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)) ||
-            !(here + MARGIN * (2 * here - a - b) >= best_so_far(k, which)) ||
-            is_flat(k, here, 2 * here - a - b) || flk_follow_is_over(&x->f))
+        if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)))
+            continue;
+        bend = bend_of(k, i, a, b);
+        if (!(here + MARGIN * bend >= best_so_far(k, which)) || is_flat(k, here, bend) ||
+            flk_follow_is_over(&x->f))
             continue;
         k->near = v[i];
         top = gsl_isnan(before)   ? find_peak_at_end(k, i, i + 1)

@@ -136,8 +136,18 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 
 /* -------------------------------------------------------------------------------------------- samples */
 
-/* The sample at an end of the piece is the row there or, where a load jumps, the row just inside. */
-#define AGREES 1e-6 /* of the column's size: a greater difference is a jump */
+/* The sample at an end of the piece is the row there or, where a load jumps, the row just inside.  There the
+** column changes by more than as far again into the piece, and by more than rounding. */
+#define FASTER 4
+#define AGREES 1e-10 /* of the column's size */
+
+static int jumps_at_end(const flk_sampled *c, double here, double there, double farther)
+{
+    double step = fabs(flk_followed_nearest(&c->of, here, there) - there);
+    double next = fabs(flk_followed_nearest(&c->of, farther, there) - there);
+
+    return step > AGREES * GSL_MAX_DBL(c->size, fabs(there)) && !(step <= FASTER * next);
+}
 
 /* The value just inside an end, where an angle goes on from the end's value, or starts anew. */
 static double inside_of(const flk_sampled *c, double inside, double end)
@@ -150,18 +160,18 @@ static double inside_of(const flk_sampled *c, double inside, double end)
 static void take_end(const flk_samples *x, double s, size_t i)
 {
     flk_piece_end end = s <= 0 ? x->f.piece.begin : x->f.piece.end;
-    double corner = flk_follow_corner(&x->f, s);
-    flk_row at, beside;
+    double corner = flk_follow_corner(&x->f, s), inside = flk_follow_inside(&x->f, s);
+    flk_row at, beside, beyond;
     size_t k;
 
     flk_follow_row(&x->f, x->needs, corner, &at);
-    flk_follow_row(&x->f, x->needs, flk_follow_inside(&x->f, s), &beside);
+    flk_follow_row(&x->f, x->needs, inside, &beside);
+    flk_follow_row(&x->f, x->needs, inside + (inside - corner), &beyond);
     for (k = 0; k < x->n_columns; k++) {
         flk_sampled *c = &x->columns[k];
         double here = value_of(x, c, s, corner, &at), there = value_of(x, c, s, corner, &beside);
-        double size = GSL_MAX_DBL(c->size, fabs(there));
         int jumps = !flk_follow_is_root(end) &&
-                    fabs(flk_followed_nearest(&c->of, here, there) - there) > AGREES * size;
+                    jumps_at_end(c, here, there, value_of(x, c, s, corner, &beyond));
 
         c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !gsl_finite(c->of.bound);
         c->v[i] = c->is_inside[s >= 1] ? inside_of(c, there, here) : here;

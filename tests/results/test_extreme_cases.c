@@ -375,6 +375,41 @@ TEST(test_together)
     fourlink_results_free(together);
 }
 
+/* A column jumps by little close to its peak, which is flat: a torque on the crank, added to Ts, begins or ends
+** there. */
+TEST(test_small_jump)
+{
+    const char *deck = CRANK_ROCKER "speed = 10.5 rad/s\n[table]\ncolumns = Ts\n";
+    const char *load =
+        "[load J]\nlink = crank\ntorque = %.17g N m\nfrom = %.17g deg\nto = %.17g deg\n";
+    fourlink_value peak = extreme(deck, FOURLINK_OPEN, "max(Ts)"), found;
+    fourlink_results *r = opened(deck);
+    uint64_t seed = 7;
+    int i, begins;
+
+    for (i = 0; i < some_of(2000); i++) {
+        double jump = peak.value * pow(10, uniform(&seed, -9, -3));
+        double at = pow(10, uniform(&seed, -5, 0)) * (uniform(&seed, -1, 1) < 0 ? -1 : 1);
+        double right = peak.value + jump, angle = peak.angle;
+
+        begins = uniform(&seed, -1, 1) < 0;
+        at += peak.angle;
+        if (begins == (at > peak.angle)) { /* the peak is outside */
+            double beside = value_at(r, "Ts", at) + jump;
+
+            right = beside > peak.value ? beside : peak.value;
+            angle = beside > peak.value ? at : peak.angle;
+        }
+        found = extreme(
+            print("%s%s", deck, print(load, -jump, begins ? at : at - 60, begins ? at + 60 : at)),
+            FOURLINK_OPEN, "max(Ts)");
+        if (!(fabs(found.value - right) <= 1e-11 * right && fabs(found.angle - angle) <= 1e-3))
+            fail_msg("case %d: max(Ts) is %.17g at %.12g, not %.17g at %.12g", i, found.value,
+                     found.angle, right, angle);
+    }
+    fourlink_results_free(r);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
