@@ -167,12 +167,20 @@ static void search_turn(crossings *k, const flk_sample *a, const flk_sample *b, 
     }
 }
 
-/* How far the column is from the value at sample i, or at the one beyond it; 0 if there is none. */
-static double off_beyond(const crossings *k, size_t i, int direction)
+/* How far the column is from the value on one side of sample i: at the first sample from there that is not
+** too close to the angle `passed`, or at the one beyond it.  Infinite if the piece ends before. */
+#define DISTANCE 0.005 /* rad */
+
+static double off_beyond(const crossings *k, double passed, size_t i, int direction)
 {
-    double off = 0;
+    const flk_piece *p = &k->x.f.piece;
+    double distance = GSL_MIN_DBL(DISTANCE, (p->to - p->from) / 4), off = 0;
     int n;
 
+    while (i < k->x.n && fabs(flk_follow_corner(&k->x.f, k->x.s[i]) - passed) < distance)
+        i += (size_t)direction;
+    if (i >= k->x.n)
+        return GSL_POSINF;
     for (n = 0; n < 2 && i < k->x.n; n++, i += (size_t)direction) {
         double here = fabs(off_of(k, k->c->v[i]));
 
@@ -185,22 +193,19 @@ static double off_beyond(const crossings *k, size_t i, int direction)
 ** since one can lead to a pole; around an end of the piece. */
 static double around_step(const crossings *k, size_t i)
 {
-    return GSL_MIN_DBL(off_beyond(k, i, -1), off_beyond(k, i + 1, 1));
-}
+    double from = flk_follow_corner(&k->x.f, k->x.s[i]);
+    double to = flk_follow_corner(&k->x.f, k->x.s[i + 1]);
+    double off = GSL_MIN_DBL(off_beyond(k, to, i, -1), off_beyond(k, from, i + 1, 1));
 
-#define DISTANCE 0.005 /* rad */
+    return gsl_finite(off) ? off : 0;
+}
 
 static double around_end(const crossings *k, int at_end)
 {
-    const flk_piece *p = &k->x.f.piece;
-    double distance = GSL_MIN_DBL(DISTANCE, (p->to - p->from) / 4);
-    double end = at_end ? p->to : p->from;
-    int direction = at_end ? -1 : 1;
-    size_t i = at_end ? k->x.n - 1 : 0;
+    double off = at_end ? off_beyond(k, k->x.f.piece.to, k->x.n - 1, -1)
+                        : off_beyond(k, k->x.f.piece.from, 0, 1);
 
-    while (i < k->x.n && fabs(flk_follow_corner(&k->x.f, k->x.s[i]) - end) < distance)
-        i += (size_t)direction;
-    return off_beyond(k, i, direction);
+    return gsl_finite(off) ? off : 0;
 }
 
 /* Where samples have no value, since rows are close to rounding error, take that of the row. */

@@ -253,6 +253,35 @@ TEST(test_turns)
     fourlink_results_free(r);
 }
 
+/* Where a column that is alone of its quantity passes 0 just before or behind the place at which each turn begins,
+** it does so in all turns. */
+TEST(test_beside_turns)
+{
+    const char *format =
+        ROCKER "[gravity]\nacceleration = 0\n[motion]\nspeed = 10 rad/s\nfrom = %.17g deg\n"
+               "to = %.17g deg\n[table]\ncolumns = Ts\n";
+    double zeros[MOST], at[MOST], beside, from;
+    char deck[1000];
+    fourlink_results *r;
+    unsigned long n, i, k;
+
+    snprintf(deck, sizeof deck, format, 0.0, 360.0);
+    r = opened(deck);
+    n = crossings(r, "Ts", FOURLINK_OPEN, 0, zeros);
+    fourlink_results_free(r);
+    assert_int_equal(n, 4);
+    for (i = 0; i < 2 * n; i++)
+        for (beside = 1e-5; beside < 1; beside *= 10) {
+            from = zeros[i / 2] + (i % 2 ? beside : -beside);
+            snprintf(deck, sizeof deck, format, from, from + 7225);
+            r = opened(deck);
+            k = crossings(r, "Ts", FOURLINK_OPEN, 0, at);
+            if (k != 20 * n + 1 - i % 2)
+                fail_msg("from %.17g: %lu crossings of 0", from, k);
+            fourlink_results_free(r);
+        }
+}
+
 /* Of a parallelogram the coupler does not turn and the rocker turns with the crank, through both change points, where
 ** rows are rounding error. */
 TEST(test_constant)
