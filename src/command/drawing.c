@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
 #include "convert.h"
@@ -177,9 +178,11 @@ int drawing_report(const input *in)
     shown x;
     output file;
     int status = output_begin(&file, path), written = -1;
+    char why[100];
 
     if (status)
         return status;
+    memset(&outcome, 0, sizeof outcome);
     request.at = in->o->drawing.at;
     request.found = in->found;
     if (open_shown(in, &x)) {
@@ -188,6 +191,10 @@ int drawing_report(const input *in)
     }
     fourlink_results_free(x.own);
     status = output_end(&file, path, written > 0);
+    if (outcome.reason && !memory_has_failed())
+        return command_complain("cannot write", path,
+                                flk_text_join(why, sizeof why, "its temporary file: ",
+                                              strerror(outcome.reason), (char *)NULL));
     if (written < 0)
         return command_lacks_memory("cannot write", path);
     if (!written) {

@@ -212,9 +212,10 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
         put_page(&r);
     outcome->has_failed = r.failed > 0;
     outcome->differs = r.differing > 0;
+    outcome->reason = r.reason;
     plot_deck_close(&r.drawn);
     free(r.loads);
     free(r.row_loads);
     free(r.notes);
-    return memory_has_failed() ? -1 : opened;
+    return memory_has_failed() || r.reason ? -1 : opened;
 }

@@ -34,6 +34,7 @@ typedef struct report {
     fourlink_load *row_loads;        /* room for the loads of a row */
     int has_rows;                    /* 1: there is a row to draw */
     unsigned long failed, differing; /* rows that could not be computed, expected values */
+    int reason;                      /* errno: why its csv is not there, or 0 */
 
     /* the sample calculation */
     fourlink_instant now; /* its status says why there is none */
@@ -48,10 +49,11 @@ typedef struct report {
 typedef struct report_outcome {
     int has_failed; /* 1: rows could not be computed */
     int differs;    /* 1: expected values differ */
+    int reason;     /* errno: a temporary file failed; 0: none did */
 } report_outcome;
 
 /* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the
-** reason why there is none; -1 if out of memory.  The caller checks the stream. */
+** reason why there is none; -1 if out of memory or a temporary file failed.  The caller checks the stream. */
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake);
 

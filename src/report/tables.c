@@ -193,26 +193,46 @@ static text name_of_deck(const report *r)
     return flk_text_cut_last(name, ".", &before, &after) && before.length ? before : name;
 }
 
+/* The rows as csv in a temporary file; null with errno set. */
+static FILE *write_csv(report *r)
+{
+    FILE *csv = system_scratch();
+    int reason;
+
+    if (!csv)
+        return NULL;
+    write_sheet(r, SHEET_ROWS, &csv_format, csv);
+    if (fflush(csv) == 0 && !ferror(csv)) {
+        rewind(csv);
+        return csv;
+    }
+    reason = errno;
+    fclose(csv);
+    errno = reason;
+    return NULL;
+}
+
 /* The rows as csv, and a button that saves them. */
 static void put_csv(report *r)
 {
-    FILE *csv = system_scratch();
+    FILE *csv = write_csv(r);
     text name = name_of_deck(r);
     char part[4096];
     size_t n;
 
     if (!csv) {
+        r->reason = errno;
         memory_note_reason(errno);
         return;
     }
-    write_sheet(r, SHEET_ROWS, &csv_format, csv);
-    rewind(csv);
     page_print(&r->page, "<button type=\"button\" data-save=\"");
     xml_put(r->page.out, name.start, name.length);
     page_print(&r->page, ".csv\" data-from=\"csv-rows\" hidden=\"hidden\">Save the tables as CSV"
                          "</button>\n<pre id=\"csv-rows\" hidden=\"hidden\">");
     while ((n = fread(part, 1, sizeof part, csv)) > 0)
         xml_put(r->page.out, part, n);
+    if (ferror(csv))
+        r->reason = errno;
     page_print(&r->page, "</pre>\n");
     fclose(csv);
 }

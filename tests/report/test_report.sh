@@ -144,6 +144,24 @@ fi
 )
 check 'a file that cannot grow' test $? -eq 3
 same o/r.html old
+# nor is there one without its csv, for which it has a temporary file: one that cannot be made, one that cannot grow
+(
+    ulimit -n 4
+    exec "$fourlink" --report=o/r.html "$engine"
+) 2>err 3>&- 4>&- 5>&- 6>&-
+check 'no more files' test $? -eq 3
+says 'cannot write o/r.html: its temporary file: '
+same o/r.html old
+mkfifo pipe.html
+cat pipe.html >shown.html &
+(
+    trap '' XFSZ
+    ulimit -f 8
+    exec "$fourlink" --report=pipe.html --interval='1 deg' "$engine" 2>err
+)
+check 'a temporary file that cannot grow' test $? -eq 3
+wait
+says 'its temporary file: File too large'
 run 2 --report=o/r.html --plot-at=x "$engine"
 same o/r.html old
 only_file o r.html
