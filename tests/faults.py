@@ -5,6 +5,7 @@
 #
 #   faults.py put TREE N SEED LIST [FOLDER...]   put N faults into the sources of TREE, or of these folders of src/, all at
 #                                           once, each behind a switch, and list them
+#   faults.py again TREE OUT LIST [FOLDER...]   put those in again that survived in an earlier run
 #   faults.py run BUILD LIST OUT [CONFIG]   run, for each fault, the tests that reach it, until one fails
 #   faults.py table TREE OUT KNOWN          the table by folder, and the survivors that have no reason in KNOWN
 #
@@ -252,22 +253,33 @@ def choose(finders, n, chance):
     return chosen
 
 
-def put(tree, n, seed, listing, *only):
+def finders_of(tree, chance, wanted):
+    """The candidates of each source file of TREE that is wanted; TREE gets what switches them."""
     import clang.cindex as clang
 
-    tree, chance = pathlib.Path(tree).resolve(), random.Random(seed)
     (tree / 'src/base/fault.h').write_text(SWITCH_H)
     (tree / 'src/base/fault.c').write_text(SWITCH_C)
     names = sorted(str(p.relative_to(tree)) for p in tree.glob('src/*/*.c')
-                   if not re.search('_windows|assets|base/fault', p.name + str(p)) and (not only or p.parent.name in only))
+                   if not re.search('_windows|assets|base/fault', p.name + str(p)))
     index = clang.Index.create()
-    finders = [Finder(clang, index, tree, name, chance) for name in names]
+    return [Finder(clang, index, tree, name, chance) for name in names if wanted(name)]
+
+
+def write(finders, final, listing):
+    for f in finders:
+        text, _ = guarded(f.source, [item for item in final if item[1].file == f.name])
+        pathlib.Path(f.path).write_bytes(text)
+    json.dump([dict(c._asdict(), number=number) for number, c in sorted(final)], open(listing, 'w'), indent=1)
+
+
+def put(tree, n, seed, listing, *only):
+    tree, chance = pathlib.Path(tree).resolve(), random.Random(seed)
+    finders = finders_of(tree, chance, lambda name: not only or name.split('/')[1] in only)
     # twice as many as asked, for those that do not compile
     chosen = list(enumerate(choose(finders, n * 2, chance)))
     kept, share = [], collections.Counter()
     for f in finders:
         text, bad = compiling(f, [item for item in chosen if item[1].file == f.name])
-        f.bad = bad
         kept += [item for item in chosen if item[1].file == f.name and item[0] not in bad]
     chance.shuffle(kept)
     folders = sorted({f.name.split('/')[1] for f in finders})
@@ -278,12 +290,30 @@ def put(tree, n, seed, listing, *only):
         if share[folder] < most and len(final) < n:
             share[folder] += 1
             final.append((number, c))
-    for f in finders:
-        text, _ = guarded(f.source, [item for item in final if item[1].file == f.name])
-        pathlib.Path(f.path).write_bytes(text)
-    json.dump([dict(c._asdict(), number=number) for number, c in sorted(final)], open(listing, 'w'), indent=1)
+    write(finders, final, listing)
     print('candidates: %d; faults put in: %d, in %d folders' %
           (sum(len(f.found) for f in finders), len(final), len(folders)))
+
+
+def again(tree, out, listing, *only):
+    """Put those of an earlier run in again that survived, where the sources have them now."""
+    tree, final = pathlib.Path(tree).resolve(), []
+    old = [f for f in json.load(open(out)) if 'by' not in f and (not only or f['file'].split('/')[1] in only)]
+    finders = finders_of(tree, random.Random(0), lambda name: any(f['file'] == name for f in old))
+    for finder in finders:
+        for f in (f for f in old if f['file'] == finder.name):
+            there = sorted((c for c in finder.found if (c.sort, c.right) == (f['sort'], f['right'])),
+                           key=lambda c: (abs(c.line - f['line']), abs(c.start - f['start'])))
+            for c in there:
+                item = f['number'], c._replace(faulty=f['faulty'])
+                beside = [d for _, d in final if d.file == c.file]
+                if all(c.end <= d.start or d.end <= c.start for d in beside) and not compiling(finder, [item])[1]:
+                    final.append(item)
+                    break
+            else:
+                print('gone: %s:%d: %s' % (f['file'], f['line'], f['right']))
+    write(finders, final, listing)
+    print('faults put in again: %d' % len(final))
 
 
 # ------------------------------------------------------------------------------------------ tests
@@ -423,6 +453,8 @@ if __name__ == '__main__':
     command, arguments = sys.argv[1], sys.argv[2:]
     if command == 'put':
         put(arguments[0], int(arguments[1]), *arguments[2:])
+    elif command == 'again':
+        again(*arguments)
     elif command == 'run':
         run(*arguments)
     elif command == 'table':

@@ -277,12 +277,14 @@ class Deck:
         return math.sqrt((self.length(2) + self.length(3)) ** 2 - e * e)
 
     def nearest(self):
-        """How near to A, along x, the piston comes: rod and crank in one line, folded.  A crank that does not turn fully
-        has no such position; then the guide is as long as without an offset."""
+        """How near to A, along x, the piston comes: rod and crank in one line, folded; or the rod is across the stroke;
+        through a change point to the other side."""
         r, l, e = self.length(2), self.length(3), self.number('ground.offset')
         if self.yoke:
             return e / math.tan(self.slot_angle()) - r / math.sin(self.slot_angle())
-        return math.sqrt((l - r) ** 2 - e * e) if l - r >= abs(e) else self.dead_centre() - 2 * r
+        if self.has_change_point():
+            return -self.dead_centre()
+        return math.sqrt((l - r) ** 2 - e * e) if l - r >= abs(e) else -math.sqrt(r * r - (l - abs(e)) ** 2)
 
     def slide_range(self, side):
         """The smallest and the largest coordinate of B along the slide."""

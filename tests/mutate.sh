@@ -6,6 +6,8 @@
 # is the commit's, unless given.  Then it runs, for each fault, the tests that reach it, first those of ctest, and with
 # LONG=1 the long trials too.  faults.py says how.
 #
+# With SURVIVORS=FILE, out.json of an earlier run's folder, it puts in again those that survived in it.
+#
 # Prints the faults, those without effect left out, and a table by folder.  Survivors are expected to stand in faults.txt,
 # with a reason each.  Fails if one has none.  FOLDER keeps the work.  For Debian, with what the build needs, Ninja and
 # python3-clang.
@@ -29,8 +31,12 @@ cd "$source"
 rm -rf "$work/tree"
 mkdir -p "$work/tree"
 git ls-files -z | xargs -0 cp --parents -t "$work/tree"
-echo "seed $seed"
-faults put "$work/tree" "$n" "$seed" "$work/list.json" "$@"
+if [ "${SURVIVORS-}" ]; then
+    faults again "$work/tree" "$SURVIVORS" "$work/list.json" "$@"
+else
+    echo "seed $seed"
+    faults put "$work/tree" "$n" "$seed" "$work/list.json" "$@"
+fi
 {
     cmake -S "$work/tree" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS='-O1 -w' \
         -DFOURLINK_STANDARD=gnu11 && cmake --build "$work/build"

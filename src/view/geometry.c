@@ -22,16 +22,16 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
     return geometry_of_link(state, link, &at);
 }
 
-/* Rod and crank are in one line, x^2 + e^2 = (l - r)^2; a crank that does not turn fully has no such
-** position. */
-static double outer_end(const fourlink_mechanism *mechanism)
+/* Rod and crank are in one line,  x^2 + e^2 = (l - r)^2;  of a crank that does not turn fully the rod is across
+** the stroke,  x^2 + (l - |e|)^2 = r^2.  At a change point the piston goes on to the other side. */
+static double outer_end(const fourlink_mechanism *m)
 {
-    const fourlink_design *d = &mechanism->design;
-    double difference = d->link[FOURLINK_COUPLER].length - d->link[FOURLINK_CRANK].length;
+    double r = m->design.link[FOURLINK_CRANK].length, l = m->design.link[FOURLINK_COUPLER].length;
+    double e = fabs(m->design.offset);
 
-    return difference >= fabs(d->offset)
-               ? sqrt((difference - d->offset) * (difference + d->offset))
-               : mechanism->dead_centre - 2 * d->link[FOURLINK_CRANK].length;
+    if (m->change_stretched || m->change_folded)
+        return -m->dead_centre;
+    return l - r > e ? sqrt((l - r - e) * (l - r + e)) : -sqrt((r - l + e) * (r + l - e));
 }
 
 void geometry_find_guide(const view *v, fourlink_branch branch, double *near, double *far)

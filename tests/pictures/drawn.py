@@ -141,7 +141,7 @@ def check_guide(panel, deck, position, half, size):
         ends = sorted((line.start.real, line.end.real))
         checks.near('first end of the guide', ends[0], near if side > 0 else -far, size)
         checks.near('last end of the guide', ends[1], far if side > 0 else -near, size)
-        checks.that(ends[0] < position.C.real - half < position.C.real + half < ends[1] or deck.has_change_point(),
+        checks.that(ends[0] < position.C.real - half < position.C.real + half < ends[1],
                     'the piston is in its guide', ends, position.C.real, half)
     checks.near('the piston is between the lines', (lines[0].start + lines[1].start).imag / 2, e.imag, size)
 

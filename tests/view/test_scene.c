@@ -1,0 +1,727 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_scene.c - what is drawn of random machines: velocities and accelerations are the derivatives of places, polygons
+** close, each link is in equilibrium, ways of sliders and levers have room for all positions.
+**
+** Derivatives are differences over a short time, by positions of the same motion before and after.
+*/
+#include "check.h"
+#include "random_machine.h"
+#include "view/geometry.h"
+#include "view/scene.h"
+
+#define STEP 1e-4 /* of a radian */
+#define CLOSE \
+    2e-6 /* of the largest in a comparison: differences have an error of STEP^2 and rounding / STEP */
+
+static view shown;
+static fourlink_results *results;
+
+/* ------------------------------------------------------------------------------------------ machines */
+
+static const char *any_body(int without)
+{
+    int i = one_of(without < 0 ? 3 : 4);
+
+    return i == 3 ? "ground" : machine_links[machine][i];
+}
+
+/* A spring, a damper or both from one link to another, or to the ground. */
+static void write_any_spring(int i)
+{
+    const char *link = any_body(-1), *to;
+
+    do
+        to = any_body(0);
+    while (strcmp(link, to) == 0);
+    write("[spring S%d]\nlink = %s\nto = %s\nat = (%.6g, %.6g) mm\nto_at = (%.6g, %.6g) mm\n", i,
+          link, to, between(-20, 60), between(-30, 30), between(90, 250), between(-90, 250));
+    if (seldom(0.7))
+        write("stiffness = %.6g N/m\nfree_length = %.6g mm\n", between(100, 3000),
+              between(50, 200));
+    else
+        write("damping = %.6g N s/m\n", between(1, 20));
+}
+
+static void write_any_load(int i, const char *link)
+{
+    write("[load L%d]\nlink = %s\n", i, link);
+    if (seldom(0.3))
+        write("frame = link\n");
+    if (slides_only(link))
+        write("force = (%.6g, %.6g) N\nat = (%.6g, %.6g) mm\n", between(-300, 300),
+              between(-300, 300), between(-80, 80), 0.0);
+    else
+        write_load(link);
+}
+
+/* A machine with points, loads, springs, friction, a slanted ground, gravity in any direction, run either way. */
+static void make_scene(long number)
+{
+    int i;
+
+    choose_machine(number);
+    write_machine();
+    for (i = one_of(3); i > 0; i--)
+        write("[point P%d]\nlink = %s\nat = (%.6g, %.6g) mm\n", i, any_body(-1), between(-60, 160),
+              seldom(0.5) ? 0 : between(-60, 60));
+    for (i = one_of(4); i > 0; i--)
+        write_any_load(i, machine_links[machine][one_of(3)]);
+    for (i = one_of(3); i > 0; i--)
+        write_any_spring(i);
+    if (seldom(0.3))
+        write_friction();
+    write("[gravity]\nacceleration = 9.81 m/s2\ndirection = %.6g deg\n", between(-180, 180));
+    write("[motion]\nspeed = %.6g rad/s\n", between(-30, 30));
+    write("acceleration = %.6g rad/s2\nhold = yes\ninterval = 30 deg\n", between(-300, 300));
+}
+
+static void open_text(void)
+{
+    fourlink_source source;
+    fourlink_mistake mistake;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck_text;
+    source.length = length;
+    if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
+        fail_msg("line %ld: %s\n%s", mistake.line, mistake.message, deck_text);
+    view_take(&shown, results);
+}
+
+static void open_scene(long number)
+{
+    make_scene(number);
+    open_text();
+}
+
+/* ------------------------------------------------------------------------------------- derivatives */
+
+enum { BEFORE, NOW, AFTER };
+static tracks around[3];
+static double step; /* s */
+
+/* The numbers of an instant, and just before and after it. */
+static void find_around(const fourlink_instant *now)
+{
+    const fourlink_crank *crank = &now->row.crank;
+    int has_forces = shown.problem.has_forces, i;
+    fourlink_instant at = *now;
+
+    step = STEP / fmax(fabs(crank->omega2), sqrt(fabs(crank->alpha2)));
+    shown.problem.has_forces = 0;
+    for (i = BEFORE; i <= AFTER; i++) {
+        double t = (i - NOW) * step, w = crank->omega2 + crank->alpha2 * t;
+
+        at.row.crank.theta2 = crank->theta2 + (crank->omega2 + crank->alpha2 * t / 2) * t;
+        at.status =
+            fourlink_position(shown.mechanism, now->state.branch, at.row.crank.theta2, &at.state);
+        if (at.status == FOURLINK_OK)
+            at.status = fourlink_velocity(shown.mechanism, w, &at.state);
+        if (at.status == FOURLINK_OK)
+            at.status = fourlink_acceleration(shown.mechanism, crank->alpha2, &at.state);
+        assert_int_equal(at.status, FOURLINK_OK);
+        tracks_find(&around[i], &shown, &at, NULL);
+    }
+    shown.problem.has_forces = has_forces;
+}
+
+static fourlink_vector get(const tracks *t, const char *name)
+{
+    if (!tracks_get(t, name))
+        fail_msg("no %s in\n%s", name, deck_text);
+    return tracks_get(t, name)->v;
+}
+
+static fourlink_vector at_now(const char *name)
+{
+    return get(&around[NOW], name);
+}
+
+static fourlink_vector minus(fourlink_vector p, fourlink_vector q)
+{
+    return place_beside(p, -q.x, -q.y);
+}
+
+static fourlink_vector plus(fourlink_vector p, fourlink_vector q)
+{
+    return place_beside(p, q.x, q.y);
+}
+
+static double size_of(fourlink_vector p)
+{
+    return hypot(p.x, p.y);
+}
+
+static double dot(fourlink_vector p, fourlink_vector q)
+{
+    return p.x * q.x + p.y * q.y;
+}
+
+static double cross(fourlink_vector p, fourlink_vector q)
+{
+    return p.x * q.y - p.y * q.x;
+}
+
+/* d/dt of a track */
+static fourlink_vector rate(const char *name)
+{
+    fourlink_vector d = minus(get(&around[AFTER], name), get(&around[BEFORE], name));
+
+    return place_at(d.x / (2 * step), d.y / (2 * step));
+}
+
+static void same(const char *what, fourlink_vector p, fourlink_vector q, double size)
+{
+    if (!(size_of(minus(p, q)) <= CLOSE * size))
+        fail_msg("%s: (%.9g, %.9g), not (%.9g, %.9g), of %.3g\n%s", what, p.x, p.y, q.x, q.y, size,
+                 deck_text);
+}
+
+/* As a number times 1. */
+static void none(const char *what, double x, double size)
+{
+    same(what, place_at(x, 0), place_at(0, 0), size);
+}
+
+/* vX is the rate of X, aX that of vX. */
+static void check_point(const char *name, double v, double a)
+{
+    char speed[TRACKS_NAME + 1], acceleration[TRACKS_NAME + 1];
+
+    snprintf(speed, sizeof speed, "v%s", name);
+    snprintf(acceleration, sizeof acceleration, "a%s", name);
+    same(speed, at_now(speed), rate(name), v);
+    if (tracks_get(&around[NOW], acceleration))
+        same(acceleration, at_now(acceleration), rate(speed), a);
+}
+
+/* A normal and a tangential part: against the arm and across it; they are omega^2 r and alpha r of it, and `whole` is their
+** sum. */
+static void check_parts(const char *normal, const char *tangential, fourlink_vector arm,
+                        fourlink_vector whole, double a)
+{
+    fourlink_vector n = at_now(normal), t = at_now(tangential);
+
+    none(normal, cross(n, arm), a * size_of(arm));
+    assert_true(dot(n, arm) <= 0);
+    none(tangential, dot(t, arm), a * size_of(arm));
+    same("sum of normal and tangential", plus(n, t), whole, a);
+}
+
+/* The angular velocity of the lever, from its ends; 0 for a yoke. */
+static double turning_of_lever(void)
+{
+    fourlink_vector ends = minus(at_now("E2"), at_now("E1")), rates = minus(rate("E2"), rate("E1"));
+
+    return size_of(ends) > 1e-9 ? cross(ends, rates) / dot(ends, ends) : 0;
+}
+
+static void check_slot(const fourlink_instant *now, double v, double a)
+{
+    fourlink_vector B = at_now("B"), vS = at_now("vS"), sum;
+    double omega = now->state.link[4].omega;
+
+    same("vB = vB4 + vS", plus(at_now("vB4"), vS), at_now("vB"), v);
+    none("vS across the slide", cross(vS, now->state.link[3].axis), v);
+    if (shown.kind.has_stroke) {
+        same("vB4", at_now("vB4"), rate("C"), v);
+        same("aB4", at_now("aB4"), rate("vB4"), a); /* it does not turn */
+        sum = plus(at_now("aB4"), at_now("aS"));
+    } else {
+        fourlink_vector r = minus(B, at_now("D"));
+
+        if (shown.lever_high - shown.lever_low > 1e-3)
+            none("turning of the lever", turning_of_lever() - omega, fabs(omega) + v / size_of(r));
+        same("vB4", at_now("vB4"), place_at(-omega * r.y, omega * r.x), v);
+        same("aK", at_now("aK"), place_at(-2 * omega * vS.y, 2 * omega * vS.x), a);
+        none("aB4n", cross(at_now("aB4n"), r), a * size_of(r));
+        assert_true(dot(at_now("aB4n"), r) <= 0);
+        none("aB4t", dot(at_now("aB4t"), r), a * size_of(r));
+        same("aB4n", at_now("aB4n"), place_at(-omega * omega * r.x, -omega * omega * r.y), a);
+        sum = plus(plus(at_now("aB4n"), at_now("aB4t")), plus(at_now("aK"), at_now("aS")));
+    }
+    none("aS across the slide", cross(at_now("aS"), now->state.link[3].axis), a);
+    same("aB", sum, rate("vB"), a);
+}
+
+static void check_rod(double v, double a)
+{
+    fourlink_vector B = at_now("B"), C = at_now("C");
+
+    check_point("C", v, a);
+    same("vCB", at_now("vCB"), minus(rate("C"), rate("B")), v);
+    check_parts("aCBn", "aCBt", minus(C, B), rate("vCB"), a);
+    if (shown.kind.has_stroke)
+        assert_non_null(tracks_get(&around[NOW], "aC"));
+    else
+        check_parts("aCn", "aCt", minus(C, at_now("D")), rate("vC"), a);
+}
+
+/* The largest track of a quantity: what differences are compared with. */
+static double largest(quantity q)
+{
+    const tracks *t = &around[NOW];
+    double most = 0;
+    int i;
+
+    for (i = 0; i < t->n; i++)
+        if (t->list[i].q == q)
+            most = fmax(most, size_of(t->list[i].v));
+    return most;
+}
+
+static void check_motion(const fourlink_instant *now)
+{
+    double v, a;
+    int i;
+
+    find_around(now);
+    v = largest(QUANTITY_SPEED);
+    a = largest(QUANTITY_ACCELERATION);
+    same("A", at_now("A"), place_at(0, 0), 0);
+    check_point("B", v, a);
+    check_parts("aBn", "aBt", minus(at_now("B"), at_now("A")), rate("vB"), a);
+    if (shown.kind.has_slot)
+        check_slot(now, v, a);
+    else
+        check_rod(v, a);
+    for (i = 0; i < around[NOW].n; i++)
+        if (strchr("GP", around[NOW].list[i].name[0]))
+            check_point(around[NOW].list[i].name, v, a);
+}
+
+/* ------------------------------------------------------------------------------------------ polygons */
+
+enum { CORNERS = 8 };
+
+/* Each corner is at one place, however it is reached; the sides of a rod's acceleration that are not of this mechanism
+** have no track. */
+static void check_polygon(const scene_polygon *p)
+{
+    const char *names[CORNERS];
+    fourlink_vector places[CORNERS];
+    const scene_side *side;
+    int n = 1, i, from, to;
+
+    names[0] = p->sides->from;
+    places[0] = place_at(0, 0);
+    for (side = p->sides; side->name; side++) {
+        fourlink_vector end;
+
+        if (!tracks_get(&around[NOW], side->of))
+            continue;
+        assert_int_equal(tracks_get(&around[NOW], side->of)->q, p->q);
+        for (from = to = -1, i = 0; i < n; i++) {
+            from = strcmp(names[i], side->from) == 0 ? i : from;
+            to = strcmp(names[i], side->to) == 0 ? i : to;
+        }
+        assert_true(from >= 0);
+        end = plus(places[from], at_now(side->of));
+        if (to >= 0) {
+            same(p->title, places[to], end, largest(p->q));
+        } else {
+            assert_true(n < CORNERS);
+            names[n] = side->to;
+            places[n++] = end;
+        }
+    }
+    assert_true(n >= 3);
+}
+
+/* --------------------------------------------------------------------------------------- equilibrium */
+
+/* The forces on a link, weight and -m a among them, and their moments about A are in equilibrium. */
+static void check_equilibrium(const scene *s, const tracks *t)
+{
+    double force = 0, arm = 0, moment, torque = 0;
+    fourlink_vector sum;
+    int link, i;
+
+    for (i = 0; i < t->n; i++) {
+        force = fmax(force, t->list[i].q == QUANTITY_FORCE ? size_of(t->list[i].v) : 0);
+        torque = fmax(torque, t->list[i].q == QUANTITY_TORQUE ? fabs(t->list[i].v.x) : 0);
+        arm = fmax(arm, t->list[i].q == QUANTITY_LENGTH ? size_of(t->list[i].v) : 0);
+    }
+    for (link = 2; link <= 4; link++) {
+        sum = place_at(0, 0);
+        moment = 0;
+        for (i = 0; i < s->n_forces; i++)
+            if (s->forces[i].on == link) {
+                const scene_force *f = &s->forces[i];
+                fourlink_vector F = get(t, f->of);
+
+                F = place_at(f->sign * F.x, f->sign * F.y);
+                sum = plus(sum, F);
+                moment += cross(get(t, f->at), F);
+            }
+        for (i = 0; i < s->n_torques; i++)
+            if (s->torques[i].on == link) {
+                const scene_force *f = &s->torques[i];
+
+                if (!tracks_get(t, f->of)->is_number)
+                    fail_msg("%s is no number", f->of);
+                moment += f->sign * get(t, f->of).x;
+                if (f->load != FOURLINK_LOAD_FRICTION) /* which is drawn as circles */
+                    get(t, f->at);
+            }
+        same("forces on a link", sum, place_at(0, 0), force * 1e-3);
+        none("moments on a link", moment, (torque + arm * force) * 1e-3);
+    }
+}
+
+/* -------------------------------------------------------------------------------------------- places */
+
+/* A slotted lever reaches to each of its points, and of a yoke along its guide, and no farther. */
+static double lever_low, lever_high;
+
+static void reach(const fourlink_vector *at)
+{
+    if (at->y != 0 && !shown.kind.has_stroke)
+        return;
+    lever_low = fmin(lever_low, at->x);
+    lever_high = fmax(lever_high, at->x);
+}
+
+static void check_lever(const tracks *t, const fourlink_load *loads)
+{
+    const fourlink_link *lever = &shown.design->link[4];
+    fourlink_load_info info;
+    fourlink_vector at, pin, ends;
+    unsigned long i;
+    int link;
+
+    lever_low = lever_high = 0;
+    if (!shown.kind.has_slot)
+        return;
+    if (lever->mass > 0)
+        reach(&lever->cg);
+    for (i = 0; fourlink_deck_point(shown.deck, i, NULL, &link, &at) == FOURLINK_OK; i++)
+        if (link == 4)
+            reach(&at);
+    for (i = 0; fourlink_deck_load(shown.deck, i, &info) == FOURLINK_OK; i++)
+        if (info.sort == FOURLINK_LOAD_OWN && info.link == 4)
+            reach(&loads[i].at);
+    assert_near(shown.lever_low, lever_low, 0);
+    assert_near(shown.lever_high, lever_high, 0);
+    /* the pin of the lever is on the line of its ends */
+    pin = get(t, shown.kind.has_stroke ? "C" : "D");
+    ends = minus(get(t, "E2"), get(t, "E1"));
+    none("length of the lever", size_of(ends) - (lever_high - lever_low), 1e-6 * lever_high);
+    same("pin of the lever",
+         place_at(dot(minus(pin, get(t, "E1")), ends), cross(minus(pin, get(t, "E1")), ends)),
+         place_at(-lever_low * size_of(ends), 0), 1e-6 * dot(ends, ends));
+}
+
+/* The ends of a linear spring are as far apart as the spring is long. */
+static void check_springs(const tracks *t, const fourlink_state *at)
+{
+    char P[TRACKS_NAME], Q[TRACKS_NAME];
+    fourlink_spring_state found;
+    fourlink_spring spring;
+    unsigned long i;
+
+    for (i = 0; i < shown.problem.n_springs; i++) {
+        fourlink_deck_spring(shown.deck, i, NULL, &spring);
+        if (spring.is_torsional ||
+            fourlink_spring_at(shown.mechanism, at, &spring, &found) != FOURLINK_OK)
+            continue;
+        assert_close(size_of(minus(get(t, tracks_name("K", i, "P", P)),
+                                   get(t, tracks_name("K", i, "Q", Q)))),
+                     found.length, 1e-12);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------ all of it */
+
+static long n_instants;
+
+static void check_scene(fourlink_branch branch)
+{
+    fourlink_load loads[32];
+    fourlink_instant now;
+    static tracks t;
+    static scene s;
+    int i;
+
+    scene_find(&s, &shown);
+    for (i = 0; i < 4; i++) {
+        if (fourlink_results_at(results, branch, between(-400, 400), NULL, &now, loads) !=
+                FOURLINK_OK ||
+            fabs(now.state.sine) < 0.2)
+            continue;
+        check_motion(&now);
+        check_polygon(&scene_polygons(&shown)[0]);
+        check_polygon(&scene_polygons(&shown)[1]);
+        tracks_find(&t, &shown, &now, loads);
+        check_equilibrium(&s, &t);
+        check_lever(&t, loads);
+        check_springs(&t, &now.state);
+        n_instants++;
+    }
+}
+
+TEST(scenes_of_random_machines)
+{
+    int number, i;
+
+    for (number = 0; number < some_of(3000); number++) {
+        begin_chance(67, number);
+        open_scene(number);
+        for (i = 0; i < shown.n_branches; i++)
+            check_scene(shown.branches[i]);
+        fourlink_results_free(results);
+    }
+    assert_true(n_instants > number);
+}
+
+/* ---------------------------------------------------------------------------------------------- ways */
+
+#define SAMPLES 720
+#define SAMPLED 2e-5 /* (pi / SAMPLES)^2 */
+
+/* Lengths of any proportion, change points among them; links have no mass. */
+static void write_lengths(int number)
+{
+    double crank = between(20, 100), other = between(20, 200), e = between(-60, 60);
+
+    length = 0;
+    machine = A_SLIDER_CRANK + number % 3;
+    if (seldom(0.2))
+        e = 0;
+    if (seldom(0.15))
+        other = crank; /* a change point without an offset */
+    write("mechanism = %s\n[crank]\nlength = %.17g mm\n", machine_names[machine], crank);
+    if (machine == A_SLIDER_CRANK)
+        write("[rod]\nlength = %.17g mm\n[ground]\noffset = %.17g mm\n", other, e);
+    else if (machine == AN_INVERTED)
+        write("[ground]\nlength = %.17g mm\n[lever]\noffset = %.17g mm\n", other, e);
+    else
+        write("[ground]\noffset = %.17g mm\n[yoke]\nangle = %.17g deg\n", e, between(40, 140));
+    write("[motion]\nspeed = 1 rad/s\n");
+}
+
+/* From one end of a way to the other there are all the places, and no more if the crank turns fully. */
+static void check_way(const char *what, double near, double far, double low, double high,
+                      double size, int is_full)
+{
+    if (!(fmin(near, far) <= low + 1e-9 * size) || !(fmax(near, far) >= high - 1e-9 * size) ||
+        (is_full &&
+         (fmin(near, far) < low - SAMPLED * size || fmax(near, far) > high + SAMPLED * size)))
+        fail_msg("%s from %.9g to %.9g, places from %.9g to %.9g\n%s", what, near, far, low, high,
+                 deck_text);
+}
+
+static void check_ways(fourlink_branch branch)
+{
+    double x_low = HUGE_VAL, x_high = -HUGE_VAL, s_low = HUGE_VAL, s_high = -HUGE_VAL, near, far,
+           size;
+    fourlink_vector B, C;
+    fourlink_state at;
+    int k, n = 0;
+
+    size = shown.design->link[2].length + shown.design->link[3].length +
+           shown.design->link[1].length + fabs(shown.design->offset);
+    for (k = 0; k < SAMPLES; k++) {
+        if (fourlink_position(shown.mechanism, branch, 2 * PI * k / SAMPLES, &at) != FOURLINK_OK)
+            continue;
+        n++;
+        B = at.link[3].origin;
+        C = at.link[4].origin;
+        if (shown.kind.has_stroke) {
+            assert_near(C.y, shown.design->offset, 1e-12 * size);
+            x_low = fmin(x_low, C.x);
+            x_high = fmax(x_high, C.x);
+        }
+        if (shown.kind.has_slot) {
+            fourlink_vector u = at.link[3].axis, foot = place_in(B, u, -at.s, 0);
+
+            /* s is from the foot of the perpendicular from D, or from C */
+            same("foot", foot, geometry_on_slide(&at, 0), 1e-6 * size);
+            none("s", dot(minus(B, C), u) - at.s, 1e-6 * size);
+            s_low = fmin(s_low, at.s);
+            s_high = fmax(s_high, at.s);
+        }
+    }
+    if (n && shown.kind.has_stroke) {
+        geometry_find_guide(&shown, branch, &near, &far);
+        check_way("guide", near, far, x_low, x_high,
+                  size / fabs(shown.kind.has_slot ? shown.mechanism->slot.y : 1), n == SAMPLES);
+    }
+    if (n && shown.kind.has_slot) {
+        geometry_find_way(&shown, branch, &near, &far);
+        check_way("slide", near, far, s_low, s_high,
+                  size / fabs(shown.kind.has_stroke ? shown.mechanism->slot.y : 1), n == SAMPLES);
+    }
+}
+
+TEST(ways_of_pistons_and_sliders)
+{
+    fourlink_mistake mistake;
+    fourlink_source source;
+    int number, i;
+
+    for (number = 0; number < some_of(3000); number++) {
+        begin_chance(68, number);
+        write_lengths(number);
+        memset(&source, 0, sizeof source);
+        source.text = deck_text;
+        source.length = length;
+        if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
+            continue; /* it cannot be assembled */
+        view_take(&shown, results);
+        for (i = 0; i < shown.n_branches; i++)
+            check_ways(shown.branches[i]);
+        fourlink_results_free(results);
+    }
+}
+
+/* --------------------------------------------------------------------------------------------- boxes */
+
+static fourlink_vector any_place(void)
+{
+    return place_at(between(-3, 3), between(-3, 3));
+}
+
+static int is_in(const place_box *b, fourlink_vector p, double margin)
+{
+    return p.x > b->x_min - margin && p.x < b->x_max + margin && p.y > b->y_min - margin &&
+           p.y < b->y_max + margin;
+}
+
+TEST(lines_cut_to_boxes)
+{
+    int number, k, inside, n_inside = 0;
+
+    for (number = 0; number < 2000; number++) {
+        place_box b = place_nothing;
+        fourlink_vector p, q, from, to, at;
+
+        begin_chance(69, number);
+        assert_true(place_is_empty(&b));
+        for (k = 0; k < 3; k++) {
+            at = any_place();
+            place_grow(&b, at.x, at.y);
+            assert_true(is_in(&b, at, 1e-12) && !place_is_empty(&b));
+        }
+        p = from = any_place();
+        q = to = any_place();
+        if (seldom(0.1))
+            q.x = to.x = p.x;
+        if (seldom(0.1))
+            q.y = to.y = p.y;
+        for (k = inside = 0; k <= 1000; k++)
+            inside +=
+                is_in(&b, place_at(p.x + (q.x - p.x) * k / 1000, p.y + (q.y - p.y) * k / 1000), 0);
+        if (inside > 1)
+            assert_true(place_crosses(&b, p, q));
+        if (!place_clip(&b, &from, &to)) {
+            assert_true(inside <= 1);
+            assert_true(from.x == p.x && from.y == p.y && to.x == q.x && to.y == q.y);
+            assert_false(place_crosses(&b, p, q));
+            continue;
+        }
+        n_inside++;
+        /* what is left is in the box, on the line, as long as what was inside, and begins where it did */
+        assert_true(place_crosses(&b, p, q));
+        assert_true(is_in(&b, from, 1e-9) && is_in(&b, to, 1e-9));
+        assert_near(cross(minus(from, p), minus(q, p)), 0, 1e-9);
+        assert_near(cross(minus(to, p), minus(q, p)), 0, 1e-9);
+        assert_near(place_distance(from, to), place_distance(p, q) * inside / 1001,
+                    3e-3 * place_distance(p, q));
+        assert_true(dot(minus(to, from), minus(q, p)) >= 0);
+    }
+    assert_true(n_inside > 500 && n_inside < 1500);
+}
+
+TEST(boxes_that_overlap)
+{
+    int number;
+
+    for (number = 0; number < 2000; number++) {
+        place_box x = place_nothing, y = place_nothing;
+        fourlink_vector at[4];
+        int k;
+
+        begin_chance(70, number);
+        for (k = 0; k < 4; k++) {
+            at[k] = any_place();
+            place_grow(k < 2 ? &x : &y, at[k].x, at[k].y);
+        }
+        /* middles are nearer than half of both sides */
+        assert_int_equal(place_overlap(&x, &y),
+                         fabs(at[0].x + at[1].x - at[2].x - at[3].x) <
+                                 fabs(at[0].x - at[1].x) + fabs(at[2].x - at[3].x) &&
+                             fabs(at[0].y + at[1].y - at[2].y - at[3].y) <
+                                 fabs(at[0].y - at[1].y) + fabs(at[2].y - at[3].y));
+    }
+}
+
+TEST(round_numbers)
+{
+    static const double round_ones[] = {1, 2, 5, 10};
+    int number, k;
+
+    for (number = 0; number < 2000; number++) {
+        double x, power, expected = 0;
+
+        begin_chance(71, number);
+        power = pow(10, between_whole(-9, 10));
+        x = between(1, 10) * power;
+        if (seldom(0.2)) {
+            x = round_ones[one_of(4)] * power;
+            assert_close(place_round(x), x, 1e-12);
+            continue;
+        }
+        for (k = 3; k >= 0; k--)
+            expected = round_ones[k] * power >= x ? round_ones[k] * power : expected;
+        assert_close(place_round(x), expected, 1e-12);
+    }
+}
+
+/* -------------------------------------------------------------------------------------------- pins */
+
+TEST(pins_of_torsional_springs)
+{
+    static const struct {
+        int machine, link, to;
+        const char *pin;
+    } known[] = {
+        {A_FOUR_BAR, 2, 1, "A"},     {A_FOUR_BAR, 3, 2, "B"},     {A_FOUR_BAR, 4, 3, "C"},
+        {A_FOUR_BAR, 1, 4, "D"},     {A_FOUR_BAR, 4, 1, "D"},     {A_SLIDER_CRANK, 2, 3, "B"},
+        {A_SLIDER_CRANK, 3, 4, "C"}, {A_SLIDER_CRANK, 1, 2, "A"}, {AN_INVERTED, 1, 4, "D"},
+        {AN_INVERTED, 2, 3, "B"},    {A_YOKE, 3, 2, "B"},         {A_YOKE, 2, 1, "A"}};
+    static const int kinds[] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                                FOURLINK_INVERTED_SLIDER_CRANK, FOURLINK_SCOTCH_YOKE};
+    fourlink_spring spring;
+    size_t i;
+
+    memset(&spring, 0, sizeof spring);
+    for (i = 0; i < COUNT(known); i++) {
+        assert_int_equal(fourlink_kind_of(kinds[known[i].machine], &shown.kind), FOURLINK_OK);
+        spring.link = known[i].link;
+        spring.to = known[i].to;
+        assert_string_equal(scene_pin_of(&shown, &spring), known[i].pin);
+    }
+}
+
+TEST(coils_and_dampers)
+{
+    static const double values[] = {0, 3};
+    fourlink_spring spring;
+    int i, k;
+
+    memset(&spring, 0, sizeof spring);
+    for (i = 0; i < 2; i++)
+        for (k = 0; k < 2; k++) {
+            spring.stiffness = values[i];
+            spring.damping = values[k];
+            assert_int_equal(scene_has_damper(&spring), k);
+            assert_int_equal(scene_has_coil(&spring), i || !k); /* a preload alone is a coil */
+        }
+}
+
+int main(void)
+{
+    return run_all_tests(watch_gsl);
+}
