@@ -179,8 +179,8 @@ static void put_quick_return(report *r, math *m)
                 gsl_pow_2(c * sin(psi / 2)),
             b * b, MATH_M2);
         math_zero(m,
-                  "( a * cos { psi - delta | 2 } )^2 + ( b * sin { psi - delta | 2 } )^2 - "
-                  "( d * sin { psi | 2 } )^2",
+                  "( a * cos ( { psi - delta | 2 } ) )^2 + "
+                  "( b * sin ( { psi - delta | 2 } ) )^2 - ( d * sin ( { psi | 2 } ) )^2",
                   gsl_pow_2(a * cos((psi - delta) / 2)) + gsl_pow_2(b * sin((psi - delta) / 2)) -
                       gsl_pow_2(d * sin(psi / 2)),
                   b * b, MATH_M2);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** check_sample.c REPORT... [NAME=VALUE...] - checks the sample calculations of reports: evaluates every equation from the numbers
-** that are printed in it, and compares it with the printed result.
+** check_sample.c REPORT... [NAME=VALUE...] - checks the sample calculations of reports, and those of a synthesis: evaluates
+** every equation from the numbers that are printed in it, and compares it with the printed result.
 **
 ** A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of
 ** a degree).  An equation agrees if the difference can come from that.  No number is so small beside those of the
@@ -21,6 +21,14 @@ static double half_unit(double x)
 {
     return x != 0 ? 0.5 * pow(10, floor(log10(fabs(x))) - 5) : 0;
 }
+
+typedef struct {
+    char name[MOST][60];
+    double value[MOST];
+    int n;
+} results;
+
+static results constants; /* of Freudenstein's equation, which stand below it */
 
 /* ---------------------------------------------------------------------------------- an equation as a text */
 
@@ -83,6 +91,24 @@ static void put_operator(equation *e, const xml_node *x)
 
 static void put_row(equation *e, const xml_node *x);
 
+static void put_constant(equation *e, const xml_node *x)
+{
+    char words[200], name[20];
+    int i;
+
+    words_of(x, words);
+    for (i = 0; i < constants.n && strcmp(constants.name[i], words) != 0; i++)
+        ;
+    if (i == constants.n) {
+        wrong("no value of %s", words);
+        return;
+    }
+    sprintf(name, "#%d", e->n);
+    put(e, name);
+    e->value[e->n] = constants.value[i];
+    e->error[e->n++] = half_unit(constants.value[i]);
+}
+
 static void put_element(equation *e, const xml_node *x)
 {
     char words[200];
@@ -111,6 +137,8 @@ static void put_element(equation *e, const xml_node *x)
     } else if (xml_is(x, "msup")) {
         put_element(e, x->first);
         put(e, "^"); /* a square */
+    } else if (xml_is(x, "msub")) {
+        put_constant(e, x);
     } else {
         wrong("unexpected %s", x->name);
     }
@@ -299,12 +327,6 @@ static double bound(const equation *e, const char *side)
 }
 
 /* ---------------------------------------------------------------------------------------------- a sample */
-
-typedef struct {
-    char name[MOST][60];
-    double value[MOST];
-    int n;
-} results;
 
 /* The first element of a formula, without the row that holds it. */
 static const xml_node *content(const xml_node *math)
@@ -561,10 +583,67 @@ static void check_expected(const results *found, const char *pair)
         wrong("%.9g, expected %s", found->value[i], pair);
 }
 
+/* Section `id` of a report; null if it has none. */
+static const xml_node *find_section(const xml_document *d, const char *id)
+{
+    const xml_node *x;
+
+    for (x = d->root; x && !(xml_is(x, "section") && xml_has(x, "id", id));)
+        x = xml_next(x, d->root);
+    return x;
+}
+
+/* The value of an entry "F12x = 3 N" of a list. */
+static double entry(const xml_node *x)
+{
+    static equation e;
+    const xml_node *math = xml_next_named(x, x, "math");
+
+    memset(&e, 0, sizeof e);
+    put_row(&e, content(math)->next->next);
+    return evaluate(e.text, e.value);
+}
+
+/* 1 if a name stands for a number in an equation. */
+static int has_constants(const xml_node *div)
+{
+    const xml_node *line;
+
+    for (line = div->first; line; line = line->next)
+        if (xml_has(line, "class", "numbers") && xml_next_named(line, line, "msub"))
+            return 1;
+    return 0;
+}
+
+/* The equations of a synthesis, with the constants that are met exactly; returns how many. */
+static int check_synthesis(const xml_node *section)
+{
+    static results found;
+    const xml_node *x;
+    char words[200];
+    int n = 0, is_least = 0;
+
+    found.n = constants.n = 0;
+    for (x = section; x; x = xml_next(x, section)) {
+        is_least |= xml_is(x, "p") && strstr(words_of(x, words), "with the least errors") != NULL;
+        if (xml_is(x, "li") && xml_has(x->parent, "class", "given") && constants.n < 3) {
+            snprintf(constants.name[constants.n], sizeof constants.name[0], "%.50s",
+                     words_of(content(xml_next_named(x, x, "math")), words));
+            constants.value[constants.n++] = entry(x);
+        }
+    }
+    for (x = section; x; x = xml_next(x, section))
+        if (xml_is(x, "div") && xml_has(x, "class", "equation") &&
+            !(is_least && has_constants(x))) {
+            check_equation(x, &found);
+            n++;
+        }
+    return n;
+}
+
 static void check_report(int argc, char **argv)
 {
     static results found;
-    static equation e;
     const xml_node *section, *x;
     xml_document d;
     double solution[9];
@@ -576,19 +655,16 @@ static void check_report(int argc, char **argv)
         return;
     }
     found.n = 0;
-    for (section = d.root;
-         section && !(xml_is(section, "section") && xml_has(section, "id", "sample"));)
-        section = xml_next(section, d.root);
+    section = find_section(&d, "synthesis");
+    if (section && !check_synthesis(section))
+        wrong("no equations of the synthesis");
+    section = find_section(&d, "sample");
     for (x = section; x; x = xml_next(x, section))
         if (xml_is(x, "div") && xml_has(x, "class", "equation")) {
             check_equation(x, &found);
             n_equations++;
         } else if (xml_is(x, "li") && xml_has(x->parent, "class", "given solution") && n < 9) {
-            const xml_node *math = xml_next_named(x, x, "math");
-
-            memset(&e, 0, sizeof e);
-            put_row(&e, content(math)->next->next); /* behind "F12x =" */
-            solution[n++] = evaluate(e.text, e.value);
+            solution[n++] = entry(x);
         }
     if (n == 9)
         check_matrix(section, solution);

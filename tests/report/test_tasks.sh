@@ -1,0 +1,82 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_tasks.sh FOURLINK DATA - tasks of [synthesis] of all sorts: the deck that is found meets the task, as its own analysis
+# proves, and the equations of its report hold for the numbers that are printed in them.
+. "$(dirname "$0")/../harness.sh"
+
+# task EXPECTED: t.deck; the linkage has so many [expect] sections at least, and they agree, unless it has a defect.
+n=0 good=0
+task() {
+    n=$((n + 1))
+    "$fourlink" --synthesis --report=r-$n.html t.deck >found.deck 2>err
+    "$fourlink" --synthesis t.deck >found.deck 2>err
+    status=$?
+    check "task $n: status $status: $(grep -v note err)" test $status -le 1
+    if [ $status -eq 1 ]; then
+        check "task $n: $(cat err)" grep -q defect err
+        return
+    fi
+    good=$((good + 1))
+    "$fourlink" --check found.deck >checked 2>&1
+    check "task $n: $(tail -n 3 checked)" grep -q 'differs: 0' checked
+    check "task $n: $(grep -c '^\[expect\]' found.deck) sections" test "$(grep -c '^\[expect\]' found.deck)" -ge "$1"
+}
+
+# quick returns: either way, each length given, or the best; both sorts of slotted levers, with an offset
+lengths() { # KIND SECTION LENGTH ...
+    printf 'mechanism = %s\n' "$1"
+    shift
+    while [ $# -gt 1 ]; do
+        printf '[%s]\n%s\n' "$1" "$2"
+        shift 2
+    done
+    printf '[synthesis]\ntask = quick-return\n'
+}
+for slow in with against; do
+    { lengths four-bar crank 'length = 40 mm' ground 'length = 110 mm' && printf 'time_ratio = 1.15\nswing = 48 deg\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths four-bar coupler 'length = 5 in' rocker 'length = 3 in' && printf 'time_ratio = 1.05\nswing = 0.9 rad\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths four-bar ground 'length = 110 mm' && printf 'time_ratio = 1.2\nswing = 70 deg\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths slider-crank crank 'length = 45 mm' && printf 'time_ratio = 1.3\nstroke = 100 mm\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths slider-crank rod 'length = 160 mm' && printf 'time_ratio = 1.25\nstroke = 100 mm\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths slider-crank ground 'offset = 25 mm' && printf 'time_ratio = 1.2\nstroke = 4 in\nslow = %s\n' $slow; } >t.deck && task 1
+    { lengths slider-crank && printf 'time_ratio = 1.4\nstroke = 100 mm\nslow = %s\n' $slow; } >t.deck && task 1
+done
+for ratio in 1.5 2.2; do
+    { lengths inverted-slider-crank crank 'length = 100 mm' && printf 'time_ratio = %s\n' $ratio; } >t.deck && task 1
+    { lengths inverted-slider-crank ground 'length = 240 mm' lever 'offset = 15 mm' && printf 'time_ratio = %s\n' $ratio; } >t.deck && task 1
+    { lengths inverted-slider-crank ground 'length = 10 in' && printf 'time_ratio = %s\nstroke = 18 in\n' $ratio; } >t.deck && task 1
+    { lengths inverted-slider-crank crank 'length = 100 mm' && printf 'type = whitworth\ntime_ratio = %s\n' $ratio; } >t.deck && task 1
+done
+{ lengths inverted-slider-crank crank 'length = 80 mm' && printf 'swing = 50 deg\n'; } >t.deck && task 1
+
+# three positions, away from the origin of their axes, turned either way; rotations, pivots on the ground and the coupler
+guided() { printf 'mechanism = %s\n[synthesis]\ntask = motion\npositions = %s\nleft = %s\nright = %s\n' "$@"; }
+guided four-bar '(30, 120) mm 40 deg, (75, 140) mm 22 deg, (105, 130) mm -7 deg' 'fixed (25, 20) mm' 'fixed (125, 35) mm' >t.deck && task 3
+guided four-bar '(-30, -120) mm 200 deg, (-60, -145) mm 218 deg, (-105, -150) mm 247 deg' 'fixed (-25, 75) mm' 'fixed (-25, -250) mm' >t.deck && task 3
+guided four-bar '(0, 0) mm 0 deg, (60, 25) mm 18 deg, (105, 80) mm 47 deg' 'moving (10, -20) mm' 'fixed (25, -50) mm' >t.deck && task 3
+guided four-bar '(1, 1) in 10 deg, (3, 2) in 28 deg, (5, 4) in 57 deg' 'rotations 20 deg 50 deg' 'rotations -15 deg -40 deg' >t.deck && task 3
+guided slider-crank '(0, 0) mm 0 deg, (60, 25) mm 18 deg, (105, 80) mm 47 deg' 'fixed (25, 175) mm' 'slider 30 deg' >t.deck && task 3
+guided slider-crank '(10, 20) mm 5 deg, (40, 25) mm -18 deg, (95, 50) mm -37 deg' 'fixed (-45, -75) mm' 'slider -140 deg' >t.deck && task 3
+
+# paths, with angles of the coupler and without; functions either way, exact, with least errors
+printf 'mechanism = four-bar\n[synthesis]\ntask = path\npositions = (10, 0) mm, (60, 25) mm, (105, 80) mm\ntiming = 40 deg, 85 deg\nright = fixed (25, -50) mm\n' >t.deck && task 3
+functions() { printf 'mechanism = %s\n%s[synthesis]\ntask = function\n%s\n' "$@"; }
+ground='[ground]
+length = 100 mm
+'
+functions four-bar "$ground" 'points = 36 deg 64 deg, 75 deg 98 deg, 114 deg 142 deg' >t.deck && task 3
+functions four-bar "$ground" 'points = 114 deg 64 deg, 75 deg 98 deg, 36 deg 142 deg' >t.deck && task 3
+functions four-bar "$ground" 'points = 250 deg 224 deg, 300 deg 260 deg, 345 deg 280 deg' >t.deck && task 3
+functions four-bar "$ground" 'function = x^1.5
+x = 1 to 4
+crank = 40 deg to 130 deg
+rocker = 60 deg to 120 deg
+precision = 9' >t.deck && task 3
+functions slider-crank '' 'points = 45 deg 95 mm, 90 deg 60 mm, 135 deg 30 mm' >t.deck && task 3
+functions slider-crank '' 'points = 135 deg 95 mm, 90 deg 80 mm, 45 deg 50 mm' >t.deck && task 3
+
+check "only $good without a defect" test $good -ge 20
+"$programs/check_sample" r-*.html >checked 2>&1
+check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
+finish
