@@ -39,6 +39,7 @@ extern int flk_fault_on;
 SWITCH_C = """#include <fcntl.h>
 #include <stdlib.h>
 #include <sys/mman.h>
+#include <unistd.h>
 #include "base/fault.h"
 static volatile char nowhere[%d];
 volatile char *flk_fault_reached = nowhere;
@@ -48,6 +49,8 @@ __attribute__((constructor)) static void flk_fault_begin(void)
     const char *on = getenv("FAULT"), *name = getenv("REACHED");
     int file = name ? open(name, O_RDWR) : -1;
     void *map = file < 0 ? MAP_FAILED : mmap(NULL, sizeof nowhere, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        close(file); /* it may be 0 or 1, which a test has closed */
     if (map != MAP_FAILED)
         flk_fault_reached = map;
     if (on)

@@ -888,6 +888,26 @@ TEST(test_units)
     flk_deck_free(&d);
 }
 
+/* Units are named without blanks, those between two words being points. */
+TEST(test_names_of_units)
+{
+    static const struct {
+        const char *written, *name;
+    } names[] = {{"kg m2", "kg.m2"},  {"kg  m2", "kg.m2"},  {"kg* m2", "kg*m2"},
+                 {"kg *m2", "kg*m2"}, {"kg * m2", "kg*m2"}, {"kg.m2", "kg.m2"},
+                 {"N m s2", "N.m.s2"}};
+    char contents[600];
+    size_t i;
+    deck d;
+
+    for (i = 0; i < COUNT(names); i++) {
+        sprintf(contents, FOUR_BAR "[units]\ninertia = %s\n", names[i].written);
+        read_good(contents, &d);
+        assert_string_equal(d.units[QUANTITY_INERTIA].name, names[i].name);
+        flk_deck_free(&d);
+    }
+}
+
 static void check_title(const char *contents, const char *title)
 {
     deck d;

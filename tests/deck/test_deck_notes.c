@@ -189,6 +189,12 @@ TEST(test_run_up)
                "a motor whose torque falls with the speed");
     sprintf(contents, "%sturns = 90\n", running);
     check_none(contents);
+    sprintf(contents, "%sto = %d deg\n", running, 101 * 360);
+    check_note(contents, NULL, 13,
+               "nothing opposes this torque, so the crank turns faster and faster: give a load, or "
+               "a motor whose torque falls with the speed");
+    sprintf(contents, "%sto = %d deg\n", running, 99 * 360);
+    check_none(contents);
     sprintf(contents, "%sturns = 1000\n[load]\nlink = crank\ntorque = -5 N m\n", running);
     check_none(contents);
     sprintf(contents, "%sturns = 1000\n[friction]\nA = 0.1\nradius_A = 5 mm\n", running);

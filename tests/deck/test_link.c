@@ -87,6 +87,29 @@ TEST(test_parts_of_the_length)
                2, 2, 0, 0.05, 0);
 }
 
+/* From the centre of mass, which is beside the axis of its link, on either side. */
+TEST(test_places_from_the_centre_of_mass)
+{
+    static const double sides[] = {1, -1};
+    char contents[600];
+    deck d;
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        sprintf(contents,
+                FOUR_BAR LENGTH "mass = 1 kg\ncg = (30, %g) mm\n"
+                                "[load]\nlink = coupler\nforce = (3, 0) N\nat = G\n"
+                                "[point P]\nlink = coupler\nat = G + (4, -5) mm\n",
+                7 * sides[i]);
+        read_accepted(contents, NULL, &d);
+        assert_near(given_load(&d, 0)->load.at.x, 0.03, 1e-17);
+        assert_near(given_load(&d, 0)->load.at.y, 0.007 * sides[i], 1e-17);
+        assert_near(d.points[0].at.x, 0.034, 1e-17);
+        assert_near(d.points[0].at.y, 0.007 * sides[i] - 0.005, 1e-17);
+        flk_deck_free(&d);
+    }
+}
+
 TEST(test_places_of_loads)
 {
     deck d;
