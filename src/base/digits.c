@@ -247,18 +247,17 @@ static word eight_digits(unsigned int n)
     return t | (w - 10 * t) << 8;
 }
 
-/* Put the bytes of a word into memory, the lowest first. */
+/* Put the bytes of a word into memory, the lowest first; compilers make one store of them. */
 static void put_word(word w, char *to)
 {
-    static const word one = 1;
-    int i;
-
-    if (*(const char *)&one == 1) { /* that is how this machine has it */
-        memcpy(to, &w, sizeof w);
-        return;
-    }
-    for (i = 0; i < 8; i++)
-        to[i] = (char)(w >> 8 * i);
+    to[0] = (char)w;
+    to[1] = (char)(w >> 8);
+    to[2] = (char)(w >> 16);
+    to[3] = (char)(w >> 24);
+    to[4] = (char)(w >> 32);
+    to[5] = (char)(w >> 40);
+    to[6] = (char)(w >> 48);
+    to[7] = (char)(w >> 56);
 }
 
 #define EACH_BYTE WIDE(0x01010101, 0x01010101)

@@ -233,6 +233,35 @@ static void test_short_numbers(void **unused)
     }
 }
 
+/* Any number in few digits: within half a unit of the last digit, but what is below the normal range is 0. */
+static void test_any_numbers(void **unused)
+{
+    uint64_t seed = 9;
+    char out[FORMAT_SIZE];
+    double value, again;
+    int i, n;
+
+    (void)unused;
+    for (i = 0; i < MANY; i++) {
+        text rest;
+
+        n = 1 + (int)uniform(&seed, 0, 9);
+        value = uniform(&seed, -10, 10) * pow(10, uniform(&seed, -320, 307));
+        rest = flk_text_of(flk_digits_short(value, n, out));
+        if (fabs(value) < DBL_MIN) {
+            assert_string_equal(out, "0");
+            continue;
+        }
+        assert_int_equal(flk_number_read(&rest, &again), NUMBER_OK);
+        assert_true(fabs(again - value) <= 0.5000001 * pow(10, 1 - n) * fabs(value) + DBL_MIN);
+    }
+    assert_string_equal(flk_digits_short(0x1p-1074, 6, out), "0");
+    assert_string_equal(flk_digits_short(-DBL_MIN / 2, 6, out), "0");
+    assert_string_equal(flk_digits_short(DBL_MIN, 6, out), "2.22507e-308");
+    assert_string_equal(flk_digits_short(0, 6, out), "0");
+    assert_string_equal(flk_digits_short(HUGE_VAL, 6, out), "inf");
+}
+
 /* 17 digits bring a number back. */
 static void test_back(void **unused)
 {
@@ -378,7 +407,7 @@ int main(int argc, char **argv)
         C_LOCALE(test_examples),      C_LOCALE(test_ends_of_ranges), C_LOCALE(test_random_bits),
         C_LOCALE(test_sizes),         C_LOCALE(test_ties),           C_LOCALE(test_near_ties),
         C_LOCALE(test_short_numbers), C_LOCALE(test_back),           C_LOCALE(test_lines),
-        C_LOCALE(test_cells),
+        C_LOCALE(test_cells),         C_LOCALE(test_any_numbers),
     };
     const struct CMUnitTest with_comma[] = {
         COMMA_LOCALE(test_examples),
