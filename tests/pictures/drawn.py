@@ -543,16 +543,16 @@ def acting_on(deck, position, row, link, is_free=True):
             else:
                 P, Q = (position.point(ends[j], deck.vector('spring %s.%s' % (name, ('at', 'to_at')[j]))) for j in (k, 1 - k))
                 found.append(Acting(name, P, row[name + '.force'] * (Q - P) / abs(Q - P), kind=LOAD))
-    if 'friction_guide' in row and deck.slides and link == 4 and deck.number('friction.guide'):
-        # against the motion of the piston; that of a slider on its lever is in F34
-        force = complex(-math.copysign(row['friction_guide'], position.velocity(4, 0).real), 0)
-        found.append(Acting('friction', position.C, force, kind=LOAD))
     if 'gas_force' in row and row['gas_force'] and (link == 4 if deck.slides else deck.slot and link in (3, 4)):
         if deck.slides:
             force = complex(-position.side * row['gas_force'], 0)
         else:
             force = row['gas_force'] * position.axis[3] * (1 if link == 3 else -1)
         found.append(Acting('gas', position.origin[link], force, kind=LOAD))
+    if 'friction_guide' in row and deck.slides and link == 4 and deck.number('friction.guide'):
+        # against the motion of the piston; that of a slider on its lever is in F34
+        force = complex(-math.copysign(row['friction_guide'], position.velocity(4, 0).real), 0)
+        found.append(Acting('friction', position.C, force, kind=LOAD))
     if is_free:
         a = position.acceleration(link, deck.cg(link)) * si_of(deck.unit('length'))
         found.append(Acting('-m aG', G, -deck.mass(link) * a * newton, kind=RESULT))
