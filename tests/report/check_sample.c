@@ -56,6 +56,8 @@ static void put_number(equation *e, const char *words)
         abort();
     sprintf(name, "#%d", e->n);
     put(e, name);
+    if (is_angle && fabs(x) > 360)
+        wrong("%s is more than a turn", words);
     e->value[e->n] = is_angle ? x * DEGREE : x;
     e->error[e->n++] = is_angle ? 0.5e-4 * DEGREE : half_unit(x);
 }
