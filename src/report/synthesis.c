@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/text.h"
 #include "mathml.h"
 #include "report.h"
@@ -59,11 +60,11 @@ static void put_function(report *r, math *m)
     math_show(m, equation);
     put_words(r, s->n_positions > 3 ? "At the points:" : "At the three points:");
     for (i = 0; i < s->n_positions && i < MOST_EQUATIONS; i++) {
-        double theta4 = s->position[i].output - s->rocker_turn;
+        const fourlink_precision *p = &s->position[i];
 
-        math_set(m, "theta2", s->position[i].theta2 - s->crank_turn);
-        math_set(m, "theta4", theta4 > -M_PI ? theta4 : theta4 + 2 * M_PI);
-        math_set(m, "X", s->position[i].output);
+        math_set(m, "theta2", flk_cycle_place(p->theta2 - s->crank_turn, 0, 2 * M_PI));
+        math_set(m, "theta4", flk_cycle_beside(p->output - s->rocker_turn, 2 * M_PI));
+        math_set(m, "X", p->output);
         math_show_numbers(m, equation);
     }
     if (s->n_positions > MOST_EQUATIONS)
