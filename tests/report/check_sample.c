@@ -29,6 +29,7 @@ typedef struct {
 } results;
 
 static results constants; /* of Freudenstein's equation, which stand below it */
+static int is_in_turn;    /* 1: no angle is more than a turn */
 
 /* ---------------------------------------------------------------------------------- an equation as a text */
 
@@ -56,7 +57,7 @@ static void put_number(equation *e, const char *words)
         abort();
     sprintf(name, "#%d", e->n);
     put(e, name);
-    if (is_angle && fabs(x) > 360)
+    if (is_angle && is_in_turn && fabs(x) > 360)
         wrong("%s is more than a turn", words);
     e->value[e->n] = is_angle ? x * DEGREE : x;
     e->error[e->n++] = is_angle ? 0.5e-4 * DEGREE : half_unit(x);
@@ -626,6 +627,7 @@ static int check_synthesis(const xml_node *section)
     int n = 0, is_least = 0;
 
     found.n = constants.n = 0;
+    is_in_turn = 1;
     for (x = section; x; x = xml_next(x, section)) {
         is_least |= xml_is(x, "p") && strstr(words_of(x, words), "with the least errors") != NULL;
         if (xml_is(x, "li") && xml_has(x->parent, "class", "given") && constants.n < 3) {
@@ -640,6 +642,7 @@ static int check_synthesis(const xml_node *section)
             check_equation(x, &found);
             n++;
         }
+    is_in_turn = 0;
     return n;
 }
 
