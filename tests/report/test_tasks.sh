@@ -68,6 +68,10 @@ length = 100 mm
 functions four-bar "$ground" 'points = 36 deg 64 deg, 75 deg 98 deg, 114 deg 142 deg' >t.deck && task 3
 functions four-bar "$ground" 'points = 114 deg 64 deg, 75 deg 98 deg, 36 deg 142 deg' >t.deck && task 3
 functions four-bar "$ground" 'points = 250 deg 224 deg, 300 deg 260 deg, 345 deg 280 deg' >t.deck && task 3
+# points of the linkage 100, 40, 95, 70, on either branch
+functions four-bar "$ground" 'points = 60 deg 83.12897 deg, 90 deg 97.91716 deg, 130 deg 120.44957 deg' >t.deck && task 3
+functions four-bar "$ground" 'points = 60 deg -129.95542 deg, 90 deg -141.51998 deg, 130 deg -147.84666 deg' >t.deck && task 3
+functions four-bar "$ground" 'points = -70 deg 134.60195 deg, -20 deg 102.09123 deg, 250 deg 145.8248 deg' >t.deck && task 3
 functions four-bar "$ground" 'function = x^1.5
 x = 1 to 4
 crank = 40 deg to 130 deg
