@@ -268,11 +268,22 @@ def finders_of(tree, chance, wanted):
     return [Finder(clang, index, tree, name, chance) for name in names if wanted(name)]
 
 
+def squeezed(words):
+    return ' '.join(words.split())
+
+
+def line_of(source, at):
+    """The line of a place."""
+    return squeezed(source[source.rfind(b'\n', 0, at) + 1:source.find(b'\n', at)].decode('utf-8'))
+
+
 def write(finders, final, listing):
     for f in finders:
         text, _ = guarded(f.source, [item for item in final if item[1].file == f.name])
         pathlib.Path(f.path).write_bytes(text)
-    json.dump([dict(c._asdict(), number=number) for number, c in sorted(final)], open(listing, 'w'), indent=1)
+    sources = {f.name: f.source for f in finders}
+    json.dump([dict(c._asdict(), number=number, within=line_of(sources[c.file], c.start)) for number, c in sorted(final)],
+              open(listing, 'w'), indent=1)
 
 
 def put(tree, n, seed, listing, *only):
@@ -413,22 +424,28 @@ def same_code(tree, f):
 
 
 def key_of(f):
-    squeeze = lambda t: ' '.join(t.split())
-    return '%s: %s -> %s' % (f['file'], squeeze(f['right']), squeeze(f['faulty']))
+    return '%s: %s' % (f['file'], f['within']), '%s -> %s' % (squeezed(f['right']), squeezed(f['faulty']))
 
 
-def reasons(known):
-    """Of each survivor that is known: why no test has to notice it."""
-    table = {}
+def reasons(tree, known):
+    """Of each survivor that is known: why no test has to notice it.  Reasons whose line is gone are told."""
+    table, place = {}, None
     for line in open(known):
-        if line.strip() and not line.startswith('#'):
-            key, reason = line.rstrip('\n').split(' | ')
-            table[key] = reason
+        line = line.rstrip('\n')
+        if line.startswith('src/'):
+            place = line
+            file, words = line.split(': ', 1)
+            path = pathlib.Path(tree) / file
+            if not path.exists() or words not in [squeezed(x) for x in path.read_text().split('\n')]:
+                print('gone:', line)
+        elif line.startswith('  '):
+            change, why = line.strip().split(' | ')
+            table[place, change] = why
     return table
 
 
 def table(tree, out, known):
-    faults, why = json.load(open(out)), reasons(known)
+    faults, why = json.load(open(out)), reasons(tree, known)
     rows = collections.defaultdict(collections.Counter)
     for f in faults:
         row = rows[f['file'].split('/')[1]]
@@ -443,7 +460,7 @@ def table(tree, out, known):
             else:
                 row['left'] += 1
                 print('survived%s: %s:%d (%s): %s' % ('' if f['reached'] else ', not reached', f['file'], f['line'], f['sort'],
-                                                    key_of(f).split(': ', 1)[1]))
+                                                    key_of(f)[1]))
     print('%-10s %7s %6s %5s %9s %6s %5s %7s' % ('folder', 'faults', 'ctest', 'long', 'no effect', 'known', 'left', 'share'))
     rows['all'] = sum((rows[k] for k in list(rows)), collections.Counter())
     for folder, r in rows.items():

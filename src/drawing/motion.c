@@ -113,11 +113,10 @@ static size_t find(const motion *m, size_t from, size_t step, const display *d,
 
 /* ------------------------------------------------------------------------------------------------ new */
 
+/* Of an item that is no curve. */
 static size_t tracks_of(const display_item *x)
 {
-    return x->sort == DISPLAY_CURVE                            ? 0
-           : x->sort == DISPLAY_ARC || x->sort == DISPLAY_TEXT ? 2
-                                                               : x->n;
+    return x->sort == DISPLAY_ARC || x->sort == DISPLAY_TEXT ? 2 : x->n;
 }
 
 static int reserve_tracks(motion *m, size_t n)

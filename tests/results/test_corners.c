@@ -11,7 +11,7 @@
     "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = " \
     "1 kg\n"
 
-#define MOST 20
+#define MOST 60
 
 /* The pieces of the open branch's motion, of loads or of the links alone: their number. */
 static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
@@ -116,6 +116,107 @@ TEST(test_positions)
     sprintf(contents,
             CRANK STEADY "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n", -10.0);
     check_end(contents, 360 - 77); /* rad passed, clockwise */
+}
+
+#define SAMPLES 2880 /* of two turns */
+
+/* By how much theta4 is beyond a level, in (-pi, pi]; NaN where there is no position. */
+static double beyond(const fourlink_mechanism *m, fourlink_branch branch, double theta2,
+                     double level)
+{
+    fourlink_state state;
+
+    if (fourlink_position(m, branch, theta2, &state) != FOURLINK_OK)
+        return NAN;
+    return remainder(state.link[FOURLINK_FOLLOWER].theta - level, 2 * PI);
+}
+
+/* Each place at which theta4 passes a point of a curve, by bisection between samples, is the end of a piece: of either
+** sense, over two turns, which differ where there is one change point. */
+TEST(test_positions_by_samples)
+{
+    static const double levels[] = {100, 120, 155};
+    uint64_t seed = 8;
+    int number, turn, n_found = 0, k;
+    size_t i;
+
+    for (number = 0; number < 60; number++) {
+        double crank = 20 + 5 * (number % 3), coupler = uniform(&seed, 60, 90),
+               ground = uniform(&seed, 70, 100), rocker;
+        double from = uniform(&seed, -200, 200) * DEG;
+        char contents[1000];
+        flk_piece list[MOST];
+        size_t n;
+        deck d;
+
+        /* crank + ground = coupler + rocker: a change point at 180 deg */
+        rocker = number % 2 ? crank + ground - coupler
+                            : uniform(&seed, crank + fabs(ground - coupler) + 1, 90);
+        if (rocker < crank + 5)
+            continue;
+        turn = number % 4 < 2 ? 1 : -1;
+        sprintf(contents,
+                "mechanism = four-bar\n[ground]\nlength = %.17g mm\n[crank]\nlength = %.17g "
+                "mm\n[coupler]\nlength = %.17g mm\n"
+                "[rocker]\nlength = %.17g mm\n[load]\nlink = rocker\nover = theta4\ntorque = 100 "
+                "deg 3 N m, 120 deg 7 N m, 155 deg "
+                "-4 N m\n[motion]\nspeed = %d rad/s\nfrom = %.17g deg\nto = %.17g deg\n",
+                ground, crank, coupler, rocker, turn, from / DEG, from / DEG + turn * 719);
+        n = list_pieces(contents, 1, list);
+        read_deck(contents, &d);
+        for (i = 0; i < COUNT(levels); i++)
+            for (k = 0; k + 1 < SAMPLES; k++) {
+                double low = 719 * DEG * (k + 0.31) / SAMPLES, high = low + 719 * DEG / SAMPLES,
+                       middle, before, behind;
+                int j;
+
+                before =
+                    beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * low, levels[i] * DEG);
+                behind = beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * high,
+                                levels[i] * DEG);
+                if (!(before * behind < 0) || fabs(before - behind) > 1)
+                    continue;
+                for (j = 0; j < 60; j++) {
+                    middle = (low + high) / 2;
+                    if (before * beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * middle,
+                                        levels[i] * DEG) >
+                        0)
+                        low = middle;
+                    else
+                        high = middle;
+                }
+                n_found++;
+                if (!find_end(list, n, low / DEG))
+                    fail_msg("no piece ends at %.12g deg\n%s", low / DEG, contents);
+            }
+        flk_deck_free(&d);
+    }
+    assert_true(n_found > 200);
+}
+
+/* A motion that begins at a change point, and not a little beside it. */
+TEST(test_begin_at_a_change_point)
+{
+    static const char linkage[] =
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
+        "length = 66 mm\n[rocker]\nlength = 34 mm\n[motion]\n";
+    static const struct {
+        const char *motion;
+        flk_piece_end begin;
+    } cases[] = {{"speed = 9 rad/s\nfrom = 180 deg\nto = 400 deg\n", FLK_END_CHANGE},
+                 {"speed = -9 rad/s\nfrom = 180 deg\nto = -400 deg\n", FLK_END_CHANGE},
+                 {"speed = 9 rad/s\nfrom = -180 deg\nto = 400 deg\n", FLK_END_CHANGE},
+                 {"speed = 9 rad/s\nfrom = 122.7 deg\nto = 400 deg\n", FLK_END_PLAIN},
+                 {"speed = -9 rad/s\nfrom = 237.3 deg\nto = -400 deg\n", FLK_END_PLAIN}};
+    flk_piece list[MOST];
+    char contents[600];
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        sprintf(contents, "%s%s", linkage, cases[i].motion);
+        assert_true(list_pieces(contents, 0, list) > 1);
+        assert_int_equal(list[0].begin, cases[i].begin);
+    }
 }
 
 /* This engine has a change point at -90 deg. */
