@@ -96,6 +96,38 @@ TEST(curves)
     }
 }
 
+/* Without a range, it is a turn, or the middle two thirds of where the crank can be. */
+TEST(ranges_of_their_own)
+{
+    uint64_t seed = 52;
+    int n_parts = 0;
+
+    for (int k = 0; k < 200; k++) {
+        fourlink_cognate_task task = random_task(&seed, k % 2 ? FOURLINK_LEFT : FOURLINK_RIGHT),
+                              part = task;
+        fourlink_solution s, same;
+        fourlink_mechanism m;
+        fourlink_reach reach;
+        double length;
+
+        assert_int_equal(fourlink_prepare(&task.design, &m), FOURLINK_OK);
+        fourlink_reach_of(&m, &reach);
+        length = reach.to[0] - reach.from[0];
+        part.from = part.to = 0;
+        task.from = reach.from[0] + (length < 2 * PI ? length / 6 : 0);
+        task.to = task.from + (length < 2 * PI ? length * 2 / 3 : length);
+        n_parts += length < 2 * PI;
+        FOUND(cognate, &task, &s);
+        FOUND(cognate, &part, &same);
+        for (int j = 0; j < 3; j++) {
+            assert_near(remainder(same.position[j].theta2 - s.position[j].theta2, 2 * PI), 0, 1e-9);
+            assert_near(same.position[j].point.x, s.position[j].point.x, 1e-9);
+            assert_near(same.position[j].point.y, s.position[j].point.y, 1e-9);
+        }
+    }
+    assert_true(n_parts > 20);
+}
+
 static void assert_same(const fourlink_solution *s, const fourlink_cognate_task *task)
 {
     for (int i = 1; i <= 4; i++)

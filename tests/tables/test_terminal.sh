@@ -164,6 +164,17 @@ TERM=xterm shows 80 -b open "$alvi"
 check 'a heading in colour' grep -q "^$escape\[36m# crank 20 mm.*$escape\[0m\$" out
 check 'an extreme in bold' grep -q "^$escape\[1m#    max .*$escape\[0m\$" out
 check 'rows without colour' grep -q '^ *40 ' out
+# of each line with a sign in front: the rows of extremes are bold, all else is a heading
+for deck in "$alvi" "$matrix" "$decks/engine.deck"; do
+    "$fourlink" --color=always "$deck" >out
+    holds 'the colour of each line' '
+        BEGIN {colour = "'"$escape"'\\["}
+        {is_extreme = $0 ~ /# +(max|min|at) /}
+        /^[^#]*#/ && $0 !~ (is_extreme ? "^" colour "1m" : "^" colour "36m") {print; bad = 1}
+        is_extreme {n++}
+        !/#/ && $0 ~ colour {print; bad = 1}
+        END {exit bad || n < 8}'
+done
 TERM=xterm shows 80 -b open --color=never "$alvi"
 check 'never' none "$escape" out
 TERM=dumb shows 80 -b open "$alvi"
