@@ -13,6 +13,7 @@ task() {
     "$fourlink" --synthesis t.deck >found.deck 2>err
     status=$?
     check "task $n: status $status: $(grep -v note err)" test $status -le 1
+    ! grep -q '^positions' t.deck || placed
     if [ $status -eq 1 ]; then
         check "task $n: $(cat err)" grep -q defect err
         return
@@ -21,6 +22,33 @@ task() {
     "$fourlink" --check found.deck >checked 2>&1
     check "task $n: $(tail -n 3 checked)" grep -q 'differs: 0' checked
     check "task $n: $(grep -c '^\[expect\]' found.deck) sections" test "$(grep -c '^\[expect\]' found.deck)" -ge "$1"
+}
+
+# placed: with the pivot A and the direction that the comments tell, the points that are expected are the positions of the task.
+placed() {
+    awk '
+        function near(a, b) { return a - b < 1e-5 * (1 + size) && b - a < 1e-5 * (1 + size) }
+        FNR == 1 {file++}
+        file == 1 && /^positions/ {
+            sub(/^positions = */, "")
+            n = split($0, part, "[()]")
+            for (i = 2; i <= n; i += 2) { split(part[i], xy, ", *"); wanted[++wants, 1] = xy[1]; wanted[wants, 2] = xy[2]; size += xy[1] ^ 2 + xy[2] ^ 2 }
+            size = sqrt(size)
+        }
+        file == 2 && /^# The pivot A is at/ {sub(/.*\(/, ""); split($0, pivot, ", *"); pivot[2] += 0}
+        file == 2 && /^# where the .* is at/ {angle = $(NF - 1) * atan2(0, -1) / 180}
+        file == 2 && $1 ~ /^[A-Z]\.x$/ {x = $3}
+        file == 2 && $1 ~ /^[A-Z]\.y$/ {
+            found++
+            if (!near(pivot[1] + x * cos(angle) - $3 * sin(angle), wanted[found, 1]) ||
+                !near(pivot[2] + x * sin(angle) + $3 * cos(angle), wanted[found, 2])) {
+                print "position", found, pivot[1] + x * cos(angle) - $3 * sin(angle), pivot[2] + x * sin(angle) + $3 * cos(angle)
+                bad = 1
+            }
+        }
+        END {exit bad || found != 3 || wants != 3}' t.deck found.deck >misplaced
+    is_placed=$?
+    check "task $n is misplaced: $(cat misplaced)" test $is_placed -eq 0
 }
 
 # quick returns: either way, each length given, or the best; both sorts of slotted levers, with an offset
