@@ -148,8 +148,7 @@ static void put_words(screen *s, const display_item *x)
 
         do
             *cell++ = *c++;
-        while (((unsigned char)*c & 0xC0) == 0x80 &&
-               cell < s->letters[row * s->columns + column] + CELL - 1);
+        while (((unsigned char)*c & 0xC0) == 0x80);
         *cell = '\0';
     }
 }

@@ -356,13 +356,14 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
 static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
+    fourlink_vector below = place_beside(pins.C, 0, -1),
+                    from = p->v.kind.has_stroke ? below : pins.D;
     double beside = BESIDE * s->size;
 
     sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
     figure_letter(s, pins.B, pins.A, pins.A, "B");
     if (!p->v.kind.has_slot || p->v.kind.has_stroke)
-        figure_letter(s, pins.C, p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D,
-                      p->v.kind.has_stroke ? place_beside(pins.C, 0, -1) : pins.D, "C");
+        figure_letter(s, pins.C, from, from, "C");
     if (!p->v.kind.has_stroke)
         sketch_text(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
 }
