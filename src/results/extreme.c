@@ -272,10 +272,30 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 #define NOISE_OF_QUANTITY \
     1e-14 /* of the size of its quantity: so little hides no peak, but rounding error */
 
-/* 1 if the samples bend by no more than rounding error: the column is constant there. */
-static int is_flat(const sought *k, double here, double bend)
+/* The samples about number i that are equal to it within rounding. */
+static void find_equal(const sought *k, size_t i, size_t *from, size_t *to)
 {
-    return bend <= GSL_MAX_DBL(CLOSE / MARGIN * fabs(here), NOISE_OF_QUANTITY * k->c->scale);
+    const double *v = k->c->v;
+    double close = GSL_MAX_DBL(CLOSE * fabs(v[i]), NOISE_OF_QUANTITY * k->c->scale);
+
+    for (*from = i; *from > 0 && fabs(v[*from - 1] - v[i]) <= close; --*from)
+        ;
+    for (*to = i; *to + 1 < k->x->n && fabs(v[*to + 1] - v[i]) <= close; ++*to)
+        ;
+}
+
+/* 1 if the column is constant about sample i.  The next samples alone can be too close to tell, where
+** another column needs them. */
+#define AROUND 0.05 /* s */
+
+static int is_flat(const sought *k, size_t i)
+{
+    const double *s = k->x->s, *v = k->c->v;
+    size_t from, to;
+
+    find_equal(k, i, &from, &to);
+    return (from == 0 || gsl_isnan(v[from - 1]) || s[i] - s[from] > AROUND) &&
+           (to + 1 == k->x->n || gsl_isnan(v[to + 1]) || s[to] - s[i] > AROUND);
 }
 
 /* The best value so far; -infinite if there is none.  Angles are compared only since they last started
@@ -301,6 +321,24 @@ static double bend_of(const sought *k, size_t i, double a, double b)
     return GSL_MAX_DBL(bend, 2 * signed_value(k->which, v[i]) - a - b);
 }
 
+/* Offer the top of a peak at sample i.  It takes the place of a lower sample of the same peak, even if they
+** are equal. */
+static void offer_top(const sought *k, size_t i, const flk_sample *top)
+{
+    const flk_samples *x = k->x;
+    flk_extreme *best = &k->b->here[k->which];
+    double close = GSL_MAX_DBL(EQUAL * fabs(top->value), NOISE_OF_QUANTITY * k->c->scale);
+    double before, behind;
+    size_t from, to;
+
+    find_equal(k, i, &from, &to);
+    before = best->angle - flk_samples_angle(x, k->c, x->s[from > 0 ? from - 1 : 0]);
+    behind = best->angle - flk_samples_angle(x, k->c, x->s[to + 1 < x->n ? to + 1 : to]);
+    if (before * behind <= 0 && top->value > signed_value(k->which, best->value) + close)
+        best->is_there = 0;
+    offer_at(k, k->which, signed_value(k->which, top->value), top->x);
+}
+
 /* Refine the peaks of the samples that can be better than the best. */
 static void refine(sought *k, int which)
 {
@@ -323,14 +361,14 @@ static void refine(sought *k, int which)
         if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)))
             continue;
         bend = bend_of(k, i, a, b);
-        if (!(here + MARGIN * bend >= best_so_far(k, which)) || is_flat(k, here, bend) ||
+        if (!(here + MARGIN * bend >= best_so_far(k, which)) || is_flat(k, i) ||
             flk_follow_is_over(&x->f))
             continue;
         k->near = v[i];
         top = gsl_isnan(before)   ? find_peak_at_end(k, i, i + 1)
               : gsl_isnan(behind) ? find_peak_at_end(k, i, i - 1)
                                   : find_peak(k, i);
-        offer_at(k, which, signed_value(which, top.value), top.x);
+        offer_top(k, i, &top);
     }
 }
 
@@ -341,21 +379,22 @@ static void refine(sought *k, int which)
 #define NARROWEST 2e-6   /* s: no samples are closer */
 #define MOST_INSERTED 40 /* of a piece, for a column */
 
-/* How far a sample is from the polynomial through its four neighbours: with equal steps, and with any. */
+/* How far a sample is from the polynomial through the four nearest: with equal steps on both sides, and with
+** any. */
 static double roughness_of_even(const double *v)
 {
     return fabs(v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
 }
 
-static double roughness(const double *s, const double *v)
+static double roughness(const flk_samples *x, const double *v, size_t i)
 {
+    size_t from = i < 2 ? 0 : GSL_MIN(i - 2, x->n - 5), j;
     flk_polynomial p;
-    int k;
 
-    for (p.n = 0, k = -2; k <= 2; k++)
-        if (k != 0)
-            flk_polynomial_add(&p, s[k], v[k]);
-    return fabs(flk_polynomial_value(&p, s[0]) - v[0]);
+    for (p.n = 0, j = from; j < from + 5; j++)
+        if (j != i)
+            flk_polynomial_add(&p, x->s[j], v[j]);
+    return fabs(flk_polynomial_value(&p, x->s[i]) - v[i]);
 }
 
 /* 1 if the column near so rough a value may be better than the best. */
@@ -368,13 +407,16 @@ static int may_be_better(const sought *k, double value, double rough)
 /* 1 if a better value may hide beside sample i, as where a force nearly vanishes. */
 static int may_hide(const sought *k, size_t i)
 {
-    const double *v = k->c->v + i;
-    double size = GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])), rough = roughness_of_even(v);
+    const flk_samples *x = k->x;
+    const double *v = k->c->v;
+    double least = GSL_MAX_DBL(ROUGH * GSL_MAX_DBL(fabs(v[i - 1]), fabs(v[i + 1])),
+                               NOISE_OF_QUANTITY * k->c->scale);
+    double rough = i < 2 || i + 2 >= x->n ? GSL_POSINF : roughness_of_even(v + i);
 
-    if (!(rough > ROUGH * size && may_be_better(k, v[0], rough)))
+    if (!(rough > least && may_be_better(k, v[i], rough)))
         return 0;
-    rough = roughness(k->x->s + i, v);
-    return rough > ROUGH * size && may_be_better(k, v[0], rough);
+    rough = roughness(x, v, i);
+    return rough > least && may_be_better(k, v[i], rough);
 }
 
 static void offer_sample(const sought *k, size_t i)
@@ -388,7 +430,7 @@ static void resolve_narrow(sought *k, flk_samples *x)
 {
     size_t i, most = x->n + MOST_INSERTED;
 
-    for (i = 2; i + 2 < x->n && x->n < most; i++) {
+    for (i = 1; i + 1 < x->n && x->n > 4 && x->n < most; i++) {
         if (!may_hide(k, i) || x->s[i + 1] - x->s[i - 1] < NARROWEST || flk_follow_is_over(&x->f))
             continue;
         if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
@@ -396,7 +438,7 @@ static void resolve_narrow(sought *k, flk_samples *x)
             return;
         offer_sample(k, i);
         offer_sample(k, i + 2);
-        i = i > 4 ? i - 4 : 1;
+        i = i > 4 ? i - 4 : 0;
     }
 }
 

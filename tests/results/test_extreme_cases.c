@@ -352,6 +352,21 @@ TEST(test_behind_lock)
     check_rows(deck, FOURLINK_CROSSED);
 }
 
+/* The extreme among those of all columns, which are found in one search. */
+static fourlink_value among_all(fourlink_results *results, fourlink_branch branch, const char *name)
+{
+    const fourlink_value *facts;
+    unsigned long n, i = 0;
+
+    assert_int_equal(
+        fourlink_results_facts(results, (int)branch, FOURLINK_FACTS_EXTREMES, &facts, &n),
+        FOURLINK_OK);
+    while (i + 1 < n && strcmp(facts[i].name, name) != 0)
+        i++;
+    assert_string_equal(facts[i].name, name);
+    return facts[i];
+}
+
 /* Columns that are found together have the extremes that each has alone: others' samples do not disturb
 ** them. */
 TEST(test_together)
@@ -368,7 +383,7 @@ TEST(test_together)
     for (k = 0; k < 2; k++)
         for (i = 0; i < COUNT(names); i++) {
             const char *alone = print("%s%.*s\n", deck, (int)strlen(names[i]) - 5, names[i] + 4);
-            fourlink_value found = named(together, names[i], branches[k], 0);
+            fourlink_value found = among_all(together, branches[k], names[i]);
 
             check(alone, branches[k], names[i], found.value, 1e-11 * fabs(found.value));
         }
@@ -407,6 +422,28 @@ TEST(test_small_jump)
             fail_msg("case %d: max(Ts) is %.17g at %.12g, not %.17g at %.12g", i, found.value,
                      found.angle, right, angle);
     }
+    fourlink_results_free(r);
+}
+
+/* The yoke ends its stroke where the crank is at right angles to the slot: samples that friction needs beside
+** that place do not move it. */
+TEST(test_place_beside_narrow_peaks)
+{
+    static const char deck[] =
+        "mechanism = scotch-yoke\n[ground]\noffset = 25 mm\n[crank]\nlength = 50 mm\nmass = 0.5 "
+        "kg\n"
+        "inertia = 0.0006 kg m2\ncg = (10, 2) mm\n[slider]\nmass = 0.3 kg\n[yoke]\nangle = 60 deg\n"
+        "mass = 1.6 kg\ncg = (-50, 20) mm\n[motion]\nspeed = 12 rad/s\n[load P]\nlink = yoke\n"
+        "force = (-150, 60) N\nat = (100, 20) mm\n[load T]\nlink = yoke\ntorque = 5 N "
+        "m\n[friction]\n"
+        "A = 0.06\nradius_A = 10 mm\nB = 0.05\nradius_B = 10 mm\nslot = 0.1\nslot_length = 40 mm\n"
+        "guide = 0.12\nguide_length = 200 mm\n[point P]\nlink = yoke\nat = (60, 30) mm\n[table]\n"
+        "columns = all\n";
+
+    fourlink_results *r = opened(deck);
+
+    assert_near(among_all(r, FOURLINK_OPEN, "max(P.x)").angle, 330, 1e-5);
+    assert_near(among_all(r, FOURLINK_OPEN, "min(P.x)").angle, 150, 1e-5);
     fourlink_results_free(r);
 }
 
