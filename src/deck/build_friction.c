@@ -10,6 +10,7 @@
 #include "mechanics/kind.h"
 #include "build.h"
 #include "build_mechanism.h"
+#include "build_motor.h"
 #include "parser.h"
 #include "settings.h"
 
@@ -45,6 +46,19 @@ static double build_circle(parser *p, const section_use *use, const key_code key
     return mu->si[0] * radius->si[0];
 }
 
+/* The way a crank at rest is about to turn: towards the last row, or as it is accelerated. */
+static int build_direction(parser *p)
+{
+    const setting *direction = flk_setting_find(p, KEY_FRICTION_DIRECTION);
+    const fourlink_motion *motion = &p->d->motion;
+
+    if (IS_SET(direction) && p->d->mode.kind == MODE_GIVEN)
+        return direction->word;
+    if (motion->to != motion->from)
+        return motion->to < motion->from ? -1 : 1;
+    return flk_build_sense(p);
+}
+
 void flk_build_friction(parser *p)
 {
     const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
@@ -57,6 +71,7 @@ void flk_build_friction(parser *p)
     fourlink_friction *friction = &p->d->machine.friction;
     int i, has_pins = IS_SET(mu), lacks_radius = 0;
 
+    friction->direction = build_direction(p);
     if (!use)
         return;
     for (i = 0; i < 4; i++) {
@@ -82,9 +97,5 @@ void flk_build_friction(parser *p)
     friction->guide_length = length->si[0];
     friction->slot = slot->si[0];
     friction->slot_length = slot_length->si[0];
-    if (p->d->mode.kind == MODE_GIVEN)
-        friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
-    else /* from rest it starts towards the last row */
-        friction->direction = p->d->motion.to < p->d->motion.from ? -1 : 1;
     p->d->machine.has_friction = 1;
 }

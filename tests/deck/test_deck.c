@@ -681,6 +681,22 @@ TEST(test_engine)
     flk_deck_free(&d);
     read_with(FOUR_BAR "[friction]\nA = 0.1\nradius_A = 1 mm\n", "friction.direction=forward", &d);
     assert_int_equal(d.machine.friction.direction, 1);
+    /* a crank at rest is about to turn the way of its motion, which decides whether a load begins there */
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = -5 rad/s2\n", &d);
+    assert_int_equal(d.machine.friction.direction, -1);
+    flk_deck_free(&d);
+    read_good(
+        FOUR_BAR
+        "[motion]\nat = 90 deg\nacceleration = -5 rad/s2\n[friction]\nA = 0.1\nradius_A = 1 mm\n",
+        &d);
+    assert_int_equal(d.machine.friction.direction, -1);
+    flk_deck_free(&d);
+    read_with(
+        FOUR_BAR
+        "[motion]\nat = 90 deg\nacceleration = -5 rad/s2\n[friction]\nA = 0.1\nradius_A = 1 mm\n",
+        "friction.direction=forward", &d);
+    assert_int_equal(d.machine.friction.direction, 1);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.machine.mechanism.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
@@ -822,6 +838,7 @@ TEST(test_defaults)
     flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nacceleration = -5 rad/s2\n", &d);
     assert_true(d.motion.to == -360);
+    flk_deck_free(&d);
     flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 5 rad/s2\n", &d);
     assert_true(d.motion.run_up == 90);
