@@ -624,7 +624,7 @@ static int rarest_option(void)
 }
 
 /* Some options for the deck, one a line, each as one word. */
-static void write_options(FILE *out)
+static inline void write_options(FILE *out)
 {
     int n = 1 + seldom(0.2) + seldom(0.05), has_task = has_section(SECTION_SYNTHESIS), o, values;
     section_code s;
@@ -649,7 +649,7 @@ static void write_options(FILE *out)
 }
 
 /* How evenly keys, and pairs of an option and a section, were tried. */
-static void tell_evenness(void)
+static inline void tell_evenness(void)
 {
     unsigned long least = ULONG_MAX, most = 0, kept = 0, pairs = 0, without = 0;
     key_code k;

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** laws.c - what must hold for any machine, of random decks of all sections (random_schema.h).
+**
+**    laws DECKS [FIRST [LAW]]
+**
+** The text of a deck is changed by a law, through the schema (changed_decks.h), and its results must follow: all columns of
+** each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks in turn, with
+** `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
+*/
+#include "changed_decks.h"
+
+/* ----------------------------------------------------------------------------------- one range, or two */
+
+static double cut_at[3], speed_at[3]; /* deg, rad/s: begin, cut, end */
+static double acceleration_held;
+
+/* A given motion over some intervals, which is to be cut. */
+static int cut_range(deck_lines *d)
+{
+    double from = seldom(0.5) ? 0 : 7.0 * between_whole(-50, 50), speed = power_of_ten(0, 2);
+    int way = seldom(0.5) ? -1 : 1, before = between_whole(1, 30), k;
+
+    if (is_task(d))
+        return 0;
+    pieces = before + between_whole(1, 30);
+    holds = seldom(0.3);
+    acceleration_held = seldom(0.5) ? 0 : speed * speed * between(0, 1) * way;
+    for (k = 0; k < 3; k++) {
+        int passed = k == 0 ? 0 : k == 1 ? before : pieces;
+
+        cut_at[k] = from + 5.0 * way * passed;
+        speed_at[k] =
+            way * (holds
+                       ? speed
+                       : sqrt(speed * speed + 2 * fabs(acceleration_held) * 5 * passed * PI / 180));
+    }
+    drop_sections(&base, SECTION_MOTOR);
+    for (k = 0; k < base.n; k++)
+        drop_key(&base.block[k], KEY_FLYWHEEL_EXACT);
+    set_motion(&base, cut_at[0], cut_at[2], speed_at[0], acceleration_held);
+    return 1;
+}
+
+/* The rows of a part are those of the whole, an extreme of the whole is that of a part, means add up. */
+static void compare_parts(void)
+{
+    static side whole, part[2];
+    double share = (cut_at[1] - cut_at[0]) / (cut_at[2] - cut_at[0]);
+    int all = pieces, k, some, which, status, is_near, branch;
+
+    prepare(&whole, opened(base_text, NULL));
+    part[0].r = part[1].r = NULL;
+    for (k = 0; k < 2 && whole.r; k++) {
+        changed = base;
+        pieces = k == 0 ? (int)lround(share * all) : all - (int)lround(share * all);
+        set_motion(&changed, cut_at[k], cut_at[k + 1], speed_at[k], acceleration_held);
+        write_lines(&changed, changed_text, sizeof changed_text);
+        prepare(&part[k], opened(changed_text, NULL));
+    }
+    present->cases += whole.r != NULL;
+    for (branch = FOURLINK_OPEN;
+         whole.r && branch >= (kind == FOURLINK_SCOTCH_YOKE ? FOURLINK_OPEN : FOURLINK_CROSSED) &&
+         !has_failed;
+         branch -= 2) {
+        fourlink_branch one = (fourlink_branch)branch;
+
+        is_near = compare_branch_rows(&whole, &part[0], one, one, 0);
+        is_near |= was_locked;
+        is_near |= compare_branch_rows(&whole, &part[1], one, one, part[0].rows - 1);
+        for (some = 0;
+             some < SOME_COLUMNS && !has_failed && !is_near && is_determined(whole.r, one);
+             some++) {
+            int j = one_of(whole.c.n);
+
+            for (which = FOURLINK_MAX;
+                 which <= FOURLINK_RMS && has_statistics(&whole.c.list[j], which); which++) {
+                double value = statistic(&whole, j, one, which, &status),
+                       x = statistic(&part[0], j, one, which, &status),
+                       y = statistic(&part[1], j, one, which, &status),
+                       size = fmax(sizes[j], 2e-3 * size_of_quantity[whole.c.list[j].q]);
+
+                compare(sort_of_statistic(which, is_near),
+                        which == FOURLINK_MAX    ? fmax(x, y)
+                        : which == FOURLINK_MIN  ? fmin(x, y)
+                        : which == FOURLINK_MEAN ? share * x + (1 - share) * y
+                                                 : sqrt(share * x * x + (1 - share) * y * y),
+                        value, fmax(size, fabs(value)), "statistic %d of %s on %d", which,
+                        whole.c.list[j].told->name, branch);
+            }
+        }
+    }
+    fourlink_results_free(whole.r);
+    fourlink_results_free(part[0].r);
+    fourlink_results_free(part[1].r);
+}
+
+/* Rows lie between the extremes, the mean too, and the root mean square between the mean and the larger
+** extreme. */
+static void compare_bounds(void)
+{
+    static side s;
+    static double row[MOST_COLUMNS];
+    int some, which, status, told, branch, is_near;
+
+    prepare(&s, opened(base_text, NULL));
+    present->cases += s.r != NULL;
+    for (branch = FOURLINK_OPEN;
+         s.r && branch >= (kind == FOURLINK_SCOTCH_YOKE ? FOURLINK_OPEN : FOURLINK_CROSSED) &&
+         !has_failed;
+         branch -= 2) {
+        fourlink_branch one = (fourlink_branch)branch;
+
+        is_near = compare_branch_rows(&s, &s, one, one, 0);
+        for (some = 0; some < 3 * SOME_COLUMNS && !has_failed && is_determined(s.r, one); some++) {
+            int j = one_of(s.c.n);
+            double x[5], most, size;
+            unsigned long i;
+
+            if (!has_statistics(&s.c.list[j], FOURLINK_MAX))
+                continue;
+            for (told = 0, which = FOURLINK_MAX; which <= FOURLINK_RMS; which++) {
+                x[which] = statistic(&s, j, one, which, &status);
+                told |= which < FOURLINK_MEAN && status != FOURLINK_OK;
+            }
+            if (told) {
+                present->undecided++;
+                continue;
+            }
+            most = fmax(fabs(x[FOURLINK_MAX]), fabs(x[FOURLINK_MIN]));
+            size = fmax(most, 2e-3 * size_of_quantity[s.c.list[j].q]);
+            for (i = 0; i < s.rows; i += s.rows / MOST_ROWS + 1)
+                if (fourlink_results_row(s.r, one, i, row, NULL, NULL) == FOURLINK_OK &&
+                    !isnan(row[j])) {
+                    row[j] *= s.c.list[j].told->to_si;
+                    compare(sort_of_statistic(FOURLINK_MAX, is_near),
+                            fmin(fmax(row[j], x[FOURLINK_MIN]), x[FOURLINK_MAX]), row[j], size,
+                            "%s on %d, row %lu, and its extremes", s.c.list[j].told->name, branch,
+                            i);
+                }
+            if (isnan(x[FOURLINK_MEAN])) { /* unbounded to both sides */
+                present->undecided++;
+                continue;
+            }
+            compare(sort_of_statistic(FOURLINK_MEAN, is_near),
+                    fmin(fmax(x[FOURLINK_MEAN], x[FOURLINK_MIN]), x[FOURLINK_MAX]),
+                    x[FOURLINK_MEAN], size, "mean(%s) on %d, and its extremes",
+                    s.c.list[j].told->name, branch);
+            compare(sort_of_statistic(FOURLINK_RMS, is_near),
+                    fmin(fmax(x[FOURLINK_RMS], fabs(x[FOURLINK_MEAN])), most), x[FOURLINK_RMS],
+                    size, "rms(%s) on %d, its mean and its extremes", s.c.list[j].told->name,
+                    branch);
+        }
+    }
+    fourlink_results_free(s.r);
+}
+
+/* -------------------------------------------------------------------------------------------- the laws */
+
+static law laws[] = {
+    {.name = "scaled by powers of two",
+     .change = scale_by_two,
+     .factor = factor_scaled,
+     .is_exact = 1},
+    {.name = "scaled", .change = scale_by_any, .factor = factor_scaled},
+    {.name = "turned", .change = turn, .factor = factor_one},
+    {.name = "mirrored", .change = mirror, .factor = factor_mirrored},
+    {.name = "time reversed",
+     .change = reverse_time,
+     .factor = factor_reversed,
+     .rows_backward = 1,
+     .has_own_time = 1},
+    {.name = "other units", .change = change_units, .factor = factor_one},
+    {.name = "another order", .change = change_order, .factor = factor_one, .is_exact = 1},
+    {.name = "written and read", .change = leave_as_it_is, .factor = factor_one, .is_exact = 1},
+    {.name = "in two parts",
+     .change = cut_range,
+     .factor = factor_one,
+     .has_own_time = 1,
+     .check = compare_parts},
+    {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
+
+static void try_law(law *l)
+{
+    present = l;
+    has_failed = 0;
+    make_base();
+    changed = base;
+    *result_units = '\0';
+    if (!l->change(&changed))
+        return;
+    write_lines(&base, base_text, sizeof base_text);
+    write_lines(&changed, changed_text, sizeof changed_text);
+    if (l->check) {
+        l->check();
+        return;
+    }
+    if (l->change == leave_as_it_is)
+        write_back();
+    compare_decks(*result_units ? result_units : NULL);
+}
+
+int main(int argc, char **argv)
+{
+    const int n_laws = (int)(sizeof laws / sizeof laws[0]);
+    long n = argc > 1 ? atol(argv[1]) : 100, first = argc > 2 ? atol(argv[2]) : 0, cases = 0;
+    int i, k;
+
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    for (number = first; number < first + n; number++) {
+        begin_chance(1, number);
+        make_schema_deck(number, 12 + one_of(30));
+        kind = kind_of_text(deck_text);
+        for (i = 0; i < n_laws && kind; i++)
+            if (argc > 3 ? strcmp(argv[3], "all") == 0 || strcmp(argv[3], laws[i].name) == 0
+                         : i == number / 4 % n_laws)
+                try_law(&laws[i]);
+    }
+    printf("%-24s %8s %10s %9s  ", "", "cases", "values", "undecided");
+    for (k = 0; k < N_SORTS; k++)
+        printf(" %9s", sorts[k]);
+    printf("\n");
+    for (i = 0; i < n_laws; i++) {
+        printf("%-24s %8ld %10ld %9ld  ", laws[i].name, laws[i].cases, laws[i].values,
+               laws[i].undecided);
+        for (k = 0; k < N_SORTS; k++)
+            printf(" %9.1e", laws[i].worst[k]);
+        printf("\n");
+        cases += laws[i].cases;
+    }
+    printf("%ld passed, %ld failed\n", cases - n_failed, n_failed);
+    return n_failed > 0 || cases == 0;
+}
