@@ -40,8 +40,8 @@ tables() {
 
 # Every source file, with every warning, without code.
 compiles() {
-    "$1" "-std=$2" "$3" -fsyntax-only -pedantic-errors -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes \
-        -Wmissing-prototypes -Werror -I"$top/include" -I"$top/src" "$top"/src/*/*.c
+    printf '%s\n' "$top"/src/*/*.c | xargs -n 20 -P "$jobs" "$1" "-std=$2" "$3" -fsyntax-only \
+        -pedantic-errors -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror -I"$top/include" -I"$top/src"
 }
 
 # runs COMPILER STANDARD LEVEL CHAR
