@@ -29,35 +29,52 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 rm -rf "$build/findings"
 mkdir -p "$build/findings" "$work/seeds/decks" "$work/seeds/units" "$work/seeds/library" "$work/seeds/runs" "$work/seeds/page"
-"$build/tests/fuzz/fuzz_words" | sort -u >"$work/words"
+LLVM_PROFILE_FILE=$work/words.raw "$build/tests/fuzz/fuzz_words" | sort -u >"$work/words"
 
-# Decks as they are and, for the command and the page, each line of arguments or calls with decks in turn.  Units begin
-# with all values of the decks.
+# Decks as they are and, for the command and the page, lines of arguments or calls, each with the decks before it; for *,
+# with all.  Units begin with all values of the decks.
 cp "$top"/data/*.deck "$top"/data/synthesis/osu-*.deck "$top"/tests/decks/*.deck "$top"/doc/*.deck "$fuzz"/decks/*.deck \
     "$work/seeds/decks"
 rm "$work/seeds/decks/khurmi-16.11.deck" # its motion takes two seconds here
-# with_decks NAME LINES EVERY: every so many of the pairs
+# with_decks NAME LINES
 with_decks() {
     n=0
     while IFS= read -r line; do
-        for deck in "$work"/seeds/decks/*.deck; do
-            n=$((n + 1))
-            [ $((n % $3)) -eq 0 ] || continue
+        given=${line%% | *} line=${line#* | }
+        [ "$given" != '*' ] || given=$(cd "$work/seeds/decks" && ls | sed 's/\.deck$//')
+        for deck in $given; do
+            n=$((n + 1)) deck=$work/seeds/decks/$deck.deck
             {
                 printf '%s\n' "$line" | awk '{gsub(/  /, "\t"); print}'
                 cat "$deck"
                 case $line in
+                *answers*scores* | *answers*feedback*) printf '\f%s\f' 'name,id,late
+a,1,2
+b,2,' && sed -n '/^\[expect/,$p' "$deck" && printf '\fmu_min = 40 deg\n\fmu_min = 40\nTs == 1.5 N m\n' ;;
                 *answers*) printf '\f%s\f' 'name,id,late
-anna,1,2 d
-ben,2,' && sed -n '/^\[expect/,$p' "$deck" && printf '\fmu_min = 40 deg\nTs = 1.5 N m\n' ;;
-                *=y*) printf '\f' && sed -n '/^\[expect/,$p' "$deck" ;;
+a,1,2
+b,2,' && sed -n '/^\[expect/,$p' "$deck" && printf '\fmu_min = 40 deg\n' ;;
+                *--names*) printf '\fanna\nben\nclara\n' ;;
+                *=y* | *=.*) printf '\f' && sed -n '/^\[expect/,$p' "$deck" ;;
                 esac
             } >"$work/seeds/$1/$n"
         done
     done <"$2"
 }
-with_decks runs "$fuzz/commands" 17
-with_decks page "$fuzz/calls" 11
+with_decks runs "$fuzz/commands"
+with_decks page "$fuzz/calls"
+
+# The command accepts each of these lines with each of its decks; but for the line for all, of which some have mistakes.
+check_commands() {
+    mkdir -p "$work/tmp"
+    ACCEPTED=$work/accepted LLVM_PROFILE_FILE=$work/check.raw TMPDIR=$work/tmp "$build/tests/fuzz/fuzz_runs" -runs=0 \
+        -close_fd_mask=3 "$work/seeds/runs" </dev/null >"$work/check.log" 2>&1 || { tail -n 60 "$work/check.log"; return 1; }
+    for seed in "$work"/seeds/runs/*; do head -n 1 "$seed"; done | grep -vx x.deck | sort >"$work/asked"
+    sort "$work/accepted" | comm -23 "$work/asked" - >"$work/refused"
+    sed 's/^/refused, or out of the limits of small.c, with one of its decks: /' "$work/refused"
+    [ ! -s "$work/refused" ]
+}
+case " $* " in *' runs '*) check_commands || echo runs >>"$work/failed" ;; esac
 cat "$work"/seeds/decks/*.deck | sed -n 's/^[^#=]*= *\([^#]*[^# ]\).*/\1/p' | sort -u | head -n 400 |
     awk -v folder="$work/seeds/units" '{printf "%c%s", 65 + NR % 26, $0 >(folder "/" NR); close(folder "/" NR)}'
 cp "$work"/seeds/decks/*.deck "$work/seeds/library" # any bytes do
@@ -142,7 +159,7 @@ if [ -n "${COVERAGE-}" ]; then
     llvm-profdata merge -o "$work/profile" "$work"/*.profraw
     # shellcheck disable=SC2046
     llvm-cov export -summary-only -instr-profile "$work/profile" $(printf -- "-object $build/tests/fuzz/fuzz_%s " "$@") |
-        grep -o '"filename":"[^"]*","summary":{[^}]*}[^}]*}[^}]*}[^}]*}' | sed "s|$top/||" | grep -E '"(src|web)/' | awk -F'"' '
+        grep -o '"filename":"[^"]*","summary":{[^}]*}[^}]*}[^}]*}[^}]*}' | sed -nE 's#"filename":"[^"]*/((src|web)/)#"filename":"\1#p' | awk -F'"' '
             {folder = $4; sub("/[^/]*$", "", folder); match($0, /"lines":[{][^}]*/); n = split(substr($0, RSTART, RLENGTH), part, /[:,]/)
                 all[folder] += part[3]; reached[folder] += part[5]}
             END {for (folder in all) printf "reached of %s: %d of %d lines, %.0f %%\n", folder, reached[folder], all[folder], 100 * reached[folder] / all[folder]}' | sort

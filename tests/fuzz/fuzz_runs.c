@@ -3,9 +3,10 @@
 ** fuzz_runs.c - whole runs of the command, by its own main, without other programs.
 **
 ** Input: a line of arguments, with tabs between them; a deck, which the command finds as x.deck and on
-** standard input; after a form feed, a file y, such as answers or names; after others, the files of the folder
-** answers.  A line that begins with '>' stands for a terminal.  Standard output and standard error are to be thrown
-** away, as libFuzzer's -close_fd_mask=3 does.
+** standard input; after a form feed, a file y, also by the name x.expect, such as answers or names; after others, the
+** files of the folder answers.  There is a folder f.  A line that begins with '>' stands for a terminal.  Standard
+** output and standard error are to be thrown away, as libFuzzer's -close_fd_mask=3 does.  Lines that the command
+** accepts are added to the file ACCEPTED of the environment, if there is one.
 */
 #define _XOPEN_SOURCE 700
 
@@ -19,6 +20,7 @@
 #include "command/terminal.h"
 #include "fourlink.h"
 #include "input.h"
+#include "system/memory.h"
 
 int command_main(int argc, char **argv);
 int LLVMFuzzerInitialize(int *argc, char ***argv);
@@ -135,7 +137,8 @@ static int is_harmless(const char *argument)
     return 0;
 }
 
-static void run(char *line)
+/* The exit status; 2 for a line that is not harmless. */
+static int run(char *line)
 {
     char *arguments[MOST_ARGUMENTS + 2] = {"fourlink"}, *next;
     int n = 1, status;
@@ -145,31 +148,49 @@ static void run(char *line)
         if (next)
             *next++ = '\0';
         if (!is_harmless(line))
-            return;
+            return 2;
         if (*line)
             arguments[n++] = line;
     }
     arguments[n] = NULL;
     status = command_main(n, arguments);
     MUST(status >= 0 && status <= 3);
+    return status;
+}
+
+static void note_accepted(part line)
+{
+    const char *name = getenv("ACCEPTED");
+    FILE *file = name ? fopen(name, "ab") : NULL;
+
+    if (!file)
+        return;
+    fwrite(line.text, 1, line.length, file);
+    putc('\n', file);
+    fclose(file);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     part rest = {(const char *)data, size}, line = take_part(&rest, '\n');
-    part deck = take_part(&rest, '\f');
+    part deck = take_part(&rest, '\f'), given;
     char *copy = copy_part(line);
     int input;
 
+    memory_forget_failure();
     is_terminal = *copy == '>';
     write_file("x.deck", deck);
-    write_file("y", take_part(&rest, '\f'));
+    given = take_part(&rest, '\f');
+    write_file("y", given);
+    write_file("x.expect", given);
     write_answers(rest);
+    MUST(mkdir("f", 0777) == 0);
     input = open("x.deck", O_RDONLY);
     MUST(input >= 0 && dup2(input, STDIN_FILENO) == STDIN_FILENO);
     close(input);
     rewind(stdin);
-    run(copy + is_terminal);
+    if (run(copy + is_terminal) <= 1)
+        note_accepted(line);
     clearerr(stdout);
     empty_folder();
     free(copy);
