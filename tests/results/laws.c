@@ -10,6 +10,55 @@
 */
 #include "changed_decks.h"
 
+static int turns_fully(fourlink_results *r)
+{
+    fourlink_value value;
+
+    return fourlink_results_value(r, "theta2_to", FOURLINK_OPEN, 0, &value) == FOURLINK_OK &&
+           value.value * value.to_si > 6.28;
+}
+
+static void compare_decks(const char *units)
+{
+    static side a, b;
+    fourlink_results *first = opened(base_text, NULL),
+                     *second = first ? opened(changed_text, units) : NULL;
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    int swaps, j, k;
+
+    if (!first || !second) {
+        fourlink_results_free(first);
+        fourlink_results_free(second);
+        return;
+    }
+    if (present->factor == factor_mirrored && strstr(base_text, "/rad\n") && !turns_fully(first)) {
+        fourlink_results_free(
+            first); /* the angle of a spring begins at the first crank angle that is reached */
+        fourlink_results_free(second);
+        return;
+    }
+    prepare(&a, first);
+    prepare(&b, second);
+    /* A four-bar goes on through a change point at 0 deg: each turn is mirrored to the other one. */
+    swaps = present->factor == factor_mirrored && kind == FOURLINK_FOUR_BAR &&
+            !problem_of(first).mechanism.change_folded;
+    present->cases++;
+    if (a.rows != b.rows || a.c.n != b.c.n)
+        fail("%lu rows of %d columns, expected %lu of %d", b.rows, b.c.n, a.rows, a.c.n);
+    for (j = 0; j < a.c.n && !has_failed; j++)
+        if (strcmp(a.c.list[j].told->name, b.c.list[j].told->name) != 0)
+            fail("column %s, expected %s", b.c.list[j].told->name, a.c.list[j].told->name);
+    for (k = 0; k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2) && !has_failed; k++) {
+        fourlink_branch one = branches[k], other = branches[swaps ? 1 - k : k];
+
+        compare_statistics(&a, &b, one, other, compare_branch_rows(&a, &b, one, other, 0));
+        if (!has_failed && present->factor != factor_mirrored && !present->rows_backward)
+            compare_facts(&a, &b, one);
+    }
+    fourlink_results_free(first);
+    fourlink_results_free(second);
+}
+
 /* ----------------------------------------------------------------------------------- one range, or two */
 
 static double cut_at[3], speed_at[3]; /* deg, rad/s: begin, cut, end */
