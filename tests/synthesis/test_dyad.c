@@ -91,6 +91,49 @@ static fourlink_motion_task random_task(uint64_t *seed, int choice)
     return task;
 }
 
+/* The condition of two rows of length 1 is sqrt((1 + |g|) / (1 - |g|)), g their inner product: the squares of their singular
+** values are 1 + |g| and 1 - |g|. */
+static double condition_of_dyad(const fourlink_motion_task *task, const fourlink_dyad *d)
+{
+    double complex turn[3], z[3], w[2], y[2];
+    double g = 0;
+
+    for (int j = 0; j < 3; j++) {
+        turn[j] = cexp(I * (task->angle[j] - task->angle[0]));
+        z[j] = d->choice == FOURLINK_FIXED_PIVOT
+                   ? (plane(d->pivot) - plane(task->point[j])) / turn[j]
+                   : plane(task->point[j]) + turn[j] * (plane(d->pivot) - plane(task->point[0]));
+    }
+    if (d->choice == FOURLINK_ROTATIONS) {
+        for (int j = 0; j < 2; j++) {
+            w[j] = cexp(I * d->rotation[j]) - 1;
+            y[j] = turn[j + 1] - 1;
+        }
+        g = cabs(w[0] * conj(w[1]) + y[0] * conj(y[1])) / hypot(cabs(w[0]), cabs(y[0])) /
+            hypot(cabs(w[1]), cabs(y[1]));
+    } else {
+        g = fabs(creal((z[1] - z[0]) * conj(z[2] - z[0]))) / cabs(z[1] - z[0]) / cabs(z[2] - z[0]);
+    }
+    return sqrt((1 + g) / (1 - g));
+}
+
+TEST(conditions)
+{
+    static const fourlink_choice choices[] = {FOURLINK_ROTATIONS, FOURLINK_FIXED_PIVOT,
+                                              FOURLINK_MOVING_PIVOT};
+    uint64_t seed = 25;
+
+    for (int k = 0; k < 300; k++) {
+        fourlink_motion_task task = random_task(&seed, (int)choices[k % 3]);
+        double left = condition_of_dyad(&task, &task.left),
+               right = condition_of_dyad(&task, &task.right);
+        fourlink_solution s;
+
+        FOUND(motion, &task, &s);
+        assert_close(s.condition, fmax(left, right), 1e-9 * s.condition);
+    }
+}
+
 /* All positions are met, on the branch that a drawing shows. */
 TEST(random_motions)
 {

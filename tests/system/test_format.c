@@ -410,9 +410,9 @@ int main(int argc, char **argv)
         C_LOCALE(test_cells),         C_LOCALE(test_any_numbers),
     };
     const struct CMUnitTest with_comma[] = {
-        COMMA_LOCALE(test_examples),
-        COMMA_LOCALE(test_sizes),
-        COMMA_LOCALE(test_back),
+        COMMA_LOCALE(test_examples),  COMMA_LOCALE(test_sizes),
+        COMMA_LOCALE(test_back),      COMMA_LOCALE(test_ties),
+        COMMA_LOCALE(test_near_ties), COMMA_LOCALE(test_ends_of_ranges),
     };
 
     if (!asks_for_comma(argc, argv))
