@@ -261,7 +261,7 @@ int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_a
     int status = p->n ? FOURLINK_OK : p->status;
 
     memset(row, 0, sizeof *row);
-    row->angle = m->d->motion.from;
+    row->angle = GSL_NAN; /* where the crank is then is not known */
     row->time = time;
     if (status == FOURLINK_OK && time > end * (1 + 1e-14))
         status = p->status;

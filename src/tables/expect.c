@@ -74,17 +74,19 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
 static void put_section(sheet *s, fourlink_branch branch, double angle, const double *time,
                         int status)
 {
+    const char *own = time ? "s" : s->v.units[QUANTITY_ANGLE].name;
     const style *styles = s->layout;
+    double at = time ? *time : angle;
     unsigned long j;
 
     if (status != FOURLINK_OK) {
-        line_put(&s->l, "\n# at %15g %s, %s: %s\n", angle, s->v.units[QUANTITY_ANGLE].name,
-                 fourlink_branch_text((int)branch), fourlink_status_text(status));
+        line_put(&s->l, "\n# at %15g %s, %s: %s\n", at, own, fourlink_branch_text((int)branch),
+                 fourlink_status_text(status));
         s->failed++;
         return;
     }
-    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", time ? *time : angle,
-             time ? "s" : s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)branch));
+    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", at, own,
+             fourlink_branch_text((int)branch));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
@@ -106,11 +108,13 @@ static void write_rows(sheet *s, fourlink_branch branch)
                     (motion->acceleration == 0 || motion->hold);
     unsigned long n = s->v.problem.n_rows, k;
     fourlink_instant now;
+    double time;
     int status;
 
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
-        put_section(s, branch, now.row.angle, s->v.problem.by_time ? &now.row.time : NULL, status);
+        time = status == FOURLINK_OK ? now.row.time : (double)k * s->v.problem.time_step;
+        put_section(s, branch, now.row.angle, s->v.problem.by_time ? &time : NULL, status);
         if (sheet_is_over(s, &now))
             break;
     }
