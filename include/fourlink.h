@@ -507,6 +507,18 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
                                      double angle, double *values, fourlink_instant *instant,
                                      fourlink_load *loads);
 
+/* The same at any place of what the rows go over (fourlink_abscissa), by angle as fourlink_results_at.
+**
+** Given:
+**    place      an angle in the deck's unit or, of rows by time, a time in s
+**    others     as for fourlink_results_row
+** Returned, also as function value:
+**    as from fourlink_results_at
+*/
+FOURLINK_API int fourlink_results_along(fourlink_results *results, fourlink_branch branch,
+                                        double place, double *values, fourlink_instant *instant,
+                                        fourlink_load *loads);
+
 /* Many rows of any columns, by their handles.
 **
 ** Given:

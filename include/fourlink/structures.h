@@ -447,6 +447,7 @@ typedef struct fourlink_range {
 typedef struct fourlink_row {
     fourlink_crank crank;
     double angle; /* crank angle in the motion's unit */
+    double place; /* what rows go over: the angle or, of rows by time, the time, s */
     double time;  /* s, since the first row; 0 if it is not defined (see fourlink_motion_row) */
 } fourlink_row;
 
@@ -486,6 +487,19 @@ enum {
     FOURLINK_MODE_STEADY = 3  /* the motion that repeats after a cycle */
 };
 
+/* What the rows of a deck go over, from the first to the last: the crank angle or time. */
+typedef struct fourlink_abscissa {
+    const char *name;         /* of its column: theta2, time */
+    const char *symbol;       /* of it, in UTF-8: theta with subscript 2, t */
+    const char *quantity;     /* of its unit: angle, time */
+    const char *rows;         /* as [motion] rows has it: angle, time */
+    const char *words;        /* in a sentence: the crank angle, time */
+    const char *step_key;     /* of [motion]: interval, time_step */
+    int is_crank_angle;       /* 1: a crank angle has one row; 0: it can have many, or none */
+    const char *unit;         /* of its places: the deck's unit of angle, s */
+    double first, step, last; /* places */
+} fourlink_abscissa;
+
 typedef struct fourlink_problem {
     char title[256]; /* null-terminated; cut off if longer */
     fourlink_mechanism mechanism;
@@ -518,6 +532,7 @@ typedef struct fourlink_problem {
     int by_time;      /* 1: rows by time; their angles come from fourlink_results_row */
     double time_step; /* s, for rows by time; else 0 */
     double duration;  /* s, for rows by time: the time of the last row; else 0 */
+    fourlink_abscissa over; /* what its rows go over */
 } fourlink_problem;
 
 /* All results at one crank angle. */

@@ -91,7 +91,7 @@ void flk_build_expectations(parser *p)
                               : d->motion.from;
         if (p->is_answers && IS_SET(at) && !e->at_is_time)
             e->at = nearest_row(d, at, e->at);
-        if (e->at_is_time && !d->mode.by_time)
+        if (e->at_is_time && d->over->is_crank_angle)
             flk_mistake(p->mistakes, at->place,
                         "a time is for rows by time: expected a crank angle, such as 40 deg");
         flk_build_check_branch(p, branch);

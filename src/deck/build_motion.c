@@ -119,7 +119,7 @@ static void build_rows_by_time(parser *p)
     deck_mode *mode = &p->d->mode;
     size_t i;
 
-    mode->by_time = rows->word;
+    p->d->over = &flk_abscissas[rows->word];
     mode->time_step = step->si[0];
     mode->duration = duration->si[0];
     if (!rows->word) {
@@ -218,8 +218,9 @@ static void check_range(parser *p)
     fourlink_range range;
     char count[40] = "";
     int status = fourlink_motion_range(motion, &range);
-    int has_too_many = status == FOURLINK_TOO_MANY_ROWS ||
-                       (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->mode.by_time);
+    int has_too_many =
+        status == FOURLINK_TOO_MANY_ROWS ||
+        (status == FOURLINK_OK && range.n_rows > MOST_ROWS && p->d->over->is_crank_angle);
 
     if (has_too_many && flk_motion_intervals(motion) < FLK_MOTION_MOST)
         flk_message(count, sizeof count, " (%g)", flk_motion_intervals(motion) + 1);

@@ -27,6 +27,7 @@ void flk_deck_start(deck *d)
     memset(d, 0, sizeof *d);
     flk_deck_set_si(d->units);
     memcpy(d->bare, d->units, sizeof d->bare);
+    d->over = &flk_abscissas[0];
 }
 
 /* The header of a block of the deck's memory, before its contents. */
@@ -84,19 +85,29 @@ void fourlink_deck_free(fourlink_deck *d)
     free(d);
 }
 
-int flk_deck_range(const deck *d, fourlink_range *range)
-{
-    double n = d->mode.by_time ? ceil(d->mode.duration / d->mode.time_step - 1e-9) : 0;
-    int status = fourlink_motion_range(&d->motion, range);
+const fourlink_abscissa flk_abscissas[2] = {
+    {"theta2", "\316\270\342\202\202", "angle", "angle", "the crank angle", "interval", 1, "rad", 0,
+     0, 0},
+    {"time", "t", "time", "time", "time", "time_step", 0, "s", 0, 0, 0}};
 
-    if (status == FOURLINK_OK && d->mode.by_time)
-        range->n_rows = (unsigned long)n + 1;
+int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over)
+{
+    const fourlink_motion *motion = &d->motion;
+    int status = fourlink_motion_range(motion, range);
+
+    *over = *d->over;
+    if (status == FOURLINK_OK && over->is_crank_angle) {
+        over->unit = d->units[QUANTITY_ANGLE].name;
+        over->first = motion->from;
+        over->step = motion->interval;
+        over->last =
+            range->stops ? range->stop_angle : flk_motion_angle(motion, range, range->n_rows - 1);
+    } else if (status == FOURLINK_OK) {
+        over->step = d->mode.time_step;
+        over->last = d->mode.duration;
+        range->n_rows = (unsigned long)ceil(over->last / over->step - 1e-9) + 1;
+    }
     return status;
-}
-
-double flk_deck_time(const deck *d, unsigned long row)
-{
-    return GSL_MIN((double)row * d->mode.time_step, d->mode.duration);
 }
 
 int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
@@ -122,7 +133,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->machine.flywheel;
-    if (flk_deck_range(d, &range) == FOURLINK_OK)
+    if (flk_deck_rows(d, &range, &problem->over) == FOURLINK_OK)
         problem->n_rows = range.n_rows;
     problem->one_instant = d->one_instant;
     problem->one_revolution = d->one_revolution;
@@ -136,9 +147,9 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
-    problem->by_time = d->mode.by_time;
-    problem->time_step = d->mode.by_time ? d->mode.time_step : 0;
-    problem->duration = d->mode.by_time ? d->mode.duration : 0;
+    problem->by_time = !d->over->is_crank_angle;
+    problem->time_step = d->mode.time_step;
+    problem->duration = d->mode.duration;
     return FOURLINK_OK;
 }
 

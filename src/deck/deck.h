@@ -109,8 +109,7 @@ typedef struct deck_mode {
     int kind;
     double mean_speed;          /* rad/s, steady motion with a torque that balances; 0: not given */
     double turns;               /* 1; 0: not given.  motion.to is set from it */
-    int by_time;                /* 1: rows by time */
-    double time_step, duration; /* s, of rows by time */
+    double time_step, duration; /* s, of rows by time; 0 of others */
     double fluctuation;         /* 1, exact: find the flywheel with this fluctuation; 0: none */
 } deck_mode;
 
@@ -139,6 +138,7 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
+    const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
     struct deck_synthesis *synthesis;    /* its task, and what was found; null: there is none */
@@ -172,10 +172,12 @@ void flk_deck_set_si(deck_unit *units);
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
-/* The rows of its motion, as from fourlink_motion_range; for rows by time only their number.  The time of
-** such a row, s. */
-int flk_deck_range(const deck *d, fourlink_range *range);
-double flk_deck_time(const deck *d, unsigned long row);
+/* What rows can go over, by the word of [motion] rows. */
+extern const fourlink_abscissa flk_abscissas[2];
+
+/* The rows of a deck: the crank angles of its motion, as from fourlink_motion_range, with the number of the
+** rows; what they go over. */
+int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over);
 
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_deck_keep(deck *d, size_t size);

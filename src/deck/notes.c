@@ -251,7 +251,7 @@ static void check_run_up(parser *p)
     const fourlink_motor *motor = &machine->motor;
     double turns = flk_setting_or(p, KEY_MOTION_TO, 0) / (2 * M_PI);
 
-    if (p->d->mode.kind != MODE_GIVEN && !p->d->mode.by_time && !machine->n_elements &&
+    if (p->d->mode.kind != MODE_GIVEN && p->d->over->is_crank_angle && !machine->n_elements &&
         !machine->has_friction && motor->kind == FOURLINK_MOTOR_TORQUE && motor->torque != 0 &&
         fabs(flk_setting_or(p, KEY_MOTION_TURNS, turns)) > MANY_TURNS)
         flk_mistake(NOTES(p), flk_setting_find(p, KEY_MOTOR_TORQUE)->place,

@@ -48,6 +48,10 @@
 #define FLK_MOTION_MOST 1e15
 double flk_motion_intervals(const fourlink_motion *motion);
 
+/* The crank angle of row i, in the motion's unit. */
+double flk_motion_angle(const fourlink_motion *motion, const fourlink_range *range,
+                        unsigned long i);
+
 /* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 

@@ -136,7 +136,7 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
         return FOURLINK_NULL;
     if (motion->run_up > 0 && motion->acceleration == 0)
         return FOURLINK_NO_RUN_UP;
-    at.angle = angle;
+    at.angle = at.place = angle;
     at.crank.theta2 = angle * motion->angle_unit;
     s = (angle - motion->from) * motion->angle_unit;
     if (motion->run_up > 0) {
@@ -161,17 +161,21 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
     return FOURLINK_OK;
 }
 
+double flk_motion_angle(const fourlink_motion *motion, const fourlink_range *range, unsigned long i)
+{
+    double turned = (double)i * motion->interval; /* rounded here: 100 x 0.01 is 1, as on paper */
+
+    return i > 0 && i == range->n_rows - 1 && !range->stops
+               ? last_angle(motion)
+               : motion->from + direction(motion) * turned;
+}
+
 int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range, unsigned long i,
                         fourlink_row *row)
 {
-    double turned;
-
     if (!motion || !range || !row)
         return FOURLINK_NULL;
     if (i >= range->n_rows)
         return FOURLINK_NO_SUCH_ROW;
-    if (i > 0 && i == range->n_rows - 1 && !range->stops)
-        return fourlink_motion_at(motion, last_angle(motion), row);
-    turned = (double)i * motion->interval; /* rounded here, so that 100 x 0.01 is 1, as on paper */
-    return fourlink_motion_at(motion, motion->from + direction(motion) * turned, row);
+    return fourlink_motion_at(motion, flk_motion_angle(motion, range, i), row);
 }

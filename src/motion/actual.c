@@ -78,7 +78,7 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
     return found;
 }
 
-/* Rows by time: the sense of the motion is that in which the crank starts. */
+/* By time: the sense of the motion is that in which the crank starts. */
 static int run_for(flk_path *p, const deck *d)
 {
     double speed = d->mode.kind == MODE_FREE ? d->motion.speed : 0;
@@ -100,7 +100,7 @@ static int find_actual(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->d;
 
-    if (d->mode.by_time)
+    if (d->mode.duration > 0)
         return run_for(p, d);
     if (m->winds)
         p->status = FOURLINK_NO_STEADY;
@@ -210,11 +210,14 @@ double flk_actual_length(flk_actual *m, fourlink_branch branch)
 {
     const on_branch *b = on(m, branch);
 
-    if (m->d->mode.by_time)
-        return flk_path_travel(&b->path);
     return b->facts.status != FOURLINK_OK && b->path.n > 1 && m->d->mode.kind != MODE_STEADY
                ? flk_path_end(&b->path)->y[FLK_PASSED]
                : m->length;
+}
+
+double flk_actual_travel(flk_actual *m, fourlink_branch branch)
+{
+    return flk_path_travel(&on(m, branch)->path);
 }
 
 double flk_actual_time(flk_actual *m, fourlink_branch branch)
@@ -239,7 +242,7 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
     memset(row, 0, sizeof *row);
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
-    if (m->d->mode.by_time)
+    if (p->swings)
         return flk_path_at(p, s, row);
     if (m->d->mode.kind == MODE_STEADY && status == FOURLINK_OK) {
         turns = flk_cycle_count(s, m->cycle);
@@ -278,7 +281,7 @@ const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branc
 
     if (!b)
         return NULL;
-    if (!m->d->mode.by_time && !b->is_known && b->facts.status == FOURLINK_OK) {
+    if (!b->path.swings && !b->is_known && b->facts.status == FOURLINK_OK) {
         if (m->d->mode.kind == MODE_RUN_UP)
             flk_facts_of_run_up(&b->path, &b->facts);
         else if (m->d->mode.kind == MODE_STEADY || m->length >= m->cycle * (1 - 1e-12))

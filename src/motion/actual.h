@@ -13,7 +13,7 @@ typedef struct flk_actual flk_actual;
 /* Set up the motion of a deck, for flk_actual_free; null if out of memory.
 **
 ** acting  memory for the loads of a row; it and the corners must remain valid as long
-** end     the crank angle of the last row, in the deck's unit; unused by time
+** end     the last crank angle of the deck's motion, in its unit
 ** period  rad, of a steady motion
 ** winds   1: each cycle winds up a spring, so there is no steady motion */
 flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *acting, double end,
@@ -28,12 +28,15 @@ int flk_actual_prepare(flk_actual *m, fourlink_branch branch);
 ** there, with theta2 set and the rest 0. */
 int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row);
 
-/* The same at a time, of rows by time. */
+/* The same at a time of a motion that was integrated by time. */
 int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_actual_row *row);
 
-/* The length of the motion, rad: that of the rows, unless it ends earlier.  For rows by time, the angle
-** through which the crank turns, forwards and backwards, and the `time` this takes, s. */
+/* The length of a motion that is integrated by angle, rad: that of the rows, unless it ends earlier. */
 double flk_actual_length(flk_actual *m, fourlink_branch branch);
+
+/* Of a motion that is integrated by time the angle through which the crank turns, forwards and backwards, rad,
+** and the `time` this takes, s. */
+double flk_actual_travel(flk_actual *m, fourlink_branch branch);
 double flk_actual_time(flk_actual *m, fourlink_branch branch);
 
 /* 1 if the motion starts from rest. */

@@ -347,13 +347,13 @@ int flk_analysis_open(flk_analysis *a, const deck *d, const flk_analysis *like)
     a->d = d;
     a->possible = possible(d);
     a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
-    return a->acting.load && flk_crank_motion_open(&a->crank_motion, d, &a->acting,
-                                                   like ? like->crank_motion.actual : NULL);
+    return a->acting.load &&
+           flk_course_open(&a->course, d, &a->acting, like ? like->course.actual : NULL);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
-    flk_crank_motion_close(&a->crank_motion);
+    flk_course_close(&a->course);
     free(a->acting.load);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
@@ -428,51 +428,34 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
         at->status = derive(a, needs, forces, crank, at, &row->derived);
 }
 
-/* A row of the actual motion, or the reason why there is none. */
-static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int status,
-                        flk_row *row)
+/* Complete a row, unless the machine does not get there. */
+static void complete(flk_analysis *a, int needs, fourlink_branch branch, int status, flk_row *row)
 {
-    row->at.row.crank = row->actual.crank;
-    row->at.row.angle = row->actual.angle;
-    row->at.row.time = row->actual.time;
-    if (status != FOURLINK_OK)
-        row->at.row.time = row->at.row.crank.omega2 = row->at.row.crank.alpha2 = FLK_UNDEFINED;
+    row->at.branch = branch;
+    row->at.status = status;
     if (status == FOURLINK_OK)
         flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
-    row->at.branch = branch;
-    row->at.status = status != FOURLINK_OK ? status : row->at.status;
-}
-
-void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
-                          flk_row *row)
-{
-    take_actual(a, needs, branch,
-                flk_actual_at_time(a->crank_motion.actual, branch, time, &row->actual), row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
-    if (a->d->mode.by_time) {
-        flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
-        return;
-    }
-    fourlink_motion_row(&a->d->motion, &a->crank_motion.range, i, &row->at.row);
-    if (a->crank_motion.actual) {
-        flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
-        return;
-    }
-    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    flk_analysis_along(a, needs, branch, a->course.type->place(&a->course, i), row);
+}
+
+void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, double place,
+                        flk_row *row)
+{
+    const flk_course *c = &a->course;
+
+    complete(a, needs, branch, c->type->at(c, branch, place, &row->at.row, &row->actual), row);
 }
 
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row)
 {
-    if (a->crank_motion.actual) {
-        take_actual(a, needs, branch,
-                    flk_actual_at(a->crank_motion.actual, branch, angle, &row->actual), row);
-        return;
-    }
-    fourlink_motion_at(&a->d->motion, angle, &row->at.row);
-    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    const flk_course *c = &a->course;
+
+    complete(a, needs, branch, flk_course_at_angle(c, branch, angle, &row->at.row, &row->actual),
+             row);
 }

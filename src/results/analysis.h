@@ -6,7 +6,7 @@
 #define FOURLINK_ANALYSIS_H
 
 #include "mechanics/element.h"
-#include "motion/crank_motion.h"
+#include "motion/course.h"
 #include "deck/deck.h"
 
 /* ------------------------------------------------------------------------------------------------ derived */
@@ -110,7 +110,7 @@ typedef struct flk_turning {
 typedef struct flk_analysis {
     const deck *d;
     int possible; /* which of the above the deck can give */
-    flk_crank_motion crank_motion;
+    flk_course course;
     flk_acting acting;      /* the loads of the present row */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
@@ -128,14 +128,13 @@ void flk_analysis_close(flk_analysis *a);
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row);
 
-/* Row i of the deck's motion; the row at an angle of the motion, in the deck's unit. */
+/* Row i of the deck; the row at a place of its course; where the crank first passes an angle of the motion, in
+** the deck's unit. */
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row);
+void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, double place,
+                        flk_row *row);
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row);
-
-/* The row at a time, of a deck with rows by time. */
-void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
-                          flk_row *row);
 
 #endif

@@ -107,7 +107,7 @@ static void keep_crossing(crossings *k, double s, double around)
     if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;
     if (k->n < k->max)
-        k->angles[k->n] = flk_follow_angle(&k->x.f, passed);
+        k->angles[k->n] = flk_follow_place(&k->x.f, passed);
     k->first = k->n == 0 ? passed : k->first;
     k->last = passed;
     k->n++;
@@ -521,7 +521,7 @@ static void search_crossings(crossings *k)
         search_piece(k, &before);
     /* a revolution ends with its first row */
     if (k->n > 1 && k->first < SAME && k->last > k->x.f.motion.length - SAME &&
-        flk_crank_motion_is_periodic(&k->x.f.a->crank_motion))
+        flk_course_is_periodic(&k->x.f.a->course))
         k->n--;
 }
 
@@ -532,7 +532,7 @@ int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_
     crossings k;
     int is_constant;
 
-    if (flk_crank_motion_stops(&a->crank_motion, branch))
+    if (flk_course_stops(&a->course, branch))
         return FOURLINK_TOO_LONG;
     memset(&k, 0, sizeof k);
     k.value = value;

@@ -150,7 +150,7 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     if (c->hint[0] || c->has_time ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return FOURLINK_OK;
-    status = flk_actual_prepare(o->a.crank_motion.actual, other);
+    status = flk_actual_prepare(o->a.course.actual, other);
     if (status != FOURLINK_OK)
         return status;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
@@ -312,8 +312,11 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    status = is_column && e->at_is_time ? flk_name_value_at_time(o, n, e->branch, e->at, v)
-                                        : flk_name_value(o, n, e->branch, e->at, v);
+    if (!is_column || !e->at_is_time)
+        status = flk_name_value(o, n, e->branch, e->at, v);
+    else
+        status = o->d.over->is_crank_angle ? FOURLINK_NO_SUCH_ANGLE
+                                           : flk_name_value_along(o, n, e->branch, e->at, v);
     if (status == FOURLINK_OK)
         return 1;
     if (!is_column)
@@ -321,7 +324,7 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
     else if (e->at_is_time)
         flk_message(c->message, sizeof c->message, "no value at %g s, %s: %s", e->at,
                     fourlink_branch_text((int)e->branch),
-                    !o->d.mode.by_time                 ? "the rows are by angle"
+                    o->d.over->is_crank_angle          ? "the rows are by angle"
                     : status == FOURLINK_NO_SUCH_ANGLE ? "the motion ends before"
                                                        : fourlink_status_text(status));
     else if (status == FOURLINK_NO_SUCH_ANGLE)

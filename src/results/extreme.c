@@ -74,7 +74,7 @@ static void offer_at(const sought *k, int which, double value, double s)
         return;
     if (fabs(value) >= k->c->of.bound)
         value = value > 0 ? GSL_POSINF : GSL_NEGINF;
-    offer(here, which, value, flk_samples_angle(k->x, k->c, s), CLOSE);
+    offer(here, which, value, flk_samples_place(k->x, k->c, s), CLOSE);
 }
 
 /* Finish the part of a column's curve since it started anew; `shift` moves it by whole turns. */
@@ -97,7 +97,7 @@ static void offer_corner(const sought *k, int which, int end)
 
     if (!(of->turn > 0) || !flk_followed_turns_over(of, beside, corner))
         offer(&k->b->here[which], which, flk_followed_nearest(of, corner, beside),
-              flk_follow_angle(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
+              flk_follow_place(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
 }
 
 /* Offer the first of the best samples, and what is at the ends of the piece. */
@@ -332,8 +332,8 @@ static void offer_top(const sought *k, size_t i, const flk_sample *top)
     size_t from, to;
 
     find_equal(k, i, &from, &to);
-    before = best->angle - flk_samples_angle(x, k->c, x->s[from > 0 ? from - 1 : 0]);
-    behind = best->angle - flk_samples_angle(x, k->c, x->s[to + 1 < x->n ? to + 1 : to]);
+    before = best->angle - flk_samples_place(x, k->c, x->s[from > 0 ? from - 1 : 0]);
+    behind = best->angle - flk_samples_place(x, k->c, x->s[to + 1 < x->n ? to + 1 : to]);
     if (before * behind <= 0 && top->value > signed_value(k->which, best->value) + close)
         best->is_there = 0;
     offer_at(k, k->which, signed_value(k->which, top->value), top->x);
@@ -488,7 +488,7 @@ static void end_piece(search *x)
             commit(&x->bests[i], 0);
             c->of.last = GSL_NAN;
             c->of.restarts = 1;
-        } else if (x->samples.f.a->crank_motion.actual) {
+        } else if (x->samples.f.a->course.actual) {
             commit(&x->bests[i], 0);
         }
     }
@@ -522,7 +522,7 @@ static void move_constant(const search *x, const flk_followed *t, flk_bests *b)
     value = flk_followed_nearest(t, flk_column_value(t->c, &row), max->value);
     if (row.at.status == FOURLINK_CHANGE_POINT ||
         fabs(value - max->value) <= NOISE * fabs(max->value))
-        max->angle = min->angle = x->samples.f.from;
+        max->angle = min->angle = x->samples.f.extent.first;
 }
 
 /* The least value of a difference of lengths, such as a displacement, may be 0 within rounding. */
@@ -561,7 +561,7 @@ static void begin_search(search *x, const flk_samples_room *room, flk_bests *bes
     for (i = 0; i < n; i++) {
         flk_samples_add(&x->samples, &pairs[i].c);
         memset(&x->bests[i], 0, sizeof x->bests[i]);
-        x->bests[i].close = a->crank_motion.actual ? CLOSE_TURNS : CLOSE;
+        x->bests[i].close = a->course.actual ? CLOSE_TURNS : CLOSE;
     }
 }
 
@@ -586,7 +586,7 @@ static void search_extremes(search *x, flk_extreme_pair *pairs)
 void flk_extreme_search(flk_analysis *a, const flk_samples_room *room, flk_bests *bests,
                         fourlink_branch branch, flk_extreme_pair *pairs, size_t n)
 {
-    int status = flk_crank_motion_stops(&a->crank_motion, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
+    int status = flk_course_stops(&a->course, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
     search x;
     size_t i;
 

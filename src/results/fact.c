@@ -365,7 +365,7 @@ static void add_limits(listing *t)
 /* Why the actual motion ends early, or FOURLINK_OK. */
 static int end_of_motion(flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->crank_motion.actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
 
     return f ? f->status : FOURLINK_OK;
 }
@@ -389,7 +389,7 @@ static int is_of_motion(const deck *d, int i)
 
 int flk_fact_why_missing(flk_analysis *a, int handle, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->crank_motion.actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
     int i = OTHER(handle), status;
 
     if (!f || !is_of_motion(a->d, i))
@@ -452,7 +452,7 @@ static void add_turning(listing *t, flk_analysis *a)
 {
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
     const flk_actual_facts *actual =
-        flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
+        flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
     double efficiency;
 
     if (!m)
@@ -480,8 +480,7 @@ static void add_fact_if_defined(listing *t, fact_code code, double si)
 
 static void add_actual(listing *t, flk_analysis *a)
 {
-    const flk_actual_facts *f =
-        flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
 
     if (!f)
         return;

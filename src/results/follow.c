@@ -24,8 +24,7 @@ void flk_follow_all(flk_follower *f)
 
 static void skip_periods(flk_follower *f)
 {
-    f->motion.period =
-        flk_crank_motion_repeats(&f->a->crank_motion) ? f->a->crank_motion.period : GSL_POSINF;
+    f->motion.period = flk_course_repeats(&f->a->course) ? f->a->course.period : GSL_POSINF;
     if (f->motion.length < 3 * f->motion.period)
         return;
     f->skipped = f->motion.period * (flk_cycle_count(f->motion.length, f->motion.period) - 2);
@@ -34,24 +33,18 @@ static void skip_periods(flk_follower *f)
 
 void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch)
 {
-    const flk_crank_motion *crank_motion = &a->crank_motion;
+    const flk_course *course = &a->course;
 
     memset(f, 0, sizeof *f);
     f->a = a;
     f->branch = branch;
     a->rows_left = MOST_ROWS;
-    f->motion.crank_motion = crank_motion;
+    f->motion.course = course;
     f->motion.branch = branch;
-    f->motion.has_loads = crank_motion->actual != NULL;
-    f->motion.length = flk_crank_motion_length(crank_motion, branch);
+    f->motion.has_loads = course->actual != NULL;
+    course->type->extent(course, branch, &f->extent);
+    f->motion.length = f->extent.length;
     skip_periods(f);
-    f->from = a->d->motion.from;
-    f->end = flk_crank_motion_end(crank_motion, branch);
-    f->per_rad = (f->end < f->from ? -1 : 1) / a->d->motion.angle_unit;
-    if (a->d->mode.by_time) {
-        f->from = 0;
-        f->per_rad = f->motion.length > 0 ? f->end / f->motion.length : 0;
-    }
 }
 
 int flk_follow_next(flk_follower *f)
@@ -108,21 +101,21 @@ double flk_follow_rate(const flk_follower *f, double s)
     return (f->piece.to - f->piece.from) * M_PI_2 * flk_sine(M_PI * s);
 }
 
-double flk_follow_angle(const flk_follower *f, double passed)
+double flk_follow_place(const flk_follower *f, double passed)
 {
     if (passed >= f->motion.length)
-        return f->end;
-    return f->from + f->per_rad * (passed > f->motion.period ? passed + f->skipped : passed);
+        return f->extent.end;
+    return f->extent.first +
+           f->extent.rate * (passed > f->motion.period ? passed + f->skipped : passed);
 }
 
-double flk_follow_crank(const flk_follower *f, double angle)
+double flk_follow_crank(const flk_follower *f, double place)
 {
-    flk_row row;
+    flk_actual_row actual;
+    fourlink_row row;
 
-    if (!f->a->d->mode.by_time)
-        return angle;
-    flk_analysis_at_time(f->a, 0, f->branch, angle, &row);
-    return row.at.row.angle;
+    f->a->course.type->at(&f->a->course, f->branch, place, &row, &actual);
+    return row.angle;
 }
 
 /* What a row costs, in rows without loads. */
@@ -138,18 +131,13 @@ int flk_follow_is_over(const flk_follower *f)
 
 void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *row)
 {
-    double angle = flk_follow_angle(f, passed);
-
     if (flk_follow_is_over(f)) {
         memset(row, 0, sizeof *row);
         row->at.status = FOURLINK_LONG_SEARCH;
         return;
     }
     f->a->rows_left -= cost_of_row(f->a);
-    if (f->a->d->mode.by_time)
-        flk_analysis_at_time(f->a, needs, f->branch, angle, row);
-    else
-        flk_analysis_at_angle(f->a, needs, f->branch, angle, row);
+    flk_analysis_along(f->a, needs, f->branch, flk_follow_place(f, passed), row);
 }
 
 int flk_follow_is_reached(const flk_follower *f)
@@ -202,8 +190,7 @@ double flk_followed_per_period(const flk_followed *t)
 
 double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
 {
-    return t->turn > 0 && flk_crank_motion_is_periodic(&f->a->crank_motion) &&
-                   !gsl_isnan(t->first + t->last)
+    return t->turn > 0 && flk_course_is_periodic(&f->a->course) && !gsl_isnan(t->first + t->last)
                ? whole_turns(t, t->last, t->first)
                : 0;
 }

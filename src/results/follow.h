@@ -11,7 +11,7 @@
 #define FOURLINK_FOLLOW_H
 
 #include "column.h"
-#include "motion/crank_motion.h"
+#include "motion/course.h"
 #include "base/polynomial.h"
 
 /* A walk along the motion. */
@@ -20,10 +20,8 @@ typedef struct flk_follower {
     fourlink_branch branch;
     flk_pieces motion; /* its length, rad, is without the whole periods that are skipped */
     double skipped;    /* length of these periods, rad */
-    double from,
-        end; /* first and last crank angle, in the deck's unit; of rows by time the times, s */
-    double per_rad;  /* the deck's unit of angle for 1 rad passed, with sign */
-    flk_piece piece; /* the present one */
+    flk_extent extent; /* with these periods */
+    flk_piece piece;   /* the present one */
 } flk_follower;
 
 /* Begin.  flk_follow_next goes to the first piece, then to the next, and returns 0 at the end.  Of a
@@ -53,10 +51,9 @@ double flk_follow_rate(const flk_follower *f, double s);
 double flk_follow_corner(const flk_follower *f, double s);
 double flk_follow_inside(const flk_follower *f, double s);
 
-/* The crank angle after the angle `passed`, in the deck's unit; for rows by time, the time.  The crank
-** angle that belongs to either. */
-double flk_follow_angle(const flk_follower *f, double passed);
-double flk_follow_crank(const flk_follower *f, double angle);
+/* The place of the course after `passed`, and the crank angle there, in the deck's unit. */
+double flk_follow_place(const flk_follower *f, double passed);
+double flk_follow_crank(const flk_follower *f, double place);
 
 /* The row after the angle `passed`.  Rows are counted: after too many, all have the status
 ** FOURLINK_LONG_SEARCH and the walk is over. */

@@ -61,7 +61,7 @@ void flshut_(fourlink_results **handle)
 
 void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols)
 {
-    *nrows = *handle ? (int)(*handle)->now->a.crank_motion.range.n_rows : 0;
+    *nrows = *handle ? (int)(*handle)->now->a.course.range.n_rows : 0;
     *ncols = *handle ? (int)(*handle)->now->n_columns : 0;
 }
 

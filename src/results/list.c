@@ -219,9 +219,9 @@ static void derive_motion(listing *t)
     if (t->d->one_instant)
         return;
     add_default(t, "motion", "from", QUANTITY_ANGLE, motion->from, "first crank angle");
-    if (motion->run_up <= 0 && !t->d->mode.by_time)
+    if (motion->run_up <= 0 && t->d->over->is_crank_angle)
         add_default(t, "motion", "to", QUANTITY_ANGLE, motion->to, "last crank angle");
-    if (!t->d->mode.by_time)
+    if (t->d->over->is_crank_angle)
         add_default(t, "motion", "interval", QUANTITY_ANGLE, motion->interval,
                     "interval of the crank angle");
     add_derived(t, "motion", "cycle", QUANTITY_ANGLE, t->d->machine.cycle,

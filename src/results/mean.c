@@ -255,7 +255,7 @@ int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_colum
 {
     means m;
 
-    if (flk_crank_motion_stops(&a->crank_motion, branch))
+    if (flk_course_stops(&a->course, branch))
         return FOURLINK_TOO_LONG;
     begin_mean(&m, room, a, c, branch, statistic);
     if (m.x.f.motion.length <= 0)
@@ -357,7 +357,7 @@ static size_t turning_pieces(const deck *d)
 static size_t most_cuts(const flk_analysis *a)
 {
     return turning_pieces(a->d) + 1 + HALVINGS_OF_MOMENT +
-           flk_corners_most(a->crank_motion.corners, a->d->machine.cycle);
+           flk_corners_most(a->course.corners, a->d->machine.cycle);
 }
 
 int flk_turning_open(flk_analysis *a)
@@ -376,7 +376,7 @@ static void cut(moment *m)
     flk_direction direction;
     flk_piece_end what;
 
-    direction.corners = m->a->crank_motion.corners;
+    direction.corners = m->a->course.corners;
     direction.branch = m->branch;
     direction.from = 0;
     direction.sense = direction.has_loads = 1;
@@ -506,7 +506,7 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
 static void find_turning(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
-    const flk_actual_facts *actual = flk_actual_facts_of(m->a->crank_motion.actual, m->branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(m->a->course.actual, m->branch);
     double omega = m->crank.omega2, inertia = actual ? actual->inertia : d->machine.flywheel;
 
     if (fabs(m->mean) <= 1e-12 * scale)
@@ -541,7 +541,7 @@ static double efficiency_of(const moment *m)
 /* The speed of the crank, or the mean of its steady motion; NaN if it has none. */
 static double speed_of(const flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *actual = flk_actual_facts_of(a->crank_motion.actual, branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(a->course.actual, branch);
 
     return actual ? actual->mean_speed : a->d->motion.speed;
 }

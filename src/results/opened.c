@@ -117,20 +117,20 @@ static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch b
     double at;
     flk_row row;
 
-    if (!flk_crank_motion_find_angle(&o->a.crank_motion, angle, &at))
+    if (!flk_course_find_angle(&o->a.course, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&o->a, flk_column_need(c), branch, at, &row);
     return value_in_row(o, c, branch, &row, value);
 }
 
-int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch branch, double time,
-                           fourlink_value *value)
+int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
+                         fourlink_value *value)
 {
     flk_row row;
 
-    if (!(time >= 0 && time <= o->d.mode.duration * (1 + 1e-12)))
+    if (!o->a.course.type->find(&o->a.course, place, &place))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_time(&o->a, flk_column_need(&n->c), branch, time, &row);
+    flk_analysis_along(&o->a, flk_column_need(&n->c), branch, place, &row);
     return value_in_row(o, &n->c, branch, &row, value);
 }
 
@@ -175,8 +175,9 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
     char statistic[DECK_NAME_SIZE];
     const char *nearest, *meant;
 
-    if (o->d.mode.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
-        flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
+    if (!o->d.over->is_crank_angle && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
+        flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = %s", name,
+                    o->d.over->rows);
     if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT || n->kind == FLK_NAME_GIVEN ||
         (n->kind == FLK_NAME_COLUMN && o->d.one_instant))
         return;

@@ -64,9 +64,9 @@ void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v
 int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
                    fourlink_value *value);
 
-/* The same of a column at a time, s, of a deck with rows by time. */
-int flk_name_value_at_time(flk_opened *o, const flk_name *n, fourlink_branch branch, double time,
-                           fourlink_value *value);
+/* The same of a column at a place of the course. */
+int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
+                         fourlink_value *value);
 
 /* Put the facts of this handle on a branch first in o->found, such as the ends of two ranges; returns their
 ** number. */

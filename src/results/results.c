@@ -301,7 +301,7 @@ static int check_branch(const fourlink_results *r, int is_given, int branch)
         return FOURLINK_NULL;
     return flk_kind_has_branch(flk_kind_of(r->now->d.machine.mechanism.design.kind),
                                (fourlink_branch)branch)
-               ? flk_actual_prepare(r->now->a.crank_motion.actual, (fourlink_branch)branch)
+               ? flk_actual_prepare(r->now->a.course.actual, (fourlink_branch)branch)
                : FOURLINK_BAD_BRANCH;
 }
 
@@ -359,7 +359,7 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
 
     if (status != FOURLINK_OK)
         return status;
-    if (i >= r->now->a.crank_motion.range.n_rows)
+    if (i >= r->now->a.course.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->now->a, needs_of(r->now, values, instant, loads), branch, i, &row);
     return copy_row(r->now, &row, values, instant, loads);
@@ -387,7 +387,7 @@ int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned 
                           double *values)
 {
     int status = check_branch(r, (handles && values) || !n || !n_columns, (int)branch), needs;
-    unsigned long rows = r ? r->now->a.crank_motion.range.n_rows : 0, i, k, some;
+    unsigned long rows = r ? r->now->a.course.range.n_rows : 0, i, k, some;
     flk_column columns[COLUMNS];
     flk_row row;
 
@@ -420,9 +420,26 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
 
     if (status != FOURLINK_OK)
         return status;
-    if (!flk_crank_motion_find_angle(&r->now->a.crank_motion, angle, &at))
+    if (!flk_course_find_angle(&r->now->a.course, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
+    return copy_row(r->now, &row, values, instant, loads);
+}
+
+int fourlink_results_along(fourlink_results *r, fourlink_branch branch, double place,
+                           double *values, fourlink_instant *instant, fourlink_load *loads)
+{
+    int status = check_branch(r, 1, (int)branch);
+    const flk_course *course;
+    double at;
+    flk_row row;
+
+    if (status != FOURLINK_OK)
+        return status;
+    course = &r->now->a.course;
+    if (!course->type->find(course, place, &at))
+        return FOURLINK_NO_SUCH_ANGLE;
+    flk_analysis_along(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
     return copy_row(r->now, &row, values, instant, loads);
 }
 
@@ -438,7 +455,7 @@ int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_b
         return FOURLINK_BAD_NUMBER;
     if (!flk_column_find(&r->now->a, flk_text_of(name), &c))
         return FOURLINK_NO_SUCH_NAME;
-    if (r->now->d.mode.by_time)
+    if (!r->now->a.course.over.is_crank_angle)
         return FOURLINK_NO_SUCH_ANGLE;
     return flk_crossings_find(&r->now->extremes.room, &r->now->a, &c, branch, value, max, angles,
                               n);
@@ -490,9 +507,8 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
 
     if (status != FOURLINK_OK)
         return status;
-    actual = flk_actual_facts_of(r->now->a.crank_motion.actual, branch);
-    *angle =
-        actual && actual->status != FOURLINK_OK ? actual->end_angle : r->now->a.crank_motion.end;
+    actual = flk_actual_facts_of(r->now->a.course.actual, branch);
+    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : r->now->a.course.end;
     return actual ? actual->status : FOURLINK_OK;
 }
 
@@ -520,7 +536,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
         return FOURLINK_NULL;
     if (i >= r->now->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    status = flk_actual_prepare(r->now->a.crank_motion.actual, r->now->d.expectations[i].branch);
+    status = flk_actual_prepare(r->now->a.course.actual, r->now->d.expectations[i].branch);
     if (status != FOURLINK_OK)
         return status;
     flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);

@@ -123,7 +123,7 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
 /* A crank angle closer than this to an end without a row is given as that of the end. */
 #define AT_LIMIT 2e-6 /* rad */
 
-double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
+double flk_samples_place(const flk_samples *x, const flk_sampled *c, double s)
 {
     int is_inside = (s <= 0 && c->is_inside[0]) || (s >= 1 && c->is_inside[1]), end;
     double passed = is_inside ? flk_follow_passed(&x->f, s) : flk_follow_corner(&x->f, s);
@@ -131,7 +131,7 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
     for (end = 0; end < 2; end++)
         if (c->limit[end].reach >= 0 && fabs(passed - c->limit[end].edge) < AT_LIMIT)
             passed = c->limit[end].edge;
-    return flk_follow_angle(&x->f, passed);
+    return flk_follow_place(&x->f, passed);
 }
 
 /* -------------------------------------------------------------------------------------------- samples */

@@ -88,7 +88,7 @@ int flk_samples_is_at_limit(const flk_samples *x, double s);
 /* 1 where rows of a column are rounding error. */
 int flk_sampled_is_rounded(const flk_sampled *c, double passed);
 
-/* The crank angle of a sample, or of another parameter, in the deck's unit; of rows by time the time. */
-double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s);
+/* The place of the course at a sample, or at another parameter. */
+double flk_samples_place(const flk_samples *x, const flk_sampled *c, double s);
 
 #endif

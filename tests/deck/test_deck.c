@@ -1606,12 +1606,13 @@ TEST(test_cut_short)
 /* As many rows as are allowed; one more is a mistake above. */
 TEST(test_most_rows)
 {
+    fourlink_abscissa over;
     fourlink_range range;
     deck d;
 
     assert_int_equal(
         read_changed(FOUR_BAR "[motion]\nto = 9999999 deg\ninterval = 1 deg\n", NULL, 0, &d), 1);
-    assert_int_equal(flk_deck_range(&d, &range), FOURLINK_OK);
+    assert_int_equal(flk_deck_rows(&d, &range, &over), FOURLINK_OK);
     assert_int_equal(range.n_rows, 10000000);
     flk_deck_free(&d);
     /* one instant has no interval */

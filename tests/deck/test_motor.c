@@ -46,7 +46,7 @@ TEST(test_modes)
     flk_deck_free(&d);
     read_accepted(PUMP "mode = run-up\nrows = time\ntime_step = 10 ms\nduration = 2 s\n" LINE, NULL,
                   &d);
-    assert_int_equal(d.mode.by_time, 1);
+    assert_string_equal(d.over->name, "time");
     assert_near(d.mode.time_step, 0.01, 1e-18);
     assert_near(d.mode.duration, 2, 0);
     flk_deck_free(&d);

@@ -531,7 +531,7 @@ static integration started(machine *m, double tolerance, double omega2)
     memset(&n, 0, sizeof n);
     n.m = m;
     n.unit = n.slowest = omega2 != 0 ? fabs(omega2) : 1;
-    n.sense = m->problem.by_time ? 0 : m->sense;
+    n.sense = !m->problem.over.is_crank_angle ? 0 : m->sense;
     n.begin = m->from;
     n.next = 0.05;
     n.most = tolerance < COARSE ? STEPS : FEW;
@@ -982,12 +982,12 @@ static void compare_row(machine *m, const row *r, const crank_state *at, const i
     const fourlink_crank *crank = &r->at.row.crank;
     double angle = r->at.row.angle, alpha2 = NAN, T = motor_at(m, crank->omega2);
     double slow = fmax(1, s->omega2 / (100 * n->slowest));
-    double rows = m->problem.by_time ? ROWS * (1 + n->travel / (2 * PI)) : ROWS;
+    double rows = !m->problem.over.is_crank_angle ? ROWS * (1 + n->travel / (2 * PI)) : ROWS;
 
     alpha_at(m, crank->theta2, crank->omega2, &alpha2);
     check(&w->omega2, share(crank->omega2 - at->omega2, s->omega2), rows, "omega2", angle);
     check(&w->alpha2, share(crank->alpha2 - alpha2, s->alpha2), EQUATION, "alpha2", angle);
-    if (m->problem.by_time)
+    if (!m->problem.over.is_crank_angle)
         check(&w->angle, fabs(crank->theta2 - at->theta2), rows, "theta2", angle);
     else
         check(&w->time, share(r->at.row.time - at->t, s->time) / (slow * slow), ROWS, "time",
@@ -1011,6 +1011,20 @@ static double lock_of(const machine *m)
                : INFINITY;
 }
 
+/* A row is that at its place. */
+static void check_place(machine *m, unsigned long i, const row *r)
+{
+    const fourlink_abscissa *over = &m->problem.over;
+    double sense = over->last < over->first ? -1 : 1;
+    double place =
+        i + 1 < m->problem.n_rows ? over->first + sense * ((double)i * over->step) : over->last;
+    fourlink_instant at;
+
+    if (fourlink_results_along(m->results, m->branch, place, NULL, &at, NULL) != FOURLINK_OK ||
+        memcmp(&at.row, &r->at.row, sizeof at.row) != 0 || at.row.place != place)
+        fail("row %lu is not at %.17g %s", i, place, over->unit);
+}
+
 /* All rows up to the first without a motion. */
 static void compare_rows(machine *m, integration *n, const sizes *s, crank_state *at)
 {
@@ -1019,13 +1033,14 @@ static void compare_rows(machine *m, integration *n, const sizes *s, crank_state
     row r;
 
     for (i = 0; i < m->problem.n_rows && row_of(m, i, &r) == FOURLINK_OK; i++) {
-        int status =
-            m->problem.by_time ? wait(n, r.at.row.time, at) : advance(n, r.at.row.crank.theta2, at);
+        int status = !m->problem.over.is_crank_angle ? wait(n, r.at.row.time, at)
+                                                     : advance(n, r.at.row.crank.theta2, at);
 
         if (status != REACHES) {
             fail_at_end("a row is", r.at.row.angle, at, status);
             return;
         }
+        check_place(m, i, &r);
         if (!(fabs(locked - at->theta2) < BEFORE))
             compare_row(m, &r, at, n, s);
     }
@@ -1234,7 +1249,8 @@ static int end_of(integration *n, double beyond, crank_state *at)
 {
     const machine *m = n->m;
 
-    return m->problem.by_time ? wait(n, m->problem.duration, at) : advance(n, beyond, at);
+    return !m->problem.over.is_crank_angle ? wait(n, m->problem.over.last, at)
+                                           : advance(n, beyond, at);
 }
 
 /* How the motion ends: 1 if the integration does so too, 0 if that is not known. */
@@ -1328,7 +1344,7 @@ static void count_categories(const machine *m)
                  : kind == FOURLINK_SLIDER_CRANK          ? 1
                  : kind == FOURLINK_INVERTED_SLIDER_CRANK ? 2
                                                           : 3);
-    count(MODES, m->problem.by_time ? 3 : m->problem.mode - FOURLINK_MODE_FREE);
+    count(MODES, !m->problem.over.is_crank_angle ? 3 : m->problem.mode - FOURLINK_MODE_FREE);
     count(MOTORS, m->balances            ? 2
                   : m->stall_torque != 0 ? 3
                   : m->n_curve           ? 4

@@ -242,7 +242,7 @@ TEST(test_tolerance)
     assert_true(flk_analysis_open(&a, &d, NULL));
     memset(&p, 0, sizeof p);
     p.d = &d;
-    p.corners = a.crank_motion.corners;
+    p.corners = a.course.corners;
     p.equation.sense = 1;
     p.equation.machine = d.machine;
     p.equation.acting = &a.acting;
@@ -586,6 +586,59 @@ TEST(test_time_to_a_dead_position)
     for (; i < 101; i++)
         assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL),
                          FOURLINK_DEAD_POSITION);
+    fourlink_results_free(r);
+}
+
+/* The places of rows are those of their abscissa, in the deck's unit of angle or in s, and a row between two
+** others is a row of a deck with half the step. */
+static void check_places(const char *motion, const char *key, const char *in, double first,
+                         double step, double last)
+{
+    fourlink_results *r = opened_open(
+        print(PUMP "[units]\ntime = ms\n[motion]\n%s%s = %g %s\n", motion, key, step, in));
+    fourlink_results *half = opened_open(
+        print(PUMP "[units]\ntime = ms\n[motion]\n%s%s = %g %s\n", motion, key, step / 2, in));
+    fourlink_problem p = problem_of(r);
+    fourlink_instant row, here, between;
+    unsigned long i;
+
+    assert_string_equal(p.over.step_key, key);
+    assert_string_equal(p.over.unit, in);
+    assert_true(p.over.first == first && p.over.last == last);
+    assert_near(p.over.step, step, 1e-15 * step);
+    for (i = 0; i < p.n_rows; i++) {
+        row = row_of(r, i);
+        assert_near(row.row.place, first + (double)i * step, 1e-14 * last);
+        assert_true(row.row.place == (p.over.is_crank_angle ? row.row.angle : row.row.time));
+        assert_int_equal(fourlink_results_along(r, FOURLINK_OPEN, row.row.place, NULL, &here, NULL),
+                         FOURLINK_OK);
+        assert_memory_equal(&here.row, &row.row, sizeof row.row);
+        between = row_of(half, 2 * i + (i + 1 < p.n_rows));
+        assert_int_equal(
+            fourlink_results_along(r, FOURLINK_OPEN, between.row.place, NULL, &here, NULL),
+            FOURLINK_OK);
+        assert_memory_equal(&here.row, &between.row, sizeof here.row);
+    }
+    fourlink_results_free(r);
+    fourlink_results_free(half);
+}
+
+TEST(test_places)
+{
+    static const double beyond[] = {-1e-9, 0.1 + 1e-9, 20, -20, 1e300, INFINITY, -INFINITY, NAN};
+    fourlink_results *r;
+    size_t i;
+
+    check_places("speed = 8 rad/s\nmode = free\nrows = time\nduration = 0.1 s\n", "time_step", "s",
+                 0, 0.005, 0.1);
+    check_places("speed = 80 rad/s\nmode = free\nfrom = 20 deg\nto = 60 deg\n", "interval", "deg",
+                 20, 2.5, 60);
+    check_places("speed = 8 rad/s\nfrom = 20 deg\nto = 60 deg\n", "interval", "deg", 20, 2.5, 60);
+    r = opened_open(PUMP "[motion]\nspeed = 8 rad/s\nmode = free\nrows = time\nduration = 0.1 s\n"
+                         "time_step = 5 ms\n");
+    for (i = 0; i < sizeof beyond / sizeof beyond[0]; i++)
+        assert_int_equal(fourlink_results_along(r, FOURLINK_OPEN, beyond[i], NULL, NULL, NULL),
+                         FOURLINK_NO_SUCH_ANGLE);
     fourlink_results_free(r);
 }
 

@@ -4,7 +4,7 @@
 ** pieces are.
 */
 #include "check.h"
-#include "motion/crank_motion.h"
+#include "motion/course.h"
 #include "read.h"
 
 #define CRANK                                                                                      \
@@ -16,7 +16,8 @@
 /* The pieces of the open branch's motion, of loads or of the links alone: their number. */
 static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
 {
-    flk_crank_motion crank_motion;
+    flk_course course;
+    flk_extent extent;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
@@ -26,18 +27,19 @@ static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MO
     read_deck(contents, &d);
     memset(&acting, 0, sizeof acting);
     acting.load = calloc(d.machine.n_loads + 1, sizeof *acting.load);
-    assert_true(flk_crank_motion_open(&crank_motion, &d, &acting, NULL));
-    pieces.crank_motion = &crank_motion;
+    assert_true(flk_course_open(&course, &d, &acting, NULL));
+    pieces.course = &course;
     pieces.branch = FOURLINK_OPEN;
     pieces.has_loads = has_loads;
-    pieces.length = flk_crank_motion_length(&crank_motion, FOURLINK_OPEN);
+    course.type->extent(&course, FOURLINK_OPEN, &extent);
+    pieces.length = extent.length;
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
     while (flk_pieces_next(&pieces, &piece)) {
         assert_true(piece.from < piece.to && n < MOST);
         list[n++] = piece;
     }
-    flk_crank_motion_close(&crank_motion);
+    flk_course_close(&course);
     free(acting.load);
     flk_deck_free(&d);
     return n;

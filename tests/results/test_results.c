@@ -54,6 +54,7 @@ TEST(test_null_pointers)
     assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_row(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_at(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_along(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(NULL, "mu", FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(r, NULL, FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, 0, NULL), FOURLINK_NULL);
@@ -698,6 +699,8 @@ TEST(test_rows_that_are_not_there)
         if (fourlink_results_at(r, FOURLINK_OPEN, beyond[i], values, &x, &load) !=
             FOURLINK_NO_SUCH_ANGLE)
             fail_msg("there is a row at %g deg", beyond[i]);
+        assert_int_equal(fourlink_results_along(r, FOURLINK_OPEN, beyond[i], values, &x, &load),
+                         FOURLINK_NO_SUCH_ANGLE);
         assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, beyond[i], &v),
                          FOURLINK_NO_SUCH_ANGLE);
         if (fabs(beyond[i]) < 1e10) /* within a turn; beyond, no turn has such an angle */
@@ -717,6 +720,8 @@ TEST(test_rows_that_are_not_there)
         assert_int_equal(fourlink_results_row(r, branch, 0, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_at(r, branch, 20, values, &x, &load),
+                         FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_along(r, branch, 20, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_value(r, "mu", branch, 20, &v), FOURLINK_BAD_BRANCH);
     }

@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** course.c - the course of a deck: what its rows go over, and the motion of the crank along it, given or
+** integrated, as a whole and in pieces within which all columns are smooth.
+**
+** Over the crank angle a piece ends where a load's curve or window has a corner, at dead positions and change
+** points, where links lie in one line or nearly so, where a run-up ends, and where the crank is at rest.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/cycle.h"
+#include "course.h"
+#include "mechanics/kind.h"
+#include "mechanics/mechanics.h"
+#include "mechanics/spring.h"
+
+#define SHORT 0.5 /* rad, of a piece of rows by time */
+
+/* ------------------------------------------------------------------------------------------- over the angle */
+
+static double place_of_angle(const flk_course *c, unsigned long i)
+{
+    return flk_motion_angle(&c->d->motion, &c->range, i);
+}
+
+static int at_given(const flk_course *c, fourlink_branch branch, double angle, fourlink_row *row,
+                    flk_actual_row *actual)
+{
+    (void)branch;
+    (void)actual;
+    fourlink_motion_at(&c->d->motion, angle, row);
+    return FOURLINK_OK;
+}
+
+/* Take a row of the actual motion. */
+static int take(int status, const flk_actual_row *actual, double place, fourlink_row *row)
+{
+    row->crank = actual->crank;
+    row->angle = actual->angle;
+    row->place = place;
+    row->time = actual->time;
+    if (status != FOURLINK_OK)
+        row->time = row->crank.omega2 = row->crank.alpha2 = FLK_UNDEFINED;
+    return status;
+}
+
+static int at_angle(const flk_course *c, fourlink_branch branch, double angle, fourlink_row *row,
+                    flk_actual_row *actual)
+{
+    return take(flk_actual_at(c->actual, branch, angle, actual), actual, angle, row);
+}
+
+/* Larger angles have too few digits left after their turns. */
+#define ANGLE_MAX 1e9 /* rad, as in decks */
+
+static int find_angle(const flk_course *c, double angle, double *at)
+{
+    const fourlink_motion *motion = &c->d->motion;
+    double turn = c->period / motion->angle_unit, tiny = 1e-9 * turn;
+    double first = GSL_MIN(motion->from, c->end), last = GSL_MAX(motion->from, c->end);
+
+    if (!FLK_WITHIN(angle * motion->angle_unit, ANGLE_MAX))
+        return 0;
+    *at = angle;
+    if (angle < first - tiny || angle > last + tiny)
+        *at = angle - turn * flk_cycle_count(angle + tiny - first, turn);
+    return first - tiny <= *at && *at <= last + tiny;
+}
+
+static double whole_length(const flk_course *c)
+{
+    return fabs(c->end - c->d->motion.from) * c->d->motion.angle_unit;
+}
+
+static void extent_of_angle(const flk_course *c, fourlink_branch branch, flk_extent *x)
+{
+    x->length = c->actual ? flk_actual_length(c->actual, branch) : whole_length(c);
+    x->first = c->d->motion.from;
+    x->end =
+        x->length < whole_length(c) ? flk_actual_facts_of(c->actual, branch)->end_angle : c->end;
+    x->rate = (x->end < x->first ? -1 : 1) / c->d->motion.angle_unit;
+}
+
+static double direction(const flk_course *course)
+{
+    return course->end < course->d->motion.from ? -1 : 1;
+}
+
+/* How the crank starts or ends: from rest, its speed grows as the root of the angle. */
+static flk_piece_end end_of_motion(const flk_course *course, double angle)
+{
+    fourlink_row row;
+
+    fourlink_motion_at(&course->d->motion, angle, &row);
+    return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !course->d->motion.hold
+               ? FLK_END_ROOT
+               : FLK_END_PLAIN;
+}
+
+static flk_piece_end beginning(const flk_course *course)
+{
+    if (course->actual)
+        return flk_actual_from_rest(course->d) ? FLK_END_ROOT : FLK_END_PLAIN;
+    return end_of_motion(course, course->d->motion.from);
+}
+
+/* The end of the motion at a length; an actual motion that is shorter than its rows has stalled. */
+static flk_piece_end ending(const flk_course *course, double length)
+{
+    if (course->actual)
+        return length < whole_length(course) && !flk_course_repeats(course) ? FLK_END_ROOT
+                                                                            : FLK_END_PLAIN;
+    return end_of_motion(course, course->end);
+}
+
+/* Combine an end of the motion with that of its position. */
+static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
+{
+    if (of_position == FLK_END_CHANGE && of_motion == FLK_END_ROOT)
+        return FLK_END_CHANGE_REST;
+    return of_position == FLK_END_PLAIN ? of_motion : of_position;
+}
+
+static void find_direction(const flk_pieces *x, int has_loads, flk_direction *p)
+{
+    const fourlink_motion *motion = &x->course->d->motion;
+
+    p->corners = x->course->corners;
+    p->branch = x->branch;
+    p->from = motion->from * motion->angle_unit;
+    p->sense = direction(x->course);
+    p->has_loads = has_loads;
+}
+
+/* The kind of end at the beginning of the motion. */
+static flk_piece_end first_end(const flk_pieces *x)
+{
+    flk_direction p;
+
+    find_direction(x, 0, &p);
+    return join(beginning(x->course), flk_corners_first(&p));
+}
+
+static void next_over_angle(const flk_pieces *x, flk_piece *piece)
+{
+    const fourlink_motion *motion = &x->course->d->motion;
+    double more[2];
+    flk_direction p;
+
+    if (!(piece->from > 0))
+        piece->begin = first_end(x);
+    find_direction(x, x->has_loads, &p);
+    more[0] = motion->run_up * motion->angle_unit; /* 0 is passed */
+    more[1] = x->period;
+    piece->to = flk_corners_next(&p, piece->from, more, 2, &piece->end);
+    if (piece->to < x->length - FLK_CORNERS_CLOSE(x->length))
+        return;
+    if (piece->to > x->length + FLK_CORNERS_CLOSE(x->length))
+        piece->end = FLK_END_PLAIN;
+    piece->end = join(ending(x->course, x->length), piece->end);
+    piece->to = x->length;
+}
+
+/* -------------------------------------------------------------------------------------------- over time, s */
+
+static double place_of_time(const flk_course *c, unsigned long i)
+{
+    return GSL_MIN((double)i * c->over.step, c->over.last);
+}
+
+static int at_time(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
+                   flk_actual_row *actual)
+{
+    return take(flk_actual_at_time(c->actual, branch, time, actual), actual, time, row);
+}
+
+static int find_time(const flk_course *c, double time, double *at)
+{
+    *at = time;
+    return time >= 0 && time <= c->over.last * (1 + 1e-12);
+}
+
+/* Its length is the angle through which the crank turns, forwards and backwards. */
+static void extent_of_time(const flk_course *c, fourlink_branch branch, flk_extent *x)
+{
+    x->length = flk_actual_travel(c->actual, branch);
+    x->first = 0;
+    x->end = flk_actual_time(c->actual, branch);
+    x->rate = x->length > 0 ? x->end / x->length : 0;
+}
+
+/* Corners are not known, so pieces are short. */
+static void next_over_time(const flk_pieces *x, flk_piece *piece)
+{
+    piece->begin = piece->end = FLK_END_PLAIN;
+    piece->to = piece->from + 2 * SHORT < x->length ? piece->from + SHORT : x->length;
+}
+
+static const struct flk_course_type given = {place_of_angle, at_given, find_angle, extent_of_angle,
+                                             next_over_angle},
+                                    by_angle = {place_of_angle, at_angle, find_angle,
+                                                extent_of_angle, next_over_angle},
+                                    by_time = {place_of_time, at_time, find_time, extent_of_time,
+                                               next_over_time};
+
+/* ----------------------------------------------------------------------------------------------- the course */
+
+static const struct flk_course_type *type_of(const deck *d)
+{
+    return d->mode.kind == MODE_GIVEN ? &given : d->over->is_crank_angle ? &by_angle : &by_time;
+}
+
+static double period_of(const flk_machine *machine)
+{
+    const fourlink_mechanism *mechanism = &machine->mechanism;
+    double turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1;
+
+    return GSL_MAX(machine->cycle, turns * 2 * M_PI);
+}
+
+int flk_course_open(flk_course *c, const deck *d, flk_acting *acting, flk_actual *actual)
+{
+    const flk_machine *machine = &d->machine;
+    const flk_element *spring;
+    size_t i = 0;
+
+    memset(c, 0, sizeof *c);
+    c->d = d;
+    c->type = type_of(d);
+    flk_deck_rows(d, &c->range, &c->over); /* checked by the deck reader */
+    c->end = c->over.is_crank_angle ? c->over.last : d->motion.to;
+    c->period = period_of(machine);
+    for (; (spring = flk_machine_find(machine, &flk_spring_type, i)) != NULL; i++)
+        c->winds |= flk_spring_winds(&machine->mechanism, spring->data, c->period);
+    c->corners = flk_corners_open(d);
+    c->actual = actual;
+    c->is_shared = actual != NULL;
+    if (c->corners && !actual && d->mode.kind != MODE_GIVEN)
+        c->actual = flk_actual_open(d, c->corners, acting, c->end, c->period, c->winds);
+    return c->corners && (c->actual || d->mode.kind == MODE_GIVEN) &&
+           (!d->open || flk_actual_prepare(c->actual, FOURLINK_OPEN) == FOURLINK_OK) &&
+           (!d->crossed || flk_actual_prepare(c->actual, FOURLINK_CROSSED) == FOURLINK_OK);
+}
+
+void flk_course_close(flk_course *c)
+{
+    flk_actual_free(c->is_shared ? NULL : c->actual);
+    flk_corners_close(c->corners);
+}
+
+int flk_course_stops(const flk_course *c, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(c->actual, branch);
+
+    return f && f->status == FOURLINK_TOO_LONG;
+}
+
+int flk_course_repeats(const flk_course *c)
+{
+    const fourlink_motion *motion = &c->d->motion;
+
+    if (c->actual)
+        return c->d->mode.kind == MODE_STEADY;
+    return !c->winds && motion->run_up <= 0 && !c->range.stops &&
+           (motion->acceleration == 0 || motion->hold);
+}
+
+int flk_course_is_periodic(const flk_course *c)
+{
+    const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
+
+    return c->d->one_revolution && flk_course_repeats(c) &&
+           mechanism->change_stretched == mechanism->change_folded;
+}
+
+int flk_course_at_angle(const flk_course *c, fourlink_branch branch, double angle,
+                        fourlink_row *row, flk_actual_row *actual)
+{
+    int status = (c->actual ? at_angle : at_given)(c, branch, angle, row, actual);
+
+    if (!c->over.is_crank_angle)
+        row->place = row->time;
+    return status;
+}
+
+int flk_course_find_angle(const flk_course *c, double angle, double *at)
+{
+    if (c->over.is_crank_angle)
+        return c->type->find(c, angle, at);
+    *at = angle;
+    return FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX);
+}
+
+int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
+{
+    if (!(piece->to < x->length))
+        return 0;
+    piece->begin = piece->end;
+    piece->from = piece->to;
+    x->course->type->next(x, piece);
+    return 1;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** course.h - the course of a deck: what its rows go over, and the motion of the crank along it, given or
+** integrated, as a whole and in pieces within which all columns are smooth.
+**
+** A place of the course is a value of its abscissa: a crank angle in the deck's unit, or a time in s.  Its
+** length is in rad; over the crank angle it is the angle passed since the first row.
+*/
+#ifndef FOURLINK_COURSE_H
+#define FOURLINK_COURSE_H
+
+#include "actual.h"
+
+typedef struct flk_course {
+    const struct flk_course_type *type; /* given; integrated by angle, by time */
+    const deck *d;
+    fourlink_abscissa over;
+    fourlink_range range; /* of the rows */
+    double end;           /* the last crank angle of the deck's motion, in its unit */
+    double
+        period; /* rad, period of a motion that repeats: the cycle, at least one turn; two turns if
+                   the mechanism has one change point, since the links return on the other side
+                   after one turn */
+    int winds;  /* 1: a spring winds up, so that cycles differ */
+    flk_corners *corners;
+    flk_actual *actual; /* null: the motion is given */
+    int is_shared;      /* 1: it belongs to another deck */
+} flk_course;
+
+/* The course on a branch. */
+typedef struct flk_extent {
+    double length;     /* rad */
+    double first, end; /* places */
+    double rate;       /* of the places, for 1 rad of the length */
+} flk_extent;
+
+/* Set up the course of a deck, which must remain valid as long, and memory for the loads of a row; 0 if out
+** of memory.  `actual` is null, or that of the same deck, found before, which must remain valid too. */
+int flk_course_open(flk_course *course, const deck *d, flk_acting *acting, flk_actual *actual);
+void flk_course_close(flk_course *course);
+
+/* 1 if the actual motion of a branch took too many steps: its facts depend on where the budget ended. */
+int flk_course_stops(const flk_course *course, fourlink_branch branch);
+
+/* 1 if speed and acceleration are the same in every period. */
+int flk_course_repeats(const flk_course *course);
+
+/* 1 if the motion is one revolution that ends at its initial position and speed. */
+int flk_course_is_periodic(const flk_course *course);
+
+/* Where the crank first passes a crank angle of the motion, in the deck's unit: as `at`.  Find that angle, as
+** `find`: those that rows by time reach depend on the branch. */
+int flk_course_at_angle(const flk_course *course, fourlink_branch branch, double angle,
+                        fourlink_row *row, flk_actual_row *actual);
+int flk_course_find_angle(const flk_course *course, double angle, double *at);
+
+/* ---------------------------------------------------------------------------------------------- pieces */
+
+/* A piece, in rad of the length. */
+typedef struct flk_piece {
+    double from, to;
+    flk_piece_end begin, end;
+} flk_piece;
+
+/* The motion of a branch, for a loop over its pieces. */
+typedef struct flk_pieces {
+    const flk_course *course;
+    fourlink_branch branch;
+    int has_loads; /* 1: columns of loads must be smooth too */
+    double length; /* rad; a length other than that of the motion omits whole periods, */
+    double period; /* rad, and a piece ends after the first of them */
+} flk_pieces;
+
+/* Advance to the next piece; 0 at the end.  Begin with a piece from 0 to 0. */
+int flk_pieces_next(const flk_pieces *pieces, flk_piece *piece);
+
+/* ------------------------------------------------------------------------------------------------ types */
+
+/* What differs from course to course: everything else asks these. */
+struct flk_course_type {
+    /* the place of row i */
+    double (*place)(const flk_course *c, unsigned long i);
+    /* The crank at a place; `actual` is filled unless the motion is given.  FOURLINK_OK, or why the machine
+    ** does not get there, with the place, the crank angle and the rest NaN. */
+    int (*at)(const flk_course *c, fourlink_branch branch, double place, fourlink_row *row,
+              flk_actual_row *actual);
+    /* The place that is meant by a place: of crank angles that of the motion that differs by whole periods (a
+    ** turn, or a cycle of several turns).  0 if there is none. */
+    int (*find)(const flk_course *c, double place, double *at);
+    void (*extent)(const flk_course *c, fourlink_branch branch, flk_extent *extent);
+    /* set `to` and `end` of a piece, and `begin` of the first */
+    void (*next)(const flk_pieces *x, flk_piece *piece);
+};
+
+#endif
