@@ -40,8 +40,9 @@ static int take_column(const view *v, text name, text value, at_item *item, char
 
     if (!column)
         return -1;
-    if (v->problem.by_time) {
-        flk_message(message, 400, "'%t' needs rows by angle; these are rows by time", item->words);
+    if (!v->problem.over.is_crank_angle) {
+        flk_message(message, 400, "'%t' needs rows by angle; these are rows by %s", item->words,
+                    v->problem.over.rows);
         return -1;
     }
     if (v->problem.one_instant) {

@@ -69,23 +69,19 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
     line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);
 }
 
-/* The values at a crank angle or, unless `time` is null, at a time, s: a machine that swings back passes
-** a crank angle more than once. */
-static void put_section(sheet *s, fourlink_branch branch, double angle, const double *time,
-                        int status)
+/* The values at a place, in a unit. */
+static void put_section(sheet *s, fourlink_branch branch, double place, const char *of, int status)
 {
-    const char *own = time ? "s" : s->v.units[QUANTITY_ANGLE].name;
     const style *styles = s->layout;
-    double at = time ? *time : angle;
     unsigned long j;
 
     if (status != FOURLINK_OK) {
-        line_put(&s->l, "\n# at %15g %s, %s: %s\n", at, own, fourlink_branch_text((int)branch),
+        line_put(&s->l, "\n# at %15g %s, %s: %s\n", place, of, fourlink_branch_text((int)branch),
                  fourlink_status_text(status));
         s->failed++;
         return;
     }
-    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", at, own,
+    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", place, of,
              fourlink_branch_text((int)branch));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
@@ -96,7 +92,8 @@ static void put_at(sheet *s, fourlink_branch branch, double angle)
 {
     fourlink_instant at;
 
-    put_section(s, branch, angle, NULL, sheet_find_at(s, branch, angle, &at));
+    put_section(s, branch, angle, s->v.units[QUANTITY_ANGLE].name,
+                sheet_find_at(s, branch, angle, &at));
 }
 
 /* A revolution at constant speed ends with its first row again. */
@@ -108,13 +105,11 @@ static void write_rows(sheet *s, fourlink_branch branch)
                     (motion->acceleration == 0 || motion->hold);
     unsigned long n = s->v.problem.n_rows, k;
     fourlink_instant now;
-    double time;
     int status;
 
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
-        time = status == FOURLINK_OK ? now.row.time : (double)k * s->v.problem.time_step;
-        put_section(s, branch, now.row.angle, s->v.problem.by_time ? &time : NULL, status);
+        put_section(s, branch, now.row.place, s->v.problem.over.unit, status);
         if (sheet_is_over(s, &now))
             break;
     }

@@ -61,17 +61,14 @@ void style_find_sizes(const view *v, double sound, int has_all, double *values, 
 /* The number of decimals that writes every crank angle exactly, if it is small. */
 static int decimals_of_angle(const view *v, int is_at, int otherwise)
 {
-    const fourlink_motion *motion = &v->problem.motion;
-    double last = motion->from, step = 1;
-    fourlink_row row;
+    const fourlink_abscissa *over = &v->problem.over;
+    double last = v->range.stops ? over->first : over->last, step = 1;
     int decimals;
 
-    if (v->problem.by_time || is_at)
+    if (!over->is_crank_angle || is_at)
         return otherwise;
-    if (!v->range.stops && fourlink_motion_row(motion, &v->range, v->range.n_rows - 1, &row) == 0)
-        last = row.angle;
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
-        double x = motion->from * step, y = last * step, z = motion->interval * step;
+        double x = over->first * step, y = last * step, z = over->step * step;
 
         if (fabs(x - floor(x + 0.5)) < 1e-9 && fabs(y - floor(y + 0.5)) < 1e-9 &&
             fabs(z - floor(z + 0.5)) < 1e-9)
