@@ -318,7 +318,7 @@ static int put_figure(const fourlink_source *chosen, const rows *t)
     memset(&request, 0, sizeof request);
     request.kind = PLOT_COLUMNS;
     flk_text_join(over, sizeof over, t->v.columns[0].name, (char *)NULL);
-    if (strcmp(over, t->v.problem.by_time ? "time" : "theta2") != 0)
+    if (strcmp(over, t->v.problem.over.name) != 0)
         request.x = over;
     request.is_figure = 1;
     request.lone_width = WIDTH;

@@ -527,11 +527,8 @@ typedef struct fourlink_problem {
     int is_graded;            /* 1: [grading] has tolerances for all values */
     int shows_answers;        /* 1: it has feedback = answers */
     double late;              /* its deduction for a day late: 0.1 for 10 % */
-    int mode;         /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
+    int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
-    int by_time;      /* 1: rows by time; their angles come from fourlink_results_row */
-    double time_step; /* s, for rows by time; else 0 */
-    double duration;  /* s, for rows by time: the time of the last row; else 0 */
     fourlink_abscissa over; /* what its rows go over */
 } fourlink_problem;
 

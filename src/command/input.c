@@ -202,10 +202,10 @@ static int serves_options(input *in)
     }
     if (!why && p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
-                          "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
-                          o->report ? "report" : "picture",
-                          p->by_time ? "time_step with --set=motion.time_step"
-                                     : "interval with --set=motion.interval");
+                          "%ld rows; a %s shows at most 20,000: give a coarser %s with "
+                          "--set=motion.%s",
+                          (long)p->n_rows, o->report ? "report" : "picture", p->over.step_key,
+                          p->over.step_key);
     } else if (!why && (why = mistake_in_angles(in, message)) != NULL) {
         command_tell("error", "--at", 0, why, NULL);
         return 0;

@@ -147,9 +147,6 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
-    problem->by_time = !d->over->is_crank_angle;
-    problem->time_step = d->mode.time_step;
-    problem->duration = d->mode.duration;
     return FOURLINK_OK;
 }
 

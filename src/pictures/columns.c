@@ -64,7 +64,7 @@ static int is_rounding(const picture *p, unsigned long column)
 
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake)
 {
-    const char *x = p->request->x ? p->request->x : picture_over(p);
+    const char *x = p->request->x ? p->request->x : p->v.problem.over.name;
     unsigned long i, drawn = 0;
 
     if (!check_x(p, x, mistake))
@@ -237,13 +237,13 @@ const char *picture_forces(picture *p, fourlink_branch branch)
     static const char *const torque[] = {"Ts", NULL};
     panel_plan plan;
 
-    plan_columns(p, &plan, picture_over(p), branch, pins);
+    plan_columns(p, &plan, p->v.problem.over.name, branch, pins);
     plan.y = "force";
     plan.has_zero = 1;
     plan.n_extremes = plan.n;
     if (!panel_draw(p, &plan))
         return picture_no_rows(p, branch);
-    plan_columns(p, &plan, picture_over(p), branch, torque);
+    plan_columns(p, &plan, p->v.problem.over.name, branch, torque);
     plan.n_extremes = plan.n;
     panel_draw(p, &plan);
     return NULL;
@@ -263,7 +263,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     fourlink_value mean;
     panel_plan plan;
 
-    plan_columns(p, &plan, picture_over(p), branch, speed);
+    plan_columns(p, &plan, p->v.problem.over.name, branch, speed);
     plan.n_key = 2;
     plan.n_extremes = 1;
     if (fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK) {
@@ -280,7 +280,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     plan.n_key = 2;
     plan.by_turn = is_later && plan.n > 1 ? 2 : 0;
     panel_draw(p, &plan);
-    plan_columns(p, &plan, picture_over(p), branch, energy);
+    plan_columns(p, &plan, p->v.problem.over.name, branch, energy);
     plan.n_key = 2;
     plan.n_extremes = 1;
     panel_draw(p, &plan);

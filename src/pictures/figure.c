@@ -589,11 +589,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch)
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char mark[PICTURE_MARK], time[PICTURE_WORDS] = "";
+    const fourlink_abscissa *over = &p->v.problem.over;
+    char mark[PICTURE_MARK], place[PICTURE_WORDS] = "";
 
-    if (p->v.problem.by_time)
-        picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
+    if (!over->is_crank_angle)
+        picture_words(p, over->symbol, now->row.place, p->v.over, place);
     sketch_close(s, "%s%s, " FIGURE_THETA SUB_2 " = %s%s%s%s%s", before,
                  fourlink_branch_text(now->branch), picture_mark(p, now->row.angle, 7, mark),
-                 time[0] ? ", " : "", time, p->why[0] ? ", " : "", p->why);
+                 place[0] ? ", " : "", place, p->why[0] ? ", " : "", p->why);
 }

@@ -270,7 +270,7 @@ static int find_jump(const picture *p, fourlink_branch branch, int x, int y, fou
     fourlink_vector at;
     int k;
 
-    if (p->v.problem.by_time || step < LARGE)
+    if (!p->v.problem.over.is_crank_angle || step < LARGE)
         return 0;
     for (k = 0; k < HALVINGS; k++) {
         middle = (low + high) / 2;
@@ -331,8 +331,8 @@ void graph_draw(const picture *p, fourlink_branch branch, int x, int y, const gr
         to = place_at(line->x[k], line->y[k]);
         if (was_there && jumps) {
             from = place_at(line->x[k - 1], line->y[k - 1]);
-            if (find_jump(p, branch, x, y, size, picture_angle(p, k - 1, PICTURE_STEPS),
-                          picture_angle(p, k, PICTURE_STEPS), &from, &to)) {
+            if (find_jump(p, branch, x, y, size, picture_place(p, k - 1, PICTURE_STEPS),
+                          picture_place(p, k, PICTURE_STEPS), &from, &to)) {
                 display_add_place(d, from);
                 display_add_place(d, gap);
                 display_add_place(d, to);

@@ -101,7 +101,7 @@ static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
     unsigned long n = p->v.range.n_rows, i, row;
     fourlink_instant now;
 
-    if (turns > 1 && !p->v.problem.by_time)
+    if (turns > 1 && p->v.problem.over.is_crank_angle)
         n = 1 + (unsigned long)((double)(n - 1) / turns);
     for (i = 0; n > 1 && i < GHOSTS; i++) {
         row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);

@@ -119,10 +119,7 @@ static int solve_steps(moving *x)
     for (i = 0; x->solved && i < x->steps.n; i++) {
         moving_step *to = &x->solved[i];
 
-        if (v->problem.by_time)
-            fourlink_results_row(v->results, x->branch, i, NULL, &to->now, to->loads);
-        else
-            fourlink_results_at(v->results, x->branch, x->steps.at[i], NULL, &to->now, to->loads);
+        fourlink_results_along(v->results, x->branch, x->steps.at[i], NULL, &to->now, to->loads);
     }
     return x->solved != NULL;
 }

@@ -96,8 +96,8 @@ static void find_angles(const picture *p, const panel *q, double *from, double *
             }
     if (last <= first || (first <= beside && last >= PICTURE_STEPS - beside))
         return;
-    *from = picture_angle(p, GSL_MAX_INT(first - beside, 0), PICTURE_STEPS);
-    *to = picture_angle(p, GSL_MIN_INT(last + beside, PICTURE_STEPS), PICTURE_STEPS);
+    *from = picture_place(p, GSL_MAX_INT(first - beside, 0), PICTURE_STEPS);
+    *to = picture_place(p, GSL_MIN_INT(last + beside, PICTURE_STEPS), PICTURE_STEPS);
 }
 
 /* What the title says of curves that the frame cuts. */

@@ -75,18 +75,18 @@ const char *picture_no_rows(const picture *p, fourlink_branch branch)
                                  : fourlink_status_text(status);
 }
 
-const char *picture_over(const picture *p)
-{
-    return p->v.problem.by_time ? "time" : "theta2";
-}
-
 int picture_is_over_angle(const picture *p, int column)
 {
-    return !p->v.problem.by_time && (p->v.columns[column].flags & FOURLINK_CRANK_ANGLE) != 0;
+    return p->v.problem.over.is_crank_angle &&
+           (p->v.columns[column].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
-double picture_angle(const picture *p, double k, int steps)
+/* Of rows by time that of the nearest row. */
+double picture_place(const picture *p, double k, int steps)
 {
+    if (!p->v.problem.over.is_crank_angle)
+        return view_place_of_row(
+            &p->v, (unsigned long)(k * (double)(p->v.range.n_rows - 1) / steps + 0.5));
     return p->from + (p->v.end - p->from) * k / steps;
 }
 
@@ -105,16 +105,11 @@ int picture_take_last_turn(picture *p, fourlink_branch branch)
     return 1;
 }
 
-/* Of rows by time the nearest. */
 int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads)
 {
-    if (p->v.problem.by_time)
-        return fourlink_results_row(
-            p->v.results, branch,
-            (unsigned long)(k * (double)(p->v.range.n_rows - 1) / steps + 0.5), values, now, loads);
-    return fourlink_results_at(p->v.results, branch, picture_angle(p, k, steps), values, now,
-                               loads);
+    return fourlink_results_along(p->v.results, branch, picture_place(p, k, steps), values, now,
+                                  loads);
 }
 
 static void forget_samples(plot_deck *d)
@@ -155,10 +150,10 @@ const plot_sample *picture_samples(picture *p, fourlink_branch branch)
 int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
                   fourlink_instant *now)
 {
-    if (p->v.problem.by_time)
+    if (!p->v.problem.over.is_crank_angle)
         return picture_sample(p, branch, k, steps, NULL, now, NULL);
     now->branch = branch;
-    fourlink_motion_at(&p->v.problem.motion, picture_angle(p, k, steps), &now->row);
+    fourlink_motion_at(&p->v.problem.motion, picture_place(p, k, steps), &now->row);
     return fourlink_analyse(p->v.mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);
 }
 
@@ -215,7 +210,7 @@ static int take_results(picture *p, fourlink_results *results)
 {
     forget_samples(&p->own);
     view_take(&p->v, results);
-    p->from = p->v.problem.motion.from;
+    p->from = p->v.problem.over.first;
     p->size_branch = 0;
     free(p->loads);
     p->loads = memory_get(p->v.problem.n_loads + 1, sizeof *p->loads);
@@ -261,7 +256,7 @@ void picture_choose(const picture *p, char out[PICTURE_NAMES])
 {
     int kind;
 
-    flk_text_join(out, PICTURE_NAMES, picture_over(p), " ", (char *)NULL);
+    flk_text_join(out, PICTURE_NAMES, p->v.problem.over.name, " ", (char *)NULL);
     for (kind = 0; kind < PLOT_COUNT; kind++)
         if (plot_values[kind] && (p->request->kept || kind == (int)p->request->kind))
             add_columns(p, plot_values[kind], out);

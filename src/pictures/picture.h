@@ -130,7 +130,7 @@ typedef struct picture {
     double instant;          /* its crank angle, in the deck's unit */
     fourlink_load *loads;    /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
-    double from;                      /* where its curves begin, in the deck's unit */
+    double from;                      /* the place where its curves begin */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
     const char *why; /* the position is shown that nobody asked for; "": it was asked for */
@@ -228,17 +228,14 @@ double picture_speed_of(const picture *p, fourlink_branch branch);
 /* Why there is nothing to draw: no row of the motion can be computed on a branch. */
 const char *picture_no_rows(const picture *p, fourlink_branch branch);
 
-/* The column over which the motion is drawn: theta2, or time if the deck has rows by time. */
-const char *picture_over(const picture *p);
-
 /* 1 if a column is a crank angle on which the samples lie at equal steps. */
 int picture_is_over_angle(const picture *p, int column);
 
 /* Begin curves where the last turn of a motion of several begins, on a branch; 1 if there are several. */
 int picture_take_last_turn(picture *p, fourlink_branch branch);
 
-/* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
-double picture_angle(const picture *p, double k, int steps);
+/* The place after k of so many equal steps of the motion. */
+double picture_place(const picture *p, double k, int steps);
 
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */

@@ -146,7 +146,7 @@ static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *
 static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
 {
     fourlink_reach reach;
-    int i, status = FOURLINK_OK;
+    int i, status = FOURLINK_OK, is_over_angle = p->v.problem.over.is_crank_angle;
 
     for (i = 0; i < p->v.n_branches; i++) {
         status = fourlink_results_at(p->v.results, p->v.branches[i], angle, NULL, NULL, NULL);
@@ -158,15 +158,15 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
                 p->v.units[QUANTITY_ANGLE].name,
                 status != FOURLINK_NO_SUCH_ANGLE
                     ? reach.n_ranges ? "the links reach" : fourlink_status_text(status)
-                : p->v.problem.by_time ? "the crank does not pass it"
-                                       : "the motion goes");
+                : is_over_angle ? "the motion goes"
+                                : "the crank does not pass it");
     if (status != FOURLINK_NO_SUCH_ANGLE)
         for (i = 0; i < reach.n_ranges; i++)
             add_range(p, message, i ? ", and" : "",
                       view_value(&p->v, QUANTITY_ANGLE, reach.from[i]),
                       view_value(&p->v, QUANTITY_ANGLE, reach.to[i]));
-    else if (!p->v.problem.by_time)
-        add_range(p, message, "", p->v.problem.motion.from, p->v.end);
+    else if (is_over_angle)
+        add_range(p, message, "", p->v.problem.over.first, p->v.end);
     return 0;
 }
 
@@ -207,7 +207,7 @@ static const char *missing(const picture *p)
     int needs = plot_table[p->request->kind].needs;
     fourlink_value error;
 
-    if ((needs & PLOT_BY_ANGLE) && p->v.problem.by_time)
+    if ((needs & PLOT_BY_ANGLE) && !p->v.problem.over.is_crank_angle)
         return "this picture needs [motion] rows = angle; the deck has rows by time";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->v.problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
@@ -274,7 +274,7 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
         name_columns(p, names, sizeof names);
         shows = picture_has_outputs(p) ? "outputs of the sweep" : names;
     } else if (info->needs & PLOT_OVER) {
-        over = p->v.problem.by_time ? " over time" : " over the crank angle";
+        over = p->v.problem.over.words;
     }
     if ((info->needs & PLOT_AT) && !p->n_angles)
         flk_text_join(at, sizeof at, ", at \316\270" SUB_2 " = ",
@@ -286,7 +286,7 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
                   p->v.problem.title[0] ? p->v.problem.title : deck_name, (char *)NULL);
     flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
                   all ? "open and crossed branches" : fourlink_branch_text((int)p->v.branches[0]),
-                  all ? ": " : " branch: ", shows, over, at, (char *)NULL);
+                  all ? ": " : " branch: ", shows, over[0] ? " over " : "", over, at, (char *)NULL);
 }
 
 /* Draw an open deck. */
@@ -294,7 +294,7 @@ static int make(picture *p, fourlink_mistake *mistake)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     const char *why = missing(p), *held = "", *chosen = NULL, *steps = NULL;
-    char names[PICTURE_NAMES], time_step[100], number[FORMAT_SIZE];
+    char names[PICTURE_NAMES], step[VIEW_STEP];
 
     if (why)
         return view_refuse(mistake, "--plot-kind", why, "");
@@ -315,10 +315,8 @@ static int make(picture *p, fourlink_mistake *mistake)
     if (p->has_instant)
         held = p->v.problem.motion.acceleration != 0 ? ", speed and acceleration held"
                                                      : ", speed held";
-    if (p->v.problem.by_time && !picture_has_outputs(p))
-        steps = flk_text_join(time_step, sizeof time_step, "motion.time_step=",
-                              format_general(p->v.problem.duration / PICTURE_STEPS, 17, number),
-                              " s", (char *)NULL);
+    if (!p->v.problem.over.is_crank_angle && !picture_has_outputs(p))
+        steps = view_set_step(&p->v, p->v.end / PICTURE_STEPS, step);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
     if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))

@@ -63,14 +63,14 @@ void report_put_mechanism(report *r)
 void report_put_curves(report *r)
 {
     const char *at = r->drawn_at;
-    const char *over = r->v.problem.by_time ? "over time." : "over the crank angle.";
+    const char *over = r->v.problem.over.words;
     char caption[320];
 
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
-               flk_text_join(caption, sizeof caption, "The motion ", over, (char *)NULL));
+               flk_text_join(caption, sizeof caption, "The motion over ", over, ".", (char *)NULL));
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
-               flk_text_join(caption, sizeof caption, "The pin forces and the driving torque ",
-                             over, (char *)NULL));
+               flk_text_join(caption, sizeof caption, "The pin forces and the driving torque over ",
+                             over, ".", (char *)NULL));
     put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
                "Polar diagrams of the pin forces.");
     put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",

@@ -176,10 +176,10 @@ static void put_steps(line *l, const rows *t, double start)
 {
     unsigned long i, first = 0;
 
-    line_put(l, "\"over\":\"%s\",\n\"steps\":[", t->v.problem.by_time ? "time" : "theta2");
+    line_put(l, "\"over\":\"%s\",\n\"steps\":[", t->v.problem.over.name);
     for (i = 0; i < t->n; i++) {
         line_put(l, i ? "," : "");
-        line_number(l, t->steps[i], STEP_DIGITS);
+        line_number(l, view_over(&t->v, t->steps[i]), STEP_DIGITS);
         if (fabs(t->steps[i] - start) < fabs(t->steps[first] - start))
             first = i;
     }
@@ -255,7 +255,7 @@ void report_put_interactive(report *r)
         return;
     if (rows_open(t, r->source, r->v.results, start)) {
         if (r->now.status == FOURLINK_OK)
-            start = rows_step_of(t, &r->now);
+            start = r->now.row.place;
         put_drawing(r, t, start);
     } else {
         report_put_results(r);

@@ -144,7 +144,7 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
            view_refuse(mistake, "--plot-at", "a report shows one position, not several", "");
 }
 
-/* Find the position of the sample calculation; over time at its crank angle, which pictures have too. */
+/* Find the position of the sample calculation: that at its crank angle, which pictures have too. */
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
     const char *at = r->request->at;
@@ -154,7 +154,7 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     if (at && !read_angle(r, &angle, mistake))
         return 0;
     view_find_position(&r->v, r->v.branches[0], at ? &angle : NULL, &r->now, r->loads);
-    if (r->v.problem.by_time && r->now.status == FOURLINK_OK)
+    if (r->now.status == FOURLINK_OK)
         fourlink_results_at(r->v.results, r->v.branches[0], r->now.row.angle, NULL, &r->now,
                             r->loads);
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
@@ -164,7 +164,7 @@ static int find_sample(report *r, fourlink_mistake *mistake)
         flk_text_join(r->why, sizeof r->why, view_tell_position(&r->v, &r->now, r->loads, why),
                       (char *)NULL);
     r->drawn_at = r->request->at;
-    if (r->v.problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
+    if (!r->v.problem.over.is_crank_angle && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =
             flk_text_join(r->exact, sizeof r->exact, format_general(r->now.row.angle, 17, number),
                           " ", r->v.units[QUANTITY_ANGLE].name, (char *)NULL);

@@ -86,25 +86,17 @@ static void choose_angles(rows *t, double at)
 /* The rows of a deck with rows by time, opened with the time step of the drawing. */
 static void choose_times(rows *t)
 {
-    const fourlink_problem *p = &t->v.problem;
-
-    for (t->n = 0; t->n < p->n_rows; t->n++)
-        t->steps[t->n] =
-            view_value(&t->v, QUANTITY_TIME, GSL_MIN_DBL((double)t->n * p->time_step, p->duration));
+    for (t->n = 0; t->n < t->v.problem.n_rows; t->n++)
+        t->steps[t->n] = view_place_of_row(&t->v, t->n);
 }
 
-/* The time step of the drawing, s. */
+/* The time step of the drawing. */
 static double time_step_of(const fourlink_problem *p)
 {
     unsigned long stride = stride_of(p->n_rows);
 
-    return stride > 1 ? p->time_step * (double)stride
-                      : p->time_step / (double)parts_of(p->n_rows - 1, MOST_ROWS);
-}
-
-double rows_step_of(const rows *t, const fourlink_instant *now)
-{
-    return t->v.problem.by_time ? view_value(&t->v, QUANTITY_TIME, now->row.time) : now->row.angle;
+    return stride > 1 ? p->over.step * (double)stride
+                      : p->over.step / (double)parts_of(p->n_rows - 1, MOST_ROWS);
 }
 
 /* -------------------------------------------------------------------------------------------- all of them */
@@ -133,12 +125,9 @@ static int open_deck(rows *t, const fourlink_source *source, fourlink_results *o
 /* Open a deck with rows by time again, with the time step of the drawing. */
 static int reopen(rows *t, const fourlink_source *source, fourlink_results *opened)
 {
-    char assignment[FORMAT_SIZE + 40], number[FORMAT_SIZE];
+    char step[VIEW_STEP];
 
-    format_general(time_step_of(&t->v.problem), 17, number);
-    return open_deck(t, source, opened,
-                     flk_text_join(assignment, sizeof assignment, "motion.time_step=", number, " s",
-                                   (char *)NULL));
+    return open_deck(t, source, opened, view_set_step(&t->v, time_step_of(&t->v.problem), step));
 }
 
 int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at)
@@ -149,13 +138,13 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
         view_take(&t->v, opened);
     if ((!opened || t->v.problem.one_instant) && !open_deck(t, source, opened, NULL))
         return 0;
-    if (!draws_all(t) || (t->v.problem.by_time && !reopen(t, source, opened)))
+    if (!draws_all(t) || (!t->v.problem.over.is_crank_angle && !reopen(t, source, opened)))
         return 0;
     t->steps = memory_get(MOST_ROWS * 2 + 2, sizeof *t->steps);
-    if (t->steps && t->v.problem.by_time)
-        choose_times(t);
-    else if (t->steps)
+    if (t->steps && t->v.problem.over.is_crank_angle)
         choose_angles(t, at);
+    else if (t->steps)
+        choose_times(t);
     t->status = memory_get(t->n + 1, sizeof *t->status);
     t->table = memory_get(t->n * t->v.n_columns + 1, sizeof *t->table);
     return t->steps && t->status && t->table;
@@ -173,7 +162,7 @@ void rows_thin(rows *t, unsigned long stride)
 {
     unsigned long i, n = 0;
 
-    if (t->v.problem.by_time)
+    if (!t->v.problem.over.is_crank_angle)
         return;
     for (i = 0; i < t->n; i += stride)
         t->steps[n++] = t->steps[i];
@@ -189,8 +178,6 @@ void rows_compute(rows *t, fourlink_branch branch)
     for (i = 0; i < t->n; i++) {
         values = t->table + i * t->v.n_columns;
         t->status[i] =
-            t->v.problem.by_time
-                ? fourlink_results_row(t->v.results, branch, i, values, NULL, NULL)
-                : fourlink_results_at(t->v.results, branch, t->steps[i], values, NULL, NULL);
+            fourlink_results_along(t->v.results, branch, t->steps[i], values, NULL, NULL);
     }
 }

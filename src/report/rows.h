@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rows.h - the steps of the moving drawing, and the rows of the table at them.  Steps are crank angles, or
-** times if the deck has rows by time.
+** rows.h - the steps of the moving drawing, and the rows of the table at them.
 */
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H
@@ -15,7 +14,7 @@ typedef struct rows {
     fourlink_results *own; /* opened here; null: none */
     view v;                /* of the deck; one instant has become a cycle */
     unsigned long n;
-    double *steps; /* crank angles or times, in the deck's unit */
+    double *steps; /* places of the deck's rows, or between them */
 
     /* one branch */
     fourlink_branch branch;
@@ -29,8 +28,6 @@ typedef struct rows {
 ** than a drawing shows. */
 int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at);
 
-/* Where an instant lies among the steps, in their unit. */
-double rows_step_of(const rows *t, const fourlink_instant *now);
 void rows_close(rows *t);
 
 /* Leave only every so many of the steps, unless they are rows of the deck. */

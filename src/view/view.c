@@ -14,15 +14,6 @@
 #include "view.h"
 #include "results.h"
 
-/* The last crank angle of a given motion, in its unit. */
-static double end_of(const fourlink_motion *motion, const fourlink_range *range)
-{
-    fourlink_row last;
-
-    fourlink_motion_row(motion, range, range->n_rows - 1, &last);
-    return range->stops ? range->stop_angle : last.angle;
-}
-
 #define BEFORE 1e-9 /* of the motion, by which a position is before its end */
 
 /* Where a machine stalls on all branches, its motion ends just before. */
@@ -90,8 +81,9 @@ void view_take_design(view *v, fourlink_results *results)
     if (v->problem.crossed)
         v->branches[v->n_branches++] = FOURLINK_CROSSED;
     fourlink_motion_range(&v->problem.motion, &v->range);
-    v->end = end_of(&v->problem.motion, &v->range);
-    if (v->problem.mode != FOURLINK_MODE_GIVEN && !v->problem.by_time)
+    v->over = flk_quantity_find(v->problem.over.quantity);
+    v->end = v->problem.over.last;
+    if (v->problem.mode != FOURLINK_MODE_GIVEN && v->problem.over.is_crank_angle)
         cut_end(v);
     v->range.n_rows = v->problem.n_rows;
     v->lever_low = v->lever_high = 0;
@@ -227,21 +219,19 @@ static int count_acting(const view *v, const fourlink_load *loads, int *of, cons
     return n;
 }
 
-/* The crank angle a sixth of the way through the motion. */
+/* The place a sixth of the way through the motion: over time, that of a row. */
 static double sixth_of(const view *v)
 {
-    double from = v->problem.motion.from;
+    const fourlink_abscissa *over = &v->problem.over;
 
-    return from + (v->end - from) / 6;
+    return over->is_crank_angle ? over->first + (v->end - over->first) / 6
+                                : view_place_of_row(v, v->range.n_rows / 6);
 }
 
-/* The position there: over time, that of the row. */
 static int find_sixth(const view *v, fourlink_branch branch, fourlink_instant *now,
                       fourlink_load *loads)
 {
-    return v->problem.by_time
-               ? fourlink_results_row(v->results, branch, v->range.n_rows / 6, NULL, now, loads)
-               : fourlink_results_at(v->results, branch, sixth_of(v), NULL, now, loads);
+    return fourlink_results_along(v->results, branch, sixth_of(v), NULL, now, loads);
 }
 
 /* The row that is clear, with the largest number of acting loads, and of these nearest to a sixth of the way;
@@ -259,8 +249,7 @@ static long find_busiest(const view *v, fourlink_branch branch, int *most, fourl
         if (fourlink_results_row(v->results, branch, i, NULL, &now, loads) != FOURLINK_OK)
             continue;
         n = count_acting(v, loads, &of, &name);
-        off = v->problem.by_time ? fabs((double)i - (double)(v->range.n_rows / 6))
-                                 : fabs(now.row.angle - sixth_of(v));
+        off = fabs(now.row.place - sixth_of(v));
         if (n < *most || !is_clear(v, &now.state) || (n == *most && off >= nearest))
             continue;
         *most = n;
@@ -307,9 +296,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 
     if (v->range.n_rows == 1)
         return "the deck's instant";
-    off = v->problem.by_time ? now->row.time - (double)(v->range.n_rows / 6) * v->problem.time_step
-                             : now->row.angle - sixth_of(v);
-    if (fabs(off) <= 1e-9 * (v->problem.by_time ? v->problem.duration : fabs(v->end)))
+    off = now->row.place - sixth_of(v);
+    if (fabs(off) <= 1e-9 * fabs(v->end))
         return "";
     if (n == 0)
         return "clear of dead positions";
@@ -342,6 +330,29 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
     flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
     flk_text_join(mistake->message, sizeof mistake->message, why, word, (char *)NULL);
     return 0;
+}
+
+double view_place_of_row(const view *v, unsigned long row)
+{
+    const fourlink_abscissa *over = &v->problem.over;
+    double sense = over->last < over->first ? -1 : 1;
+    double place = over->first + sense * ((double)row * over->step);
+
+    return sense * place < sense * over->last ? place : over->last;
+}
+
+double view_over(const view *v, double place)
+{
+    return v->problem.over.is_crank_angle ? place : view_value(v, v->over, place);
+}
+
+const char *view_set_step(const view *v, double step, char out[VIEW_STEP])
+{
+    const fourlink_abscissa *over = &v->problem.over;
+    char number[FORMAT_SIZE];
+
+    return flk_text_join(out, VIEW_STEP, "motion.", over->step_key, "=",
+                         format_general(step, 17, number), " ", over->unit, (char *)NULL);
 }
 
 double view_value(const view *v, quantity q, double si)

@@ -8,6 +8,7 @@
 #define FOURLINK_VIEW_H
 
 #include "base/quantity.h"
+#include "system/format.h"
 #include "fourlink.h"
 
 /* Not to be copied: it points into itself. */
@@ -21,9 +22,9 @@ typedef struct view {
     fourlink_branch branches[2]; /* that the deck asks for */
     int n_branches;
     fourlink_range range; /* by time, with the number of its rows */
-    double
-        end; /* the last crank angle of the motion, in the deck's unit; of a machine that stalls, there */
+    double end; /* the last place of the motion; by angle, of a machine that stalls, there */
     fourlink_unit units[QUANTITY_COUNT];
+    quantity over;                 /* of problem.over */
     double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
     const fourlink_value *columns; /* of its table */
     unsigned long n_columns;
@@ -86,6 +87,14 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
 /* A value in the deck's unit of its quantity, and in SI units. */
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
+
+/* Places, of problem.over: that of a row; in the unit of results. */
+double view_place_of_row(const view *v, unsigned long row);
+double view_over(const view *v, double place);
+
+/* The assignment that sets the step of the rows: "motion.interval=5 deg". */
+#define VIEW_STEP (FORMAT_SIZE + 80)
+const char *view_set_step(const view *v, double step, char out[VIEW_STEP]);
 
 /* 1 if the deck gives the crank no speed and no acceleration: all velocities are 0. */
 int view_is_still(const view *v);
