@@ -75,18 +75,13 @@ static double whole_length(const flk_course *c)
     return fabs(c->end - c->d->motion.from) * c->d->motion.angle_unit;
 }
 
-static void extent_of_angle(const flk_course *c, fourlink_branch branch, flk_extent *x)
+static void begin_angle(const flk_course *c, flk_pieces *x)
 {
-    x->length = c->actual ? flk_actual_length(c->actual, branch) : whole_length(c);
+    x->length = c->actual ? flk_actual_length(c->actual, x->branch) : whole_length(c);
     x->first = c->d->motion.from;
     x->end =
-        x->length < whole_length(c) ? flk_actual_facts_of(c->actual, branch)->end_angle : c->end;
-    x->rate = (x->end < x->first ? -1 : 1) / c->d->motion.angle_unit;
-}
-
-static double direction(const flk_course *course)
-{
-    return course->end < course->d->motion.from ? -1 : 1;
+        x->length < whole_length(c) ? flk_actual_facts_of(c->actual, x->branch)->end_angle : c->end;
+    x->rate = (c->end < x->first ? -1 : 1) / c->d->motion.angle_unit;
 }
 
 /* How the crank starts or ends: from rest, its speed grows as the root of the angle. */
@@ -98,13 +93,6 @@ static flk_piece_end end_of_motion(const flk_course *course, double angle)
     return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !course->d->motion.hold
                ? FLK_END_ROOT
                : FLK_END_PLAIN;
-}
-
-static flk_piece_end beginning(const flk_course *course)
-{
-    if (course->actual)
-        return flk_actual_from_rest(course->d) ? FLK_END_ROOT : FLK_END_PLAIN;
-    return end_of_motion(course, course->d->motion.from);
 }
 
 /* The end of the motion at a length; an actual motion that is shorter than its rows has stalled. */
@@ -131,17 +119,21 @@ static void find_direction(const flk_pieces *x, int has_loads, flk_direction *p)
     p->corners = x->course->corners;
     p->branch = x->branch;
     p->from = motion->from * motion->angle_unit;
-    p->sense = direction(x->course);
+    p->sense = x->rate < 0 ? -1 : 1;
     p->has_loads = has_loads;
 }
 
 /* The kind of end at the beginning of the motion. */
 static flk_piece_end first_end(const flk_pieces *x)
 {
+    const flk_course *c = x->course;
     flk_direction p;
 
     find_direction(x, 0, &p);
-    return join(beginning(x->course), flk_corners_first(&p));
+    return join(!c->actual                   ? end_of_motion(c, c->d->motion.from)
+                : flk_actual_from_rest(c->d) ? FLK_END_ROOT
+                                             : FLK_END_PLAIN,
+                flk_corners_first(&p));
 }
 
 static void next_over_angle(const flk_pieces *x, flk_piece *piece)
@@ -184,11 +176,11 @@ static int find_time(const flk_course *c, double time, double *at)
 }
 
 /* Its length is the angle through which the crank turns, forwards and backwards. */
-static void extent_of_time(const flk_course *c, fourlink_branch branch, flk_extent *x)
+static void begin_time(const flk_course *c, flk_pieces *x)
 {
-    x->length = flk_actual_travel(c->actual, branch);
+    x->length = flk_actual_travel(c->actual, x->branch);
     x->first = 0;
-    x->end = flk_actual_time(c->actual, branch);
+    x->end = flk_actual_time(c->actual, x->branch);
     x->rate = x->length > 0 ? x->end / x->length : 0;
 }
 
@@ -199,11 +191,11 @@ static void next_over_time(const flk_pieces *x, flk_piece *piece)
     piece->to = piece->from + 2 * SHORT < x->length ? piece->from + SHORT : x->length;
 }
 
-static const struct flk_course_type given = {place_of_angle, at_given, find_angle, extent_of_angle,
+static const struct flk_course_type given = {place_of_angle, at_given, find_angle, begin_angle,
                                              next_over_angle},
-                                    by_angle = {place_of_angle, at_angle, find_angle,
-                                                extent_of_angle, next_over_angle},
-                                    by_time = {place_of_time, at_time, find_time, extent_of_time,
+                                    by_angle = {place_of_angle, at_angle, find_angle, begin_angle,
+                                                next_over_angle},
+                                    by_time = {place_of_time, at_time, find_time, begin_time,
                                                next_over_time};
 
 /* ----------------------------------------------------------------------------------------------- the course */

@@ -27,13 +27,6 @@ typedef struct flk_course {
     int is_shared;      /* 1: it belongs to another deck */
 } flk_course;
 
-/* The course on a branch. */
-typedef struct flk_extent {
-    double length;     /* rad */
-    double first, end; /* places */
-    double rate;       /* of the places, for 1 rad of the length */
-} flk_extent;
-
 /* Set up the course of a deck, which must remain valid as long, and memory for the loads of a row; 0 if out
 ** of memory.  `actual` is null, or that of the same deck, found before, which must remain valid too. */
 int flk_course_open(flk_course *course, const deck *d, flk_acting *acting, flk_actual *actual);
@@ -66,9 +59,11 @@ typedef struct flk_piece {
 typedef struct flk_pieces {
     const flk_course *course;
     fourlink_branch branch;
-    int has_loads; /* 1: columns of loads must be smooth too */
-    double length; /* rad; a length other than that of the motion omits whole periods, */
-    double period; /* rad, and a piece ends after the first of them */
+    int has_loads;     /* 1: columns of loads must be smooth too */
+    double first, end; /* places; */
+    double rate;       /* ... for 1 rad of the length */
+    double length;     /* rad; a length other than that of the motion omits whole periods, */
+    double period;     /* rad, and a piece ends after the first of them */
 } flk_pieces;
 
 /* Advance to the next piece; 0 at the end.  Begin with a piece from 0 to 0. */
@@ -87,7 +82,8 @@ struct flk_course_type {
     /* The place that is meant by a place: of crank angles that of the motion that differs by whole periods (a
     ** turn, or a cycle of several turns).  0 if there is none. */
     int (*find)(const flk_course *c, double place, double *at);
-    void (*extent)(const flk_course *c, fourlink_branch branch, flk_extent *extent);
+    /* set places, rate and length of the motion of a branch */
+    void (*begin)(const flk_course *c, flk_pieces *x);
     /* set `to` and `end` of a piece, and `begin` of the first */
     void (*next)(const flk_pieces *x, flk_piece *piece);
 };

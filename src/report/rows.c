@@ -59,7 +59,7 @@ static unsigned long stride_of(unsigned long n_rows)
     return stride ? stride : 1;
 }
 
-static void choose_angles(rows *t, double at)
+static void choose_steps(rows *t, double at)
 {
     const fourlink_motion *motion = &t->v.problem.motion;
     unsigned long stride, parts, row, k;
@@ -67,6 +67,10 @@ static void choose_angles(rows *t, double at)
     fourlink_row here, next;
     double turns;
 
+    for (row = 0; !t->v.problem.over.is_crank_angle && row < t->v.problem.n_rows; row++)
+        t->steps[t->n++] = view_place_of_row(&t->v, row);
+    if (t->n)
+        return;
     fourlink_motion_range(motion, &range);
     stride = stride_of(range.n_rows);
     turns = (double)(range.n_rows - 1) * motion->interval * motion->angle_unit / (2 * M_PI);
@@ -83,14 +87,7 @@ static void choose_angles(rows *t, double at)
         insert(t, at);
 }
 
-/* The rows of a deck with rows by time, opened with the time step of the drawing. */
-static void choose_times(rows *t)
-{
-    for (t->n = 0; t->n < t->v.problem.n_rows; t->n++)
-        t->steps[t->n] = view_place_of_row(&t->v, t->n);
-}
-
-/* The time step of the drawing. */
+/* The time step of the drawing, with which its deck is opened. */
 static double time_step_of(const fourlink_problem *p)
 {
     unsigned long stride = stride_of(p->n_rows);
@@ -122,29 +119,24 @@ static int open_deck(rows *t, const fourlink_source *source, fourlink_results *o
     return status == FOURLINK_OK;
 }
 
-/* Open a deck with rows by time again, with the time step of the drawing. */
-static int reopen(rows *t, const fourlink_source *source, fourlink_results *opened)
+int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at)
 {
     char step[VIEW_STEP];
 
-    return open_deck(t, source, opened, view_set_step(&t->v, time_step_of(&t->v.problem), step));
-}
-
-int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at)
-{
     memset(t, 0, sizeof *t);
     t->source = source;
     if (opened)
         view_take(&t->v, opened);
     if ((!opened || t->v.problem.one_instant) && !open_deck(t, source, opened, NULL))
         return 0;
-    if (!draws_all(t) || (!t->v.problem.over.is_crank_angle && !reopen(t, source, opened)))
+    if (!draws_all(t))
+        return 0;
+    if (!t->v.problem.over.is_crank_angle &&
+        !open_deck(t, source, opened, view_set_step(&t->v, time_step_of(&t->v.problem), step)))
         return 0;
     t->steps = memory_get(MOST_ROWS * 2 + 2, sizeof *t->steps);
-    if (t->steps && t->v.problem.over.is_crank_angle)
-        choose_angles(t, at);
-    else if (t->steps)
-        choose_times(t);
+    if (t->steps)
+        choose_steps(t, at);
     t->status = memory_get(t->n + 1, sizeof *t->status);
     t->table = memory_get(t->n * t->v.n_columns + 1, sizeof *t->table);
     return t->steps && t->status && t->table;

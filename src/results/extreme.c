@@ -522,7 +522,7 @@ static void move_constant(const search *x, const flk_followed *t, flk_bests *b)
     value = flk_followed_nearest(t, flk_column_value(t->c, &row), max->value);
     if (row.at.status == FOURLINK_CHANGE_POINT ||
         fabs(value - max->value) <= NOISE * fabs(max->value))
-        max->angle = min->angle = x->samples.f.extent.first;
+        max->angle = min->angle = x->samples.f.motion.first;
 }
 
 /* The least value of a difference of lengths, such as a displacement, may be 0 within rounding. */

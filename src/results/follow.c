@@ -42,8 +42,7 @@ void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch)
     f->motion.course = course;
     f->motion.branch = branch;
     f->motion.has_loads = course->actual != NULL;
-    course->type->extent(course, branch, &f->extent);
-    f->motion.length = f->extent.length;
+    course->type->begin(course, &f->motion);
     skip_periods(f);
 }
 
@@ -104,9 +103,9 @@ double flk_follow_rate(const flk_follower *f, double s)
 double flk_follow_place(const flk_follower *f, double passed)
 {
     if (passed >= f->motion.length)
-        return f->extent.end;
-    return f->extent.first +
-           f->extent.rate * (passed > f->motion.period ? passed + f->skipped : passed);
+        return f->motion.end;
+    return f->motion.first +
+           f->motion.rate * (passed > f->motion.period ? passed + f->skipped : passed);
 }
 
 double flk_follow_crank(const flk_follower *f, double place)

@@ -20,7 +20,6 @@ typedef struct flk_follower {
     fourlink_branch branch;
     flk_pieces motion; /* its length, rad, is without the whole periods that are skipped */
     double skipped;    /* length of these periods, rad */
-    flk_extent extent; /* with these periods */
     flk_piece piece;   /* the present one */
 } flk_follower;
 

@@ -17,7 +17,6 @@
 static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
 {
     flk_course course;
-    flk_extent extent;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
@@ -31,8 +30,7 @@ static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MO
     pieces.course = &course;
     pieces.branch = FOURLINK_OPEN;
     pieces.has_loads = has_loads;
-    course.type->extent(&course, FOURLINK_OPEN, &extent);
-    pieces.length = extent.length;
+    course.type->begin(&course, &pieces);
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
     while (flk_pieces_next(&pieces, &piece)) {
