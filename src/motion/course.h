@@ -76,7 +76,7 @@ struct flk_course_type {
     /* the place of row i */
     double (*place)(const flk_course *c, unsigned long i);
     /* The crank at a place; `actual` is filled unless the motion is given.  FOURLINK_OK, or why the machine
-    ** does not get there, with the place, the crank angle and the rest NaN. */
+    ** does not get there: only the place and the crank angle are set, the rest is NaN. */
     int (*at)(const flk_course *c, fourlink_branch branch, double place, fourlink_row *row,
               flk_actual_row *actual);
     /* The place that is meant by a place: of crank angles that of the motion that differs by whole periods (a

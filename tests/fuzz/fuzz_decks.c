@@ -43,6 +43,8 @@ static void ask_rows(fourlink_results *r, const fourlink_problem *p, double *val
             MUST(isfinite(now.state.sine) && isfinite(now.row.time));
             MUST(isfinite(now.forces.F12x) && isfinite(now.forces.F12y));
             MUST(isfinite(now.forces.F34x) && isfinite(now.forces.Ts));
+            status = fourlink_results_along(r, branches[b], now.row.place, values, &now, loads);
+            MUST(status == FOURLINK_OK);
             status = fourlink_results_at(r, branches[b], now.row.angle, values, &now, loads);
             MUST(status < 20 || status == FOURLINK_NO_SUCH_ANGLE);
         }

@@ -64,6 +64,9 @@ static int ask(fourlink_results *r, int which, fourlink_branch branch, answer *a
     case 10: /* why it differs is sought on the other branch */
         a->status = fourlink_results_check(r, 0, &a->check);
         return 1;
+    case 11:
+        a->status = fourlink_results_along(r, branch, 0, a->numbers, &a->instant, a->loads);
+        return 1;
     default:
         return 0;
     }
