@@ -268,22 +268,17 @@ int flk_course_is_periodic(const flk_course *c)
            mechanism->change_stretched == mechanism->change_folded;
 }
 
-int flk_course_at_angle(const flk_course *c, fourlink_branch branch, double angle,
-                        fourlink_row *row, flk_actual_row *actual)
+int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, int *status,
+                    fourlink_row *row, flk_actual_row *actual)
 {
-    int status = (c->actual ? at_angle : at_given)(c, branch, angle, row, actual);
+    int is_by_angle = c->over.is_crank_angle;
 
-    if (!c->over.is_crank_angle)
-        row->place = row->time;
-    return status;
-}
-
-int flk_course_find_angle(const flk_course *c, double angle, double *at)
-{
-    if (c->over.is_crank_angle)
-        return c->type->find(c, angle, at);
-    *at = angle;
-    return FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX);
+    if (is_by_angle ? !c->type->find(c, angle, &angle)
+                    : !FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX))
+        return 0;
+    *status = (c->actual ? at_angle : at_given)(c, branch, angle, row, actual);
+    row->place = is_by_angle ? angle : row->time;
+    return 1;
 }
 
 int flk_pieces_next(const flk_pieces *x, flk_piece *piece)

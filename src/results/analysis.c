@@ -451,11 +451,13 @@ void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, doub
     complete(a, needs, branch, c->type->at(c, branch, place, &row->at.row, &row->actual), row);
 }
 
-void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
-                           flk_row *row)
+int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
+                          flk_row *row)
 {
-    const flk_course *c = &a->course;
+    int status;
 
-    complete(a, needs, branch, flk_course_at_angle(c, branch, angle, &row->at.row, &row->actual),
-             row);
+    if (!flk_course_pass(&a->course, branch, angle, &status, &row->at.row, &row->actual))
+        return 0;
+    complete(a, needs, branch, status, row);
+    return 1;
 }

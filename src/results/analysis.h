@@ -128,13 +128,13 @@ void flk_analysis_close(flk_analysis *a);
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row);
 
-/* Row i of the deck; the row at a place of its course; where the crank first passes an angle of the motion, in
-** the deck's unit. */
+/* Row i of the deck; the row at a place of its course; where the crank first passes an angle, in the deck's
+** unit, or 0 if the motion has no such angle. */
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row);
 void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, double place,
                         flk_row *row);
-void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
-                           flk_row *row);
+int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
+                          flk_row *row);
 
 #endif

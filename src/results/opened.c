@@ -114,12 +114,10 @@ static int value_in_row(const flk_opened *o, const flk_column *c, fourlink_branc
 static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch branch, double angle,
                            fourlink_value *value)
 {
-    double at;
     flk_row row;
 
-    if (!flk_course_find_angle(&o->a.course, angle, &at))
+    if (!flk_analysis_at_angle(&o->a, flk_column_need(c), branch, angle, &row))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_angle(&o->a, flk_column_need(c), branch, at, &row);
     return value_in_row(o, c, branch, &row, value);
 }
 

@@ -415,14 +415,13 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
                         fourlink_instant *instant, fourlink_load *loads)
 {
     int status = check_branch(r, 1, (int)branch);
-    double at;
     flk_row row;
 
     if (status != FOURLINK_OK)
         return status;
-    if (!flk_course_find_angle(&r->now->a.course, angle, &at))
+    if (!flk_analysis_at_angle(&r->now->a, needs_of(r->now, values, instant, loads), branch, angle,
+                               &row))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_angle(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
     return copy_row(r->now, &row, values, instant, loads);
 }
 
