@@ -5,23 +5,7 @@
 #ifndef FOURLINK_COLUMN_H
 #define FOURLINK_COLUMN_H
 
-#include "analysis.h"
-
-typedef struct flk_column_info flk_column_info;
-
-/* A column chosen for a deck. */
-typedef struct flk_column {
-    const flk_column_info *info;
-    size_t number; /* its place among all possible ones */
-    const char *name;
-    int is_usual;                  /* 1: printed if the deck names no columns */
-    double scale;                  /* what SI values are multiplied by */
-    int link;                      /* of a point: its link; 0: a column of the mechanism */
-    fourlink_vector at;            /* m, in the link's own axes */
-    int component;                 /* which of the point's columns, or of the spring's */
-    const fourlink_spring *spring; /* its spring; null: it belongs to none */
-    const fourlink_mechanism *mechanism;
-} flk_column;
+#include "column_source.h"
 
 /* The largest number of columns of a deck. */
 size_t flk_column_limit(const deck *d);
@@ -71,6 +55,9 @@ char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, ch
 int flk_column_handle(const flk_column *c, flk_statistic statistic);
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
                          flk_statistic *statistic);
+
+/* 1 if two decks of a kind have the same of the points that every deck has. */
+int flk_column_same_points(const deck *d, const deck *other);
 
 /* The column that another name means, such as w4; null if there is none. */
 const char *flk_column_meant(const flk_analysis *a, text name);

@@ -25,6 +25,7 @@ typedef enum column_form {
 /* Traits, besides FOURLINK_OF_CRANK, FOURLINK_CRANK_ANGLE and FOURLINK_OF_ROUNDING. */
 enum {
     OF_MOTION_ALONE = 0x1000, /* loads have no corners in it, though it needs forces */
+    HAS_CORNERS = 0x2000,     /* it has corners, though it needs no forces */
     COLUMN_FLAGS = FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING
 };
 

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column_spring.c - the columns of springs and dampers.
+*/
+#include <gsl/gsl_math.h>
+
+#include "column_list.h"
+#include "column_source.h"
+#include "mechanics/spring.h"
+
+/* The columns of springs, and of torsional ones. */
+#define SPRING_INFO(q, meaning)                                               \
+    {                                                                         \
+        "", QUANTITY_##q, ALL, 0, HAS_CORNERS, NULL, VALUE, 0, 0, meaning, "" \
+    }
+static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
+    {SPRING_INFO(LENGTH, "length of the spring"), SPRING_INFO(FORCE, "tension of the spring"),
+     SPRING_INFO(ENERGY, "energy of the spring"),
+     SPRING_INFO(POWER, "power that spring and damper put into the links")},
+    {SPRING_INFO(ANGLE, "angle of the spring, which counts turns"),
+     SPRING_INFO(TORQUE, "torque of the spring, -T on 'link' and T on 'to'"),
+     SPRING_INFO(ENERGY, "energy of the spring"),
+     SPRING_INFO(POWER, "power that spring and damper put into the links")}};
+
+static size_t count(const deck *d)
+{
+    return FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_type);
+}
+
+static int make(const flk_analysis *a, size_t i, flk_column *c)
+{
+    const flk_element *e =
+        flk_machine_find(&a->d->machine, &flk_spring_type, i / FLK_ELEMENT_COLUMNS);
+    const fourlink_spring *spring = e->data;
+    int component = (int)(i % FLK_ELEMENT_COLUMNS);
+
+    flk_column_start(a->d, &spring_table[spring->is_torsional != 0][component], c);
+    c->name = e->column_names[component];
+    c->of.spring = spring;
+    c->component = component;
+    c->is_usual = component < 2;
+    return 1;
+}
+
+static double value(const flk_column *c, const flk_row *row)
+{
+    fourlink_spring_state at;
+
+    if (fourlink_spring_at(&c->d->machine.mechanism, &row->at.state, c->of.spring, &at) !=
+        FOURLINK_OK)
+        return GSL_NAN;
+    return c->component == 0   ? at.length
+           : c->component == 1 ? at.force
+           : c->component == 2 ? at.energy
+                               : at.power;
+}
+
+const flk_column_source flk_spring_columns = {NULL, 0, count, make, NULL, value, NULL};

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column_table.c - the columns of column_list.h: their values, names, and why a deck lacks one.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/trig.h"
+#include "column.h"
+#include "column_list.h"
+#include "mechanics/kind.h"
+#include "mechanics/mechanics.h"
+
+/* `from` is what the macros of column_list.h call so: need, traits, denominator, form, x, y. */
+#define COLUMN_INFO(name, q, kinds, from, meaning, source) \
+    {#name, QUANTITY_##q, kinds, from, meaning, source},
+static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+static int has(const flk_analysis *a, const flk_column_info *info)
+{
+    return (info->kinds & (int)a->d->machine.mechanism.design.kind) != 0 &&
+           (info->need & ~a->possible) == 0;
+}
+
+static size_t count(const deck *d)
+{
+    (void)d;
+    return TABLE_COUNT;
+}
+
+static int make(const flk_analysis *a, size_t i, flk_column *c)
+{
+    int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
+
+    flk_column_start(a->d, &table[i], c);
+    if (table[i].traits & FOURLINK_CRANK_ANGLE)
+        c->scale = 1; /* already in the deck's unit, exactly */
+    c->is_number = table[i].form <= POLAR_DIRECTION;
+    c->is_usual = (table[i].kinds & usual) != 0;
+    return has(a, &table[i]);
+}
+
+static const char *why_missing(const deck *d, const flk_column_info *info)
+{
+    if (info->need & NEED_TIME)
+        return "needs a moving crank";
+    if (info->need & NEED_SERIES)
+        return "needs a line of stroke through the crankshaft; the deck has an offset";
+    if ((info->need & (NEED_LOSSES | NEED_RUBBING)) && !d->machine.has_friction)
+        return "needs a [friction] section; the deck has none";
+    if (info->need & NEED_ACTUAL)
+        return "needs [motion] mode = free, run-up or steady; the motion is given";
+    if (info->need & NEED_WANTED)
+        return "needs --synthesis and a [synthesis] with a function";
+    if (info->need & NEED_BALANCE)
+        return "needs a [balance] section; the deck has none";
+    if (!d->has_forces)
+        return "needs masses, loads or gas; the deck has none";
+    if (info->need == NEED_GAS)
+        return "needs gas; the deck has none";
+    return "needs a rod whose centre of mass is on its line";
+}
+
+/* The kinds of a set in words. */
+static const char *list_kinds(int kinds, char out[MESSAGE_SIZE])
+{
+    const char *words[9] = {NULL};
+    size_t n = 0;
+    int kind;
+
+    for (kind = 1; kind < FLK_EVERY_KIND; kind *= 2)
+        if ((kinds & kind) && flk_kind_of((fourlink_kind)kind))
+            words[n++] = fourlink_kind_text(kind);
+    flk_text_list(words, ", the ", " and the ", out, MESSAGE_SIZE);
+    return out;
+}
+
+static const char *lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
+{
+    char owners[MESSAGE_SIZE];
+
+    if (table[i].kinds & (int)d->machine.mechanism.design.kind)
+        return why_missing(d, &table[i]);
+    return flk_message(words, MESSAGE_SIZE, "belongs to the %s",
+                       list_kinds(table[i].kinds, owners));
+}
+
+/* ------------------------------------------------------------------------------------------------- values */
+
+/* A zero vector has no direction. */
+static double direction_of(double x, double y)
+{
+    return x == 0 && y == 0 ? FLK_UNDEFINED : flk_angle(y, x);
+}
+
+static double value(const flk_column *c, const flk_row *row)
+{
+    double x = FLK_ROW_NUMBER(row, c->info->x), y = FLK_ROW_NUMBER(row, c->info->y);
+
+    return c->info->form == SIZE        ? flk_length(x, y)
+           : c->info->form == DIRECTION ? direction_of(x, y)
+           : c->info->form == PRODUCT   ? x * y
+                                        : x - y;
+}
+
+static void vector(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    double size, direction;
+
+    *x = FLK_ROW_NUMBER(row, c->info->x);
+    *y = FLK_ROW_NUMBER(row, c->info->y);
+    if (c->info->form > POLAR_DIRECTION)
+        return;
+    size = c->info->form == POLAR_SIZE ? *x : *y;
+    direction = c->info->form == POLAR_SIZE ? *y : *x;
+    *x = size == 0 ? 0 : size * flk_cosine(direction);
+    *y = size == 0 ? 0 : size * flk_sine(direction);
+}
+
+const flk_column_source flk_table_columns = {table, TABLE_COUNT, count, make, lacks, value, vector};
+
+double flk_denominator_13(const fourlink_state *state)
+{
+    return state->link[3].k;
+}
+
+double flk_denominator_24(const fourlink_state *state)
+{
+    return 1 - state->link[4].k;
+}
+
+/* The velocity of link 4. */
+double flk_denominator_advantage(const fourlink_state *state)
+{
+    return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
+}
+
+double flk_denominator_klein(const fourlink_state *state)
+{
+    return state->link[2].axis.x;
+}
+
+/* -------------------------------------------------------------------------------------------------- names */
+
+/* What people call columns, and the names; the digits that follow are the same in both. */
+static const struct {
+    const char *written, *meant;
+} aliases[] = {{"w", "omega"},        {"a", "alpha"},
+               {"t", "time"},         {"force", "F"},
+               {"torque", "Ts"},      {"driving_torque", "Ts"},
+               {"displacement", "x"}, {"velocity", "v"},
+               {"acceleration", "a"}, {"transmission_angle", "mu"}};
+
+static int is_digits(const char *s)
+{
+    return s[strspn(s, "0123456789")] == '\0';
+}
+
+const char *flk_column_meant(const flk_analysis *a, text name)
+{
+    char word[DECK_NAME_SIZE];
+    size_t i, k;
+
+    flk_text_copy(name, word, sizeof word);
+    for (i = 0; i < sizeof aliases / sizeof aliases[0]; i++) {
+        size_t n = strlen(aliases[i].written), m = strlen(aliases[i].meant);
+        text front = name;
+
+        front.length = n < name.length ? n : name.length;
+        if (!flk_text_equal(front, aliases[i].written) || !is_digits(word + n))
+            continue;
+        for (k = 0; k < TABLE_COUNT; k++)
+            if ((!a || has(a, &table[k])) && strncmp(table[k].name, aliases[i].meant, m) == 0 &&
+                strcmp(table[k].name + m, word + n) == 0)
+                return table[k].name;
+    }
+    return NULL;
+}
+
+int flk_column_is_known(text name)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT && !flk_text_same(name, table[i].name); i++)
+        ;
+    return i < TABLE_COUNT;
+}
+
+/* If `a` is null, search the columns of any deck. */
+const char *flk_column_nearest(const flk_analysis *a, text name)
+{
+    const char *known[TABLE_COUNT + 1], *meant = flk_column_meant(a, name);
+    size_t i, n = 0;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (!a || has(a, &table[i]))
+            known[n++] = table[i].name;
+    known[n] = NULL;
+    return meant ? meant : flk_text_nearest(name, known);
+}
