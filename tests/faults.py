@@ -6,6 +6,8 @@
 #   faults.py put TREE N SEED LIST [FOLDER...]   put N faults into the sources of TREE, or of these folders of src/, all at
 #                                           once, each behind a switch, and list them
 #   faults.py again TREE OUT LIST [FOLDER...]   put those in again that survived in an earlier run
+#   faults.py scripts TREE BUILD N SEED OUT [FILE...]   put N faults into the scripts, one after the other, and run the
+#                                           tests of ctest that read scripts as they are, by node (faults.js)
 #   faults.py run BUILD LIST OUT [CONFIG]   run, for each fault, the tests that reach it, until one fails
 #   faults.py table TREE OUT KNOWN          the table by folder, and the survivors that have no reason in KNOWN
 #
@@ -406,11 +408,48 @@ def run(build, listing, out, config=None):
     json.dump(faults, open(out, 'w'), indent=1)
 
 
+# ------------------------------------------------------------------------------------------ scripts
+
+
+def scripts(tree, build, n, seed, out, *only):
+    """A script is no part of the build for these tests, so that a fault is a change of its file in TREE."""
+    tree, chance = pathlib.Path(tree).resolve(), random.Random(seed)
+    files = only or ['src/report/elements.js', 'src/report/player.js', 'web/page/drawn.js']  # what these tests read
+    shown = subprocess.run(['node', 'tests/faults.js', *files], cwd=tree, capture_output=True, check=True).stdout
+    by_file = collections.defaultdict(list)
+    for f in json.loads(shown):
+        by_file[f['file']].append(f)
+    tests = [t for t in tests_of(build, None) if t['name'] in ('test_replayed', 'test_drawn_decks')]
+    if not all(passes(t, 600)[0] for t in tests):
+        sys.exit('the tests fail without a fault')
+    faults = []
+    for number in range(n):
+        name = files[number % len(files)]
+        f = by_file[name].pop(chance.randrange(len(by_file[name])))
+        path = tree / name
+        source = path.read_bytes()
+        f.update(number=number, faulty=chance.choice(f['faulty']), within=line_of(source, f['start']), statement=False, reached=1)
+        path.write_bytes(source[:f['start']] + f['faulty'].encode() + source[f['end']:])
+        try:
+            for t in tests:
+                if not passes(t, 120)[0]:
+                    f['by'], f['in'] = t['name'], 'ctest'
+                    break
+        finally:
+            path.write_bytes(source)
+        print('%s %s:%d %s -> %s' % ('noticed' if 'by' in f else 'survived', f['file'], f['line'], squeezed(f['right']), squeezed(f['faulty'])),
+              flush=True)
+        faults.append(f)
+    json.dump(faults, open(out, 'w'), indent=1)
+
+
 # ------------------------------------------------------------------------------------------ what survived
 
 
 def same_code(tree, f):
     """1 if the fault leaves the machine code as it is."""
+    if f['file'].endswith('.js'):
+        return 0
     codes = []
     for text in (f['right'], ';' if f['statement'] else '(%s)' % f['faulty']):
         path = pathlib.Path(tree) / f['file']
@@ -432,7 +471,7 @@ def reasons(tree, known):
     table, place = {}, None
     for line in open(known):
         line = line.rstrip('\n')
-        if line.startswith('src/'):
+        if line.startswith(('src/', 'web/')):
             place = line
             file, words = line.split(': ', 1)
             path = pathlib.Path(tree) / file
@@ -448,7 +487,7 @@ def table(tree, out, known):
     faults, why = json.load(open(out)), reasons(tree, known)
     rows = collections.defaultdict(collections.Counter)
     for f in faults:
-        row = rows[f['file'].split('/')[1]]
+        row = rows['scripts' if f['file'].endswith('.js') else f['file'].split('/')[1]]
         if 'by' not in f and same_code(tree, f):
             row['same code'] += 1
         else:
@@ -475,6 +514,8 @@ if __name__ == '__main__':
         put(arguments[0], int(arguments[1]), *arguments[2:])
     elif command == 'again':
         again(*arguments)
+    elif command == 'scripts':
+        scripts(arguments[0], arguments[1], int(arguments[2]), *arguments[3:])
     elif command == 'run':
         run(*arguments)
     elif command == 'table':

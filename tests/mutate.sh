@@ -44,3 +44,8 @@ fi
 faults run "$work/build" "$work/list.json" "$work/out.json"
 [ -z "${LONG-}" ] || faults run "$work/build" "$work/list.json" "$work/out.json" long
 faults table "$source" "$work/out.json" "$source/tests/faults.txt"
+# with SCRIPTS=N, N faults in scripts too; for Debian with nodejs and node-acorn
+if [ "${SCRIPTS-}" ]; then
+    faults scripts "$work/tree" "$work/build" "$SCRIPTS" "$seed" "$work/scripts.json"
+    faults table "$source" "$work/scripts.json" "$source/tests/faults.txt"
+fi

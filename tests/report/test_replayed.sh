@@ -8,6 +8,15 @@ tests=$(dirname "$decks")
 scenes=$3
 needs node nodejs
 
+# shown DECK: cells and captions beside the drawings, and where a pointer is, by shown.js
+shown() {
+    branch=$(sed -n 's/^"branches":\[{*"name":"\([a-z]*\)".*/\1/p; s/^{"name":"\(open\|crossed\)".*/\1/p' "$name.json" | head -n 1)
+    "$fourlink" --wide -b "${branch:-open}" "$1" >table 2>err
+    grep -q '^# theta2 ' table || return 0
+    node "$tests/report/shown.js" "$data/../src/report" "$name.json" table >out 2>&1
+    check "$name: $(head -n 3 out)" grep -q ' compared, 0 wrong' out
+}
+
 # replay DECK EVERY: so many of its steps
 replay() {
     name=$(basename "$1" .deck)
@@ -15,6 +24,7 @@ replay() {
     node "$tests/report/replay.js" "$data/../src/report" "$name.json" "$name.frames" >out 2>&1
     check "$name: $(head -n 3 out)" grep -q ' drawings, 0 wrong, ' out
     tail -n 1 out >>all
+    shown "$1"
     rm -f "$name.json" "$name.frames"
 }
 
