@@ -69,6 +69,17 @@ for (const row of rows) {
         that(near(drawing.main.planeOf(drawing.main.sheetOf(p)), p, 1e-9 * Math.hypot(...b)), "to and fro", p);
     that(near(drawing.main.sheetOf(b), B, 1e-6), "B in the sheet");
 }
+/* a machine that stands at an angle is turned back to its own axes */
+const straight = drawing.main.planeOf(drawing.main.place("B"));
+for (const turn of [0.7, -2]) {
+    const before = scene.turn;
+    scene.turn = before + turn;
+    const turned = drawing.main.planeOf(drawing.main.place("B"));
+    const back = [Math.cos(turn) * turned[0] - Math.sin(turn) * turned[1], Math.sin(turn) * turned[0] + Math.cos(turn) * turned[1]];
+    that(near(back, straight, 1e-9 * Math.hypot(...straight)), "turned by", turn, turned, "not", straight);
+    that(near(drawing.main.planeOf(drawing.main.sheetOf([3, -8])), [3, -8], 1e-6), "to and fro when turned");
+    scene.turn = before;
+}
 /* what words are made of numbers and units */
 for (const [column, value, words] of [[{form: "fixed", decimals: 3}, -0.0004, "0.000"], [{form: "fixed", decimals: 1}, -2.25, "-2.3"], [{form: "fixed", decimals: 0}, 7, "7"],
     [{form: "exponent", decimals: 2}, 12345, "1.23e+4"], [{form: "angle", decimals: 0}, 12.5, "12.5"], [{form: "fixed", decimals: 2}, null, "–"], [{form: "fixed", decimals: 2}, "inf", "inf"]])
