@@ -67,7 +67,7 @@ COMPARE = {'<': ['<=', '>='], '>': ['>=', '<='], '<=': ['<', '>'], '>=': ['>', '
 LOGIC = {'&&': '||', '||': '&&'}
 TWINS = [('min', 'max'), ('sin', 'cos'), ('floor', 'ceil'), ('smallest', 'largest'), ('lowest', 'highest'), ('first', 'last')]
 SYMMETRIC = ('strcmp', 'strncmp', 'memcmp', 'gsl_hypot', 'flk_length', 'gsl_complex_add', 'gsl_complex_mul', 'GSL_MAX_DBL',
-             'GSL_MIN_DBL', 'flk_dimension_equal', 'flk_text_equal', 'flk_text_same', 'memory_get')
+             'GSL_MIN_DBL', 'flk_dimension_equal', 'flk_text_equal', 'flk_text_same', 'memory_get', 'system_is_same')
 
 Candidate = collections.namedtuple('Candidate', 'file start end line sort right faulty statement')
 
