@@ -26,14 +26,14 @@ for deck in "$decks/coupler-point.deck" "$decks/engine.deck" "$decks/rubbing-lev
     freed --list "$deck"
     freed --format=json --output=rows.json "$deck"
     freed --report=r.html "$deck"
-    for kind in mechanism motion forces turning-moment polar vectors limits klein columns; do
-        freed --plot=x.svg --plot-kind=$kind "$deck"
-    done
     freed --plot=x.txt "$deck"
     freed --print-deck --set='crank.length=21 mm' "$deck"
     freed --answers=answers --feedback=told/ "$deck"
 done
-freed --plot=x.svg --plot-kind=animation "$decks/coupler-point.deck"
+for kind in mechanism motion forces turning-moment polar vectors limits klein columns animation; do
+    freed --plot=x.svg --plot-kind=$kind "$decks/engine.deck"
+    freed --plot=x.svg --plot-kind=$kind --columns=F12,Ts "$pictures/varied/slanted-linkage.deck"
+done
 freed --check "$data/me3491-matrix.deck" "$alvi"
 freed --synthesis --report=r.html "$data/synthesis/three-positions.deck"
 freed --synthesis --plot=x.svg --plot-kind=error "$data/synthesis/log10.deck"

@@ -56,8 +56,8 @@ for folder in "$data" "$decks" "$pictures/varied"; do
     n=0
     for deck in *.deck; do
         n=$((n + 1))
-        # of the longer list every third
-        [ "$folder" != "$data" ] || [ $((n % 3)) -eq 0 ] || continue
+        # of the longer list every sixth
+        [ "$folder" != "$data" ] || [ $((n % 6)) -eq 0 ] || continue
         ! grep -Eq '^ *mode *=' "$deck" || continue
         all "$deck"
         [ "$folder" = "$data" ] || line="$line report $(report "$deck")"
