@@ -135,7 +135,7 @@ static double beyond(const fourlink_mechanism *m, fourlink_branch branch, double
 ** sense, over two turns, which differ where there is one change point. */
 TEST(test_positions_by_samples)
 {
-    static const double levels[] = {100, 120, 155};
+    static const double levels[] = {100, 120, 155, 99.97, 120.03}; /* of two loads */
     uint64_t seed = 8;
     int number, turn, n_found = 0, k;
     size_t i;
@@ -158,9 +158,10 @@ TEST(test_positions_by_samples)
         sprintf(contents,
                 "mechanism = four-bar\n[ground]\nlength = %.17g mm\n[crank]\nlength = %.17g "
                 "mm\n[coupler]\nlength = %.17g mm\n"
-                "[rocker]\nlength = %.17g mm\n[load]\nlink = rocker\nover = theta4\ntorque = 100 "
-                "deg 3 N m, 120 deg 7 N m, 155 deg "
-                "-4 N m\n[motion]\nspeed = %d rad/s\nfrom = %.17g deg\nto = %.17g deg\n",
+                "[rocker]\nlength = %.17g mm\n[load K]\nlink = rocker\nover = theta4\ntorque = 100 "
+                "deg 3 N m, 120 deg 7 N m, 155 deg -4 N m\n[load L]\nlink = crank\nover = "
+                "theta4\ntorque = 99.97 deg 1 N m, 120.03 deg 2 N m\n[motion]\nspeed = %d "
+                "rad/s\nfrom = %.17g deg\nto = %.17g deg\n",
                 ground, crank, coupler, rocker, turn, from / DEG, from / DEG + turn * 719);
         n = list_pieces(contents, 1, list);
         read_deck(contents, &d);
