@@ -13,8 +13,10 @@ freed() {
     check "blocks that are not freed: $(cat leaks): fourlink $*" test "$(cat leaks)" = 0
 }
 
-# a program that frees nothing is found
-LEAKS=$work/leaks LD_PRELOAD=$live_blocks "$programs/leaking" && check 'three blocks are found' test "$(cat leaks)" = 3
+# a program that does not free three blocks is found; a static one cannot be watched
+LEAKS=$work/leaks LD_PRELOAD=$live_blocks "$programs/leaking"
+[ -s leaks ] || { echo 'skipped: nothing can be loaded before this C library' && exit 77; }
+check 'three blocks are found' test "$(cat leaks)" = 3
 
 printf 'Ada\nBo\n' >names.txt
 mkdir answers told
