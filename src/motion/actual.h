@@ -34,8 +34,8 @@ int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_a
 /* The length of a motion that is integrated by angle, rad: that of the rows, unless it ends earlier. */
 double flk_actual_length(flk_actual *m, fourlink_branch branch);
 
-/* Of a motion that is integrated by time the angle through which the crank turns, forwards and backwards, rad,
-** and the `time` this takes, s. */
+/* Of a motion that is integrated by time the angle through which the crank turns, forwards and backwards,
+** rad, and the time that this takes, s. */
 double flk_actual_travel(flk_actual *m, fourlink_branch branch);
 double flk_actual_time(flk_actual *m, fourlink_branch branch);
 

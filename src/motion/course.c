@@ -19,7 +19,7 @@
 
 #define SHORT 0.5 /* rad, of a piece of rows by time */
 
-/* ------------------------------------------------------------------------------------------- over the angle */
+/* ----------------------------------------------------------------------------------------- over the angle */
 
 static double place_of_angle(const flk_course *c, unsigned long i)
 {
@@ -156,7 +156,7 @@ static void next_over_angle(const flk_pieces *x, flk_piece *piece)
     piece->to = x->length;
 }
 
-/* -------------------------------------------------------------------------------------------- over time, s */
+/* ------------------------------------------------------------------------------------------- over time, s */
 
 static double place_of_time(const flk_course *c, unsigned long i)
 {
@@ -198,7 +198,7 @@ static const struct flk_course_type given = {place_of_angle, at_given, find_angl
                                     by_time = {place_of_time, at_time, find_time, begin_time,
                                                next_over_time};
 
-/* ----------------------------------------------------------------------------------------------- the course */
+/* --------------------------------------------------------------------------------------------- the course */
 
 static const struct flk_course_type *type_of(const deck *d)
 {

@@ -41,8 +41,8 @@ int flk_course_repeats(const flk_course *course);
 /* 1 if the motion is one revolution that ends at its initial position and speed. */
 int flk_course_is_periodic(const flk_course *course);
 
-/* The crank where it first passes a crank angle, in the deck's unit, as from `at`; 0 if the motion has no such
-** angle.  Which angles rows by time reach depends on the branch. */
+/* The crank where it first passes a crank angle, in the deck's unit, as from `at`; 0 if the motion has no
+** such angle.  Which angles rows by time reach depends on the branch. */
 int flk_course_pass(const flk_course *course, fourlink_branch branch, double angle, int *status,
                     fourlink_row *row, flk_actual_row *actual);
 
