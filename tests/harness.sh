@@ -89,11 +89,17 @@ finish() {
     exit
 }
 
-# listed STATUS LISTING ARGUMENT...: a picture with these options; LISTING is what it shows, by listing.awk
+# listed STATUS LISTING ARGUMENT...: a picture with these options; LISTING has its items, by items.awk
 listed() {
     listed_status=$1 listing=$2
     shift 2
     rm -f listed.svg "$listing"
     run "$listed_status" --plot=listed.svg "$@"
-    [ ! -s listed.svg ] || LC_ALL=C awk -v even=1 -f "$pictures/svg.awk" -f "$pictures/listing.awk" listed.svg >"$listing"
+    [ ! -s listed.svg ] || LC_ALL=C awk -v even=1 -f "$pictures/svg.awk" -f "$pictures/items.awk" listed.svg >"$listing"
+}
+# curve_of NAME LISTING: the places of a curve, X Y a line, with blank lines in its gaps
+curve_of() { awk -v name="$1" '$1 == "curve" {on = $2 == name; next} $0 == "end" {on = 0} on' "$2"; }
+# places_of WORDS LISTING: X Y of each text with these words
+places_of() {
+    awk -v words="$1" '$1 == "text" {at = $4 " " $5; sub(/^[^ ]* [^ ]* [^ ]* [^ ]* [^ ]* /, ""); if ($0 == words) print at}' "$2"
 }

@@ -89,7 +89,7 @@ class Program:
         return done.stdout
 
     def listing(self, deck, kind, *arguments):
-        """The listing of a picture (listing.awk); '' if there is none."""
+        """The items of a picture (items.awk); '' if there is none."""
         name = os.path.join(self.folder, 'picture.svg')
         if os.path.exists(name):
             os.remove(name)
@@ -97,7 +97,7 @@ class Program:
         if not os.path.exists(name):
             return ''
         xml.parse(name)  # it is well-formed
-        scripts = [word for script in ('svg', 'listing') for word in ('-f', os.path.join(PICTURES, script + '.awk'))]
+        scripts = [word for script in ('svg', 'items') for word in ('-f', os.path.join(PICTURES, script + '.awk'))]
         return subprocess.run(['awk'] + scripts + [name], env=self.environment, stdout=subprocess.PIPE, check=True, encoding='utf-8').stdout
 
 

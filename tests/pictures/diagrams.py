@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# diagrams.py FOURLINK DATA DECKS - the numbers of diagrams, from their listings: each row of the table is on its curve,
+# diagrams.py FOURLINK DATA DECKS - the numbers of diagrams, from their items: each row of the table is on its curve,
 # extremes, areas and bins are computed again from the drawn or printed numbers, and texts keep away from curves.
 import csv
 import io
@@ -92,10 +92,9 @@ def check_curve(deck, pixels, points, rows, name, over='theta2'):
 class Pixels:
     """Places of a panel in pixels."""
 
-    def __init__(self, listing, panel):
+    def __init__(self, panel):
         x, y = panel.range['x'], panel.range['y']
-        self.width = (panel.margin['r'] - panel.margin['l']) * listing.width
-        self.height = (panel.margin['t'] - panel.margin['b']) * listing.height
+        self.width, self.height = panel.width, panel.height
         self.x0, self.y0 = x[0], y[0]
         self.kx, self.ky = self.width / (x[1] - x[0]), self.height / (y[1] - y[0])
 
@@ -121,22 +120,22 @@ def crosses(box, p, q):
     return first < last
 
 
-def check_texts(listing, panel, of_extremes):
+def check_texts(panel, of_extremes):
     """Texts are within the axes and on no other; numbers of extremes cover no curve."""
-    pixels = Pixels(listing, panel)
+    pixels = Pixels(panel)
     texts = [(words, pixels.at(at), rest) for words, at, side, rest in panel.labels if at is not None and words]
     boxes = [box_of(at, words) for words, at, rest in texts]
     for k, (a, (words, at, rest)) in enumerate(zip(boxes, texts)):
         checks.that(a[0] > -1 and a[1] < pixels.width + 1 and a[2] > -1 and a[3] < pixels.height + 1, 'the text', words, 'is within the axes')
         for b, other in zip(boxes[:k], texts):
             checks.that(min(a[1], b[1]) - max(a[0], b[0]) <= 0.1 or min(a[3], b[3]) - max(a[2], b[2]) <= 0.1, 'texts on each other', words, other[0])
-        if of_extremes and 'tc lt' in rest:
+        if of_extremes and rest.startswith('curve'):
             small = (a[0] + 0.5, a[1] - 0.5, a[2] + 0.5, a[3] - 0.5)
             for block, points in panel.blocks.items():
                 for piece in pieces(points):
                     drawn = [pixels.at(p) for p in piece]
                     if any(crosses(small, p, q) for p, q in zip(drawn, drawn[1:])):
-                        checks.that(False, 'the text', words, 'covers a curve of', panel.titles.get('ylabel'))
+                        checks.that(False, 'the text', words, 'covers a curve of', panel.titles.get('y'))
                         break
 
 
@@ -149,13 +148,13 @@ def extremes_of(deck):
     return found
 
 
-def check_extremes(listing, panel, deck, name, branches, extremes):
+def check_extremes(panel, deck, name, branches, extremes):
     """A dot on each extreme, and its number."""
     turn = turn_of(deck, name)
-    pixels = Pixels(listing, panel)
+    pixels = Pixels(panel)
     y = panel.range['y']
-    dots = [at for at, kind in panel.dots if kind == 7]
-    numbers = [words for words, at, side, rest in panel.labels if at is not None and 'tc lt' in rest]
+    dots = [at for at, kind in panel.dots if kind == 'black']
+    numbers = [words for words, at, side, rest in panel.labels if at is not None and rest.startswith('curve')]
     values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
     size = max(abs(v) for v in values)
     for branch in branches:
@@ -173,7 +172,7 @@ def check_extremes(listing, panel, deck, name, branches, extremes):
                for p, q in zip(piece, piece[1:])]
         checks.that(min(off) < 5, 'a dot on its curve', at, min(off))
     for words, at, side, rest in panel.labels:
-        if at is not None and 'tc lt' in rest:
+        if at is not None and rest.startswith('curve'):
             checks.that(any(abs(float(words) - dot.imag) <= 6e-4 * abs(dot.imag) + 1e-3 / pixels.ky for dot in dots), 'a number of a dot', words)
 
 
@@ -195,7 +194,7 @@ def check_over_angle(deck, rows, kind, extremes):
     listing = Listing(text)
     for panel in listing.panels:
         names = []
-        for block, words, title in panel.curves():
+        for block, title in panel.curves():
             match = re.fullmatch(r'(\w+)_(open|crossed)', block)
             if not match:
                 continue
@@ -203,27 +202,27 @@ def check_over_angle(deck, rows, kind, extremes):
             names.append((name, branch))
             if name in deck.columns and branch in rows:
                 checks.where = '%s, %s of %s, %s' % (deck.name, kind, name, branch)
-                check_curve(deck, Pixels(listing, panel), panel.blocks[block], rows[branch], name)
+                check_curve(deck, Pixels(panel), panel.blocks[block], rows[branch], name)
                 checks.that(plain(title) in (branch, name), 'the title of a curve', title)
                 unit = deck.columns[name]
-                checks.that(axis_of(panel.titles['ylabel'])[1] == unit and axis_of(panel.titles['xlabel'])[0] == 'theta2', 'the axes', panel.titles)
+                checks.that(axis_of(panel.titles['y'])[1] == unit and axis_of(panel.titles['x'])[0] == 'theta2', 'the axes', panel.titles)
         if names:
             check_range(panel, names[0][0])
-            check_texts(listing, panel, True)
+            check_texts(panel, True)
             if kind == 'motion' and extremes is not None:
-                check_extremes(listing, panel, deck, names[0][0], [branch for name, branch in names], extremes)
+                check_extremes(panel, deck, names[0][0], [branch for name, branch in names], extremes)
 
 
 def check_columns(deck, rows, names):
     text = deck.program.listing(deck, 'columns', '--branch=both', '--columns=' + ','.join(names))
     listing = Listing(text)
     for panel in listing.panels:
-        for block, words, title in panel.curves():
+        for block, title in panel.curves():
             name, branch = re.fullmatch(r'(\w+)_(open|crossed)', block).groups()
             name = [n for n in names if re.sub(r'\W', '_', n) == name][0]
             checks.where = '%s, columns, %s, %s' % (deck.name, name, branch)
-            check_curve(deck, Pixels(listing, panel), panel.blocks[block], rows[branch], name)
-        check_texts(listing, panel, True)
+            check_curve(deck, Pixels(panel), panel.blocks[block], rows[branch], name)
+        check_texts(panel, True)
 
 
 def check_over_column(deck, x, y, is_to_scale):
@@ -239,8 +238,8 @@ def check_over_column(deck, x, y, is_to_scale):
         fits.append((high - low) / (max(values) - min(values)))
     checks.that(min(fits) < 1.7 and (is_to_scale or max(fits) < 1.7), 'the ranges fit', fits)
     width = panel.range['x'][1] - panel.range['x'][0]
-    checks.that(2 < width / panel.tics['x'] < 20, 'numbers at the x axis', width, panel.tics)
-    pixels = Pixels(listing, panel)
+    checks.that(2 < width / panel.step['x'] < 20, 'numbers at the x axis', width, panel.step)
+    pixels = Pixels(panel)
     checks.that(not is_to_scale or abs(pixels.kx / pixels.ky - 1) < 1e-3, 'one scale', pixels.kx, pixels.ky)
 
 
@@ -248,7 +247,7 @@ def check_polar(deck, rows):
     text = deck.program.listing(deck, 'polar', '--branch=both')
     listing = Listing(text)
     for panel in listing.panels:
-        titles = [axis_of(panel.titles[axis])[0] for axis in ('xlabel', 'ylabel')]
+        titles = [axis_of(panel.titles[axis])[0] for axis in 'xy']
         for branch in ('open', 'crossed'):
             block = '%s_%s' % (plain(panel.title.split(',')[0]), branch)
             if block not in panel.blocks:
@@ -258,7 +257,7 @@ def check_polar(deck, rows):
             wanted = [row.vector('', titles[0], titles[1]) for row in rows[branch]
                       if row.is_ok and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
             size = max(abs(p) for p in wanted)
-            pixels = Pixels(listing, panel)
+            pixels = Pixels(panel)
             lines = [(pixels.at(p), pixels.at(q)) for piece in pieces(panel.blocks[block]) for p, q in zip(piece, piece[1:])]
             frame = panel.range['x'] + panel.range['y']
             k = 0
@@ -268,7 +267,7 @@ def check_polar(deck, rows):
                 while k < len(lines) and distance(pixels.at(p), *lines[k]) > NEAR:
                     k += 1
             checks.that(k < len(lines), 'points of the table in their order', titles)
-            dots = [at for at, kind in panel.dots if kind == 7]
+            dots = [at for at, kind in panel.dots if kind == 'black']
             round_ones = [row.vector('', titles[0], titles[1]) for row in rows[branch] if row.is_ok and abs(math.remainder(row['theta2'], 30)) < 1e-6]
             checks.that(all(any(abs(a - b) < 1e-5 * size for a in dots) for b in round_ones), 'dots 30 deg apart', len(dots), len(round_ones))
             jumps = panel.blocks.get(block.replace('_' + branch, '_jumps'), []) if branch == 'open' else []
@@ -288,10 +287,9 @@ def check_polar(deck, rows):
                          and ((q - p) * line.vector.conjugate()).real > 0 for p, q in zip(points, points[1:]))]
             checks.that(on, 'an arrow from a point of the curve to the next', line.start, line.end)
         x, y = panel.range['x'], panel.range['y']
-        width = (panel.margin['r'] - panel.margin['l']) * listing.width
-        height = (panel.margin['t'] - panel.margin['b']) * listing.height
+        width, height = panel.width, panel.height
         checks.near('equal scales', (x[1] - x[0]) / width, (y[1] - y[0]) / height, (x[1] - x[0]) / width, 1e-3)
-        check_texts(listing, panel, False)
+        check_texts(panel, False)
 
 
 def check_turning(deck, rows):
@@ -308,7 +306,7 @@ def check_turning(deck, rows):
         cycle = points[-1].real
         moments = {round(abs(row['theta2']), 5): -sense * row['Ts'] for row in rows[branch] if row.is_ok}
         size = max(abs(m) for m in moments.values())
-        pixels = Pixels(listing, panel)
+        pixels = Pixels(panel)
         lines = list(zip(points, points[1:]))
         for at, moment in moments.items():
             off = min(distance(pixels.at(complex(at, moment)), pixels.at(p), pixels.at(q)) for p, q in lines
@@ -369,7 +367,7 @@ def check_turning(deck, rows):
                 notes = [note for note in panel.notes if note.startswith(name + ' at ')]
                 checks.that(notes and abs(math.remainder(float(re.match(r'[-0-9.e+]+', notes[0][9:]).group(0).rstrip('e')) - at, cycle)) < 1.5 * step,
                             'the note of', name, notes, at)
-        check_texts(listing, panel, False)
+        check_texts(panel, False)
 
 
 def check_speed(deck, rows):
@@ -377,11 +375,11 @@ def check_speed(deck, rows):
     for panel in listing.panels:
         for block, points in panel.blocks.items():
             name = block[:-5]
-            over = axis_of(panel.titles['xlabel'])[0]
+            over = axis_of(panel.titles['x'])[0]
             checks.where = '%s, speed, %s over %s' % (deck.name, name, over)
             points = [p for p in points if p is not None]
             wanted = [complex(row[over], row[name]) for row in rows['open'] if row.is_ok]
-            pixels = Pixels(listing, panel)
+            pixels = Pixels(panel)
             lines = [(pixels.at(p), pixels.at(q)) for p, q in zip(points, points[1:])]
             off = [min(distance(pixels.at(p), a, b) for a, b in lines) for p in wanted]
             checks.that(max(off) <= NEAR, 'points of the table', max(off))

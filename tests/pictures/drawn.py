@@ -2,7 +2,7 @@
 #
 # drawn.py FOURLINK FOLDER... - the mechanics of what is drawn: of each deck, on both branches, at a dozen crank angles.
 #
-# It reads the pictures `mechanism`, `vectors` and `klein` (listing.awk).  Places come from lengths and crank
+# It reads the pictures `mechanism`, `vectors` and `klein` (items.awk).  Places come from lengths and crank
 # angle (linkage.py), forces from the table; what is drawn has to agree with them, polygons to close, and each free body
 # to be in equilibrium.
 import cmath
@@ -17,7 +17,9 @@ from linkage import Checks, Deck, Program, cross, crossing, decks_of, dot, foot,
 from panels import Listing, plain  # noqa: E402
 
 # Styles of lines
-GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST, LEADER, SENSE = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6, 12, 13
+GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD = 'ground', 'crank', 'coupler', 'follower', 'force', 'load'
+OF_LINK = ['', GROUND, CRANK, COUPLER, FOLLOWER]
+THIN, RESULT, OTHER, GHOST, LEADER, SENSE = 'construction', 'result', 'other', 'ghost', 'leader', 'sense'
 GHOSTS = 12
 ANGLES = 12
 PREFIXES = {'': 1, 'n': 1e-9, '\u00b5': 1e-6, 'm': 1e-3, 'k': 1e3, 'M': 1e6, 'G': 1e9}
@@ -241,7 +243,7 @@ def check_outlines(panel, deck, position, row, size):
         corners = corners_of(points + [position.origin[link], ends[link]])
         flat = len(corners) < 3 or abs(cross(corners[1] - corners[0], corners[2] - corners[0])) < 1e-9 * size ** 2
         for p, q in zip(corners, corners[1:] + corners[:1]) if not flat else ():
-            has_line(panel, 'the outline of link %d' % link, p, q, link, size)
+            has_line(panel, 'the outline of link %d' % link, p, q, OF_LINK[link], size)
 
 
 def check_places(panel, deck, position, row, size, has_angles=True):
@@ -303,10 +305,10 @@ def check_sense(panel, A, omega, size):
         checks.near('its arc is about A', abs(line.end - A), abs(lines[0].end - A), size, 1e-5)
 
 
-def check_numbers(listing, panel, deck, position, back):
+def check_numbers(panel, deck, position, back):
     """The number of a link stands close to it, closer than 40 pixels."""
     ends = {'2': (position.A, position.B), '3': (position.B, position.C), '4': (position.D, position.C)}
-    scale = (panel.range['x'][1] - panel.range['x'][0]) / (panel.margin['r'] - panel.margin['l']) / listing.width
+    scale = (panel.range['x'][1] - panel.range['x'][0]) / panel.width
     found = 0
     for words, at, side, rest in panel.labels:
         if words not in ends or at is None or deck.slot or deck.slides and words == '4':
@@ -351,11 +353,10 @@ def check_labels(panel):
             checks.that(x[0] <= at.real <= x[1] and y[0] <= at.imag <= y[1], 'the label', words, 'is within the axes', at, x, y)
 
 
-def check_frame(listing, panel, drawn=None):
+def check_frame(panel, drawn=None):
     """All that is drawn is within the axes, which have one scale and as many pixels as they have room."""
     x, y = panel.range['x'], panel.range['y']
-    width = (panel.margin['r'] - panel.margin['l']) * listing.width
-    height = (panel.margin['t'] - panel.margin['b']) * listing.height
+    width, height = panel.width, panel.height
     slack = 1e-6 * max(map(abs, x + y))  # of seven digits
     checks.near('one scale in ' + panel.title, (x[1] - x[0]) / width, (y[1] - y[0]) / height, 1e-4 * (x[1] - x[0]) / width + slack / height, 1)
     for p in drawn:
@@ -715,7 +716,7 @@ def check_body_outline(body, deck, position, link, row, size):
     elif deck.slot and link == 4:
         letters = 'BD'
     else:
-        has_line(body, 'the body', pins[0], pins[1], link, size)
+        has_line(body, 'the body', pins[0], pins[1], OF_LINK[link], size)
         letters = {2: 'AB', 3: 'BC', 4: 'CD'}[link]
     for letter in letters:
         has_label(body, letter)
@@ -739,7 +740,7 @@ def check_vectors(deck, text, row, position):
     for panel in panels:
         panel.blocks = {}
         places = [p / back for line in panel.lines for p in (line.start, line.end)] + [label[1] for label in panel.labels if label[1]]
-        check_frame(listing, panel, places)
+        check_frame(panel, places)
     check_title(panels[0], row)
     check_places(panels[0], deck, position, row, extent(panels[0]))
     check_velocities(panels[1], deck, position, row)
@@ -761,7 +762,7 @@ def check_vectors(deck, text, row, position):
 def check_paths(panel, deck, rows, size):
     """Paths: points of a link keep their places on it, at 181 positions; C is where the lengths put it."""
     count = 0
-    for block, words, title in panel.curves():
+    for block, title in panel.curves():
         if title is None or not title.startswith('path of '):
             continue
         count += 1
@@ -796,9 +797,9 @@ def check_mechanism(deck, text, row, position, rows):
     size = extent(panel)
     check_title(panel, row)
     check_places(panel, deck, position, row, size)
-    check_frame(listing, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
+    check_frame(panel, [p / back for line in panel.lines for p in (line.start, line.end)])
     check_labels(panel)
-    check_numbers(listing, panel, deck, position, back)
+    check_numbers(panel, deck, position, back)
     check_paths(panel, deck, rows, size)
     if 'F12x' not in row:
         checks.that(not any(line.style in (PIN_FORCE,) for line in panel.lines), 'no forces without loads and masses')

@@ -14,7 +14,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 from linkage import Checks, Deck, Program, cross, dot, si_of  # noqa: E402
 from panels import Listing  # noqa: E402
 
-CRANK, COUPLER, FOLLOWER, RESULT = 2, 3, 4, 10
+CRANK, COUPLER, FOLLOWER, RESULT = 'crank', 'coupler', 'follower', 'result'
 
 DOUBLE_ROCKER = """mechanism = four-bar
 [units]
@@ -191,10 +191,9 @@ def main(fourlink, data, decks):
         for path in paths:
             check_deck(checks, Deck(program, path))
         # each of these is seen
-        head = r'set arrow from [-0-9.,e+]+ to (?=[-0-9.e+,]+ head [^\n]*ls 10\n)'
-        for path, change in ((paths[0], farther(head)), (paths[4], farther(head)), (paths[3], farther(r'set arrow from [-0-9.]+,[-0-9.]+ to (?=\S+ nohead ls 3)')),
-                             (paths[0], lambda text: re.sub(r'(set object circle at )(\S+),(\S+)( size \S+ front fc rgb .black)',
-                                                            lambda m: '%s%.7g,%s%s' % (m[1], float(m[2]) * 1.0005 + 1e-6, m[3], m[4]), text)),
+        head = r'arrow result \S+ \S+ '
+        for path, change in ((paths[0], farther(head)), (paths[4], farther(head)), (paths[3], farther(r'line coupler \S+ \S+ ')),
+                             (paths[0], lambda text: re.sub(r'((?:disc|quarter) black )(\S+)', lambda m: '%s%.7g' % (m[1], float(m[2]) * 1.0005 + 1e-6), text)),
                              (paths[1], farther(r'I₁₃ = \('))):
             wrong = Checks(most=0)
             check_deck(wrong, Deck(program, path), change)

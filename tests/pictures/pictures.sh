@@ -9,19 +9,16 @@ kinds='mechanism motion forces turning-moment polar vectors limits klein animati
 version=$("$fourlink" --version | sed -n 's/^fourlink //p')
 not() { ! "$@"; }
 
-# ------------------------------------------------------------------------- numbers of a listing
+# ------------------------------------------------------------------------- items of a picture
 
-# arrows LISTING [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and
+# arrows LISTING [line]: "PANEL<tab>LOOK<tab>X1 Y1 X2 Y2" of each arrow, or line, and
 # "PANEL<tab>note<tab>NAME VALUE"
 arrows() {
-    awk -v head="${2:-head}" '
-        /^unset arrow; unset label; unset object/ {n = 0}
-        /^set arrow / && $7 == head {split($4, a, ","); split($6, b, ",")
-            line[++n] = $NF "\t" a[1] " " a[2] " " b[1] " " b[2]}
-        /^set label .* at graph/ {words = $0; sub(/^set label ./, "", words); sub(/. at graph.*/, "", words)
-            line[++n] = "note\t" words}
-        /^set title / {title = $0; sub(/^set title ./, "", title); sub(/" offset [^"]*$/, "", title); gsub(/\047\047/, "\047", title)
-            for (i = 1; i <= n; i++) print title "\t" line[i]; n = 0}' "$1"
+    awk -v what="${2:-arrow}" '
+        /^panel/ {n = 0}
+        $1 == what {line[++n] = $2 "\t" $3 " " $4 " " $5 " " $6}
+        sub(/^note /, "note\t") {line[++n] = $0}
+        sub(/^name /, "") {for (i = 1; i <= n; i++) print $0 "\t" line[i]}' "$1"
 }
 # size X Y: of a vector
 size() { awk -v x="$1" -v y="$2" 'BEGIN {printf "%.9g\n", sqrt(x * x + y * y)}'; }

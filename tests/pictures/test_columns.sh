@@ -5,24 +5,31 @@
 . "$(dirname "$0")/pictures.sh"
 # columns ARGUMENT...: the listing x.list
 columns() { listed 0 x.list --plot-kind=columns "$@"; }
-# block NAME: the lines of a block of data in x.list
-block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" x.list | sed '1d;$d'; }
+# block NAME: the places of a curve in x.list
+block() { curve_of "$1" x.list; }
 # has TEXT: a line of the listing
 has() { check "the listing has no line: $1" grep -qxF -e "$1" x.list; }
-panels() { check "$(grep -c '^plot ' x.list) panels, expected $1" test "$(grep -c '^plot ' x.list)" -eq "$1"; }
+panels() { check "$(grep -c '^drawn' x.list) panels, expected $1" test "$(grep -c '^drawn' x.list)" -eq "$1"; }
 
 # --- panels by quantity: several columns on each branch, a column alone on both
 columns -c theta2,theta3,F12,theta4,Ts,F23,omega4 "$fourbar"
 quiet
 panels 6
-check 'angles of the open branch' grep -qF 'plot $theta3_open using 1:2 with lines lt 1 title "θ₃", $theta4_open using 1:2 with lines lt 2 title "θ₄"' x.list
-check 'forces of the crossed branch' grep -qF 'plot $F12_crossed using 1:2 with lines lt 1 title "F₁₂", $F23_crossed using 1:2 with lines lt 2 title "F₂₃"' x.list
-check 'both branches of a torque' grep -qF 'plot $Ts_open using 1:2 with lines lt 1 title "open", $Ts_crossed using 1:2 with lines lt 2 title "crossed"' x.list
-has 'set ylabel "angle (°)"'
-has 'set ylabel "force (N)"'
-has 'set ylabel "Tₛ (N·m)"'
-has 'set ylabel "ω₄ (rad/s)"'
-has 'set xlabel "θ₂ (°)"'
+# drawn NAME WORDS NAME WORDS: a panel has these curves, no others, with these words in its key
+drawn() {
+    check "a panel of $1 and $3" awk -v wanted="curve1 $1 $2, curve2 $3 $4" '/^panel/ {n = 0} /^curve/ {name[$3] = $2; n++}
+        sub(/^key /, "") {look = $1; sub(/^[^ ]* /, ""); words[look] = $0}
+        /^drawn/ && n == 2 {found += "curve1 " name["curve1"] " " words["curve1"] ", curve2 " name["curve2"] " " words["curve2"] == wanted}
+        END {exit found != 1}' x.list
+}
+drawn theta3_open θ₃ theta4_open θ₄
+drawn F12_crossed F₁₂ F23_crossed F₂₃
+drawn Ts_open open Ts_crossed crossed
+has 'y angle (°)'
+has 'y force (N)'
+has 'y Tₛ (N·m)'
+has 'y ω₄ (rad/s)'
+has 'x θ₂ (°)'
 # the columns of the deck, in the rows of its table; what measures rounding is left out
 run 0 -b open -f csv --interval='0.5 deg' "$fourbar"
 cp out rows
@@ -47,15 +54,14 @@ panels 2
 
 # --- over time, over another column
 columns -b open -c theta4 --plot-x=time "$fourbar"
-has 'set xlabel "time (s)"'
+has 'x time (s)'
 block theta4_open >curve
 check 'time goes from 0 to a turn' awk 'NR == 1 {first = $1} {last = $1; if (NR > 1 && $1 <= before) bad = 1; before = $1} END {exit bad || first ^ 2 > 1e-9 || NR < 700 || last < 0.1}' curve
 columns -b open -c P.x,P.y,F12 --plot-x=P.x "$fourbar"
 panels 2 # not over itself
-has 'set xlabel "P.x (mm)"'
-check 'a path is drawn to scale' awk -F'\\[|:|\\]' '/^set xrange/ {x = $3 - $2} /^set [lr]margin/ {split($0, m, /screen /); w = (m[3] - m[2]) * 1000}
-    /^set tmargin/ {split($0, m, /screen /); h = (m[2] - m[3]) * 412}
-    /^set yrange/ {r = x / ($3 - $2) * h / w; exit !(r > 0.98 && r < 1.02)}' x.list
+has 'x P.x (mm)'
+check 'a path is drawn to scale' awk '$1 == "box" {w = $2; h = $3}
+    $1 == "range" {r = ($3 - $2) / ($5 - $4) * h / w; exit !(r > 0.98 && r < 1.02)}' x.list
 run 0 -b open -f csv -c P.x,P.y --interval='90 deg' "$fourbar"
 tr -d '\r' <out | awk -F, 'NR > 1 {print $2, $3}' >points
 columns -b open -c P.y --plot-x=P.x "$fourbar"
@@ -69,7 +75,7 @@ block slide_open >curve
 check 'an angle is followed' awk 'NR == 1 {first = $1} NR > 1 && ($1 - last) ^ 2 > 900 {bad = 1} {last = $1} END {exit bad || (last - first) ^ 2 < 128000}' curve
 # an indicator diagram: the four strokes
 columns -c gas_force --plot-x=x "$decks/gas-engine.deck"
-has 'set xlabel "x (mm)"'
+has 'x x (mm)'
 block gas_force_open >curve
 check 'four strokes' awk 'NR > 1 {s = $1 > last ? 1 : -1; if (s != way) turns++; way = s} {last = $1} END {exit turns != 4}' curve
 
@@ -81,11 +87,11 @@ check 'a jump has its two ends' awk '!NF {if (getline > 0) {d = $2 - y; if (d < 
 columns -b open -c theta4 "$data/me3491-exercise-4.deck"
 check 'an angle does not jump' test "$(block theta4_open | grep -c '^$')" -eq 0
 columns -b open -c mechanical_advantage "$data/me3491-exercise-4.deck"
-check 'the frame has no pole' awk -F'\\[|:|\\]' '/^set yrange/ {exit !($2 > -100 && $3 < 100)}' x.list
+check 'the frame has no pole' awk '$1 == "range" {exit !($4 > -100 && $5 < 100)}' x.list
 check 'two poles' test "$(block mechanical_advantage_open | grep -c '^$')" -eq 2
 check 'they are explained' grep -q 'beyond the frame where a value is unbounded' x.list
 columns -b open -c I13y --plot-x=I13x "$alvi"
-check 'an unbounded x has a frame' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($3 - $2 < 10000)}' x.list
+check 'an unbounded x has a frame' awk '$1 == "range" {exit !($3 - $2 < 10000)}' x.list
 sed 's/^from .*/from = 0 deg/; s/^to .*/to = 360 deg/' "$data/me3491-exercise-1.deck" >turning.deck
 listed 1 x.list --plot-kind=columns -b open -c theta4,F12 turning.deck
 check 'no position, no curve' test "$(block theta4_open | grep -c '^$')" -eq 1
@@ -94,12 +100,12 @@ listed 2 x.list --plot-kind=columns -c theta4 turning.deck --set='motion.from=15
 says 'the linkage cannot be assembled at any angle of the motion'
 # a constant has an axis
 columns -b open -c theta4 --plot-x=omega2 "$alvi"
-check 'a constant x' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($2 < 10.5 && $3 > 10.5)}' x.list
+check 'a constant x' awk '$1 == "range" {exit !($2 < 10.5 && $3 > 10.5)}' x.list
 
 # --- one instant shows its cycle, with the instant marked
 columns -c a --plot-x=time "$data/me3491-example-1.deck"
-check 'the instant is marked' grep -q 'point pt 6 ps 1.2' x.list
-check 'on the curve' awk '/point pt 6 ps 1.2/ {split($5, a, ","); x = a[1]; y = a[2]} /^\$a_open/ {on = 1} on && NF == 2 {px[++n] = $1; py[n] = $2}
+check 'the instant is marked' grep -q '^mark open 5 ' x.list
+check 'on the curve' awk '/^mark open 5 / {x = $4; y = $5} /^curve a_open/ {on = 1} on && NF == 2 {px[++n] = $1; py[n] = $2}
     END {for (i = 1; i <= n; i++) if ((px[i] - x) ^ 2 < 1e-6 && (py[i] - y) ^ 2 < 1e-4 * y * y) found = 1; exit !found}' x.list
 
 finish

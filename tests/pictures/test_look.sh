@@ -14,7 +14,7 @@ for change in 's/^\(.fourlink .coupler{stroke:#\)[0-9A-F]*/\10A2F7A/' 's/^\(.fou
 done
 
 # --- the default position: most loads act, no dead position is near
-angle() { sed -n 's/^set title ".*, θ₂ = \(-*[0-9.]*\)°\(, \)*\([^"]*\)".*/\1 \3/p' x.list | head -n 1; }
+angle() { sed -n 's/^name .*, θ₂ = \(-*[0-9.]*\)°\(, \)*\(.*\)/\1 \3/p' x.list | head -n 1; }
 shows_at() { # shows_at ANGLE REASON ARGUMENT...
     wanted="$1 $2"
     shift 2
@@ -60,20 +60,20 @@ check 'the report shows the same position' grep -q '210' x.html
 
 # --- names and units of a book, but on a terminal
 listed 0 x.list --plot-kind=columns --columns=F12x,Ts,alpha3,F12_along,G3.y,mu --branch=open "$fourbar"
-for name in 'title "F₁₂ₓ"' '"Tₛ (N·m)"' '"α₃ (rad/s²)"' 'title "F₁₂ along"' '"G₃.y (mm)"' '"μ (°)"' '"θ₂ (°)"'; do
-    check "no $name" grep -qF "$name" x.list
+for name in 'key curve1 F₁₂ₓ' 'y Tₛ (N·m)' 'y α₃ (rad/s²)' 'key curve2 F₁₂ along' 'y G₃.y (mm)' 'y μ (°)' 'x θ₂ (°)'; do
+    check "no $name" grep -qxF "$name" x.list
 done
 { cat "$fourbar" && printf '[sweep]\ncrank.length = 20 mm to 24 mm step 2 mm\noutput = time_ratio, mu_min\n'; } >names.deck
 listed 0 x.list --plot-kind=columns --branch=open names.deck
-check 'the words of a fact' grep -qF 'set ylabel "time ratio (1)"' x.list
-check 'its symbol' grep -qF 'set ylabel "μ min (°)"' x.list
+check 'the words of a fact' grep -qxF 'y time ratio (1)' x.list
+check 'its symbol' grep -qxF 'y μ min (°)' x.list
 run 0 --plot=x.txt --plot-kind=columns --columns=F12x,Ts,mu --branch=open "$fourbar"
 for name in 'F12x (N)' 'Ts (N.m)' 'mu (deg)' 'theta2 (deg)'; do
     check "a terminal has no $name" grep -qF "$name" x.txt
 done
 
 # --- sense of rotation: reversed with the speed
-sense() { awk '/ head .* ls 13( |$)/ {split($4, a, ","); split($6, b, ","); s = a[1] * b[2] - a[2] * b[1]; print (s > 0 ? 1 : -1)}' x.list; }
+sense() { awk '/^arrow sense/ {s = $3 * $6 - $4 * $5; print (s > 0 ? 1 : -1)}' x.list; }
 listed 0 x.list --branch=open "$fourbar"
 check "the sense: $(sense)" test "$(sense)" = 1
 listed 0 x.list --branch=open --set='motion.speed=-30 rad/s' "$fourbar"
@@ -101,14 +101,14 @@ speed = 40 rpm
 interval = 10 deg
 DECK
 listed 0 x.list --plot-at='90 deg' --branch=open lever.deck
-check 'the lever ends at its load' awk '/ nohead ls 4$/ {split($6, b, ","); r = sqrt((b[1] - 300) ^ 2 + b[2] ^ 2); if (r > 899.9 && r < 900.1) n++}
+check 'the lever ends at its load' awk '/^line follower/ {r = sqrt(($5 - 300) ^ 2 + $6 ^ 2); if (r > 899.9 && r < 900.1) n++}
     END {exit n != 1}' x.list
 listed 0 x.list --plot-kind=animation --branch=open "$fourbar"
 for letter in A D; do
-    check "letter $letter stays: $(grep "^set label \"$letter\" at" x.list | sort -u | wc -l) places" \
-        test "$(grep "^set label \"$letter\" at" x.list | sort -u | wc -l)" -eq 1
+    places=$(places_of $letter x.list | sort -u | wc -l)
+    check "letter $letter stays: $places places" test "$places" -eq 1
 done
-check 'letter B stays outward of the crank' awk '/ nohead ls 2$/ {split($6, b, ",")} /^set label "B" at / {split($5, p, ",")
-    d = (p[1] - b[1]) * b[1] + (p[2] - b[2]) * b[2]; if (d < 0) bad = 1; n++} END {exit bad || n != 60}' x.list
+check 'letter B stays outward of the crank' awk '/^line crank/ {x = $5; y = $6} /^text/ && $6 " " $7 == "B " {
+    d = ($4 - x) * x + ($5 - y) * y; if (d < 0) bad = 1; n++} END {exit bad || n != 60}' x.list
 
 finish

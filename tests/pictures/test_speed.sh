@@ -9,12 +9,12 @@ steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'
 
 # fact NAME: of the steady motion
 fact() { "$fourlink" -S -f csv -c theta2,omega2,energy $steady "$pump" | tr -d '\r' | awk -F, -v name="$1" '$1 == name {print $2}'; }
-# points BLOCK: of a curve in the listing
-points() { awk -v block="\$$1 << EOD" '$0 == block {on = 1; next} /^EOD/ {on = 0} on && NF' s.list; }
+points() { curve_of "$1" s.list | sed '/./!d'; } # points NAME: of a curve
+mean() { points mean_line | awk 'NR == 1 {print $2}'; }
 
 listed 0 s.list --plot-kind=speed $steady "$pump"
 quiet
-near 'the mean' "$(sed -n 's/^mean = //p' s.list)" "$(fact mean_speed)" 1e-4
+near 'the mean' "$(mean)" "$(fact mean_speed)" 1e-4
 points omega2_open >speed
 check 'a curve of the speed' test "$(wc -l <speed)" -eq 721
 near 'its largest value' "$(awk '{print $2}' speed | sort -g | tail -n 1)" "$(fact 'max(omega2)')" 1e-4
@@ -59,7 +59,7 @@ curve() { # NAME COLUMN BLOCK: a curve has the values of this column at the time
 check 'eleven rows' test "$(wc -l <rows)" -eq 11
 listed 0 s.list --plot-kind=motion --branch=open time.deck
 curve v 6 v_open
-check 'no extremes, which belong to angles' test "$(grep -c 'point pt 7' s.list)" -eq 0
+check 'no extremes, which belong to angles' test "$(grep -c '^mark black' s.list)" -eq 0
 listed 0 s.list --plot-kind=forces --branch=open time.deck
 curve F12 5 F12_open
 listed 0 s.list --plot-kind=speed --branch=open time.deck
@@ -67,7 +67,7 @@ curve omega2 4 omega2_open
 listed 0 s.list --plot-kind=columns --columns=theta2 --branch=open time.deck
 curve theta2 3 theta2_open
 listed 0 s.list --plot-kind=animation --branch=open time.deck
-check 'a frame for each sixtieth of the time' test "$(grep -c '^set xrange' s.list)" -eq 60
+check 'a frame for each sixtieth of the time' test "$(grep -c '^range' s.list)" -eq 60
 listed 0 s.list --plot-kind=mechanism --plot-at='40 deg' --branch=open time.deck
 listed 2 s.list --plot-kind=mechanism --plot-at='4000 deg' --branch=open time.deck
 says 'theta2 = 4000 deg: the crank does not pass it'
@@ -77,7 +77,7 @@ says 'this picture needs [motion] rows = angle; the deck has rows by time'
 # The turning moment is that of the mean speed.
 listed 0 s.list --plot-kind=turning-moment $steady "$pump"
 quiet
-near 'its mean' "$(sed -n 's/^mean = //p' s.list)" "-$(fact mean_torque | tr -d -)" 1e-4
+near 'its mean' "$(mean)" "-$(fact mean_torque | tr -d -)" 1e-4
 listed 2 s.list --plot-kind=turning-moment --branch=open "$pump"
 says 'the turning moment needs'
 
@@ -114,9 +114,9 @@ branch = open
 DECK
 listed 0 s.list --plot-kind=speed runup.deck
 quiet
-check 'the mean is a later one' grep -q 'title ".*later mean = ' s.list
-check 'its curve has another name' grep -q 'title "later mean"' s.list
-sed -n 's/^set label "" at \([^,]*\),\([^ ]*\) point pt 7 ps 0.5 .*/\1 \2/p' s.list >turns
+check 'the mean is a later one' grep -q '^name .*later mean = ' s.list
+check 'its curve has another name' grep -q '^key [^ ]* later mean$' s.list
+sed -n 's/^mark black 2.5 //p' s.list >turns
 "$fourlink" -f csv -c theta2,Ts,omega2 runup.deck | tr -d '\r' >rows
 averaged() { # the points are the means of the table over whole turns, to 1 % of the largest torque of 25 N m
     awk -F '[, ]' 'NR == FNR {x[++n] = $1; y[n] = $2; next} FNR > 1 && $1 == "open" {
@@ -128,15 +128,15 @@ check 'the load of each turn' averaged
 awk '{print $1, $2 + 0.5}' turns >more && mv more turns
 check 'another load is seen' not averaged
 listed 0 s.list --plot-kind=polar runup.deck
-check 'bearings of the last turn' grep -q 'source = .*, the last turn' s.list
+check 'bearings of the last turn' grep -q '^subtitle .*, the last turn' s.list
 set -- $("$fourlink" -f csv -c theta2,F12_along,F12_across runup.deck | tr -d '\r' | awk -F, '$2 == 1800 {print $3, $4}')
 near 'the first force of the last turn' "$(points F12_open | awk 'NR == 1 {print $1}')" "$1" 1e-4
-dots=$(grep -c 'point pt 7 ps 0.5' s.list) panels=$(grep -c '^plot' s.list)
+dots=$(grep -c '^mark black 2.5' s.list) panels=$(grep -c '^drawn' s.list)
 check "dots of one turn: $dots in $panels panels" test $dots -eq $((13 * panels))
 # a machine that stalls: its curves end there, near rest
 listed 1 s.list --plot-kind=speed --set='motor.stall_torque=3 N m' runup.deck
 stall=$("$fourlink" -c omega2 --set='motor.stall_torque=3 N m' runup.deck | sed -n 's/^# stalls at \([0-9.]*\) deg.*/\1/p')
-check "curves over what it turns: $(grep -c "^set xrange \[0:$stall" s.list)" test "$(grep -c "^set xrange \[0:${stall%.*}" s.list)" -ge 2
+check "curves over what it turns: $(grep -c "^range 0 $stall" s.list)" test "$(grep -c "^range 0 ${stall%.*}" s.list)" -ge 2
 points omega2_open >speed
 check 'the last speed is near 0' awk '{if ($2 > most) most = $2; last = $2; x = $1} END {exit !(last < 0.02 * most && most > 10)}' speed
 

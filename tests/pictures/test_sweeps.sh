@@ -3,8 +3,7 @@
 #
 # test_sweeps.sh FOURLINK DATA - pictures of a sweep: outputs over the quantity that it varies.
 . "$(dirname "$0")/../command/sweeps.sh"
-# block NAME: the lines of a block of data in the listing t.list
-block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" t.list | sed '1d;$d'; }
+block() { curve_of "$1" t.list; }
 
 sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm, 22 mm & 70 mm' \
     'output = mu_min, max(Ts)'
@@ -20,32 +19,32 @@ for k in 0 1; do
         FNR > 1 {split($0, w, ","); m++; if ((w[3] - x[m]) ^ 2 > 1e-6 || (w[c] - y[m]) ^ 2 > 1e-4 * w[c] ^ 2) bad = 1}
         END {exit bad || n != m || n != 6}' points designs
 done
-check 'over the crank' grep -q 'set xlabel "crank.length (mm)"' t.list
-check 'lines' grep -q 'with lines lt 1 title "open"' t.list
+check 'over the crank' grep -qx 'x crank.length (mm)' t.list
+check 'lines' grep -qx 'key curve1 open' t.list
 # designs in no order are points; a design without a value is a gap
 sweep 'coupler.length = 66 mm, 62 mm, 70 mm' 'output = mu_min'
 listed 0 t.list --plot-kind=columns -b open t.deck
-check 'points' grep -q '^plot NaN with points' t.list
+check 'points' awk '/^curve/ {bad = 1} /^key mark / {n++} END {exit bad || !n}' t.list
 sweep 'crank.length = 10 mm to 30 mm step 10 mm' 'coupler.length = 60 mm to 64 mm step 2 mm' 'output = swing'
 listed 0 t.list --plot-kind=columns -b open -s 'sweep.crank.length = 10 mm, 40 mm' t.deck
-check 'what does not swing has no point' test "$(grep -c 'point pt 7' t.list)" -eq 3
+check 'what does not swing has no point' test "$(grep -c '^mark black' t.list)" -eq 3
 
 # a range is on the x axis, not a tolerance that changes faster
 sweep 'crank.length = 20 mm to 40 mm step 5 mm' 'coupler.length = 66 mm +- 1 mm normal' 'samples = 8' 'output = mu_min, swing'
 listed 0 t.list --plot-kind=columns -b open t.deck
-check 'the range is on the x axis' grep -q '^set xlabel "crank.length (mm)"' t.list
-places() { sed -n '/^plot/q; s/^set label "" at \([^,]*\),.*/\1/p' t.list | sort -u | wc -l; }
+check 'the range is on the x axis' grep -qx 'x crank.length (mm)' t.list
+places() { awk '/^drawn/ {exit} /^mark/ {print $4}' t.list | sort -u | wc -l; }
 check "places on it: $(places)" test "$(places)" -eq 5
 sweep 'coupler.length = 66 mm +- 1 mm normal' 'samples = 8' 'output = mu_min'
 listed 0 t.list --plot-kind=columns -b open t.deck
-check 'a tolerance alone is' grep -q '^set xlabel "coupler.length (mm)"' t.list
-check 'the name of the deck is not cut' grep -q '^source = "t.deck, ' t.list
+check 'a tolerance alone is' grep -qx 'x coupler.length (mm)' t.list
+check 'the name of the deck is not cut' grep -q '^subtitle t.deck, ' t.list
 
 # what is refused
 sweep 'crank.length = 18 mm, 20 mm'
 # without outputs `columns` draws those of the first design
 listed 0 t.list --plot-kind=columns -c theta4 t.deck
-check 'the first design' grep -q '"t.deck, first design of its sweep' t.list
+check 'the first design' grep -q '^subtitle t.deck, first design of its sweep' t.list
 sweep 'crank.length = 18 mm, 20 mm' 'output = type'
 listed 2 t.list --plot-kind=columns t.deck
 says 'no design of the [sweep] has a number to draw'
@@ -69,6 +68,6 @@ usage "--plot-kind must be " --plot=p.svg --plot-kind=histogram t.deck
 # a table of any number of columns beside the outputs
 { sed '/^\[expect\]/,$d; /^\[misprint\]/,$d' "$data/dfa-example-2.deck"; printf '[sweep]\ncrank.stroke = 200 mm, 210 mm\noutput = max(Ts)\n'; } >all.deck
 listed 0 t.list --plot-kind=columns -s table.columns=all all.deck
-check 'the output is drawn' test "$(grep -c '<< EOD' t.list)" -ge 1
+check 'the output is drawn' test "$(grep -c '^curve' t.list)" -ge 1
 
 finish

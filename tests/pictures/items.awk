@@ -1,29 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# listing.awk [-v even=1] SVG - what a picture shows, a line for each item, in the units of its axes; for tests that read
-# lines.  `even`: curves over a quantity that only grows, or falls, at even steps.  It needs svg.awk.
+# items.awk [-v even=1] SVG - the items of a picture by their names, a line for each, with places in the units of its axes.
+# `even`: curves over a quantity that only grows, or falls, at even steps.  It needs svg.awk.  LOOK is the class of a line.
 #
-#     set arrow from X,Y to U,V head|nohead ls LOOK       a line of a drawing; LOOK: its number in view/look.h
-#     set arrow from X,graph 0 to X,graph 1 nohead ls 9   one from the bottom of a diagram to its top
-#     set object circle at X,Y size R front fc rgb 'white'|'black' ...; a centre of mass has four arcs
-#     set label "WORDS" at X,Y left|center|right front    a text at a place; of a curve's number with tc lt CURVE
-#     set label "WORDS" at graph 1.02, graph 1 offset 0,-LINE left    a text beside the axes
-#     set label "" at X,Y point pt 7|6 ps SIZE            a mark of a curve, black or open
-#     $NAME << EOD, X Y, EOD                              a curve, with blank lines in its gaps
-#     plot $NAME using 1:2 with lines ls|lt N title "WORDS", ...      what the curves of a panel are, at its end
+#     picture WIDTH HEIGHT
+#     title WORDS, subtitle WORDS
+#     panel                               it begins
+#     line|arrow LOOK X Y U V             of a drawing
+#     upright LOOK X                      a line from the bottom of a diagram to its top
+#     disc|quarter white|black X Y R      a centre of mass has four quarters
+#     text left|center|right LOOK X Y WORDS        LOOK: curve1, halo, or -
+#     mark black|open SIZE X Y            of a curve
+#     note WORDS                          beside the axes
+#     box WIDTH HEIGHT                    of the axes, in pixels
+#     step X Y, range X0 X1 Y0 Y1         of the axes
+#     name WORDS, x WORDS, y WORDS        of the panel, of its axes
+#     curve NAME LOOK                     its places X Y, with blank lines in gaps, and `end`
+#     key LOOK WORDS                      of curves, marks and areas
+#     drawn                               the panel ends
 BEGIN {
-    LOOKS = split("ground crank coupler follower path ghost force load construction result other leader sense", looks, " ")
-    for (i = 1; i <= LOOKS; i++)
-        number_of[looks[i]] = i
     STEPS = 720 # of a motion
     STILL = 60  # frames of a picture that moves
-}
-
-function quoted(words) {
-    gsub(/\\/, "\\134", words)
-    gsub(/"/, "\\042", words)
-    gsub(/`/, "\\140", words)
-    return "\"" words "\""
 }
 
 # The places of a path: kind, M or L, px and py; how many.
@@ -51,17 +48,7 @@ function y_of(pixels) {
 function at(x, y) { # without -0
     x = x_of(x)
     y = y_of(y)
-    return sprintf("%.9g,%.9g", x == 0 ? 0 : x, y == 0 ? 0 : y)
-}
-
-# ls or lt and the number of a look
-function style_of(look) {
-    if (look in number_of)
-        return "ls " number_of[look]
-    if (look ~ /^path/)
-        return "ls " LOOKS + substr(look, 5) - 1
-    gsub(/[a-z]/, "", look)
-    return "lt " look
+    return sprintf("%.9g %.9g", x == 0 ? 0 : x, y == 0 ? 0 : y)
 }
 
 function put_text(tag, line, class, name, words, x, y, axis, anchor, colour) {
@@ -76,14 +63,12 @@ function put_text(tag, line, class, name, words, x, y, axis, anchor, colour) {
             tic[axis, numbers[axis]] = words
     } else if (name == "note") {
         noted[++notes] = words
-        note_line[notes] = int((y - top) / 18 + 0.5)
     } else if (name == "key") {
         put_key(sample, words)
     } else {
         anchor = attribute(tag, "text-anchor")
-        colour = match(class, /h-curve[0-9]+/) ? " tc lt " substr(class, RSTART + 7, RLENGTH - 7) : class ~ /halo/ ? " boxed" : ""
-        print "set label " quoted(words) " at " at(x, y) " " \
-            (anchor == "" ? "left" : anchor == "end" ? "right" : "center") " front" colour
+        colour = match(class, /h-curve[0-9]+/) ? substr(class, RSTART + 2, RLENGTH - 2) : class ~ /halo/ ? "halo" : "-"
+        print "text", (anchor == "" ? "left" : anchor == "end" ? "right" : "center"), colour, at(x, y), words
     }
 }
 
@@ -101,18 +86,12 @@ function put_circle(tag, class, name, x, y, r, size, k) {
     if (name == "key")
         sample = "mark"
     else if (class ~ /mark/)
-        print "set label \"\" at " at(x, y) " point pt " (class ~ /open/ ? 6 : 7) " ps " \
-            sprintf("%.2g", r == 5 ? 1.2 : r / 5) " lc rgb 'black' front"
+        print "mark", (class ~ /open/ ? "open" : "black"), r, at(x, y)
     else if (class ~ /centre/)
         for (k = 0; k < 4; k++)
-            put_disc(x, y, size, " arc [" 90 * k ":" 90 * k + 90 "]", k % 2, "")
+            print "quarter", (k % 2 ? "white" : "black"), at(x, y), size
     else
-        put_disc(x, y, size, "", class ~ /open/, " lw 1.5")
-}
-
-function put_disc(x, y, size, arc, is_white, rest) {
-    print "set object circle at " at(x, y) " size " size arc " front fc rgb '" (is_white ? "white" : "black") \
-        "' fs solid border lc rgb 'black'" rest
+        print "disc", (class ~ /open/ ? "white" : "black"), at(x, y), size
 }
 
 # A line of a drawing; `head`: the path of its arrow's head, or "".
@@ -131,10 +110,9 @@ function put_line(path, look, head, tip_x, tip_y, n, k, is_upright) {
         is_upright = px[k] == px[k + 1] && look == "construction" && \
             (is_about(py[k], top) && is_about(py[k + 1], top + height) || is_about(py[k + 1], top) && is_about(py[k], top + height))
         if (is_upright)
-            printf "set arrow from %.6g,graph 0 to %.6g,graph 1 nohead %s\n", x_of(px[k]), x_of(px[k]), style_of(look)
+            printf "upright %s %.6g\n", look, x_of(px[k])
         else
-            print "set arrow from " at(px[k], py[k]) " to " at(px[k + 1], py[k + 1]) " " \
-                (head != "" && k == n - 1 ? "head filled " : "nohead ") style_of(look)
+            print (head != "" && k == n - 1 ? "arrow" : "line"), look, at(px[k], py[k]), at(px[k + 1], py[k + 1])
     }
 }
 
@@ -197,11 +175,11 @@ function even_rows(n, from, to, k, i, x, low, high, slack, is_rising, lines, pie
     return lines
 }
 
-# -------------------------------------------------------------------------------------------- listing
+# --------------------------------------------------------------------------------------------- panels
 
 # A panel from its elements; of a picture that moves with the values of this frame.
 function put_panel(frame, i, tag, class, look, name) {
-    print "unset arrow; unset label; unset object"
+    print "panel"
     n_keys = notes = curves = 0
     split("", key)
     split("", titles)
@@ -245,17 +223,14 @@ function tag_of(i, frame, tag, part, n, k, values) {
 
 function put_axes(i) {
     for (i = 1; i <= notes; i++)
-        print "set label " quoted(noted[i]) " at graph 1.02, graph 1 offset 0," (-note_line[i]) " left noenhanced"
-    printf "set lmargin at screen %.6g; set rmargin at screen %.6g\n", left / picture_width, (left + width) / picture_width
-    printf "set tmargin at screen %.6g; set bmargin at screen %.6g\n", 1 - top / picture_height, 1 - (top + height) / picture_height
-    printf "set format '%%g'; set xtics %.7g; set ytics %.7g\n", step("x"), step("y")
-    printf "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", x0, x1, y0, y1
+        print "note", noted[i]
+    printf "box %.9g %.9g\nstep %.7g %.7g\nrange %.9g %.9g %.9g %.9g\n", width, height, step("x"), step("y"), x0, x1, y0, y1
     if ("title" in titles)
-        print "set title " quoted(titles["title"]) " offset 0,0"
+        print "name", titles["title"]
     if ("x" in titles)
-        print "set xlabel " quoted(titles["x"])
+        print "x", titles["x"]
     if ("y" in titles)
-        print "set ylabel " quoted(titles["y"])
+        print "y", titles["y"]
 }
 
 # The step of the numbers of an axis; 0 if there is but one.
@@ -263,36 +238,20 @@ function step(axis) {
     return numbers[axis] > 1 ? tic[axis, 2] - tic[axis, 1] : 0
 }
 
-function put_curves(i, rest, part, words, look) {
-    for (i = 1; i <= curves; i++) {
-        if (block[i] == "mean_line") {
-            split(rows[i], part, "[ \n]")
-            print "mean = " part[2]
-        }
-        print "$" block[i] " << EOD\n" rows[i] "\nEOD"
-    }
-    rest = "plot "
-    for (i = 1; i <= curves; i++) {
-        words = words "$" block[i] " using 1:2 with lines " style_of(pen[i]) " title " quoted(key[pen[i]]) ", "
-        delete key[pen[i]]
-    }
-    for (i = 1; i <= n_keys; i++) {
-        look = keys[i]
-        if (look in key)
-            words = words "NaN with " (look == "mark" ? "points" : look == "above" || look == "below" ? "area" : "lines " style_of(look)) \
-                " title " quoted(key[look]) ", "
-    }
-    print "plot " (words == "" ? "NaN notitle" : substr(words, 1, length(words) - 2))
+function put_curves(i) {
+    for (i = 1; i <= curves; i++)
+        print "curve", block[i], pen[i] "\n" rows[i] "\nend"
+    for (i = 1; i <= n_keys; i++)
+        print "key", keys[i], key[keys[i]]
+    print "drawn"
 }
 
 /^<svg / {
-    picture_width = attribute($0, "width")
-    picture_height = attribute($0, "height")
-    printf "set terminal svg size %d,%d \n", picture_width, picture_height
+    print "picture", attribute($0, "width"), attribute($0, "height")
 }
 /^<g class="panel"/ {
     if (heads == 2 && !panels++)
-        print "title = " head[1] "\nsource = " head[2]
+        print "title " head[1] "\nsubtitle " head[2]
     is_inside = 1
     elements = is_framed = frames = 0
     gsub(/,/, " ")
@@ -323,4 +282,4 @@ is_inside {
         frames = split(attribute(substr($0, index($0, "<animate ")), "values"), values, ";")
     next
 }
-/^<text/ { head[++heads] = quoted(words_of($0)) }
+/^<text/ { head[++heads] = words_of($0) }
