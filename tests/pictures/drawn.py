@@ -1008,7 +1008,8 @@ def varied(deck, folder):
         for line in deck.text.splitlines():
             section = line.strip() if line.strip().startswith('[') else section
             if section == '[motion]' and re.match(r'\s*at\s*=', line):
-                line = 'interval = 30 deg\nhold = yes' if 'motion.acceleration' in deck.inputs else 'interval = 30 deg'
+                is_held = re.search(r'^hold\s*=', deck.text, re.M) or 'motion.acceleration' not in deck.inputs
+                line = 'interval = 30 deg' if is_held else 'interval = 30 deg\nhold = yes'
             out.write(line + '\n')
     return Deck(deck.program, path)
 
