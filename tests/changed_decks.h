@@ -421,15 +421,25 @@ static int leave_as_it_is(deck_lines *d)
     return !is_task(d);
 }
 
-/* As the library writes it. */
+/* As the library writes it, with a number set, which is also set in the deck that it is compared with. */
 static void write_back(void)
 {
     fourlink_results *r = opened(base_text, NULL);
-    unsigned long size;
+    const fourlink_value *list, *input;
+    unsigned long size, n;
 
-    if (r && (fourlink_deck_write(fourlink_results_deck(r), changed_text, sizeof changed_text,
-                                  &size) != FOURLINK_OK ||
-              size >= sizeof changed_text))
+    if (!r)
+        return;
+    fourlink_results_list(r, FOURLINK_INPUTS, &list, &n);
+    input = &list[one_of((int)n)];
+    snprintf(number_set, sizeof number_set, "%s", input->line_unit ? input->name : "");
+    if (input->line_unit && fourlink_results_input(r, number_set, &value_set) == FOURLINK_OK)
+        value_set.value *= between(0.9, 1.1);
+    if (!*number_set || fourlink_results_set(r, number_set, value_set.value, NULL) != FOURLINK_OK)
+        *number_set = '\0';
+    if (fourlink_deck_write(fourlink_results_deck(r), changed_text, sizeof changed_text, &size) !=
+            FOURLINK_OK ||
+        size >= sizeof changed_text)
         fail("it is not written");
     fourlink_results_free(r);
 }

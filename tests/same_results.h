@@ -57,6 +57,8 @@ static long number, n_failed;
 static int has_failed, kind; /* the case; the mechanism */
 static deck_lines base, changed;
 static char base_text[TEXT_SIZE], changed_text[TEXT_SIZE];
+static char number_set[100]; /* of the base, after it was read; "": none */
+static fourlink_value value_set;
 
 static void leave(const char *words, const char *ending)
 {

@@ -52,16 +52,20 @@ def distance(at, p, q):
 NEAR = 0.06  # pixels: a curve leaves out points that are closer to its straight lines
 
 
-def check_curve(deck, pixels, points, rows, name, over='theta2'):
-    """Each row with a position is on the curve, to NEAR pixels, and its corners are rows; an angle goes on without steps."""
+def sound_rows(deck, rows, name):
+    return [row for row in rows if row.is_ok and name in row and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
+
+
+def lines_of(points):
+    return [(p, q) for piece in pieces(points) for p, q in zip(piece, piece[1:])]
+
+
+def off_curve(deck, pixels, points, rows, name, over='theta2'):
+    """How many rows have no curve, and the distance of the worst from it, in pixels, with its place."""
     turn = turn_of(deck, name)
-    sound = [row for row in rows if row.is_ok and name in row and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
-    lines = [(p, q) for piece in pieces(points) for p, q in zip(piece, piece[1:])]
-    for p, q in lines:
-        checks.that(not turn or abs(q.imag - p.imag) < 0.3 * turn, 'a step of', name, p, q)
-    lines.sort(key=lambda line: min(line[0].real, line[1].real))
+    lines = sorted(lines_of(points), key=lambda line: min(line[0].real, line[1].real))
     missing, worst, at = 0, 0.0, None
-    for row in sound:
+    for row in sound_rows(deck, rows, name):
         x, y = row[over], row[name]
         if not turn and not 1 < pixels.at(complex(x, y)).imag < pixels.height - 1:
             continue  # beyond the frame
@@ -76,6 +80,16 @@ def check_curve(deck, pixels, points, rows, name, over='theta2'):
             off.append(distance(pixels.at(complex(x, y + shift)), pixels.at(p), pixels.at(q)))
         if min(off) > worst:
             worst, at = min(off), x
+    return missing, worst, at
+
+
+def check_curve(deck, pixels, points, rows, name, over='theta2'):
+    """Each row with a position is on the curve, to NEAR pixels, and its corners are rows; an angle goes on without steps."""
+    turn = turn_of(deck, name)
+    sound = sound_rows(deck, rows, name)
+    for p, q in lines_of(points):
+        checks.that(not turn or abs(q.imag - p.imag) < 0.3 * turn, 'a step of', name, p, q)
+    missing, worst, at = off_curve(deck, pixels, points, rows, name, over)
     checks.that(missing <= 2, 'rows of', name, 'without a curve', missing)
     checks.that(worst <= NEAR, 'the curve of', name, 'at', at, 'is off by', worst, 'pixels')
     first, last = min(row[over] for row in sound), max(row[over] for row in sound)
@@ -213,15 +227,25 @@ def check_over_angle(deck, rows, kind, extremes):
                 check_extremes(panel, deck, names[0][0], [branch for name, branch in names], extremes)
 
 
-def check_columns(deck, rows, names):
-    text = deck.program.listing(deck, 'columns', '--branch=both', '--columns=' + ','.join(names))
-    listing = Listing(text)
-    for panel in listing.panels:
-        for block, title in panel.curves():
+def both_of(deck):
+    return [] if deck.yoke else ['--branch=both']  # a yoke has one
+
+
+def columns_of(deck, names):
+    """The curves of columns: panel, column, branch, points."""
+    for panel in Listing(deck.program.listing(deck, 'columns', *both_of(deck), '--columns=' + ','.join(names))).panels:
+        for block, _ in panel.curves():
             name, branch = re.fullmatch(r'(\w+)_(open|crossed)', block).groups()
-            name = [n for n in names if re.sub(r'\W', '_', n) == name][0]
-            checks.where = '%s, columns, %s, %s' % (deck.name, name, branch)
-            check_curve(deck, Pixels(panel), panel.blocks[block], rows[branch], name)
+            yield panel, [n for n in names if re.sub(r'\W', '_', n) == name][0], branch, panel.blocks[block]
+
+
+def check_columns(deck, rows, names):
+    panels = {}
+    for panel, name, branch, points in columns_of(deck, names):
+        checks.where = '%s, columns, %s, %s' % (deck.name, name, branch)
+        check_curve(deck, Pixels(panel), points, rows[branch], name)
+        panels[id(panel)] = panel
+    for panel in panels.values():
         check_texts(panel, True)
 
 

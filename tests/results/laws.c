@@ -26,6 +26,8 @@ static void compare_decks(const char *units)
     static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
     int swaps, j, k;
 
+    if (first && *number_set)
+        fourlink_results_set(first, number_set, value_set.value, NULL);
     if (!first || !second) {
         fourlink_results_free(first);
         fourlink_results_free(second);
@@ -235,7 +237,7 @@ static void try_law(law *l)
     has_failed = 0;
     make_base();
     changed = base;
-    *result_units = '\0';
+    *result_units = *number_set = '\0';
     if (!l->change(&changed))
         return;
     write_lines(&base, base_text, sizeof base_text);
