@@ -22,6 +22,8 @@
 
 #define CLOSE 1e-12       /* relative difference of values that are equal within rounding, */
 #define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
+#define NOISE_OF_QUANTITY \
+    1e-14 /* of the size of its quantity: so little hides no peak, but rounding error */
 
 typedef struct search {
     flk_samples samples;
@@ -36,19 +38,21 @@ static double signed_value(int which, double value)
     return which == 0 ? value : -value;
 }
 
-/* 1 if a value is better by more than `part` of its size. */
-static int is_better(const flk_extreme *best, int which, double value, double part)
+/* 1 if a value is better by more than rounding error and `part` of its size. */
+static int is_better(const flk_bests *b, const flk_extreme *best, int which, double value,
+                     double part)
 {
-    double close = part * GSL_MAX_DBL(fabs(value), fabs(best->value));
+    double close = GSL_MAX_DBL(part * GSL_MAX_DBL(fabs(value), fabs(best->value)), b->noise);
 
     return !best->is_there || signed_value(which, value) > signed_value(which, best->value) +
                                                                (gsl_finite(close) ? close : 0);
 }
 
 /* Keep a value if it is better than the best so far.  Of equal values the first one stays. */
-static void offer(flk_extreme *best, int which, double value, double angle, double part)
+static void offer(const flk_bests *b, flk_extreme *best, int which, double value, double angle,
+                  double part)
 {
-    if (gsl_isnan(value) || !is_better(best, which, value, part))
+    if (gsl_isnan(value) || !is_better(b, best, which, value, part))
         return;
     best->is_there = 1;
     best->value = value;
@@ -70,11 +74,11 @@ static void offer_at(const sought *k, int which, double value, double s)
 {
     flk_extreme *here = &k->b->here[which];
 
-    if (gsl_isnan(value) || !is_better(here, which, value, CLOSE))
+    if (gsl_isnan(value) || !is_better(k->b, here, which, value, CLOSE))
         return;
     if (fabs(value) >= k->c->of.bound)
         value = value > 0 ? GSL_POSINF : GSL_NEGINF;
-    offer(here, which, value, flk_samples_place(k->x, k->c, s), CLOSE);
+    offer(k->b, here, which, value, flk_samples_place(k->x, k->c, s), CLOSE);
 }
 
 /* Finish the part of a column's curve since it started anew; `shift` moves it by whole turns. */
@@ -84,7 +88,7 @@ static void commit(flk_bests *b, double shift)
 
     for (which = 0; which < 2; which++)
         if (b->here[which].is_there)
-            offer(&b->best[which], which, b->here[which].value + shift, b->here[which].angle,
+            offer(b, &b->best[which], which, b->here[which].value + shift, b->here[which].angle,
                   b->close);
     memset(b->here, 0, sizeof b->here);
 }
@@ -96,7 +100,7 @@ static void offer_corner(const sought *k, int which, int end)
     double corner = k->c->corner[end], beside = k->c->v[end ? k->x->n - 1 : 0];
 
     if (!(of->turn > 0) || !flk_followed_turns_over(of, beside, corner))
-        offer(&k->b->here[which], which, flk_followed_nearest(of, corner, beside),
+        offer(k->b, &k->b->here[which], which, flk_followed_nearest(of, corner, beside),
               flk_follow_place(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
 }
 
@@ -269,14 +273,12 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 
 /* A column may exceed a sample by this multiple of the bend of the sample and its neighbours. */
 #define MARGIN 4
-#define NOISE_OF_QUANTITY \
-    1e-14 /* of the size of its quantity: so little hides no peak, but rounding error */
 
 /* The samples about number i that are equal to it within rounding. */
 static void find_equal(const sought *k, size_t i, size_t *from, size_t *to)
 {
     const double *v = k->c->v;
-    double close = GSL_MAX_DBL(CLOSE * fabs(v[i]), NOISE_OF_QUANTITY * k->c->scale);
+    double close = GSL_MAX_DBL(CLOSE * fabs(v[i]), k->b->noise);
 
     for (*from = i; *from > 0 && fabs(v[*from - 1] - v[i]) <= close; --*from)
         ;
@@ -327,7 +329,7 @@ static void offer_top(const sought *k, size_t i, const flk_sample *top)
 {
     const flk_samples *x = k->x;
     flk_extreme *best = &k->b->here[k->which];
-    double close = GSL_MAX_DBL(EQUAL * fabs(top->value), NOISE_OF_QUANTITY * k->c->scale);
+    double close = GSL_MAX_DBL(EQUAL * fabs(top->value), k->b->noise);
     double before, behind;
     size_t from, to;
 
@@ -409,8 +411,7 @@ static int may_hide(const sought *k, size_t i)
 {
     const flk_samples *x = k->x;
     const double *v = k->c->v;
-    double least = GSL_MAX_DBL(ROUGH * GSL_MAX_DBL(fabs(v[i - 1]), fabs(v[i + 1])),
-                               NOISE_OF_QUANTITY * k->c->scale);
+    double least = GSL_MAX_DBL(ROUGH * GSL_MAX_DBL(fabs(v[i - 1]), fabs(v[i + 1])), k->b->noise);
     double rough = i < 2 || i + 2 >= x->n ? GSL_POSINF : roughness_of_even(v + i);
 
     if (!(rough > least && may_be_better(k, v[i], rough)))
@@ -465,6 +466,7 @@ static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
     k.x = x;
     k.c = c;
     k.b = b;
+    b->noise = NOISE_OF_QUANTITY * c->scale;
     if (c->starts_anew)
         commit(b, 0);
     for (which = 0; which < 2; which++)

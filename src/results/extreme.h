@@ -20,7 +20,8 @@ typedef struct flk_extreme {
 typedef struct flk_bests {
     flk_extreme best[2];
     flk_extreme here[2]; /* since an angle started anew or a piece of an integrated motion began */
-    double close;        /* relative difference of values that are equal */
+    double close;        /* relative difference of values that are equal, */
+    double noise;        /* ... and their difference by rounding error, in this piece */
 } flk_bests;
 
 /* A column and its extremes. */

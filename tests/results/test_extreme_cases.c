@@ -352,6 +352,26 @@ TEST(test_behind_lock)
     check_rows(deck, FOURLINK_CROSSED);
 }
 
+/* Of values that are equal within rounding error of their quantity the first stays: x of a piston is 0 at its dead
+** centre, in each turn. */
+TEST(test_first_of_equal)
+{
+    static const double rods[] = {60, 123, 200, 331};
+    fourlink_value least;
+    char deck[400];
+    size_t i;
+
+    for (i = 0; i < COUNT(rods); i++) {
+        snprintf(deck, sizeof deck,
+                 "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = %g mm\n"
+                 "[motion]\nspeed = 10 rad/s\nfrom = 10 deg\nto = 740 deg\n",
+                 rods[i]);
+        least = extreme(deck, FOURLINK_CROSSED, "min(x)");
+        assert_near(least.value, 0, 1e-15);
+        assert_near(least.angle, 180, 1e-12);
+    }
+}
+
 /* The extreme among those of all columns, which are found in one search. */
 static fourlink_value among_all(fourlink_results *results, fourlink_branch branch, const char *name)
 {
