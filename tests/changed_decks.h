@@ -233,8 +233,9 @@ static void swap_names(deck_block *b, key_code one, key_code other)
 
 static int is_torsional(const deck_block *b)
 {
-    return strstr(value_of(b, KEY_SPRING_STIFFNESS, value_of(b, KEY_SPRING_DAMPING, "")), "rad") !=
-           NULL;
+    const char *value = value_of(b, KEY_SPRING_STIFFNESS, value_of(b, KEY_SPRING_DAMPING, ""));
+
+    return strstr(value, "rad") || strstr(value, "/deg");
 }
 
 /* 1 if a torsional spring is on the block of a yoke, whose angle is that of the other direction of the
@@ -469,8 +470,30 @@ static void set_motion(deck_lines *d, double from, double to, double speed, doub
 #undef SET
     if (holds)
         set_line(d, KEY_MOTION_HOLD, "yes");
-    if (*kept)
+    if (atof(kept) * (strstr(kept, "rad")   ? 180 / PI
+                      : strstr(kept, "rev") ? 360
+                                            : 1) >=
+        fabs(to - from) / pieces)
         set_line(d, KEY_MOTION_CYCLE, kept);
+}
+
+/* Without motors, dampers and loads over a speed. */
+static void drop_what_knows_time(void)
+{
+    int i;
+
+    drop_sections(&base, SECTION_MOTOR);
+    for (i = 0; i < base.n; i++) {
+        deck_block *b = &base.block[i];
+        const char *over = value_of(b, KEY_LOAD_OVER, "");
+
+        drop_key(b, KEY_SPRING_DAMPING);
+        drop_key(b, KEY_FLYWHEEL_EXACT);
+        if ((b->section == SECTION_SPRING && !line_of(b, KEY_SPRING_STIFFNESS)) ||
+            strncmp(over, "omega", 5) == 0 || is_one_of(over, " v slide_v "))
+            b->section = SECTION_COUNT;
+    }
+    drop_sections(&base, SECTION_COUNT);
 }
 
 static int reverse_time(deck_lines *d)
@@ -489,24 +512,13 @@ static int reverse_time(deck_lines *d)
         acceleration = -acceleration;
     end = holds ? speed : sqrt(speed * speed + 2 * acceleration * (to - from) * PI / 180);
     drop_sections(&base, SECTION_FRICTION);
-    drop_sections(&base, SECTION_MOTOR);
+    drop_what_knows_time();
     for (i = 0; i < base.n; i++) {
-        const char *over = value_of(&base.block[i], KEY_LOAD_OVER, "");
-
-        drop_key(&base.block[i], KEY_SPRING_DAMPING);
-        if (base.block[i].section == SECTION_SPRING &&
-            !line_of(&base.block[i], KEY_SPRING_STIFFNESS))
-            base.block[i].section = SECTION_COUNT;
         drop_key(&base.block[i], KEY_LOAD_BACK);
         drop_key(&base.block[i],
                  KEY_LOAD_FROM); /* in a row at an edge it matters where the crank comes from */
         drop_key(&base.block[i], KEY_LOAD_TO);
-        drop_key(&base.block[i], KEY_FLYWHEEL_EXACT);
-        if (strncmp(over, "omega", 5) == 0 || is_one_of(over, " v slide_v ")) {
-            base.block[i].section = SECTION_COUNT;
-        }
     }
-    drop_sections(&base, SECTION_COUNT);
     *d = base;
     set_motion(&base, from, to, speed, acceleration);
     set_motion(d, to, from, -end, acceleration);

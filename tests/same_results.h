@@ -215,7 +215,7 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     arm = scale[QUANTITY_LENGTH];
     AT_LEAST(AREA, crank * crank);
     AT_LEAST(ANGULAR_SPEED, w);
-    AT_LEAST(ANGULAR_ACCELERATION, w * w + a);
+    AT_LEAST(ANGULAR_ACCELERATION, pow(scale[QUANTITY_ANGULAR_SPEED], 2) + a);
     AT_LEAST(SPEED, crank * w);
     AT_LEAST(ACCELERATION, crank * (w * w + a));
     AT_LEAST(TORQUE, scale[QUANTITY_FORCE] * arm);

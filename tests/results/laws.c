@@ -4,8 +4,10 @@
 **
 **    laws DECKS [FIRST [LAW]]
 **
-** The text of a deck is changed by a law, through the schema (changed_decks.h), and its results must follow: all columns of
-** each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks in turn, with
+** The text of a deck is changed by a law, through the schema (changed_decks.h), and its results must
+** follow: all columns of
+** each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
+** in turn, with
 ** `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
 #include "changed_decks.h"
@@ -33,7 +35,8 @@ static void compare_decks(const char *units)
         fourlink_results_free(second);
         return;
     }
-    if (present->factor == factor_mirrored && strstr(base_text, "/rad\n") && !turns_fully(first)) {
+    if (present->factor == factor_mirrored &&
+        (strstr(base_text, "/rad\n") || strstr(base_text, "/deg\n")) && !turns_fully(first)) {
         fourlink_results_free(
             first); /* the angle of a spring begins at the first crank angle that is reached */
         fourlink_results_free(second);
@@ -206,6 +209,138 @@ static void compare_bounds(void)
     fourlink_results_free(s.r);
 }
 
+/* ------------------------------------------------------------------------------------------- a cycle
+** later, at a crawl */
+
+/* Two cycles of a steady motion, computed or given. */
+static int repeat(deck_lines *d)
+{
+    double cycle =
+        find_line(d, KEY_MOTION_CYCLE) ? atof(find_line(d, KEY_MOTION_CYCLE)->value) : 360;
+    int is_steady =
+        strcmp(value_of(find_block(d, SECTION_MOTION), KEY_MOTION_MODE, "given"), "steady") == 0;
+    double from = 7.0 * between_whole(-50, 50);
+    char value[50];
+    int i;
+
+    if (is_task(d) || (cycle != 360 && cycle != 720))
+        return 0;
+    pieces = 60;
+    holds = 0;
+    for (i = 0; i < base.n; i++)
+        if (is_torsional(&base.block[i])) /* its angle is counted through full turns */
+            base.block[i].section = SECTION_COUNT;
+    drop_sections(&base, SECTION_COUNT);
+    if (is_steady && find_line(d, KEY_MOTION_TURNS)) {
+        snprintf(value, sizeof value, "%g",
+                 (find_line(d, KEY_MOTION_TURNS)->value[0] == '-' ? -2 : 2) * cycle / 360);
+        set_line(&base, KEY_MOTION_TURNS, value);
+        snprintf(value, sizeof value, "%g deg", 2 * cycle / pieces);
+        set_line(&base, KEY_MOTION_INTERVAL, value);
+    } else {
+        drop_sections(&base, SECTION_MOTOR);
+        for (i = 0; i < base.n; i++)
+            drop_key(&base.block[i], KEY_FLYWHEEL_EXACT);
+        set_motion(&base, from, from + 2 * cycle, power_of_ten(0, 2), 0);
+    }
+    return 1;
+}
+
+/* Rows are those a cycle before, but for the time, which is later by the period. */
+static void compare_cycles(void)
+{
+    static side s, later;
+    static double row[MOST_COLUMNS], next[MOST_COLUMNS];
+    fourlink_value period;
+    int k;
+
+    prepare(&s, opened(base_text, NULL));
+    if (s.r &&
+        problem_of(s.r).mechanism.change_folded != problem_of(s.r).mechanism.change_stretched) {
+        fourlink_results_free(s.r); /* through one change point it comes back after two turns */
+        return;
+    }
+    prepare(&later, s.r);
+    later.rows = s.rows / 2 + 1;
+    present->cases += s.r != NULL;
+    for (k = 0; s.r && k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2) && !has_failed; k++) {
+        fourlink_branch branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+        int time = find_column(&s.c, "time");
+
+        compare_branch_rows(&s, &later, branch, branch, s.rows / 2);
+        if (time >= 0 && fourlink_results_value(s.r, "period", branch, 0, &period) == FOURLINK_OK &&
+            fourlink_results_row(s.r, branch, 1, row, NULL, NULL) == FOURLINK_OK &&
+            fourlink_results_row(s.r, branch, 1 + s.rows / 2, next, NULL, NULL) == FOURLINK_OK)
+            compare(COMPUTED_ROW, period.value * period.to_si,
+                    (next[time] - row[time]) * s.c.list[time].told->to_si,
+                    period.value * period.to_si, "the period on %d", (int)branch);
+    }
+    fourlink_results_free(s.r);
+}
+
+#define CRAWL 1e-9 /* rad/s */
+
+static int move_quickly(deck_lines *d)
+{
+    int way = seldom(0.5) ? -1 : 1;
+
+    if (is_task(d))
+        return 0;
+    pieces = between_whole(10, 40);
+    holds = 1;
+    drop_what_knows_time();
+    cut_at[0] = 7.0 * between_whole(-50, 50);
+    cut_at[1] = cut_at[0] + 360 * way;
+    set_motion(&base, cut_at[0], cut_at[1], way * power_of_ten(-0.5, 2),
+               seldom(0.5) ? 0 : way * power_of_ten(0, 3));
+    changed = base;
+    set_motion(&changed, cut_at[0], cut_at[1], way * CRAWL, 0);
+    *d = changed;
+    return 1;
+}
+
+/* Ts_static is Ts at a crawl, where inertia is nothing, and undefined where friction locks the machine
+** there; with Ts_inertia it
+** makes Ts. */
+static void compare_crawl(void)
+{
+    static side quick, slow;
+    static double row[MOST_COLUMNS], still[MOST_COLUMNS];
+    double scale[QUANTITY_COUNT];
+    unsigned long i;
+    int k, Ts;
+
+    prepare(&quick, opened(base_text, NULL));
+    prepare(&slow, quick.r ? opened(changed_text, NULL) : NULL);
+    Ts = quick.r && slow.r ? find_column(&quick.c, "Ts") : -1;
+    present->cases += Ts >= 0;
+    for (k = 0; Ts >= 0 && k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2); k++)
+        for (i = 0; i < quick.rows && !has_failed; i++) {
+            fourlink_branch branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+            int status = fourlink_results_row(quick.r, branch, i, row, NULL, NULL),
+                told = fourlink_results_row(slow.r, branch, i, still, NULL, NULL);
+            double condition, fixed, size;
+
+            if (status != FOURLINK_OK || (told != FOURLINK_OK && told != FOURLINK_LOCKED))
+                continue;
+            to_si(&quick.c, row);
+            to_si(&slow.c, still);
+            condition = find_scales(&slow.c, still,
+                                    problem_of(slow.r).mechanism.design.link[2].length, scale);
+            fixed = row[find_column(&quick.c, "Ts_static")];
+            size = fmax(scale[QUANTITY_TORQUE], 1e-6 * fabs(named(&quick.c, row, "Ts_inertia"))) *
+                   condition * condition;
+            compare(COMPUTED_ROW, told == FOURLINK_LOCKED ? NAN : still[find_column(&slow.c, "Ts")],
+                    fixed, size, "Ts_static on %d, row %lu", (int)branch, i);
+            if (!isnan(fixed))
+                compare(ROW, row[Ts], fixed + row[find_column(&quick.c, "Ts_inertia")],
+                        fmax(size, fmax(fabs(fixed), fabs(row[Ts]))),
+                        "Ts on %d, row %lu, of two parts", (int)branch, i);
+        }
+    fourlink_results_free(quick.r);
+    fourlink_results_free(slow.r);
+}
+
 /* -------------------------------------------------------------------------------------------- the laws */
 
 static law laws[] = {
@@ -229,6 +364,12 @@ static law laws[] = {
      .factor = factor_one,
      .has_own_time = 1,
      .check = compare_parts},
+    {.name = "a cycle later",
+     .change = repeat,
+     .factor = factor_one,
+     .has_own_time = 1,
+     .check = compare_cycles},
+    {.name = "at a crawl", .change = move_quickly, .factor = factor_one, .check = compare_crawl},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)
