@@ -2,9 +2,17 @@
 #
 # compare.py OLD NEW DECK... - do two builds of the program print the same of these decks?  Rows, summary, check, matrix and
 # json; reports of every tenth deck.  Exit statuses and messages are compared word for word, numbers of rows within 1e-9 of
-# the largest of their column, extremes within 1e-6 of it.  Prints what differs, which rows of a table ten times as fine lie
+# their column's scale, extremes within 1e-6 of it.  Prints what differs, which rows of a table ten times as fine lie
 # beyond an extreme (where a joint with friction stands still they may), how much is the same to the byte, and "N passed, M
 # failed".
+#
+# compare.py --csv FILE OTHER [TOLERANCE [COLUMN...]] - compares the csv of two machines or versions.  Prints "same", "within"
+# or "differs", the number of values, and the largest difference, with the name of its column; more than TOLERANCE (2e-12)
+# differs, and so do other words.  The values of each COLUMN are not compared; +COLUMN is one that OTHER has besides.
+#
+# The one tolerance: a value may differ by a part of the scale of its column, which is its largest value; of a column that is
+# small beside others of its unit, which may be rounding error, a thousandth of theirs.  Angles are compared modulo 360 deg;
+# what is rounding error itself has the scale 1, the residual of the energy, with the error of the integration, 10.
 import csv
 import io
 import math
@@ -36,10 +44,12 @@ def run(program, arguments):
     return done.returncode, done.stdout, done.stderr
 
 
-def sizes_of(output):
-    """The largest finite value of each column, by its name without its unit; of one that is small beside others of its
-    unit, which may be rounding, a thousandth of theirs."""
-    records = list(csv.reader(io.StringIO(output.decode('utf-8', 'replace'))))
+def records_of(output):
+    return list(csv.reader(io.StringIO(output), strict=True))
+
+
+def sizes_of(records):
+    """The scale of each column, by its name without its unit."""
     found = {}
     for record in records[1:]:
         for name, value in zip(records[0], record):
@@ -52,7 +62,9 @@ def sizes_of(output):
 
 
 def size_of(column, sizes):
-    """What is rounding itself has the size 1, and so has a column of zeros or words."""
+    """The scale; 1 for a column of zeros or words."""
+    if column == 'energy_residual':
+        return 10
     return 1 if 'residual' in column or column == 'superposition' else sizes.get(column) or 1
 
 
@@ -67,17 +79,26 @@ def difference(old, new):
     return worst
 
 
+def compare_records(ours, theirs, sizes, omitted=()):
+    """How many numbers, and of each column the largest difference, of its scale, with both values; inf: other words."""
+    count, worst = 0, {}
+    if [len(row) for row in ours] != [len(row) for row in theirs] or ours[:1] != theirs[:1]:
+        worst['rows'] = math.inf, len(ours), len(theirs)
+    for row, other in zip(ours[1:], theirs[1:]):
+        for name, a, b in zip(ours[0], row, other):
+            if name.split(' ')[0] in omitted:
+                continue
+            count += bool(re.fullmatch(NUMBER, a)) and math.isfinite(float(a))
+            d = difference(a, b) if a != b else 0
+            d = abs(d - 360) if name.endswith('(deg)') and 180 < d < math.inf else d
+            worst[name] = max(worst.get(name, (0, a, b)), (d / size_of(name.split(' ')[0], sizes), a, b))
+    return count, worst
+
+
 def compare_csv(old, new, sizes):
-    for line, other in zip(old.splitlines(), new.splitlines()):
-        if line == other:
-            continue
-        head = old.splitlines()[0].split(',')
-        for name, a, b in zip(head, line.split(','), other.split(',')):
-            size = size_of(name.split(' ')[0], sizes)
-            if a != b and difference(a, b) > ROWS * size:
-                yield '%s: %s, %s' % (name, a, b)
-    if len(old.splitlines()) != len(new.splitlines()):
-        yield 'another number of rows'
+    for name, (d, a, b) in compare_records(records_of(old), records_of(new), sizes)[1].items():
+        if d > ROWS:
+            yield '%s: %s, %s' % (name, a, b)
 
 
 def compare_summary(old, new, sizes):
@@ -133,7 +154,7 @@ def compare(old, new, deck, has_report):
             (status, out, messages), (status_new, out_new, messages_new) = results
             if (status, messages) != (status_new, messages_new):
                 wrong.append('%s: %s %r, %s %r' % (name, status, messages[:200], status_new, messages_new[:200]))
-            sizes = sizes_of(out) if name == 'csv' else sizes
+            sizes = sizes_of(records_of(out.decode('utf-8', 'replace'))) if name == 'csv' else sizes
             summary = out_new.decode('utf-8', 'replace') if name == 'summary' else summary
             if out == out_new:
                 same += 1
@@ -149,6 +170,15 @@ def compare(old, new, deck, has_report):
     return deck, wrong, list(beyond_extremes(new, deck, summary, sizes)), same, len(outputs)
 
 
+def compare_files(path, other, most='2e-12', *omitted):
+    ours, theirs = (records_of(open(name, newline='', encoding='utf-8').read()) for name in (path, other))
+    keep = [i for i, name in enumerate(theirs[0] if theirs else []) if '+' + name.split(' ')[0] not in omitted]
+    theirs = [[row[i] for i in keep if i < len(row)] for row in theirs]
+    count, found = compare_records(ours, theirs, sizes_of(ours), omitted)
+    worst, where = max(((d, name) for name, (d, _, _) in found.items()), default=(0, ''))
+    print('differs' if worst > float(most) else 'same' if ours == theirs else 'within', count, '%g' % worst, where)
+
+
 def main(old, new, *decks):
     same = outputs = failed = 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -162,4 +192,4 @@ def main(old, new, *decks):
 
 
 if __name__ == '__main__':
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(compare_files(*sys.argv[2:]) if sys.argv[1] == '--csv' else main(*sys.argv[1:]))

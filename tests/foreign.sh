@@ -171,8 +171,8 @@ compare() {
     for file in native/results/*; do
         other=$1/results/${file##*/}
         case $file in
-        *.integrated.csv) echo "${file##*/} $(python3 "$source/tests/csv_difference.py" "$file" "$other" 1e-9)" ;;
-        *.csv) echo "${file##*/} $(python3 "$source/tests/csv_difference.py" "$file" "$other")" ;;
+        *.integrated.csv) echo "${file##*/} $(python3 "$source/tests/compare.py" --csv "$file" "$other" 1e-9)" ;;
+        *.csv) echo "${file##*/} $(python3 "$source/tests/compare.py" --csv "$file" "$other")" ;;
         *) echo "${file##*/} $(same_text "$1" "$file" "$other" && echo same || echo differs)" ;;
         esac
     done >"$1/compared"
