@@ -454,6 +454,8 @@ def same_code(tree, f):
     for text in (f['right'], ';' if f['statement'] else '(%s)' % f['faulty']):
         path = pathlib.Path(tree) / f['file']
         source = path.read_bytes()
+        if source[f['start']:f['end']].decode('utf-8', 'replace') != f['right']:
+            return 0  # the sources have changed since
         new = source[:f['start']] + text.encode() + source[f['end']:]
         with tempfile.NamedTemporaryFile() as object_file:
             subprocess.run(['cc', '-w', '-O2', '-std=gnu11', '-ffp-contract=off', '-I', tree + '/src', '-I', tree + '/include',

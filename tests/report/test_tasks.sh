@@ -14,6 +14,7 @@ task() {
     status=$?
     check "task $n: status $status: $(grep -v note err)" test $status -le 1
     ! grep -q '^positions' t.deck || placed
+    told
     if [ $status -eq 1 ]; then
         check "task $n: $(cat err)" grep -q defect err
         return
@@ -24,22 +25,38 @@ task() {
     check "task $n: $(grep -c '^\[expect\]' found.deck) sections" test "$(grep -c '^\[expect\]' found.deck)" -ge "$1"
 }
 
-# placed: with the pivot A and the direction that the comments tell, the points that are expected are the positions of the task.
+# placed: with the pivot A and the direction that the comments tell, the points that are expected are the positions of the task;
+# the coupler turns, and the crank, as the task says.
 placed() {
     awk '
         function near(a, b) { return a - b < 1e-5 * (1 + size) && b - a < 1e-5 * (1 + size) }
+        function turn(a, b) { a = (a - b) % 360; return a * a < 1e-8 || (a - 360) ^ 2 < 1e-8 || (a + 360) ^ 2 < 1e-8 }
         FNR == 1 {file++}
         file == 1 && /^positions/ {
             sub(/^positions = */, "")
             n = split($0, part, "[()]")
-            for (i = 2; i <= n; i += 2) { split(part[i], xy, ", *"); wanted[++wants, 1] = xy[1]; wanted[wants, 2] = xy[2]; size += xy[1] ^ 2 + xy[2] ^ 2 }
+            for (i = 2; i <= n; i += 2) {
+                split(part[i], xy, ", *")
+                wanted[++wants, 1] = xy[1]
+                wanted[wants, 2] = xy[2]
+                size += xy[1] ^ 2 + xy[2] ^ 2
+                if (split(part[i + 1], word, " ") >= 3) turned[wants] = word[2] + 360
+            }
             size = sqrt(size)
+        }
+        file == 1 && /^timing/ {sub(/^timing = */, ""); split($0, word, ", *"); timing[2] = word[1] + 0; timing[3] = word[2] + 0}
+        file == 2 && $1 == "at" {at = $3}
+        file == 2 && $1 == "theta3" && (found in turned) {
+            body[found] = $3
+            if (!turn(body[found] - body[1], turned[found] - turned[1])) { print "angle", found, body[found], body[1]; bad = 1 }
         }
         file == 2 && /^# The pivot A is at/ {sub(/.*\(/, ""); split($0, pivot, ", *"); pivot[2] += 0}
         file == 2 && /^# where the .* is at/ {angle = $(NF - 1) * atan2(0, -1) / 180}
         file == 2 && $1 ~ /^[A-Z]\.x$/ {x = $3}
         file == 2 && $1 ~ /^[A-Z]\.y$/ {
             found++
+            crank[found] = at
+            if ((found in timing) && !turn(crank[found] - crank[1], timing[found])) { print "timing", found, at, crank[1]; bad = 1 }
             if (!near(pivot[1] + x * cos(angle) - $3 * sin(angle), wanted[found, 1]) ||
                 !near(pivot[2] + x * sin(angle) + $3 * cos(angle), wanted[found, 2])) {
                 print "position", found, pivot[1] + x * cos(angle) - $3 * sin(angle), pivot[2] + x * sin(angle) + $3 * cos(angle)
@@ -49,6 +66,16 @@ placed() {
         END {exit bad || found != 3 || wants != 3}' t.deck found.deck >misplaced
     is_placed=$?
     check "task $n is misplaced: $(cat misplaced)" test $is_placed -eq 0
+}
+
+# told: the crank angles of the report are those of the deck.
+told() {
+    awk '/^\[expect/ {on = 1} on && /^at = [-0-9]/ {print $3}' found.deck | uniq >angles
+    [ -s angles ] || return 0 # of a quick return facts alone
+    sed -n '/Wanted positions/,/<\/table>/s|.*<th scope="row">[0-9]*</th><td>\([^<]*\)</td>.*|\1|p' r-$n.html | sed 's/−/-/' >shown
+    paste -d ' ' angles shown | awk '{off = ($1 - $2) % 360; n++} off ^ 2 > 1e-6 && (off - 360) ^ 2 > 1e-6 && (off + 360) ^ 2 > 1e-6 {print; bad = 1} END {exit bad || !n}' >other
+    is_told=$?
+    check "task $n: angles in its report and its deck: $(head -n 1 other)" test $is_told -eq 0
 }
 
 # quick returns: either way, each length given, or the best; both sorts of slotted levers, with an offset

@@ -381,6 +381,14 @@ TEST(refused)
     task.time_ratio = 2;
     task.slow = FOURLINK_SLOW_AGAINST;
     REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
+    task.slow = FOURLINK_SLOW_WITH;
+    task.length[4] = task.stroke = 1; /* one follows from the other */
+    REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
+    task.length[4] = 0;
+    task.swing = 1; /* the swing follows from the time ratio */
+    REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
+    task.time_ratio = task.swing = 0;
+    REFUSED(quick_return, &task, FOURLINK_BAD_CHOICE);
 }
 
 TEST(bad_problems)
