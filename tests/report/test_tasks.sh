@@ -116,6 +116,8 @@ guided slider-crank '(10, 20) mm 5 deg, (40, 25) mm -18 deg, (95, 50) mm -37 deg
 
 # paths, with angles of the coupler and without; functions either way, exact, with least errors
 printf 'mechanism = four-bar\n[synthesis]\ntask = path\npositions = (10, 0) mm, (60, 25) mm, (105, 80) mm\ntiming = 40 deg, 85 deg\nright = fixed (25, -50) mm\n' >t.deck && task 3
+printf 'mechanism = four-bar\n[synthesis]\ntask = path\npositions = (0, 0) mm 0 deg, (60, 25) mm 18 deg, (105, 80) mm 47 deg\ntiming = 40 deg, 85 deg\nright = fixed (25, -50) mm\n' >t.deck && task 3
+printf 'mechanism = four-bar\n[synthesis]\ntask = path\npositions = (5, 10) mm 30 deg, (-40, 25) mm 11 deg, (-95, 30) mm -20 deg\ntiming = -35 deg, -95 deg\nright = moving (25, -50) mm\n' >t.deck && task 3
 functions() { printf 'mechanism = %s\n%s[synthesis]\ntask = function\n%s\n' "$@"; }
 ground='[ground]
 length = 100 mm
