@@ -12,8 +12,8 @@
 **
 **    F14 = f4 - F34,   F23 = f3 + F34,   F12 = f2 + F23,   Ts = M2 + a e2 x F23
 */
-static void solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                  const fourlink_state *state, const flk_body body[3], fourlink_forces *forces)
+static void solve_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                       const fourlink_state *state, const flk_body body[3], fourlink_forces *forces)
 {
     const fourlink_vector *e2 = &state->link[2].axis;
     fourlink_vector F34, F23;
@@ -42,7 +42,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_body body[3];
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    solve(kind, mechanism, state, body, forces);
+    solve_dyad(kind, mechanism, state, body, forces);
     flk_virtual_work(state, body, forces);
 }
 
@@ -79,19 +79,19 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
 
 /* ---- for friction, which solves a position several times */
 
-static int factor(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                  const fourlink_state *state, flk_factors *factors)
+static int check_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                      const fourlink_state *state, flk_factors *factors)
 {
     (void)kind, (void)mechanism, (void)factors;
     return is_singular(state) ? FOURLINK_SINGULAR : FOURLINK_OK;
 }
 
-static void solve_again(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                        const fourlink_state *state, const flk_factors *factors,
-                        const flk_body body[3], fourlink_forces *forces)
+static void solve_dyad_again(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                             const fourlink_state *state, const flk_factors *factors,
+                             const flk_body body[3], fourlink_forces *forces)
 {
     (void)factors;
-    solve(kind, mechanism, state, body, forces);
+    solve_dyad(kind, mechanism, state, body, forces);
 }
 
-const flk_solver flk_closed_form = {factor, solve_again};
+const flk_solver flk_closed_form = {check_dyad, solve_dyad_again};

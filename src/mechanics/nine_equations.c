@@ -39,8 +39,9 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     return FOURLINK_OK;
 }
 
-/* The arm of a joint from the point about which the moments of a link are taken: `about`, from its origin.  The pins of a link with a length are at its origin and its tip.  This needs no difference of
-** positions, which has few digits for a short link behind a long crank. */
+/* The arm of a joint from the point about which the moments of a link are taken: `about`, from its origin.
+** The pins of a link with a length are at its origin and its tip.  This needs no difference of positions,
+** which has few digits for a short link behind a long crank. */
 static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
                               const fourlink_state *state, const fourlink_joint *joint, int i,
                               const fourlink_vector *about)
@@ -165,8 +166,8 @@ static const scaling banded_scale = {{0, 0, LATER *LATER, LATER, 1}, {0, 0, LATE
 static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
 static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
-static int factor(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                  const fourlink_state *state, flk_factors *factors)
+static int factor_matrix(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                         const fourlink_state *state, flk_factors *factors)
 {
     static const fourlink_vector origins[3] = {{0, 0}, {0, 0}, {0, 0}};
     const fourlink_link *link = mechanism->design.link;
@@ -261,9 +262,9 @@ static void list_forces(const flk_kind *kind, const fourlink_state *state, const
         }
 }
 
-static void solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                  const fourlink_state *state, const flk_factors *factors, const flk_body body[3],
-                  fourlink_forces *forces)
+static void solve_matrix(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                         const fourlink_state *state, const flk_factors *factors,
+                         const flk_body body[3], fourlink_forces *forces)
 {
     double x[9];
 
@@ -272,7 +273,7 @@ static void solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
     list_forces(kind, state, x, forces);
 }
 
-const flk_solver flk_nine_equations = {factor, solve};
+const flk_solver flk_nine_equations = {factor_matrix, solve_matrix};
 
 int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
@@ -288,11 +289,11 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
         status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    status = factor(kind, mechanism, state, &factors);
+    status = factor_matrix(kind, mechanism, state, &factors);
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    solve(kind, mechanism, state, &factors, body, &result);
+    solve_matrix(kind, mechanism, state, &factors, body, &result);
     flk_virtual_work(state, body, &result);
     if (!flk_is_finite(&result))
         return FOURLINK_BAD_NUMBER;

@@ -26,7 +26,7 @@ static const flk_column_info point_table[DECK_POINT_COLUMNS] = {
     POINT_COLUMNS(POINT_INFO, "", "the point")};
 
 /* x and y of position, velocity and acceleration; the sizes of the last two. */
-static double value(const flk_column *c, const flk_row *row)
+static double value_of_point(const flk_column *c, const flk_row *row)
 {
     fourlink_vector u[3];
     int i = c->component;
@@ -37,7 +37,7 @@ static double value(const flk_column *c, const flk_row *row)
     return i % 2 == 0 ? u[i / 2].x : u[i / 2].y;
 }
 
-static void vector(const flk_column *c, const flk_row *row, double *x, double *y)
+static void vector_of_point(const flk_column *c, const flk_row *row, double *x, double *y)
 {
     fourlink_vector u[3];
 
@@ -48,12 +48,12 @@ static void vector(const flk_column *c, const flk_row *row, double *x, double *y
 
 /* --------------------------------------------------------------------------------------- of [point] */
 
-static size_t count(const deck *d)
+static size_t count_points(const deck *d)
 {
     return DECK_POINT_COLUMNS * d->n_points;
 }
 
-static int make(const flk_analysis *a, size_t i, flk_column *c)
+static int make_of_point(const flk_analysis *a, size_t i, flk_column *c)
 {
     const deck_point *point = &a->d->points[i / DECK_POINT_COLUMNS];
     int component = (int)(i % DECK_POINT_COLUMNS);
@@ -67,7 +67,8 @@ static int make(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-const flk_column_source flk_point_columns = {NULL, 0, count, make, NULL, value, vector};
+const flk_column_source flk_point_columns = {
+    NULL, 0, count_points, make_of_point, NULL, value_of_point, vector_of_point};
 
 /* ------------------------------------------------------------------------------- that every deck has */
 
@@ -132,13 +133,13 @@ static const flk_column_info own_table[] = {OWN_POINT_LIST(OWN_POINT)};
 
 #define OWN_COUNT (sizeof own_table / sizeof own_table[0])
 
-static size_t count_own(const deck *d)
+static size_t count_own_points(const deck *d)
 {
     (void)d;
     return OWN_COUNT;
 }
 
-static int make_own(const flk_analysis *a, size_t i, flk_column *c)
+static int make_of_own_point(const flk_analysis *a, size_t i, flk_column *c)
 {
     flk_column_start(a->d, &own_table[i], c);
     c->component = (int)(i % DECK_POINT_COLUMNS);
@@ -146,7 +147,7 @@ static int make_own(const flk_analysis *a, size_t i, flk_column *c)
                            &c->of.point.at);
 }
 
-static const char *lacks_own(const deck *d, size_t i, char words[MESSAGE_SIZE])
+static const char *why_no_own_point(const deck *d, size_t i, char words[MESSAGE_SIZE])
 {
     fourlink_vector at;
     int link;
@@ -167,5 +168,6 @@ int flk_column_same_points(const deck *d, const deck *other)
     return 1;
 }
 
-const flk_column_source flk_own_point_columns = {own_table, OWN_COUNT, count_own, make_own,
-                                                 lacks_own, value,     vector};
+const flk_column_source flk_own_point_columns = {
+    own_table,        OWN_COUNT,      count_own_points, make_of_own_point,
+    why_no_own_point, value_of_point, vector_of_point};

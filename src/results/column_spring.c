@@ -22,12 +22,12 @@ static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
      SPRING_INFO(ENERGY, "energy of the spring"),
      SPRING_INFO(POWER, "power that spring and damper put into the links")}};
 
-static size_t count(const deck *d)
+static size_t count_springs(const deck *d)
 {
     return FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_type);
 }
 
-static int make(const flk_analysis *a, size_t i, flk_column *c)
+static int make_of_spring(const flk_analysis *a, size_t i, flk_column *c)
 {
     const flk_element *e =
         flk_machine_find(&a->d->machine, &flk_spring_type, i / FLK_ELEMENT_COLUMNS);
@@ -42,7 +42,7 @@ static int make(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-static double value(const flk_column *c, const flk_row *row)
+static double value_of_spring(const flk_column *c, const flk_row *row)
 {
     fourlink_spring_state at;
 
@@ -55,4 +55,5 @@ static double value(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
-const flk_column_source flk_spring_columns = {NULL, 0, count, make, NULL, value, NULL};
+const flk_column_source flk_spring_columns = {
+    NULL, 0, count_springs, make_of_spring, NULL, value_of_spring, NULL};

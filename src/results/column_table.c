@@ -26,13 +26,13 @@ static int has(const flk_analysis *a, const flk_column_info *info)
            (info->need & ~a->possible) == 0;
 }
 
-static size_t count(const deck *d)
+static size_t count_table(const deck *d)
 {
     (void)d;
     return TABLE_COUNT;
 }
 
-static int make(const flk_analysis *a, size_t i, flk_column *c)
+static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
     int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
 
@@ -79,7 +79,7 @@ static const char *list_kinds(int kinds, char out[MESSAGE_SIZE])
     return out;
 }
 
-static const char *lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
+static const char *why_table_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
 {
     char owners[MESSAGE_SIZE];
 
@@ -97,7 +97,7 @@ static double direction_of(double x, double y)
     return x == 0 && y == 0 ? FLK_UNDEFINED : flk_angle(y, x);
 }
 
-static double value(const flk_column *c, const flk_row *row)
+static double value_of_table(const flk_column *c, const flk_row *row)
 {
     double x = FLK_ROW_NUMBER(row, c->info->x), y = FLK_ROW_NUMBER(row, c->info->y);
 
@@ -107,7 +107,7 @@ static double value(const flk_column *c, const flk_row *row)
                                         : x - y;
 }
 
-static void vector(const flk_column *c, const flk_row *row, double *x, double *y)
+static void vector_of_table(const flk_column *c, const flk_row *row, double *x, double *y)
 {
     double size, direction;
 
@@ -121,7 +121,9 @@ static void vector(const flk_column *c, const flk_row *row, double *x, double *y
     *y = size == 0 ? 0 : size * flk_sine(direction);
 }
 
-const flk_column_source flk_table_columns = {table, TABLE_COUNT, count, make, lacks, value, vector};
+const flk_column_source flk_table_columns = {table,          TABLE_COUNT,     count_table,
+                                             make_of_table,  why_table_lacks, value_of_table,
+                                             vector_of_table};
 
 double flk_denominator_13(const fourlink_state *state)
 {
