@@ -575,7 +575,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
         o->decks[o->n_decks++] = "-";
     if (o->answers)
         o->check_file = o->answers;
-    if (!(o->format->writes & 1 << o->content)) {
+    if (!o->format->frame[o->content]) {
         flk_message(message, 400, "%s does not go with --format=%s: it can be printed as %s only",
                     content_option(o), o->format->name,
                     formats_of(o->content, ", ", " or ", names));

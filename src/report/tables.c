@@ -30,10 +30,9 @@ static page *page_of(sheet *s)
 
 /* ------------------------------------------------------------------------------ rows */
 
-static void open_deck(sheet *s)
+static void open_rows(sheet *s)
 {
-    if (s->content == SHEET_ROWS)
-        style_find(&s->v, 0, s->values, s->layout);
+    style_find(&s->v, 0, s->values, s->layout);
 }
 
 /* The letters in a line tell the style how small a table is on paper. */
@@ -141,25 +140,27 @@ static void put_check(sheet *s, const fourlink_check *c)
                c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
 }
 
+static const sheet_frame of_rows = {NULL, open_rows, end_checks, NULL},
+                         of_checks = {NULL, NULL, end_checks, NULL};
+
 static const sheet_format html_format = {
-    "html",
-    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK, /* writes */
-    NULL,                                                    /* begin */
-    open_deck,                                               /* open */
-    NULL,                                                    /* column */
-    NULL,                                                    /* fact */
-    open_block,                                              /* block */
-    put_row,                                                 /* row */
-    close_block,                                             /* end_block */
-    put_check,                                               /* check */
-    NULL,                                                    /* design */
-    NULL,                                                    /* refuse */
-    end_checks,                                              /* close */
-    sizeof(style),                                           /* layout_size */
-    0,                                                       /* is_by_angle */
-    1,                                                       /* is_brief */
-    NULL,                                                    /* mark */
-    NULL                                                     /* extremes */
+    "html",                                                           /* name */
+    {&of_rows, NULL, &of_checks, NULL, NULL, NULL, NULL, NULL, NULL}, /* frame */
+    NULL,                                                             /* column */
+    NULL,                                                             /* listed */
+    NULL,                                                             /* limit */
+    NULL,                                                             /* fact */
+    open_block,                                                       /* block */
+    put_row,                                                          /* row */
+    close_block,                                                      /* end_block */
+    put_check,                                                        /* check */
+    NULL,                                                             /* design */
+    NULL,                                                             /* values */
+    sizeof(style),                                                    /* layout_size */
+    0,                                                                /* is_by_angle */
+    1,                                                                /* is_brief */
+    NULL,                                                             /* mark */
+    NULL                                                              /* extremes */
 };
 
 /* ------------------------------------------------------------------------------ sections */

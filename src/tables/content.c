@@ -88,11 +88,12 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
 }
 
 /* Write facts; one that is the same on both branches once, where the format is brief. */
-static void put_facts(sheet *s, const fourlink_value *facts, unsigned long n)
+static void put_facts(sheet *s, const fourlink_value *facts, unsigned long n,
+                      void (*put)(sheet *s, const fourlink_value *fact))
 {
     unsigned long i;
 
-    for (i = 0; i < n && s->format->fact; i++) {
+    for (i = 0; i < n && put; i++) {
         fourlink_value f = facts[i];
 
         if (s->format->is_brief && sheet_is_on_both(&f, facts, n)) {
@@ -100,17 +101,17 @@ static void put_facts(sheet *s, const fourlink_value *facts, unsigned long n)
                 continue;
             f.branch = 0;
         }
-        s->format->fact(s, &f);
+        put(s, &f);
     }
 }
 
-static void write_facts(sheet *s, int groups)
+static void write_facts(sheet *s, int groups, void (*put)(sheet *s, const fourlink_value *fact))
 {
     const fourlink_value *facts;
     unsigned long n;
 
     fourlink_results_facts(s->v.results, 0, groups, &facts, &n);
-    put_facts(s, facts, n);
+    put_facts(s, facts, n, put);
 }
 
 static void set_words(fourlink_value *f, const char *name, const char *meaning,
@@ -150,8 +151,8 @@ static void write_reasons(sheet *s)
             set_words(&ends[n_ends++], "end", "why the machine goes no further", branch, stop);
     }
     s->failed += n_missing;
-    put_facts(s, missing, n_missing);
-    put_facts(s, ends, n_ends);
+    put_facts(s, missing, n_missing, s->format->fact);
+    put_facts(s, ends, n_ends, s->format->fact);
 }
 
 static const fourlink_value *find_extreme(const fourlink_value *facts, unsigned long n, int branch,
@@ -230,7 +231,7 @@ static void write_rows(sheet *s)
 {
     int i;
 
-    write_facts(s, FOURLINK_FACTS_LIMITS);
+    write_facts(s, FOURLINK_FACTS_LIMITS, s->format->limit);
     if (s->format->is_by_angle)
         write_by_angle(s);
     for (i = 0; i < s->v.n_branches && !s->format->is_by_angle; i++)
@@ -322,24 +323,35 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
                                FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING |
                                    FOURLINK_FACTS_MOTION,
                                &all[i].list, &all[i].n);
-    put_names(s, all, n_results, s->format->fact);
+    put_names(s, all, n_results, s->format->listed);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
     for (i = 0; i < 4; i++) {
         statistic.name = of_columns[i][0];
         statistic.meaning = of_columns[i][1];
-        s->format->fact(s, &statistic);
+        s->format->listed(s, &statistic);
     }
 }
 
 /* ------------------------------------------------------------------------------------ decks, designs */
 
+static const sheet_frame *frame_of(const sheet *s)
+{
+    return s->format->frame[s->content];
+}
+
+static void tell(sheet *s, void (*part)(sheet *s))
+{
+    if (part)
+        part(s);
+}
+
 void content_begin(sheet *s, FILE *out, int has_head)
 {
     line_start(&s->l, out);
     s->l.is_coloured = s->is_coloured;
-    if (has_head && s->format->begin)
-        s->format->begin(s);
+    if (has_head)
+        tell(s, frame_of(s)->begin);
     line_end(&s->l);
 }
 
@@ -382,6 +394,7 @@ static const char *find_output(sheet *s, fourlink_branch branch, int handle, she
         fourlink_results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
 
     output->has_value = status == FOURLINK_OK;
+    output->is_other = 0;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
            : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
                                              : fourlink_status_text(status);
@@ -411,14 +424,15 @@ static void write_values(sheet *s)
             long at = sheet_column_under(s, k);
 
             outputs[k].has_value = 0;
+            outputs[k].is_other = at < 0;
             if (at < 0)
-                continue; /* of another deck */
+                continue;
             reason = find_output(s, s->v.branches[i], own[at].handle, &outputs[k]);
             reason = reason ? reason : why_incomplete(&outputs[k]);
             why = why ? why : reason;
         }
         s->failed += why != NULL;
-        s->format->design(s, s->v.branches[i], outputs, why);
+        s->format->values(s, s->v.branches[i], outputs, why);
     }
 }
 
@@ -428,12 +442,14 @@ static void write_content(sheet *s)
         write_values(s);
         return;
     }
-    if (s->format->open && !s->is_form)
-        s->format->open(s);
+    if (!s->is_form)
+        tell(s, frame_of(s)->open);
     switch (s->content) {
     case SHEET_SUMMARY:
-        write_facts(s, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION |
-                           (s->format->extremes ? 0 : FOURLINK_FACTS_EXTREMES));
+        write_facts(s,
+                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION |
+                        (s->format->extremes ? 0 : FOURLINK_FACTS_EXTREMES),
+                    s->format->fact);
         write_reasons(s);
         if (s->format->extremes)
             write_extremes(s);
@@ -454,8 +470,8 @@ static void write_content(sheet *s)
     default:
         write_rows(s);
     }
-    if (s->format->close && !memory_has_failed())
-        s->format->close(s);
+    if (!memory_has_failed())
+        tell(s, frame_of(s)->close);
 }
 
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
@@ -463,7 +479,7 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     s->deck_name = s->n_decks > 1 ? deck_name : NULL;
     if (!results) {
         if (s->content == SHEET_VALUES || (s->content == SHEET_CHECK && (s->deck_name || s->mark)))
-            s->format->refuse(s, why);
+            frame_of(s)->refuse(s, why);
         line_end(&s->l);
         return;
     }
@@ -591,7 +607,7 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
         if (!results && s->n_conditions && !s->format->is_brief)
             refuse_yield(s, why);
         else if (!results)
-            s->format->refuse(s, why);
+            frame_of(s)->refuse(s, why);
         else if (s->content == SHEET_DESIGNS)
             write_lines(s);
         else

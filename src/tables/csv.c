@@ -54,37 +54,47 @@ static void put_heading(line *l, const fourlink_value *column)
     line_byte(l, ',');
 }
 
-/* By content; null: it depends on the deck. */
-static const char *const heads[SHEET_CONTENT_COUNT] = {
-    NULL,
-    "name,value,unit,theta2,branch",
-    "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,of,note",
-    NULL,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
-    "name,right,of,percent,note"};
-
-static void begin(sheet *s)
+/* The names of the fields of put_labels. */
+static void put_label_names(sheet *s)
 {
-    unsigned long i;
-
-    if (s->n_decks > 1 && s->content != SHEET_SCORES)
+    if (s->n_decks > 1)
         line_put(&s->l, "deck,");
     if (s->has_designs)
         line_put(&s->l, "design,");
     if (s->n_decks <= 1 && (s->n_variables || s->each))
         line_put(&s->l, "%s,", s->each ? s->each : "design");
-    if (heads[s->content]) {
-        line_put(&s->l, "%s%s", heads[s->content], s->has_roster ? ",id,late,total" : "");
-        for (i = 0; i < s->n_questions; i++) {
-            line_byte(&s->l, ',');
-            put_words(&s->l, s->questions[i].name);
-        }
-        line_byte(&s->l, '\n');
-        return;
+}
+
+static void begin_summary(sheet *s)
+{
+    put_label_names(s);
+    line_put(&s->l, "name,value,unit,theta2,branch\n");
+}
+
+static void begin_checks(sheet *s)
+{
+    put_label_names(s);
+    line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,of,"
+                    "note\n");
+}
+
+static void begin_scores(sheet *s)
+{
+    unsigned long i;
+
+    line_put(&s->l, "name,right,of,percent,note%s", s->has_roster ? ",id,late,total" : "");
+    for (i = 0; i < s->n_questions; i++) {
+        line_byte(&s->l, ',');
+        put_words(&s->l, s->questions[i].name);
     }
+    line_byte(&s->l, '\n');
+}
+
+static void begin_rows(sheet *s)
+{
+    unsigned long i;
+
+    put_label_names(s);
     for (i = 0; i < s->n_variables; i++)
         put_heading(&s->l, &s->variables[i]);
     line_put(&s->l, "branch,");
@@ -113,8 +123,6 @@ static void put_labels(sheet *s)
 /* A fact or an input. */
 static void put_fact(sheet *s, const fourlink_value *f)
 {
-    if (s->content != SHEET_SUMMARY)
-        return;
     put_labels(s);
     put_words(&s->l, f->name);
     line_put(&s->l, ",");
@@ -128,15 +136,18 @@ static void put_fact(sheet *s, const fourlink_value *f)
     line_put(&s->l, ",%s\n", f->branch ? fourlink_branch_text(f->branch) : "");
 }
 
-static void open_deck(sheet *s)
+static void open_rows(sheet *s)
 {
     long *under = s->layout;
     unsigned long i;
 
-    for (i = 0; s->content == SHEET_ROWS && i < s->n_header; i++)
+    for (i = 0; i < s->n_header; i++)
         under[i] = sheet_column_under(s, i);
-    if (s->content == SHEET_SUMMARY)
-        sheet_write_inputs(s, put_fact);
+}
+
+static void open_summary(sheet *s)
+{
+    sheet_write_inputs(s, put_fact);
 }
 
 static void put_row(sheet *s, const sheet_row *row)
@@ -213,10 +224,14 @@ static void put_score(sheet *s, const char *result, double right, double of, con
     line_byte(&s->l, '\n');
 }
 
-static void close_deck(sheet *s)
+static void close_checks(sheet *s)
 {
-    if (s->content == SHEET_CHECK)
-        put_score(s, "score", s->right, s->of, s->mark ? s->mark->note : "");
+    put_score(s, "score", s->right, s->of, s->mark ? s->mark->note : "");
+}
+
+static void refuse_values(sheet *s, const char *why)
+{
+    put_design(s, (fourlink_branch)0, NULL, why);
 }
 
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
@@ -224,9 +239,7 @@ static void refuse(sheet *s, const char *why)
 {
     int n = s->design ? s->v.n_branches : 0, i;
 
-    if (s->content == SHEET_VALUES)
-        put_design(s, (fourlink_branch)0, NULL, why);
-    else if (!s->design)
+    if (!s->design)
         put_score(s, s->mark ? "bad answers" : "bad deck", 0, s->mark ? s->mark->of : GSL_NAN, why);
     for (i = 0; i < n; i++)
         put_design(s, s->v.branches[i], NULL, why);
@@ -256,24 +269,30 @@ static void put_mark(sheet *s, const sheet_mark *m)
     line_byte(&s->l, '\n');
 }
 
+static const sheet_frame of_rows = {begin_rows, open_rows, NULL, refuse},
+                         of_summary = {begin_summary, open_summary, NULL, refuse},
+                         of_checks = {begin_checks, NULL, close_checks, refuse},
+                         of_designs = {begin_rows, NULL, NULL, refuse},
+                         of_values = {begin_rows, NULL, NULL, refuse_values},
+                         of_scores = {begin_scores, NULL, NULL, NULL};
+
 const sheet_format csv_format = {
     "csv", /* name */
-    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
-        1 << SHEET_VALUES | 1 << SHEET_SCORES, /* writes */
-    begin,                                     /* begin */
-    open_deck,                                 /* open */
-    NULL,                                      /* column */
-    put_fact,                                  /* fact */
-    NULL,                                      /* block */
-    put_row,                                   /* row */
-    NULL,                                      /* end_block */
-    put_check,                                 /* check */
-    put_design,                                /* design */
-    refuse,                                    /* refuse */
-    close_deck,                                /* close */
-    sizeof(long),                              /* layout_size */
-    0,                                         /* is_by_angle */
-    0,                                         /* is_brief */
-    put_mark,                                  /* mark */
-    NULL                                       /* extremes */
+    {&of_rows, &of_summary, &of_checks, NULL, NULL, &of_designs, &of_values, NULL,
+     &of_scores}, /* frame */
+    NULL,         /* column */
+    NULL,         /* listed */
+    NULL,         /* limit */
+    put_fact,     /* fact */
+    NULL,         /* block */
+    put_row,      /* row */
+    NULL,         /* end_block */
+    put_check,    /* check */
+    put_design,   /* design */
+    put_design,   /* values */
+    sizeof(long), /* layout_size */
+    0,            /* is_by_angle */
+    0,            /* is_brief */
+    put_mark,     /* mark */
+    NULL          /* extremes */
 };

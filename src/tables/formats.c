@@ -27,7 +27,7 @@ char *formats_of(sheet_content content, const char *between, const char *last,
     int n = 0;
 
     for (f = formats_all; *f; f++)
-        if ((*f)->writes & 1 << content)
+        if ((*f)->frame[content])
             list[n++] = (*f)->name;
     list[n] = NULL;
     return flk_text_list(list, between, last, names, FORMATS_NAMES);

@@ -102,8 +102,21 @@ static void put_column(sheet *s, const fourlink_value *column)
 {
     put_item(s, "columns");
     put_described(s, column);
-    if (s->content == SHEET_LIST)
-        put_text(&s->l, "source", column->source);
+    line_text(&s->l, "}", 1);
+}
+
+static void put_listed_column(sheet *s, const fourlink_value *column)
+{
+    put_item(s, "columns");
+    put_described(s, column);
+    put_text(&s->l, "source", column->source);
+    line_text(&s->l, "}", 1);
+}
+
+static void put_listed_fact(sheet *s, const fourlink_value *fact)
+{
+    put_item(s, "facts");
+    put_described(s, fact);
     line_text(&s->l, "}", 1);
 }
 
@@ -141,17 +154,25 @@ static void put_labels(sheet *s)
     }
 }
 
-static void open_deck(sheet *s)
+static void open_list(sheet *s)
 {
-    unsigned long i;
-
     put_labels(s);
     put_text(&s->l, "title", s->v.problem.title);
     put_text(&s->l, "mechanism", s->v.kind.words);
-    if (s->content == SHEET_LIST)
-        return;
+}
+
+static void open_deck(sheet *s)
+{
+    open_list(s);
     sheet_write_inputs(s, put_input);
-    for (i = 0; s->content == SHEET_ROWS && i < s->v.n_columns; i++)
+}
+
+static void open_rows(sheet *s)
+{
+    unsigned long i;
+
+    open_deck(s);
+    for (i = 0; i < s->v.n_columns; i++)
         put_column(s, &s->v.columns[i]);
 }
 
@@ -159,16 +180,14 @@ static void put_fact(sheet *s, const fourlink_value *fact)
 {
     put_item(s, "facts");
     put_described(s, fact);
-    if (s->content != SHEET_LIST) {
-        put_name(&s->l, "value", 0);
-        put_value(&s->l, fact);
-        put_named_number(&s->l, "theta2", fact->has_angle ? fact->angle : GSL_NAN);
-        put_name(&s->l, "branch", 0);
-        if (fact->branch)
-            put_string(&s->l, fourlink_branch_text(fact->branch));
-        else
-            line_put(&s->l, "null");
-    }
+    put_name(&s->l, "value", 0);
+    put_value(&s->l, fact);
+    put_named_number(&s->l, "theta2", fact->has_angle ? fact->angle : GSL_NAN);
+    put_name(&s->l, "branch", 0);
+    if (fact->branch)
+        put_string(&s->l, fourlink_branch_text(fact->branch));
+    else
+        line_put(&s->l, "null");
     line_text(&s->l, "}", 1);
 }
 
@@ -230,24 +249,30 @@ static void put_check(sheet *s, const fourlink_check *c)
     line_text(&s->l, "}", 1);
 }
 
-/* The first line of a sheet of designs describes its variables and outputs. */
-static void begin(sheet *s)
+/* The first line of a sheet of designs or values describes its variables and outputs. */
+static void put_header(sheet *s)
 {
     unsigned long i;
 
-    if (s->content != SHEET_DESIGNS && s->content != SHEET_VALUES)
-        return;
-    if (s->content == SHEET_VALUES)
-        begin_object(&s->l, "fourlink", fourlink_version());
-    else
-        begin_object(&s->l, "title", s->v.problem.title);
-    s->design = s->content == SHEET_DESIGNS; /* one line */
     for (i = 0; i < s->n_variables; i++)
         put_column(s, &s->variables[i]);
     for (i = 0; i < s->n_header; i++)
         put_column(s, &s->header[i]);
     end_list(s);
     line_put(&s->l, "}\n");
+}
+
+static void begin_values(sheet *s)
+{
+    begin_object(&s->l, "fourlink", fourlink_version());
+    put_header(s);
+}
+
+static void begin_designs(sheet *s)
+{
+    begin_object(&s->l, "title", s->v.problem.title);
+    s->design = 1; /* one line */
+    put_header(s);
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -259,8 +284,8 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     if (branch)
         put_text(&s->l, "branch", fourlink_branch_text((int)branch));
     for (i = 0; i < s->n_header; i++) {
-        if (s->content == SHEET_VALUES && outputs && sheet_column_under(s, i) < 0)
-            continue; /* it is there in another unit */
+        if (outputs && outputs[i].is_other)
+            continue;
         put_name(&s->l, s->header[i].name, 0);
         if (outputs && outputs[i].has_value)
             put_value(&s->l, &outputs[i].v);
@@ -271,19 +296,23 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_put(&s->l, "}\n");
 }
 
-/* Written instead of a deck, or instead of a design, on a line for each branch. */
+static void refuse_values(sheet *s, const char *why)
+{
+    put_design(s, (fourlink_branch)0, NULL, why);
+}
+
+/* A line for each branch. */
+static void refuse_design(sheet *s, const char *why)
+{
+    int i;
+
+    for (i = 0; i < s->v.n_branches; i++)
+        put_design(s, s->v.branches[i], NULL, why);
+}
+
+/* Written instead of a deck, or of a design of which more than a line would be written. */
 static void refuse(sheet *s, const char *why)
 {
-    int n = s->content == SHEET_DESIGNS ? s->v.n_branches : 0, i;
-
-    if (s->content == SHEET_VALUES) {
-        put_design(s, (fourlink_branch)0, NULL, why);
-        return;
-    }
-    for (i = 0; i < n; i++)
-        put_design(s, s->v.branches[i], NULL, why);
-    if (n)
-        return;
     put_labels(s);
     if (s->design) {
         put_text(&s->l, "status", why);
@@ -297,20 +326,33 @@ static void refuse(sheet *s, const char *why)
     line_put(&s->l, "}\n");
 }
 
+static void end_deck(sheet *s)
+{
+    line_put(&s->l, s->list ? "]}\n" : "}\n");
+}
+
 static void close_deck(sheet *s)
 {
-    int is_in_rows = s->content == SHEET_ROWS;
-
     put_newline(s);
-    if (s->content == SHEET_CHECK) {
-        end_list(s);
-        put_named_number(&s->l, "score", s->right);
-        put_named_number(&s->l, "of", s->of);
-        if (s->mark && s->mark->note[0])
-            put_text(&s->l, "note", s->mark->note);
-    }
-    line_put(&s->l, is_in_rows ? "]}" : "");
-    line_put(&s->l, s->list ? "]}\n" : "}\n");
+    end_deck(s);
+}
+
+static void close_rows(sheet *s)
+{
+    put_newline(s);
+    line_put(&s->l, "]}");
+    end_deck(s);
+}
+
+static void close_checks(sheet *s)
+{
+    put_newline(s);
+    end_list(s);
+    put_named_number(&s->l, "score", s->right);
+    put_named_number(&s->l, "of", s->of);
+    if (s->mark && s->mark->note[0])
+        put_text(&s->l, "note", s->mark->note);
+    end_deck(s);
 }
 
 static void put_mark(sheet *s, const sheet_mark *m)
@@ -328,23 +370,31 @@ static void put_mark(sheet *s, const sheet_mark *m)
     line_put(&s->l, "}\n");
 }
 
+static const sheet_frame of_rows = {NULL, open_rows, close_rows, refuse},
+                         of_summary = {NULL, open_deck, close_deck, refuse},
+                         of_checks = {NULL, open_deck, close_checks, refuse},
+                         of_list = {NULL, open_list, close_deck, refuse},
+                         of_designs = {begin_designs, NULL, NULL, refuse_design},
+                         of_values = {begin_values, NULL, NULL, refuse_values},
+                         of_scores = {NULL, NULL, NULL, NULL};
+
 const sheet_format json_format = {
-    "json",                                                                     /* name */
-    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX) - (1 << SHEET_EXPECT), /* writes */
-    begin,                                                                      /* begin */
-    open_deck,                                                                  /* open */
-    put_column,                                                                 /* column */
-    put_fact,                                                                   /* fact */
-    put_block,                                                                  /* block */
-    put_row,                                                                    /* row */
-    NULL,                                                                       /* end_block */
-    put_check,                                                                  /* check */
-    put_design,                                                                 /* design */
-    refuse,                                                                     /* refuse */
-    close_deck,                                                                 /* close */
-    0,                                                                          /* layout_size */
-    0,                                                                          /* is_by_angle */
-    0,                                                                          /* is_brief */
-    put_mark,                                                                   /* mark */
-    NULL                                                                        /* extremes */
+    "json", /* name */
+    {&of_rows, &of_summary, &of_checks, &of_list, NULL, &of_designs, &of_values, NULL,
+     &of_scores},      /* frame */
+    put_listed_column, /* column */
+    put_listed_fact,   /* listed */
+    put_fact,          /* limit */
+    put_fact,          /* fact */
+    put_block,         /* block */
+    put_row,           /* row */
+    NULL,              /* end_block */
+    put_check,         /* check */
+    put_design,        /* design */
+    put_design,        /* values */
+    0,                 /* layout_size */
+    0,                 /* is_by_angle */
+    0,                 /* is_brief */
+    put_mark,          /* mark */
+    NULL               /* extremes */
 };

@@ -54,23 +54,24 @@ static void put_row(sheet *s, const sheet_row *row)
     line_put(&s->l, "\n");
 }
 
+static const sheet_frame of_rows = {NULL, open_deck, NULL, NULL};
+
 const sheet_format paper_format = {
-    "paper",         /* name */
-    1 << SHEET_ROWS, /* writes */
-    NULL,            /* begin */
-    open_deck,       /* open */
-    NULL,            /* column */
-    NULL,            /* fact */
-    NULL,            /* block */
-    put_row,         /* row */
-    NULL,            /* end_block */
-    NULL,            /* check */
-    NULL,            /* design */
-    NULL,            /* refuse */
-    NULL,            /* close */
-    0,               /* layout_size */
-    1,               /* is_by_angle */
-    0,               /* is_brief */
-    NULL,            /* mark */
-    NULL             /* extremes */
+    "paper",                                                    /* name */
+    {&of_rows, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}, /* frame */
+    NULL,                                                       /* column */
+    NULL,                                                       /* listed */
+    NULL,                                                       /* limit */
+    NULL,                                                       /* fact */
+    NULL,                                                       /* block */
+    put_row,                                                    /* row */
+    NULL,                                                       /* end_block */
+    NULL,                                                       /* check */
+    NULL,                                                       /* design */
+    NULL,                                                       /* values */
+    0,                                                          /* layout_size */
+    1,                                                          /* is_by_angle */
+    0,                                                          /* is_brief */
+    NULL,                                                       /* mark */
+    NULL                                                        /* extremes */
 };

@@ -107,30 +107,38 @@ typedef struct sheet_row {
 /* One output of a design. */
 typedef struct sheet_output {
     int has_value;
+    int is_other; /* 1: of values, the deck has it in another unit, or not */
     fourlink_value v;
 } sheet_output;
 
-/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may
-** be null.  The others may be null if the format does not write their contents: `row` for rows, `check`
-** and `refuse` for comparisons, `column` for lists, `design` and `refuse` for sweeps. */
+/* How a format frames a content; each may be null. */
+typedef struct sheet_frame {
+    void (*begin)(sheet *s);                   /* before all decks */
+    void (*open)(sheet *s);                    /* a deck or design begins */
+    void (*close)(sheet *s);                   /* it ends */
+    void (*refuse)(sheet *s, const char *why); /* instead of a deck or design */
+} sheet_frame;
+
+/* How a format writes the parts of a sheet.  `limit`, `fact`, `block` and `end_block` may be null.  The
+** others may be null if the format does not write their contents. */
 typedef struct sheet_format {
     const char *name;
-    int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
-    void (*begin)(sheet *s); /* before all decks */
-    void (*open)(sheet *s);  /* a deck or design begins */
-    void (*column)(sheet *s, const fourlink_value *column); /* of SHEET_LIST */
-    void (*fact)(sheet *s, const fourlink_value *fact);
-    void (*block)(sheet *s, fourlink_branch branch); /* the rows of a branch begin */
+    const sheet_frame *frame[SHEET_CONTENT_COUNT]; /* by content; null: it cannot write it */
+    void (*column)(sheet *s, const fourlink_value *column); /* of SHEET_LIST, */
+    void (*listed)(sheet *s, const fourlink_value *fact);   /* ... and the facts after them */
+    void (*limit)(sheet *s, const fourlink_value *fact);    /* a fact before the rows */
+    void (*fact)(sheet *s, const fourlink_value *fact);     /* of SHEET_SUMMARY */
+    void (*block)(sheet *s, fourlink_branch branch);        /* the rows of a branch begin */
     void (*row)(sheet *s, const sheet_row *row);
     void (*end_block)(sheet *s, fourlink_branch branch);
     void (*check)(sheet *s, const fourlink_check *check);
+    /* a line of SHEET_DESIGNS, of SHEET_VALUES */
     void (*design)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
-    void (*refuse)(sheet *s, const char *why); /* instead of a deck or design */
-    void (*close)(sheet *s);                   /* a deck or design ends */
-    size_t layout_size;                        /* of s->layout, for each column */
-    int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
+    void (*values)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
+    size_t layout_size; /* of s->layout, for each column */
+    int is_by_angle;    /* 1: both branches at each crank angle, the crossed one first, and no row
                            at the end of a revolution */
-    int is_brief;    /* 1: rows without numbers, one after the other for the same reason, are one;
+    int is_brief; /* 1: rows without numbers, one after the other for the same reason, are one;
                            in a summary a fact that is the same on both branches is there once */
     void (*mark)(sheet *s, const sheet_mark *m); /* of SHEET_SCORES */
     /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */

@@ -8,6 +8,7 @@
 #include "base/digits.h"
 #include "base/text.h"
 #include "fit.h"
+#include "head.h"
 #include "sheet.h"
 #include "table_lines.h"
 #include "summary.h"
@@ -18,11 +19,32 @@ static void open_deck(sheet *s)
     sheet_write_gap(s);
     if (s->design)
         table_put_design_comment(s);
-    if (s->content == SHEET_ROWS) {
-        style_find(&s->v, s->at != NULL, s->values, s->layout);
-        s->n_pages = fit_columns(s, s->layout);
-    }
-    table_put_head(s);
+}
+
+static void open_with_properties(sheet *s)
+{
+    open_deck(s);
+    head_put_properties(s);
+}
+
+static void open_rows(sheet *s)
+{
+    open_deck(s);
+    style_find(&s->v, s->at != NULL, s->values, s->layout);
+    s->n_pages = fit_columns(s, s->layout);
+    head_put_properties(s);
+}
+
+static void open_summary(sheet *s)
+{
+    open_deck(s);
+    summary_put_inputs(s);
+}
+
+static void open_list(sheet *s)
+{
+    open_deck(s);
+    table_put_list_head(s);
 }
 
 /* Write the names or units of the columns as a comment. */
@@ -219,23 +241,32 @@ static void put_row(sheet *s, const sheet_row *row)
         put_reason(s, row);
 }
 
+static const sheet_frame of_rows = {NULL, open_rows, NULL, table_refuse_rows},
+                         of_summary = {NULL, open_summary, NULL, table_refuse},
+                         of_checks = {NULL, open_deck, table_close_checks, table_refuse},
+                         of_list = {NULL, open_list, NULL, table_refuse},
+                         of_others = {NULL, open_with_properties, NULL, table_refuse},
+                         of_designs = {table_begin_designs, NULL, NULL, table_refuse},
+                         of_values = {table_begin_values, NULL, NULL, table_refuse_values},
+                         of_scores = {table_begin_scores, NULL, NULL, NULL};
+
 const sheet_format table_format = {
-    "table",                        /* name */
-    (1 << SHEET_CONTENT_COUNT) - 1, /* writes */
-    table_begin,                    /* begin */
-    open_deck,                      /* open */
-    table_put_column,               /* column */
-    table_put_fact,                 /* fact */
-    block_begins,                   /* block */
-    put_row,                        /* row */
-    block_ends,                     /* end_block */
-    table_put_check,                /* check */
-    table_put_design,               /* design */
-    table_refuse,                   /* refuse */
-    table_close,                    /* close */
-    STYLE_AND_CELL,                 /* layout_size */
-    0,                              /* is_by_angle */
-    1,                              /* is_brief */
-    table_put_mark,                 /* mark */
-    summary_put_extremes            /* extremes */
+    "table", /* name */
+    {&of_rows, &of_summary, &of_checks, &of_list, &of_others, &of_designs, &of_values, &of_others,
+     &of_scores},        /* frame */
+    table_put_column,    /* column */
+    table_put_listed,    /* listed */
+    NULL,                /* limit */
+    summary_put_fact,    /* fact */
+    block_begins,        /* block */
+    put_row,             /* row */
+    block_ends,          /* end_block */
+    table_put_check,     /* check */
+    table_put_design,    /* design */
+    table_put_values,    /* values */
+    STYLE_AND_CELL,      /* layout_size */
+    0,                   /* is_by_angle */
+    1,                   /* is_brief */
+    table_put_mark,      /* mark */
+    summary_put_extremes /* extremes */
 };

@@ -37,35 +37,22 @@ static void put_entry(sheet *s, const char *name, const char *unit_name, const c
     line_finish(&s->l, start, s->width, 28);
 }
 
-void table_put_head(sheet *s)
-{
-    if (s->content == SHEET_LIST)
-        put_entry(s, "column", "unit", "meaning", "in the sources");
-    if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
-        return;
-    if (s->content == SHEET_SUMMARY)
-        summary_put_inputs(s);
-    else
-        head_put_properties(s);
-}
-
-/* -------------------------------------------------------------------------------------------- facts */
-
-void table_put_fact(sheet *s, const fourlink_value *f)
-{
-    if (s->content == SHEET_SUMMARY) {
-        summary_put_fact(s, f);
-    } else if (s->content == SHEET_LIST) {
-        if (!s->list) {
-            line_put(&s->l, "\n");
-            put_entry(s, "fact", "unit", "meaning", "");
-        }
-        s->list = "facts";
-        put_entry(s, f->name, f->unit, f->meaning, "");
-    }
-}
-
 /* ------------------------------------------------------------------------------ lists, comparisons */
+
+void table_put_list_head(sheet *s)
+{
+    put_entry(s, "column", "unit", "meaning", "in the sources");
+}
+
+void table_put_listed(sheet *s, const fourlink_value *f)
+{
+    if (!s->list) {
+        line_put(&s->l, "\n");
+        put_entry(s, "fact", "unit", "meaning", "");
+    }
+    s->list = "facts";
+    put_entry(s, f->name, f->unit, f->meaning, "");
+}
 
 void table_put_column(sheet *s, const fourlink_value *c)
 {
@@ -94,15 +81,13 @@ void table_put_check(sheet *s, const fourlink_check *c)
 }
 
 /* Write the counts of this deck's comparisons, and its score. */
-void table_close(sheet *s)
+void table_close_checks(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
     size_t start;
     int i;
 
-    if (s->content != SHEET_CHECK)
-        return;
     start = line_here(&s->l);
     for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
@@ -227,10 +212,12 @@ static void put_value_heading(sheet *s, int units)
 }
 
 /* A line of values; what a deck does not have is nan, or in another unit. */
-static void put_values(sheet *s, fourlink_branch branch, const sheet_output *outputs)
+void table_put_values(sheet *s, fourlink_branch branch, const sheet_output *outputs,
+                      const char *why)
 {
     unsigned long i;
 
+    (void)why;
     line_put(&s->l, " %-8s", branch ? fourlink_branch_text((int)branch) : "");
     if (s->has_designs && s->design)
         line_value(&s->l, (double)s->design, ALL, DESIGN);
@@ -241,7 +228,7 @@ static void put_values(sheet *s, fourlink_branch branch, const sheet_output *out
 
         if (outputs && outputs[i].has_value && outputs[i].v.words)
             line_field(&s->l, outputs[i].v.words, width);
-        else if (outputs && sheet_column_under(s, i) < 0)
+        else if (outputs && outputs[i].is_other)
             line_field(&s->l, "", width);
         else
             line_value(&s->l, outputs && outputs[i].has_value ? outputs[i].v.value : GSL_NAN,
@@ -254,17 +241,20 @@ static void put_values(sheet *s, fourlink_branch branch, const sheet_output *out
     line_put(&s->l, "\n");
 }
 
-void table_begin(sheet *s)
+void table_begin_values(sheet *s)
 {
-    if (s->content == SHEET_VALUES) {
-        put_value_heading(s, 0);
-        put_value_heading(s, 1);
-    }
-    if (s->content == SHEET_SCORES)
-        line_put(&s->l, "# %-28s  right     of  per cent%s  note\n", "name",
-                 s->has_roster ? "   late   total" : "");
-    if (s->content != SHEET_DESIGNS)
-        return;
+    put_value_heading(s, 0);
+    put_value_heading(s, 1);
+}
+
+void table_begin_scores(sheet *s)
+{
+    line_put(&s->l, "# %-28s  right     of  per cent%s  note\n", "name",
+             s->has_roster ? "   late   total" : "");
+}
+
+void table_begin_designs(sheet *s)
+{
     head_put_title(s);
     put_legend(s);
     put_heading(s, 0);
@@ -289,10 +279,6 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     unsigned long i;
 
     (void)why; /* an output without a value is nan */
-    if (s->content == SHEET_VALUES) {
-        put_values(s, branch, outputs);
-        return;
-    }
     line_value(&s->l, (double)s->design, ALL, 10);
     for (i = 0; i < s->n_variables; i++)
         line_value(&s->l, s->varied[i], digits, width_of(s->variables[i].name));
@@ -303,12 +289,19 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     line_put(&s->l, "\n");
 }
 
+void table_refuse_values(sheet *s, const char *why)
+{
+    table_put_values(s, (fourlink_branch)0, NULL, why);
+}
+
+void table_refuse_rows(sheet *s, const char *why)
+{
+    sheet_write_gap(s);
+    table_refuse(s, why);
+}
+
 void table_refuse(sheet *s, const char *why)
 {
-    if (s->content == SHEET_VALUES) {
-        put_values(s, (fourlink_branch)0, NULL);
-        return;
-    }
     if (!s->design) {
         sheet_write_gap(s);
         if (s->mark)
@@ -318,8 +311,6 @@ void table_refuse(sheet *s, const char *why)
         s->n_written++;
         return;
     }
-    if (s->content == SHEET_ROWS)
-        sheet_write_gap(s);
     table_put_design_comment(s);
     line_put(&s->l, "# %s\n", why);
 }
