@@ -62,6 +62,9 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
     text size = value, rest;
 
     *u = d->bare[q].unit;
+    if (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, that of the first */
+        value = size;
+    size = value;
     if (value.length && value.start[0] == '(')
         flk_text_split(&size, ')', &rest);
     else if (!flk_text_cut(value, " at ", &size, &rest))

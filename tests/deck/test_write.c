@@ -227,6 +227,23 @@ TEST(test_values_without_a_unit)
 }
 
 /* At 4 deg no number of mm is the very x of the point: it is written in m. */
+/* A point by steps, of which a part is set, is one pair. */
+TEST(test_points_by_steps)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n"
+        "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n";
+    char before[500], after[500];
+
+    snprintf(before, sizeof before, "%smass = 1 kg\ncg = (1, 2) mm + (3, 4) cm\n", deck);
+    snprintf(after, sizeof after, "%smass = 1 kg\ncg = (10, 42) mm\n", deck);
+    check_written(before, "rocker.cg.x = 0.01", after);
+    check_written(before, "rocker.cg.x = 10 mm", after);
+    snprintf(before, sizeof before, "%smass = 1 kg\ncg = 1 mm + (3, 4) cm\n", deck);
+    snprintf(after, sizeof after, "%smass = 1 kg\ncg = (10, 40) mm\n", deck);
+    check_written(before, "rocker.cg.x = 0.01", after);
+}
+
 TEST(test_exact_vectors)
 {
     int angle;
