@@ -53,7 +53,7 @@ record() {
         [ ! -f "$file" ] || grep -v "^{\"trial\":\"$trial\"," "$file"
         printf '{"trial":"%s","commit":"%s","date":"%s","run":"%s","machine":"%s","seconds":%d,"status":%d,"said":"%s"}\n' "$trial" \
             "$(git rev-parse --short=10 HEAD)" "$(date -u +%Y-%m-%d)" "$when" "$machine" "$seconds" "$status" \
-            "$(sed 's/[\\"]/\\&/g' "$said" | awk '{printf "%s%s", NR > 1 ? "\\n" : "", $0}')"
+            "$(sed 's/[\\"]/\\&/g' "$said" | awk '{printf "%s%s", (NR > 1 ? "\\n" : ""), $0}')"
     } | sort >"$work/runs"
     cp "$work/runs" "$file"
 }
