@@ -449,11 +449,12 @@ static int sort_of_statistic(int which, int is_near)
 /* 1 if statistics of a branch are determined: where friction locks a machine its forces are not, and a
 ** computed motion that
 ** runs into a dead position has the extremes of the last place that it reached. */
-static int is_determined(fourlink_results *r, fourlink_branch branch)
+static int is_determined(fourlink_results *r, fourlink_branch branch, int is_near)
 {
     double end;
 
-    return !was_locked && fourlink_results_end(r, branch, &end) == FOURLINK_OK;
+    return !was_locked && !(is_near && strstr(base_text, "[friction]")) &&
+           fourlink_results_end(r, branch, &end) == FOURLINK_OK;
 }
 
 static double statistic(const side *s, int j, fourlink_branch branch, int which, int *status)
@@ -473,6 +474,8 @@ static int has_statistics(const column *k, int which)
     ** knows. */
     if (strstr(base_text, "[friction]") && is_one_of(k->told->name, " Ts_static Ts_inertia "))
         return 0;
+    if (strcmp(k->told->name, "structural_error") == 0)
+        return 0; /* the ends of its range within the motion are not sought */
     return k->sort == PLAIN && !(k->told->flags & FOURLINK_CRANK_ANGLE) &&
            (k->q != QUANTITY_ANGLE || is_one_of(k->told->name, " mu gamma ")) &&
            !(present->has_own_time && k->q == QUANTITY_TIME) && which;
@@ -506,7 +509,7 @@ static void compare_statistics(const side *a, const side *b, fourlink_branch bra
     int some, which, status, told;
 
     is_near |= comes_to_rest(a, branch);
-    if (!present->is_exact && !is_determined(a->r, branch)) {
+    if (!present->is_exact && !is_determined(a->r, branch, is_near)) {
         present->undecided++;
         return;
     }
@@ -579,11 +582,14 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
         }
         scale = strcmp(facts[i].quantity, "mass") == 0           ? masses
                 : strcmp(facts[i].name, "efficiency_cycle") == 0 ? 1
+                : is_one_of(facts[i].name, " mu_max gamma_min gamma_max ")
+                    ? 1 / fmax(fabs(sin(expected)), 1e-9)        /* an arc cosine */
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 10 /* a quotient of differences */
                                                             : fabs(expected);
         if (!present->is_exact && strcmp(facts[i].quantity, "angle") == 0) {
             value = difference_of_angles(expected, value);
-            scale = ends_in(facts[i].name, "_from") || ends_in(facts[i].name, "_to") ||
+            scale = is_one_of(facts[i].name, " mu_max gamma_min gamma_max ") ? scale
+                    : ends_in(facts[i].name, "_from") || ends_in(facts[i].name, "_to") ||
                             ends_in(facts[i].name, "dead_centre")
                         ? 1e3
                         : 1;

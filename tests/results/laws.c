@@ -123,7 +123,7 @@ static void compare_parts(void)
         is_near |= was_locked;
         is_near |= compare_branch_rows(&whole, &part[1], one, one, part[0].rows - 1);
         for (some = 0;
-             some < SOME_COLUMNS && !has_failed && !is_near && is_determined(whole.r, one);
+             some < SOME_COLUMNS && !has_failed && !is_near && is_determined(whole.r, one, is_near);
              some++) {
             int j = one_of(whole.c.n);
 
@@ -166,7 +166,8 @@ static void compare_bounds(void)
         fourlink_branch one = (fourlink_branch)branch;
 
         is_near = compare_branch_rows(&s, &s, one, one, 0);
-        for (some = 0; some < 3 * SOME_COLUMNS && !has_failed && is_determined(s.r, one); some++) {
+        for (some = 0; some < 3 * SOME_COLUMNS && !has_failed && is_determined(s.r, one, is_near);
+             some++) {
             int j = one_of(s.c.n);
             double x[5], most, size;
             unsigned long i;
