@@ -231,8 +231,8 @@ typedef struct fourlink_turning fourlink_turning;
 **    are checked.
 ** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated here
 **    on the branches that the deck requests, and on the other branch when it is first requested.  Then each
-**    function on a branch can return FOURLINK_NO_MEMORY, and nothing else; it may be called again.  Several threads can call them at once, each with its own results.  No
-**    result depends on earlier calls.
+**    function on a branch can return FOURLINK_NO_MEMORY, and nothing else; it may be called again.  Several
+**    threads can call them at once, each with its own results.  No result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
@@ -553,7 +553,8 @@ FOURLINK_API int fourlink_results_rows(fourlink_results *results, fourlink_branc
 **    FOURLINK_NO_SUCH_ANGLE (rows by time), FOURLINK_BAD_BRANCH, FOURLINK_BAD_NUMBER, FOURLINK_NULL
 ** Note:
 **    Touching the value counts.  Jumping over it does not: at the edge of a load, through infinity, from 180
-**    to -180 deg.  Of a stretch in which the column keeps the value, the ends count.  If a revolution ends where it began, that angle is counted once.
+**    to -180 deg.  Of a stretch in which the column keeps the value, the ends count.  If a revolution ends
+**    where it began, that angle is counted once.
 */
 FOURLINK_API int fourlink_results_crossings(fourlink_results *results, const char *column,
                                             fourlink_branch branch, double value, unsigned long max,

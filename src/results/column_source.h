@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** column_source.h - where columns come from: the table, the points that every deck has, the deck's points, its springs.
+** column_source.h - where columns come from: the table, the points that every deck has, the deck's points,
+** its springs.
 */
 #ifndef FOURLINK_COLUMN_SOURCE_H
 #define FOURLINK_COLUMN_SOURCE_H
