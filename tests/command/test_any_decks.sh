@@ -7,7 +7,7 @@
 . "$(dirname "$0")/../harness.sh"
 n=${3-20}
 
-"$programs/random_decks" options | sort >known
+"$programs/random_decks" options | tr -d '\r' | sort >known # Windows ends lines with CR too
 "$fourlink" --help | grep -o ' --[a-z-]*[= ]' | tr -d ' =' | grep -vx -e '--help' -e '--version' | sort -u >options
 check_file options 'random_schema.h does not know all options, or more' cmp -s known options
 
