@@ -484,10 +484,10 @@ static int has_statistics(const column *k, int which)
 static int comes_to_rest(const side *s, fourlink_branch branch)
 {
     int j = find_column(&s->c, "omega2"), status;
+    double high = statistic(s, j, branch, FOURLINK_MAX, &status),
+           low = statistic(s, j, branch, FOURLINK_MIN, &status);
 
-    return statistic(s, j, branch, FOURLINK_MAX, &status) *
-               statistic(s, j, branch, FOURLINK_MIN, &status) <=
-           0;
+    return high * low <= 0 || fmin(fabs(high), fabs(low)) < 1e-6 * fmax(fabs(high), fabs(low));
 }
 
 /* 1 if a column of a quantity is unbounded: then those that cancel have its rounding error. */
