@@ -8,6 +8,7 @@
 # The environment: FOLDER, which is kept with the builds and logs; BUILD, a folder with all programs of the tests, built
 # anew without it; EVIDENCE, a file of results that gets a line for each trial (evidence.sh).  A trial that is skipped, or
 # takes longer than its limit, has failed.  Ends in a line "N passed, M failed", the trials.
+[ "${1-}" != check ] || unset FOLDER # that of a run of trials is theirs
 . "$(dirname "$0")/foreign.sh"
 tests=$source/tests
 list=$tests/trials.txt
