@@ -514,11 +514,13 @@ static int reverse_time(deck_lines *d)
     drop_sections(&base, SECTION_FRICTION);
     drop_what_knows_time();
     for (i = 0; i < base.n; i++) {
-        drop_key(&base.block[i], KEY_LOAD_BACK);
+        if (line_of(&base.block[i], KEY_LOAD_BACK))
+            base.block[i].section = SECTION_COUNT;
         drop_key(&base.block[i],
                  KEY_LOAD_FROM); /* in a row at an edge it matters where the crank comes from */
         drop_key(&base.block[i], KEY_LOAD_TO);
     }
+    drop_sections(&base, SECTION_COUNT);
     *d = base;
     set_motion(&base, from, to, speed, acceleration);
     set_motion(d, to, from, -end, acceleration);
