@@ -104,7 +104,7 @@ block() {
             if (!(name in run)) {put("- ", "**" what "** (`" name "`): no run on record"); next}
             $0 = run[name]
             what = "**" what "** (`" name "`" (member("run") == "night" ? "" : ", shortened") ", " member("date") ", " member("commit") \
-                ", " time(member("seconds")) (member("status") + 0 ? ", failed" : "") ")"
+                ", " time(member("seconds") + 0) (member("status") + 0 ? ", failed" : "") ")"
             n = split(with_commas(member("said")), said, "\n")
             if (n > 3) {
                 put("- ", what)

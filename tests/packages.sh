@@ -111,7 +111,7 @@ use() {
     check "$1: a caller with find_package" in_root target 'printf "%s\n" "cmake_minimum_required(VERSION 3.21)" "project(c C)" \
         "find_package(fourlink 0.3 REQUIRED)" "add_executable(c c90.c)" "target_link_libraries(c fourlink::fourlink m)" >CMakeLists.txt &&
         cmake -B b . && cmake --build b && b/c <me3491-matrix.deck'
-    check "$1: removed" in_root target 'apt-get purge -y fourlink libfourlink-dev libfourlink0.2'
+    check "$1: removed" in_root target 'apt-get purge -y fourlink libfourlink-dev "libfourlink0.*"'
     check "$1: no file is left" in_root target '! find / -xdev -path /root -prune -o -path /proc -prune -o -name "*fourlink*" -print | grep .'
     check "$1: dpkg knows no more of it" in_root target '! dpkg -l | grep fourlink && ! ldconfig -p | grep fourlink'
 }
