@@ -8,6 +8,8 @@
 # and points on all links, without reach, at rest; drawn.py proves their pictures (drawn_all).  Without the report's scripts and style.  After a change that is wanted, look at the pictures; with SET in the
 # environment the file is written anew.
 . "$(dirname "$0")/../harness.sh"
+LC_ALL=C.UTF-8 # a terminal's picture has its cells by the locale
+export LC_ALL
 expected=$pictures/same_pictures.txt
 found=$work/found
 kinds=$("$fourlink" --help | awk '/--plot-kind=KIND/ {on = 1; next} /^ +--/ {on = 0} on {print $1}')
