@@ -508,6 +508,7 @@ def table(tree, out, known):
         able = r['faults'] - r['no effect']
         print('%-10s %7d %6d %5d %9d %6d %5d %6.1f %%' % (folder, r['faults'], r['ctest'], r['long'], r['no effect'], r['known'],
                                                         r['left'], 100 * r['ctest'] / able if able else 100))
+    return 1 if rows['all']['left'] else 0
 
 
 if __name__ == '__main__':
@@ -521,6 +522,6 @@ if __name__ == '__main__':
     elif command == 'run':
         run(*arguments)
     elif command == 'table':
-        table(*arguments)
+        sys.exit(table(*arguments))
     else:
         sys.exit(__doc__)

@@ -43,9 +43,11 @@ fi
 } >"$work/log" 2>&1 || { tail "$work/log" && exit 1; }
 faults run "$work/build" "$work/list.json" "$work/out.json"
 [ -z "${LONG-}" ] || faults run "$work/build" "$work/list.json" "$work/out.json" long
-faults table "$source" "$work/out.json" "$source/tests/faults.txt"
+status=0
+faults table "$source" "$work/out.json" "$source/tests/faults.txt" || status=1
 # with SCRIPTS=N, N faults in scripts too; for Debian with nodejs and node-acorn
 if [ "${SCRIPTS-}" ]; then
     faults scripts "$work/tree" "$work/build" "$SCRIPTS" "$seed" "$work/scripts.json"
-    faults table "$source" "$work/scripts.json" "$source/tests/faults.txt"
+    faults table "$source" "$work/scripts.json" "$source/tests/faults.txt" || status=1
 fi
+exit $status

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** random_decks.c - writes random decks into a folder, each from its own number; the same of each compiler.
+** random_decks.c - writes random decks into a folder, each from its own number, but for `any`; the same of each compiler.
 **
 **    random_decks SORT N FOLDER [FIRST]
 **    random_decks options
 **
 ** SORT is `given`, motions that are given (random_deck.h), `machines`, of all kinds, `motors`, whose motion follows
 ** from what drives them (random_machine.h), or `any`, with keys of every section of the schema (random_schema.h).  The decks
-** are FOLDER/SORT-FIRST.deck and on.  Beside a deck of the sort `any` stand options for it, one a line, in .options, and the
+** are FOLDER/SORT-FIRST.deck and on.  Those of `any` depend on those before them in the run, so that all keys are drawn
+** as often: FIRST and N give them again.  Beside a deck of the sort `any` stand options for it, one a line, in .options, and the
 ** card that decks name; what was tried how often is printed.  `options` prints the options that it knows.
 */
 #include "random_schema.h"
