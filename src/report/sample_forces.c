@@ -4,7 +4,6 @@
 ** check by virtual work.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -12,7 +11,6 @@
 #include "report.h"
 #include "sample_friction.h"
 #include "sample_forces.h"
-#include "view/geometry.h"
 
 static double dot(fourlink_vector u, fourlink_vector v)
 {

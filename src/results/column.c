@@ -2,7 +2,6 @@
 **
 ** column.c - the columns of the tables: which a deck has, which it asks for, and their values.
 */
-#include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
