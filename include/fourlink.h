@@ -162,7 +162,8 @@ typedef struct fourlink_value {
     int has_angle;      /* 1: it belongs to a crank angle */
     double angle;       /* the crank angle, in the deck's unit */
     int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the same on both */
-    int flags;          /* of a column, FOURLINK_OF_CRANK ...; of a condition, FOURLINK_ABOVE ... */
+    int flags;          /* of a column, an extreme, a mean: FOURLINK_OF_CRANK ...; of a condition:
+                           FOURLINK_ABOVE ... */
     int handle;         /* for fourlink_results_get */
     const char
         *line_unit; /* of an input or a variable that is a number: the unit of its line, in which
@@ -170,10 +171,11 @@ typedef struct fourlink_value {
 } fourlink_value;
 
 enum {
-    FOURLINK_OF_CRANK = 1,    /* depends on the crank alone: has a value at every crank angle */
-    FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
-    FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
-    FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
+    FOURLINK_OF_CRANK = 1,     /* depends on the crank alone: has a value at every crank angle */
+    FOURLINK_CRANK_ANGLE = 2,  /* the crank angle itself, which has no extremes */
+    FOURLINK_OF_ROUNDING = 4,  /* a measure of rounding */
+    FOURLINK_OF_FORCES = 8,    /* needs the forces, or the engine method */
+    FOURLINK_FRICTIONLESS = 16 /* of the forces, has no friction of this motion in it */
 };
 
 /* Add one of these to the handle of a column to get the handle of its statistic. */

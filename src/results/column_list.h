@@ -22,11 +22,12 @@ typedef enum column_form {
     DIFFERENCE       /* of two */
 } column_form;
 
-/* Traits, besides FOURLINK_OF_CRANK, FOURLINK_CRANK_ANGLE and FOURLINK_OF_ROUNDING. */
+/* Traits, besides FOURLINK_OF_CRANK, FOURLINK_CRANK_ANGLE, FOURLINK_OF_ROUNDING and FOURLINK_FRICTIONLESS. */
 enum {
     OF_MOTION_ALONE = 0x1000, /* loads have no corners in it, though it needs forces */
     HAS_CORNERS = 0x2000,     /* it has corners, though it needs no forces */
-    COLUMN_FLAGS = FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING
+    COLUMN_FLAGS =
+        FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING | FOURLINK_FRICTIONLESS
 };
 
 /* The denominator of a column that is infinite where this is 0. */
@@ -92,8 +93,8 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     NEED_SERIES | NEED_ANGLES, 0, NULL, DIFFERENCE, SERIES(member), STATE(exact)
 #define OF_GAS NEED_GAS, 0, NULL, VALUE, offsetof(flk_row, at.gas_force), 0
 #define OF_ENGINE(member) NEED_ENGINE, 0, NULL, VALUE, offsetof(flk_row, engine.member), 0
-#define OF_LOSSES(member) \
-    NEED_FORCES | NEED_LOSSES, 0, NULL, VALUE, offsetof(flk_row, at.losses.member), 0
+#define OF_LOSSES(member, traits) \
+    NEED_FORCES | NEED_LOSSES, traits, NULL, VALUE, offsetof(flk_row, at.losses.member), 0
 #define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_ACTUAL(member, traits) \
     NEED_ACTUAL, traits, NULL, VALUE, offsetof(flk_row, actual.member), 0
@@ -137,7 +138,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 
 /* friction_A */
 #define PIN_FRICTION(X, P, i, kinds) \
-    X(friction_##P, TORQUE, kinds, OF_LOSSES(pin[i]), "moment of friction in the pin " #P, "")
+    X(friction_##P, TORQUE, kinds, OF_LOSSES(pin[i], 0), "moment of friction in the pin " #P, "")
 
 /* x_series, x_diff; x_harmonic */
 #define TERMS(X, x, q, exact, words, source)                                     \
@@ -252,15 +253,16 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     X(I24y, LENGTH, ALL, OF_MOTION(I24.y), "instantaneous centre of links 2 and 4, y", "")         \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, 0),                                              \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, FOURLINK_FRICTIONLESS),                          \
       "driving torque without inertia: of loads, weights and the friction that these cause", "")   \
     X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia, 0),                                            \
       "driving torque that inertia adds, friction included: Ts - Ts_static", "")                   \
     X(superposition, NUMBER, ALL, OF_SPLIT(superposition, FOURLINK_OF_ROUNDING),                   \
       "error of the sum of both parts, relative to the largest force", "")                         \
-    X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0), "driving torque without friction", "")             \
-    X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power), "power lost by friction", "")          \
-    X(efficiency, NUMBER, ALL | USUAL, OF_LOSSES(efficiency),                                      \
+    X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0, FOURLINK_FRICTIONLESS),                             \
+      "driving torque without friction", "")                                                       \
+    X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power, 0), "power lost by friction", "")       \
+    X(efficiency, NUMBER, ALL | USUAL, OF_LOSSES(efficiency, 0),                                   \
       "Ts0 / Ts if the crank drives, Ts / Ts0 if it is driven; 0: the load cannot drive", "")      \
     PIN_FRICTION(X, A, 0, ALL)                                                                     \
     PIN_FRICTION(X, B, 1, ALL)                                                                     \
@@ -270,9 +272,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     RUBBING(X, B, 1, ALL)                                                                          \
     RUBBING(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                      \
     RUBBING(X, D, 3, PINNED)                                                                       \
-    X(friction_guide, FORCE, STROKE | INVERTED, OF_LOSSES(guide),                                  \
+    X(friction_guide, FORCE, STROKE | INVERTED, OF_LOSSES(guide, 0),                               \
       "force of friction in the guide", "")                                                        \
-    X(friction_slot, FORCE, YOKE, OF_LOSSES(slot), "force of friction in the slot", "")            \
+    X(friction_slot, FORCE, YOKE, OF_LOSSES(slot, 0), "force of friction in the slot", "")         \
     X(Fs_primary, FORCE, SLIDER_CRANK, OF_BALANCE(primary),                                        \
       "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
     X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \

@@ -426,6 +426,7 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     v.name = flk_column_statistic_name(statistic, c, names);
     v.handle = flk_column_handle(c, statistic);
     v.branch = (int)branch;
+    v.flags = flk_column_flags(c);
     status = statistic == FLK_MAX || statistic == FLK_MIN
                  ? find_extreme(a, x, c, branch, statistic, all, &v)
                  : flk_mean_find(a, &x->room, c, branch, statistic, &v.value);

@@ -20,8 +20,15 @@ static double growth_of(const fourlink_state *state)
     return GSL_MAX_DBL(1, 1 / (CONDITION * fabs(state->sine)));
 }
 
-/* Pin forces, loads, weights, and mass times acceleration. */
-static double largest_force(const view *v, const fourlink_instant *now, const fourlink_load *loads)
+/* The deck's loads, with `all` of friction too, which comes last. */
+static unsigned long count_loads(const view *v, int all)
+{
+    return v->problem.n_loads - (all ? 0 : FOURLINK_FRICTION_LOADS);
+}
+
+/* Loads, weights, and mass times acceleration; with `all` pin forces and friction, too. */
+static double largest_force(const view *v, const fourlink_instant *now, const fourlink_load *loads,
+                            int all)
 {
     double largest = 0, x[9];
     fourlink_body body[5];
@@ -29,7 +36,7 @@ static double largest_force(const view *v, const fourlink_instant *now, const fo
     int i;
 
     fourlink_unknowns(v->mechanism, &now->forces, x);
-    for (i = 0; i < 8; i++)
+    for (i = 0; all && i < 8; i++)
         flk_scale_take(&largest, x[i]);
     fourlink_bodies(v->mechanism, &now->state, NULL, 0, body);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
@@ -39,13 +46,13 @@ static double largest_force(const view *v, const fourlink_instant *now, const fo
                        v->design->link[i].mass * gsl_hypot(b->acceleration.x, b->acceleration.y));
         flk_scale_take(&largest, gsl_hypot(b->weight.x, b->weight.y));
     }
-    for (k = 0; loads && k < v->problem.n_loads; k++)
+    for (k = 0; loads && k < count_loads(v, all); k++)
         flk_scale_take(&largest, gsl_hypot(loads[k].force.x, loads[k].force.y));
     return largest;
 }
 
-void view_find_sizes(const view *v, const fourlink_instant *now, const fourlink_load *loads,
-                     double sizes[QUANTITY_COUNT])
+static void find_sizes(const view *v, const fourlink_instant *now, const fourlink_load *loads,
+                       int all, double sizes[QUANTITY_COUNT])
 {
     flk_scale scale = {0, 0, 0, 0};
     double growth = growth_of(&now->state);
@@ -62,30 +69,45 @@ void view_find_sizes(const view *v, const fourlink_instant *now, const fourlink_
         flk_scale_take(&scale.acceleration, link->omega * link->omega);
     }
     if (v->problem.has_forces)
-        scale.force = largest_force(v, now, loads);
+        scale.force = largest_force(v, now, loads, all);
     for (i = 0; i < QUANTITY_COUNT; i++)
         sizes[i] = growth * flk_scale_of(&scale, (quantity)i);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER && v->problem.has_forces; i++)
         flk_scale_take(&sizes[QUANTITY_TORQUE],
                        v->design->link[i].inertia * now->state.link[i].alpha);
-    for (k = 0; loads && k < v->problem.n_loads; k++)
+    for (k = 0; loads && k < count_loads(v, all); k++)
         flk_scale_take(&sizes[QUANTITY_TORQUE], loads[k].torque);
     flk_scale_take(&sizes[QUANTITY_POWER], sizes[QUANTITY_TORQUE] * scale.speed);
+}
+
+void view_find_sizes(const view *v, const fourlink_instant *now, const fourlink_load *loads,
+                     double sizes[QUANTITY_COUNT])
+{
+    find_sizes(v, now, loads, 1, sizes);
+}
+
+/* The same for a column.  Beside a lock pin forces have no bound: they say nothing of the rounding error of a
+** column that has no friction in it. */
+static double size_of(const view *v, const fourlink_value *column, const fourlink_instant *now,
+                      const fourlink_load *loads)
+{
+    double sizes[QUANTITY_COUNT];
+    quantity q = flk_quantity_find(column->quantity);
+    int has_friction =
+        column->flags & FOURLINK_OF_FORCES && !(column->flags & FOURLINK_FRICTIONLESS);
+
+    find_sizes(v, now, loads, has_friction || !v->problem.has_friction, sizes);
+    return view_value(v, q, sizes[q]);
 }
 
 void view_settle_row(const view *v, const fourlink_instant *now, const fourlink_load *loads,
                      double *values)
 {
-    double sizes[QUANTITY_COUNT];
     unsigned long j;
 
-    view_find_sizes(v, now, loads, sizes);
-    for (j = 0; j < v->n_columns; j++) {
-        quantity q = flk_quantity_find(v->columns[j].quantity);
-
+    for (j = 0; j < v->n_columns; j++)
         if (!(v->columns[j].flags & (FOURLINK_OF_ROUNDING | FOURLINK_CRANK_ANGLE)))
-            values[j] = format_settled(values[j], view_value(v, q, sizes[q]));
-    }
+            values[j] = format_settled(values[j], size_of(v, &v->columns[j], now, loads));
 }
 
 double view_rounding(const view *v, const char *of, double omega)
@@ -111,15 +133,14 @@ double view_rounding(const view *v, const char *of, double omega)
 /* 1 if an extreme is rounding error beside the values of its row. */
 static int is_rounding(const view *v, const fourlink_value *x)
 {
-    double sizes[QUANTITY_COUNT];
-    quantity q = flk_quantity_find(x->quantity);
+    fourlink_load loads[VIEW_LOADS];
+    int is_few = v->problem.n_loads <= VIEW_LOADS;
     fourlink_instant now;
 
     if (!x->has_angle || fourlink_results_at(v->results, (fourlink_branch)x->branch, x->angle, NULL,
-                                             &now, NULL) != FOURLINK_OK)
+                                             &now, is_few ? loads : NULL) != FOURLINK_OK)
         return 0;
-    view_find_sizes(v, &now, NULL, sizes);
-    return format_settled(x->value, view_value(v, q, sizes[q])) == 0;
+    return format_settled(x->value, size_of(v, x, &now, is_few ? loads : NULL)) == 0;
 }
 
 fourlink_value view_settled(const view *v, const fourlink_value *extreme)

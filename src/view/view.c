@@ -40,14 +40,12 @@ static void stretch(view *v, const fourlink_vector *at)
     v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
 }
 
-#define REACH_LOADS 128 /* a drawing has fewer */
-
 /* Find how far a slotted lever reaches: to its points, loads and centre of mass on its axis; a yoke, to all
 ** along its guide. */
 static void find_reach(view *v)
 {
     const fourlink_link *lever = &v->design->link[FOURLINK_FOLLOWER];
-    fourlink_load loads[REACH_LOADS];
+    fourlink_load loads[VIEW_LOADS];
     fourlink_load_info info;
     fourlink_vector at;
     unsigned long i;
@@ -60,7 +58,7 @@ static void find_reach(view *v)
         if (link == FOURLINK_FOLLOWER)
             stretch(v, &at);
     }
-    if (v->problem.n_loads <= REACH_LOADS &&
+    if (v->problem.n_loads <= VIEW_LOADS &&
         fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
         for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++)
             if (info.sort == FOURLINK_LOAD_OWN && info.link == FOURLINK_FOLLOWER)

@@ -70,6 +70,8 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 
+#define VIEW_LOADS 128 /* a deck has fewer */
+
 /* rad: where the transmission angle is smaller, a dead position is near, whose forces set no scale. */
 #define VIEW_NEAR 0.2
 
