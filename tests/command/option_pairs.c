@@ -75,7 +75,7 @@ static const sample samples[] = {
     {"--design", "all", 0},
     {"--names", "class.csv", 0},
     {"--best", "max mu_min", 0},
-    {"--solve", "crank.length = 10 mm .. 30 mm where max(omega3) = 9 rad/s", 0},
+    {"--solve", "crank.length = 10 mm .. 30 mm where min(mu) = 64 deg", 0},
     {"--synthesis", NULL, 0},
     {"--solution", "2", 0}};
 
@@ -110,8 +110,8 @@ static const char *const outputs[][4] = {
     {"--form"},
     {"--print-deck"},
     {"--best=max mu_min"},
-    {"--solve=crank.length = 10 mm .. 30 mm where max(omega3) = 9 rad/s"},
-    {"--solve=crank.length = 10 mm .. 30 mm where max(omega3) = 9 rad/s", "--print-deck"},
+    {"--solve=crank.length = 10 mm .. 30 mm where min(mu) = 64 deg"},
+    {"--solve=crank.length = 10 mm .. 30 mm where min(mu) = 64 deg", "--print-deck"},
     {"--synthesis"},
     {"--synthesis", "--format=table"},
     {"--synthesis", "--summary"},
