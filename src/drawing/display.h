@@ -49,12 +49,21 @@ typedef enum display_sort {
 
 typedef enum display_align { DISPLAY_LEFT, DISPLAY_MIDDLE, DISPLAY_RIGHT } display_align;
 
+/* Where an item belongs: to the drawing; beside it, to its key or its values; below it, to its scales. */
+typedef enum display_part {
+    DISPLAY_DRAWING,
+    DISPLAY_KEY,
+    DISPLAY_NOTE,
+    DISPLAY_SCALE
+} display_part;
+
 /* What is drawn later lies in front. */
 enum { DISPLAY_BACK, DISPLAY_CURVES, DISPLAY_LINES, DISPLAY_FRONT, DISPLAY_LAYERS };
 
 typedef struct display_item {
     display_sort sort;
     int pen, layer;
+    display_part part;
     int in_box;      /* 1: places are fractions of the box, from its lower left corner */
     size_t first, n; /* its places */
     double dx, dy;   /* pixels to the right and down, from the place */

@@ -225,7 +225,8 @@ void follow_open(follow *f, const motion *m)
         for (i = 0; i < m->n_items; i++) {
             const motion_item *x = &m->items[i];
 
-            if (x->like.sort == DISPLAY_CURVE || round_of(&x->like, x->n) != round)
+            if (x->like.sort == DISPLAY_CURVE || x->like.part == DISPLAY_KEY ||
+                x->like.part == DISPLAY_NOTE || round_of(&x->like, x->n) != round)
                 continue;
             for (k = 0; k < x->n; k++)
                 f->number[x->first + k] = number_of(

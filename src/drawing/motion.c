@@ -65,11 +65,9 @@ static int has_same_name(const char *x, const char *y)
 }
 
 /* 1 if the words of an item may differ from step to step. */
-static int is_note(const display *d, const display_item *x)
+static int is_note(const display_item *x)
 {
-    const char *name = display_words(d, x->name);
-
-    return x->sort == DISPLAY_TEXT && (strcmp(name, "note") == 0 || strcmp(name, "scale") == 0);
+    return x->sort == DISPLAY_TEXT && (x->part == DISPLAY_NOTE || x->part == DISPLAY_SCALE);
 }
 
 #define SAME 0.01 /* pixels: radii */
@@ -87,8 +85,8 @@ static int is_same(const motion *m, const display_item *x, const display *d, con
            x->align == y->align && x->is_boxed == y->is_boxed && x->is_upright == y->is_upright &&
            (x->n == y->n || x->sort == DISPLAY_ARC || x->sort == DISPLAY_CURVE) &&
            strcmp(display_words(&m->kept, x->name), display_words(d, y->name)) == 0 &&
-           (is_note(d, y) ? has_same_name : is_equal)(display_words(&m->kept, x->words),
-                                                      display_words(d, y->words));
+           (is_note(y) ? has_same_name : is_equal)(display_words(&m->kept, x->words),
+                                                   display_words(d, y->words));
 }
 
 static size_t *words_at(const motion *m, size_t item, size_t step)

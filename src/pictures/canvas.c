@@ -204,8 +204,10 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
         line->sort = stroke ? DISPLAY_ARROW : DISPLAY_LINE;
         line->in_box = 1;
         line->name = kept;
+        line->part = DISPLAY_SCALE;
     }
-    put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, words);
+    put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, words)
+        ->part = DISPLAY_SCALE;
     return to + 4 * CANVAS_LETTER + canvas_width_of(words);
 }
 
@@ -217,7 +219,8 @@ void canvas_note(const canvas *c, int line, const char *format, ...)
     va_start(values, format);
     flk_message_list(words, sizeof words, format, values);
     va_end(values);
-    put_in_box(c, "note", 1, 1, 0.02 * c->box_width, line * CANVAS_LINE, DISPLAY_LEFT, words);
+    put_in_box(c, "note", 1, 1, 0.02 * c->box_width, line * CANVAS_LINE, DISPLAY_LEFT, words)
+        ->part = DISPLAY_NOTE;
 }
 
 /* ----------------------------------------------------------------------------------------------- key */
@@ -259,7 +262,9 @@ static void put_entry(const canvas *c, const canvas_entry *x, double dx, double 
     sample->dy = dy;
     sample->in_box = 1;
     sample->name = kept;
-    put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words);
+    sample->part = DISPLAY_KEY;
+    put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words)
+        ->part = DISPLAY_KEY;
 }
 
 static double width_of_entry(const canvas_entry *x)

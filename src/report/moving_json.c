@@ -193,11 +193,6 @@ static void put_gone(line *l, const motion *m, size_t item)
     line_put(l, n ? "]" : "");
 }
 
-static int has_name(const motion *m, const motion_item *x, const char *name)
-{
-    return strcmp(display_words(&m->kept, x->like.name), name) == 0;
-}
-
 /* 1 for a line that stands still: it is a part of a path. */
 static int is_still(const follow *f, size_t item)
 {
@@ -306,12 +301,6 @@ static size_t put_item(line *l, const follow *f, size_t item)
     return item;
 }
 
-/* 1 if an item stands beside the drawing, in the key or among the values. */
-static int is_beside(const motion *m, const motion_item *x)
-{
-    return has_name(m, x, "key") || has_name(m, x, "note");
-}
-
 static void put_items(line *l, const follow *f)
 {
     size_t i;
@@ -320,7 +309,8 @@ static void put_items(line *l, const follow *f)
     line_put(l, "\"items\":[");
     for (layer = 0; layer < DISPLAY_LAYERS; layer++)
         for (i = 0; i < f->m->n_items; i++)
-            if (f->m->items[i].like.layer == layer && !is_beside(f->m, &f->m->items[i])) {
+            if (f->m->items[i].like.layer == layer && f->m->items[i].like.part != DISPLAY_KEY &&
+                f->m->items[i].like.part != DISPLAY_NOTE) {
                 interactive_put_comma(l, &n);
                 i = put_item(l, f, i);
             }
@@ -339,7 +329,7 @@ static void put_key(line *l, const motion *m)
     for (i = 0; i < m->n_items; i++) {
         const motion_item *x = &m->items[i];
 
-        if (!has_name(m, x, "key"))
+        if (x->like.part != DISPLAY_KEY)
             continue;
         if (x->like.sort != DISPLAY_TEXT) {
             class_name = svg_class(&x->like, own);
@@ -360,7 +350,7 @@ static void put_notes(line *l, const motion *m)
 
     line_put(l, "\"notes\":[");
     for (i = 0; i < m->n_items; i++)
-        if (has_name(m, &m->items[i], "note")) {
+        if (m->items[i].like.part == DISPLAY_NOTE) {
             interactive_put_comma(l, &n);
             line_put(l, "{");
             put_all_words(l, m, i);
