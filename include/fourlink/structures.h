@@ -35,6 +35,20 @@ typedef struct fourlink_joint {
     int slider;         /* 0: a pin; otherwise the link that slides */
 } fourlink_joint;
 
+/* The outline of a link.
+**
+** bar      a line from its origin to its other pin
+** block    a rectangle around its origin, along its own x axis: a piston or a slider
+** lever    a bar with a slot, in which another link slides
+** yoke     a block with such a slot
+*/
+typedef enum fourlink_shape {
+    FOURLINK_SHAPE_BAR = 1,
+    FOURLINK_SHAPE_BLOCK,
+    FOURLINK_SHAPE_LEVER,
+    FOURLINK_SHAPE_YOKE
+} fourlink_shape;
+
 /* What a kind of mechanism consists of.  Arrays of links are by number; [0] is unused. */
 typedef struct fourlink_kind_facts {
     fourlink_kind kind;
@@ -42,10 +56,13 @@ typedef struct fourlink_kind_facts {
     const char *words;   /* in a sentence */
     const char *link[5]; /* ground, crank; coupler, rod or slider; rocker, piston, lever or yoke */
     int slides_on[5];    /* the link on which it slides; 0: it has only pins */
-    int has_stroke;      /* 1: link 4 is a piston or yoke, which slides on the ground */
-    int has_slot;        /* 1: link 4 is a lever or yoke, and link 3 slides on it */
     int has_one_branch;  /* 1: it has one assembly mode, the open branch */
     fourlink_joint joint[4]; /* in the order of the unknowns: the last is at the origin of link 4 */
+    fourlink_shape shape[5]; /* of the moving links */
+    int begins[5];           /* the number of the joint at the origin of a moving link */
+    int drawn[3];            /* the moving links, each in front of those before */
+    int guided;              /* the link in a guide on the ground: a piston or yoke; 0: none */
+    int slotted;             /* the link with a slot: a lever or yoke; 0: none */
 } fourlink_kind_facts;
 
 enum { FOURLINK_GROUND = 1, FOURLINK_CRANK = 2, FOURLINK_COUPLER = 3, FOURLINK_FOLLOWER = 4 };

@@ -47,10 +47,10 @@ static char *put_friction(char *deck, const fourlink_kind_facts *k)
             has_guide = 1;
         else
             deck += sprintf(deck, PIN("%s"), k->joint[i].letter, k->joint[i].letter);
-    if (k->has_slot && k->has_stroke)
+    if (k->shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_YOKE)
         deck += sprintf(deck, "slot = 0.1\n");
     if (has_guide)
-        deck += sprintf(deck, "guide = 0.1\n%s", k->has_slot ? "guide_length = 10 mm\n" : "");
+        deck += sprintf(deck, "guide = 0.1\n%s", k->slotted ? "guide_length = 10 mm\n" : "");
     return deck;
 }
 
@@ -62,20 +62,18 @@ static void put_deck(char *deck, int kind, const char *motion)
     int i;
 
     fourlink_kind_of(kind, &k);
-    deck += sprintf(deck, "mechanism = %s\n%s" CRANK, k.name, k.has_stroke ? "" : GROUND);
+    deck += sprintf(deck, "mechanism = %s\n%s" CRANK, k.name, k.guided ? "" : GROUND);
     for (i = FOURLINK_COUPLER; i <= FOURLINK_FOLLOWER; i++) {
-        int is_lever = k.has_slot && i == FOURLINK_FOLLOWER;
-
         deck += sprintf(deck,
-                        k.slides_on[i] ? BLOCK("%s")
-                        : is_lever     ? LEVER("%s")
-                                       : LINK("%s"),
+                        k.slides_on[i]   ? BLOCK("%s")
+                        : i == k.slotted ? LEVER("%s")
+                                         : LINK("%s"),
                         k.link[i]);
     }
     deck += sprintf(deck, "%s", elements);
-    if (!k.has_stroke && !k.has_slot)
+    if (k.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BAR)
         deck += sprintf(deck, "rocker = yes\n");
-    if (k.has_stroke)
+    if (k.guided)
         deck += sprintf(deck, "fraction = 0.5\n[gas]\nbore = 50 mm\npressure = 3 bar\n");
     if (motion == given)
         deck = put_friction(deck, &k);

@@ -388,6 +388,8 @@ const flk_kind flk_four_bar = {
         {"C", 3, 4, 3, 1, 0},
         {"D", 1, 4, 4, 0, 0},
     },
+    {0, 0, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BAR},
+    {3, 4, 2},
     four_bar_prepare,
     four_bar_reach,
     four_bar_position,

@@ -306,6 +306,8 @@ const flk_kind flk_inverted = {
         {"B", 3, 4, 3, 0, 3}, /* the slide */
         {"D", 1, 4, 4, 0, 0},
     },
+    {0, 0, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BLOCK, FOURLINK_SHAPE_LEVER},
+    {4, 3, 2},
     inverted_prepare,
     inverted_reach,
     inverted_position,

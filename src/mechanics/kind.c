@@ -83,6 +83,16 @@ int fourlink_slides(int kind, int link)
     return 0;
 }
 
+/* The joint at the origin of a moving link. */
+static int joint_of_origin(const flk_kind *kind, int link)
+{
+    int i = 0;
+
+    while (kind->joint[i].at != link || kind->joint[i].is_tip)
+        i++;
+    return i;
+}
+
 int fourlink_kind_of(int kind, fourlink_kind_facts *facts)
 {
     const flk_kind *found = flk_kind_of((fourlink_kind)kind);
@@ -98,11 +108,14 @@ int fourlink_kind_of(int kind, fourlink_kind_facts *facts)
     for (link = 0; link < 5; link++) {
         facts->link[link] = link ? found->link[link] : "";
         facts->slides_on[link] = fourlink_slides(kind, link);
+        facts->shape[link] = found->shape[link];
+        facts->begins[link] = link < FOURLINK_CRANK ? 0 : joint_of_origin(found, link);
     }
-    facts->has_stroke = facts->slides_on[FOURLINK_FOLLOWER] == FOURLINK_GROUND;
-    facts->has_slot = facts->slides_on[FOURLINK_COUPLER] == FOURLINK_FOLLOWER;
     facts->has_one_branch = found->has_one_branch;
     memcpy(facts->joint, found->joint, sizeof facts->joint);
+    memcpy(facts->drawn, found->drawn, sizeof facts->drawn);
+    facts->guided = facts->slides_on[FOURLINK_FOLLOWER] == FOURLINK_GROUND ? FOURLINK_FOLLOWER : 0;
+    facts->slotted = facts->slides_on[FOURLINK_COUPLER];
     return FOURLINK_OK;
 }
 

@@ -68,6 +68,8 @@ typedef struct flk_kind {
     fourlink_type first_type, last_type;
     double folded; /* rad, theta2 of the folded change point; half a turn from the stretched one */
     fourlink_joint joint[4]; /* in the order of the unknowns */
+    fourlink_shape shape[5]; /* of the moving links */
+    int drawn[3];            /* the moving links, each in front of those before */
     int (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
                  double *sine);

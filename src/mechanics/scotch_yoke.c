@@ -207,6 +207,8 @@ const flk_kind flk_scotch_yoke = {
         {"B", 3, 4, 3, 0, 3}, /* the slot */
         {"C", 1, 4, 4, 0, 4}, /* the guide */
     },
+    {0, 0, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BLOCK, FOURLINK_SHAPE_YOKE},
+    {4, 3, 2},
     yoke_prepare,
     yoke_reach,
     yoke_position,

@@ -281,6 +281,8 @@ const flk_kind flk_slider_crank = {
         {"C", 3, 4, 4, 0, 0},
         {"C", 1, 4, 4, 0, 4}, /* the guide */
     },
+    {0, 0, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BAR, FOURLINK_SHAPE_BLOCK},
+    {3, 4, 2},
     slider_crank_prepare,
     slider_crank_reach,
     slider_crank_position,

@@ -49,8 +49,8 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     pins.A = state->link[2].origin;
     pins.B = state->link[3].origin;
     pins.D = state->link[4].origin;
-    pins.C = p->v.kind.has_stroke ? pins.D : geometry_end(&p->v, state, FOURLINK_COUPLER);
-    if (p->v.kind.has_stroke)
+    pins.C = p->v.kind.guided ? pins.D : geometry_end(&p->v, state, FOURLINK_COUPLER);
+    if (p->v.kind.guided)
         pins.D.y = 0;
     return pins;
 }
@@ -94,7 +94,7 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
-    if (p->v.kind.has_slot) {
+    if (p->v.kind.slotted) {
         find_way(p, geometry_find_way, state->branch, margin, &from, &to);
         sketch_include(s, geometry_on_slide(state, from));
         sketch_include(s, geometry_on_slide(state, to));
@@ -139,12 +139,11 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch)
     const labels_motion *m = p->on.motion;
 
     sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], size_of(p, branch));
-    if (p->v.kind.has_slot)
+    if (p->v.kind.slotted)
         s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
                                OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
     if (m && m->phase == LABELS_MEASURE && place_is_empty(&m->drawn)) /* once is enough */
-        include_all(s, p, branch,
-                    p->v.kind.has_stroke || p->v.kind.has_slot ? 2 * figure_block(s) : 0);
+        include_all(s, p, branch, p->v.kind.guided || p->v.kind.slotted ? 2 * figure_block(s) : 0);
 }
 
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
@@ -152,7 +151,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     sketch_support(s, pins.A);
-    if (!p->v.kind.has_stroke) {
+    if (!p->v.kind.guided) {
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
@@ -223,26 +222,30 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
     put_reach(s, p, state, kind, from, to);
 }
 
-/* The crank is in front: of a block, and of a coupler in line with it. */
+/* Draw the line of a link from the joint where it begins to its other one: link 2 has joints 0 and 1. */
+static void put_bar(sketch *s, const picture *p, const fourlink_state *state, int link, pen kind)
+{
+    int from = p->v.kind.begins[link], to = 2 * link - 3 - from;
+
+    sketch_line(s, kind, geometry_joint(&p->v, state, from), geometry_joint(&p->v, state, to));
+}
+
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
-    pen crank = kind ? kind : PEN_CRANK, coupler = kind ? kind : PEN_COUPLER;
-    pen follower = kind ? kind : PEN_FOLLOWER;
-    figure_pins pins = figure_place(p, state);
+    int i;
 
-    if (p->v.kind.has_slot) {
-        figure_lever(s, p, state, follower);
-        if (p->v.kind.has_stroke)
-            figure_piston(s, follower, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
-        figure_piston(s, coupler, pins.B, &state->link[FOURLINK_COUPLER].axis);
-    } else {
-        sketch_line(s, coupler, pins.B, pins.C);
-        if (p->v.kind.has_stroke)
-            figure_piston(s, follower, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
-        else
-            sketch_line(s, follower, pins.D, pins.C);
+    for (i = 0; i < 3; i++) {
+        int link = p->v.kind.drawn[i];
+        const fourlink_link_state *x = &state->link[link];
+        pen own = kind ? kind : (pen)link;
+
+        if (p->v.kind.shape[link] == FOURLINK_SHAPE_BAR)
+            put_bar(s, p, state, link, own);
+        if (link == p->v.kind.slotted)
+            figure_lever(s, p, state, own);
+        if (p->v.kind.slides_on[link])
+            figure_piston(s, own, x->origin, &x->axis);
     }
-    sketch_line(s, crank, pins.A, pins.B);
 }
 
 /* Twice the area of the triangle o, p, q; above 0 if it is counter-clockwise. */
@@ -298,7 +301,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
         return;
     corners[n++] = state->link[link].origin;
     corners[n++] = geometry_end(&p->v, state, link);
-    if (!(p->v.kind.has_slot && link == FOURLINK_FOLLOWER && !is_off)) /* a lever goes that far */
+    if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
         put_hull(s, (pen)link, corners, n);
 }
 
@@ -319,7 +322,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         sketch_dot(s, at, tracks_name("P", i, "", own));
         sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
-    if (!p->v.kind.has_stroke)
+    if (!p->v.kind.guided)
         sketch_pin(s, pins.D, "D");
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->v.design->link[link].mass > 0)
@@ -327,9 +330,9 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
                           tracks_name("G", (unsigned long)link, "", own));
     sketch_pin(s, pins.A, "A");
     sketch_pin(s, pins.B, "B");
-    if (!p->v.kind.has_slot) /* C is B */
+    if (!p->v.kind.slotted) /* C is B */
         sketch_pin(s, pins.C, "C");
-    else if (p->v.kind.has_stroke)
+    else if (p->v.kind.guided)
         sketch_mark(s, pins.C, "C");
 }
 
@@ -356,37 +359,29 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
 static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
-    fourlink_vector below = place_beside(pins.C, 0, -1),
-                    from = p->v.kind.has_stroke ? below : pins.D;
+    fourlink_vector below = place_beside(pins.C, 0, -1), from = p->v.kind.guided ? below : pins.D;
     double beside = BESIDE * s->size;
 
     sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
     figure_letter(s, pins.B, pins.A, pins.A, "B");
-    if (!p->v.kind.has_slot || p->v.kind.has_stroke)
+    if (p->v.kind.shape[FOURLINK_FOLLOWER] != FOURLINK_SHAPE_LEVER)
         figure_letter(s, pins.C, from, from, "C");
-    if (!p->v.kind.has_stroke)
+    if (!p->v.kind.guided)
         sketch_text(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
 }
 
 static void put_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
+    fourlink_shape shape = p->v.kind.shape[FOURLINK_FOLLOWER];
+    fourlink_vector C = p->v.kind.slotted ? geometry_on_slide(state, geometry_root(&p->v)) : pins.C;
 
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
-    if (p->v.kind.has_slot) {
-        fourlink_vector C = geometry_on_slide(state, geometry_root(&p->v));
-
-        if (p->v.design->link[FOURLINK_FOLLOWER].length > 0 || p->v.kind.has_stroke)
-            figure_letter(s, C, pins.D, pins.B, "C");
-        if (!p->v.kind.has_stroke)
-            figure_letter(s, pins.D, pins.B, pins.B, "D");
-    } else if (p->v.kind.has_stroke) {
-        figure_letter(s, pins.C, pins.B, pins.B, "C");
-    } else {
-        figure_letter(s, pins.C, pins.B, pins.D, "C");
+    if (shape != FOURLINK_SHAPE_LEVER || p->v.design->link[FOURLINK_FOLLOWER].length > 0)
+        figure_letter(s, C, pins.B, shape == FOURLINK_SHAPE_BLOCK ? pins.B : pins.D, "C");
+    if (!p->v.kind.guided)
         figure_letter(s, pins.D, pins.C, pins.C, "D");
-    }
 }
 
 /* Put the angle of a link beside the drawing, in the deck's unit, and draw it: a ray along x, and an arc;
@@ -415,10 +410,10 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 
     put_angle(s, p, pins.A, FOURLINK_CRANK, fmod(state->link[2].theta, 2 * M_PI), 0.09,
               FIGURE_THETA SUB_2);
-    if (!p->v.kind.has_slot || p->v.design->angle != 0)
-        put_angle(s, p, p->v.kind.has_stroke && p->v.kind.has_slot ? pins.C : pins.B,
-                  FOURLINK_COUPLER, state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
-    if (!p->v.kind.has_stroke)
+    if (!p->v.kind.slotted || p->v.design->angle != 0)
+        put_angle(s, p, p->v.kind.guided && p->v.kind.slotted ? pins.C : pins.B, FOURLINK_COUPLER,
+                  state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
+    if (!p->v.kind.guided)
         put_angle(s, p, pins.D, FOURLINK_FOLLOWER, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
 }
 
@@ -581,7 +576,7 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch)
         return;
     if (p->on.is_bare && p->on.motion->phase != LABELS_KEEP && !p->on.motion->is_first)
         return;
-    if (!p->v.kind.has_slot && p->request->file != PLOT_TXT) /* in letters it hides the links */
+    if (!p->v.kind.slotted && p->request->file != PLOT_TXT) /* in letters it hides the links */
         put_path(s, p, branch, p->v.problem.n_points);
     for (i = 0; i < p->v.problem.n_points; i++)
         put_path(s, p, branch, i);

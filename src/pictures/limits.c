@@ -140,7 +140,7 @@ static void put_limits(picture *p, const fourlink_state *shown)
     if (limits.has_swing) {
         title = "limits of link 4";
         put_swing(&s, p, branch, &limits);
-    } else if (limits.has_stroke) {
+    } else if (limits.stroke > 0) {
         title = "dead centres";
         put_stroke(&s, p, branch, &limits);
     } else if (reach.n_ranges && reach.to[0] - reach.from[0] < 2 * M_PI * (1 - 1e-9)) {
@@ -165,12 +165,12 @@ static void put_transmission(sketch *s, const picture *p, const fourlink_state *
     figure_pins pins = figure_place(p, state);
     double radius = TRANSMISSION * s->size, rod, other, span;
 
-    if (p->v.kind.has_slot)
+    if (p->v.kind.slotted)
         return;
     rod = atan2(pins.B.y - pins.C.y, pins.B.x - pins.C.x);
-    other = p->v.kind.has_stroke ? M_PI_2 : atan2(pins.D.y - pins.C.y, pins.D.x - pins.C.x);
+    other = p->v.kind.guided ? M_PI_2 : atan2(pins.D.y - pins.C.y, pins.D.x - pins.C.x);
     span = flk_cycle_beside(other - rod, M_PI); /* the acute one */
-    if (p->v.kind.has_stroke)
+    if (p->v.kind.guided)
         sketch_line(s, PEN_CONSTRUCTION, pins.C, place_polar(pins.C, 1.5 * radius, rod + span));
     else if (cos(rod + span - other) < 0) /* beyond C */
         sketch_line(s, PEN_CONSTRUCTION, pins.C, place_polar(pins.C, -1.5 * radius, other));
@@ -210,10 +210,10 @@ static void put_centres(sketch *s, const picture *p, const fourlink_state *state
 
     /* a division by 0 is a centre at infinity */
     I13 = place_in(coupler->origin, coupler->k_origin, 0, 1 / coupler->k);
-    I24 = p->v.kind.has_stroke ? place_at(0, -follower->k_origin.x)
-                               : place_at(-d * follower->k / (1 - follower->k), 0);
-    put_centre(s, p, I_13, I13, pins.A, p->v.kind.has_stroke ? pins.C : pins.D);
-    put_centre(s, p, I_24, I24, pins.A, p->v.kind.has_slot ? pins.B : pins.C);
+    I24 = p->v.kind.guided ? place_at(0, -follower->k_origin.x)
+                           : place_at(-d * follower->k / (1 - follower->k), 0);
+    put_centre(s, p, I_13, I13, pins.A, p->v.kind.guided ? pins.C : pins.D);
+    put_centre(s, p, I_24, I24, pins.A, p->v.kind.slotted ? pins.B : pins.C);
 }
 
 const char *picture_limits(picture *p, fourlink_branch branch)
@@ -232,8 +232,8 @@ const char *picture_limits(picture *p, fourlink_branch branch)
     put_angle(&s, p, MU, now.state.mu);
     put_centres(&s, p, &now.state);
     sketch_note(&s, "I" SUB_1 SUB_2 " A, I" SUB_2 SUB_3 " B%s%s",
-                p->v.kind.has_slot ? "" : ", I" SUB_3 SUB_4 " C",
-                p->v.kind.has_stroke ? "" : ", I" SUB_1 SUB_4 " D");
+                p->v.kind.slotted ? "" : ", I" SUB_3 SUB_4 " C",
+                p->v.kind.guided ? "" : ", I" SUB_1 SUB_4 " D");
     figure_close(&s, p, &now, "");
     return NULL;
 }

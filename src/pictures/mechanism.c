@@ -183,7 +183,7 @@ static void draw_crank(sketch *s, const picture *p, const picture_row *r)
     fourlink_vector A = tracks_vector(&r->numbers, "A"), B = tracks_vector(&r->numbers, "B");
 
     sketch_support(s, A);
-    if (!p->v.kind.has_stroke)
+    if (!p->v.kind.guided)
         sketch_support(s, place_at(p->v.design->link[FOURLINK_GROUND].length, 0));
     sketch_line(s, PEN_CRANK, A, B);
     sketch_pin(s, A, "A");

@@ -95,15 +95,14 @@ static void lay_out(picture *p)
                 : p->request->lone_width > 0 ? p->request->lone_width
                                              : LONE_WIDTH; /* its titles need it */
     }
-    p->has_inset =
-        p->v.kind.has_stroke && p->v.design->link[FOURLINK_CRANK].length <
-                                    SMALL_CRANK * p->v.design->link[FOURLINK_COUPLER].length;
+    p->has_inset = p->v.kind.guided && p->v.design->link[FOURLINK_CRANK].length <
+                                           SMALL_CRANK * p->v.design->link[FOURLINK_COUPLER].length;
     if (p->request->kind == PLOT_KLEIN && p->has_inset)
         rows = 2;
     if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->v.kind.has_slot     ? 4
-                 : p->v.kind.has_stroke ? 5
-                                        : 6) +
+        rows = ((p->v.kind.slotted  ? 4
+                 : p->v.kind.guided ? 5
+                                    : 6) +
                 (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
                3;
     if (p->request->kind == PLOT_MECHANISM && !is_text) {
@@ -216,7 +215,7 @@ static const char *missing(const picture *p)
         return "this picture needs --synthesis and a [synthesis] with a function";
     if ((needs & PLOT_ACTUAL) && p->v.problem.mode == FOURLINK_MODE_GIVEN)
         return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
-    if ((needs & PLOT_STROKE) && !p->v.kind.has_stroke)
+    if ((needs & PLOT_STROKE) && p->v.kind.shape[FOURLINK_FOLLOWER] != FOURLINK_SHAPE_BLOCK)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
         p->v.n_columns > PICTURE_CURVES)

@@ -111,7 +111,7 @@ void size_find_insets(picture *p)
     p->n_insets = 0;
     if (p->v.design->link[FOURLINK_CRANK].length < size)
         p->insets[p->n_insets++] = FOURLINK_CRANK;
-    if (!p->v.kind.has_slot && !p->v.kind.has_stroke &&
+    if (p->v.kind.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BAR &&
         p->v.design->link[FOURLINK_FOLLOWER].length < size)
         p->insets[p->n_insets++] = FOURLINK_FOLLOWER;
 }

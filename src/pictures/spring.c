@@ -143,16 +143,6 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     sketch_text(s, place(&x, 0.5, end + 1), -x.axis.y, x.axis.x, name);
 }
 
-/* The pin of a torsional spring. */
-static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
-                              const fourlink_spring *spring)
-{
-    figure_pins pins = figure_place(p, state);
-    const char *letter = scene_pin_of(&p->v, spring);
-
-    return *letter == 'A' ? pins.A : *letter == 'B' ? pins.B : *letter == 'C' ? pins.C : pins.D;
-}
-
 /* The direction of a link from a pin; of the ground downwards. */
 static double direction_from(const picture *p, const fourlink_state *state, int link,
                              fourlink_vector pin)
@@ -167,7 +157,7 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
 static void draw_torsional(sketch *s, const picture *p, const fourlink_state *state,
                            const fourlink_spring *spring, const char *name)
 {
-    fourlink_vector pin = pin_of(p, state, spring);
+    fourlink_vector pin = geometry_joint(&p->v, state, scene_joint_of(spring));
     double from = direction_from(p, state, spring->to, pin);
     double span = direction_from(p, state, spring->link, pin) - from;
 

@@ -285,7 +285,7 @@ static fourlink_vector touch_of(const friction_circle *x, double scale, fourlink
 
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
 typedef struct free_body {
-    int link, is_slider;
+    int link;
     fourlink_vector first, second, G; /* its pins, and its centre of mass */
     double length;
     friction_circle circle[2]; /* of the pins */
@@ -330,8 +330,7 @@ static double length_of(const picture *p, const picture_row *r, const free_body 
 {
     double length = place_distance(b->first, b->second), near, far;
 
-    if ((p->on.motion || p->v.kind.has_stroke) && p->v.kind.has_slot &&
-        b->link == FOURLINK_FOLLOWER) {
+    if (b->link == p->v.kind.slotted && (p->on.motion || p->v.kind.guided)) {
         geometry_find_way(&p->v, r->now.branch, &near, &far);
         length = GSL_MAX_DBL(fabs(near), fabs(far));
     }
@@ -343,7 +342,6 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     const fourlink_joint *ends = &p->v.kind.joint[link - FOURLINK_CRANK];
 
     b->link = link;
-    b->is_slider = p->v.kind.slides_on[link];
     b->first = tracks_vector(&r->numbers, ends[0].letter);
     b->second = tracks_vector(&r->numbers, ends[1].letter);
     b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
@@ -377,9 +375,9 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 {
     unsigned long i;
 
-    if (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
+    if (b->link == p->v.kind.slotted)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
-    else if (b->is_slider)
+    else if (p->v.kind.slides_on[b->link])
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
@@ -392,7 +390,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         sketch_centre(s, b->G, "G");
     }
     draw_pin(s, p, b, 0);
-    if (!b->is_slider || (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER))
+    if (p->v.kind.shape[b->link] != FOURLINK_SHAPE_BLOCK)
         draw_pin(s, p, b, 1);
 }
 
@@ -417,7 +415,7 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 /* In a motion a body turns about its middle, a lever about its pin. */
 static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    if (p->on.motion && p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
+    if (p->on.motion && b->link == p->v.kind.slotted)
         sketch_hold(s, tracks_vector(&r->numbers, p->v.kind.joint[3].letter));
     else if (p->on.motion)
         sketch_hold(s, place_middle(b->first, b->second));

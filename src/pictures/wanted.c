@@ -45,7 +45,7 @@ static fourlink_vector put_function(sketch *s, const picture *p, const fourlink_
     fourlink_vector A = {0, 0}, D = {0, 0}, end;
 
     sketch_line(s, PEN_WANTED, A, place_polar(A, link[FOURLINK_CRANK].length, wanted->theta2));
-    if (p->v.kind.has_stroke)
+    if (p->v.kind.guided)
         return place_at(wanted->output, x->design.offset);
     D.x = link[FOURLINK_GROUND].length;
     end = place_polar(D, arm > 0 ? arm : p->v.lever_high, wanted->output);

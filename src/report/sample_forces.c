@@ -48,7 +48,7 @@ static void put_centre(report *r, math *m, const fourlink_body *b, int link)
 static void put_crank_pin(report *r, math *m)
 {
     const fourlink_vector *a = &r->now.state.link[3].acceleration;
-    int is_r = r->v.kind.has_stroke && !r->v.kind.has_slot;
+    int is_r = r->v.kind.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BLOCK;
 
     page_print(m->p, "<p>Pin B:</p>\n");
     math_let(m, "aBx",
@@ -74,7 +74,7 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
             continue;
         if (link == 3)
             put_crank_pin(r, m);
-        if (link == 4 && r->v.kind.has_stroke)
+        if (link == r->v.kind.guided)
             math_let(m, "aG4x", "aC", bodies[4].acceleration.x);
         else if (link == 3 && r->v.kind.has_one_branch) { /* it does not turn */
             math_let(m, "aG3x", "aBx", bodies[3].acceleration.x);
@@ -169,9 +169,9 @@ static void put_solution(report *r, math *m)
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
     math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]));
     math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]));
-    if (!r->v.kind.has_slot)
+    if (!r->v.kind.slotted)
         math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]));
-    if (!r->v.kind.has_stroke)
+    if (!r->v.kind.guided)
         math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]));
 }
 

@@ -95,9 +95,9 @@ static void put_loads_of_joint(report *r, const math *m, unsigned long joint)
             (load->torque == 0 && load->force.x == 0 && load->force.y == 0))
             continue;
         page_row(&r->page, "%s, on the %s|%.6g|%.6g|%.6g",
-                 load->torque != 0                          ? pins[joint].pin
-                 : r->v.kind.has_stroke && joint < PINS - 1 ? "slot"
-                                                            : "guide",
+                 load->torque != 0                      ? pins[joint].pin
+                 : r->v.kind.guided && joint < PINS - 1 ? "slot"
+                                                        : "guide",
                  r->v.kind.link[info.link], math_settled(m, load->force.x, MATH_N),
                  math_settled(m, load->force.y, MATH_N), math_settled(m, load->torque, MATH_NM));
     }
@@ -114,7 +114,7 @@ static void put_loads(report *r, const math *m)
     if (r->now.losses.slot > 0)
         page_print(p, "; the force of the slot acts at B");
     if (r->now.losses.guide > 0)
-        page_print(p, "; the force of the guide acts at %s", r->v.kind.has_stroke ? "C" : "B");
+        page_print(p, "; the force of the guide acts at %s", r->v.kind.guided ? "C" : "B");
     page_print(p, ":</p>\n");
     page_table_of(p, "facts friction", "Forces and moments of friction",
                   "Load|x (N)|y (N)|moment (N\302\267m)");
@@ -147,7 +147,7 @@ void sample_put_friction(report *r, math *m)
     if (friction.slot > 0)
         put_way(r, m, &in_yoke, friction.slot, friction.slot_length, r->now.losses.slot);
     if (friction.guide > 0)
-        put_way(r, m, r->v.kind.has_stroke ? &on_ground : &on_lever, friction.guide,
+        put_way(r, m, r->v.kind.guided ? &on_ground : &on_lever, friction.guide,
                 friction.guide_length, r->now.losses.guide);
     put_loads(r, m);
 }

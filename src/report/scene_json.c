@@ -50,17 +50,14 @@ void interactive_put_comma(line *l, int *n)
 static void put_link(line *l, const rows *t, int link)
 {
     const fourlink_joint *ends = &t->v.kind.joint[link - FOURLINK_CRANK];
-    int is_block = t->v.kind.slides_on[link], n = 0, on;
-    const char *shape = t->v.kind.has_slot && link == FOURLINK_FOLLOWER
-                            ? (is_block ? "yoke" : "lever")
-                        : is_block ? "block"
-                                   : "bar";
+    static const char *const shapes[] = {"", "bar", "block", "lever", "yoke"};
+    int n = 0, on;
     unsigned long i;
     char name[TRACKS_NAME];
 
     interactive_put(l, "{\"link\":%lu,\"name\":%q,\"shape\":%q,\"pins\":[%q", (unsigned long)link,
-                    t->v.kind.link[link], shape, ends[0].letter);
-    if (!is_block)
+                    t->v.kind.link[link], shapes[t->v.kind.shape[link]], ends[0].letter);
+    if (!t->v.kind.slides_on[link])
         interactive_put(l, ",%q", ends[1].letter);
     line_put(l, "],\"points\":[");
     for (i = 0; i < t->v.problem.n_points; i++) {

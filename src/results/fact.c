@@ -355,7 +355,7 @@ static void add_limits(listing *t)
         add_fact(t, FACT_SLIDE_MIN, limits.slide_min);
         add_fact(t, FACT_SLIDE_MAX, limits.slide_max);
     }
-    if (limits.has_stroke) {
+    if (limits.stroke > 0) {
         add_fact(t, FACT_STROKE, limits.stroke);
         add_fact(t, FACT_INNER_DEAD_CENTRE, limits.inner);
         add_fact(t, FACT_OUTER_DEAD_CENTRE, limits.outer);

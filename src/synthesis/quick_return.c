@@ -156,7 +156,7 @@ static int prepare(const quick_return *q, fourlink_solution *s)
     fourlink_type_of(&mechanism, &s->type);
     fourlink_limits_of(&mechanism, FOURLINK_OPEN, &limits);
     s->mu_min = limits.mu_min;
-    p[0].theta2 = limits.has_stroke  ? limits.inner
+    p[0].theta2 = limits.stroke > 0  ? limits.inner
                   : limits.has_swing ? limits.theta2_min
                                      : M_PI / (limits.time_ratio + 1);
     p[1].theta2 = p[0].theta2 + M_PI + q->alpha;

@@ -22,6 +22,13 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
     return geometry_of_link(state, link, &at);
 }
 
+fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int joint)
+{
+    const fourlink_joint *j = &v->kind.joint[joint];
+
+    return j->is_tip ? geometry_end(v, state, j->at) : state->link[j->at].origin;
+}
+
 /* Rod and crank are in one line,  x^2 + e^2 = (l - r)^2;  of a crank that does not turn fully the rod is across
 ** the stroke,  x^2 + (l - |e|)^2 = r^2.  At a change point the piston goes on to the other side. */
 static double outer_end(const fourlink_mechanism *m)
@@ -39,7 +46,7 @@ void geometry_find_guide(const view *v, fourlink_branch branch, double *near, do
     const fourlink_mechanism *m = v->mechanism;
     double sign = (double)branch, stroke = 2 * v->design->link[FOURLINK_CRANK].length;
 
-    *near = v->kind.has_slot ? m->dead_centre - stroke / fabs(m->slot.y) : sign * outer_end(m);
+    *near = v->kind.slotted ? m->dead_centre - stroke / fabs(m->slot.y) : sign * outer_end(m);
     *far = sign * m->dead_centre;
 }
 
@@ -51,7 +58,7 @@ void geometry_find_way(const view *v, fourlink_branch branch, double *near, doub
     double sum = a + v->design->link[FOURLINK_GROUND].length;
     double sign = (double)branch;
 
-    if (v->kind.has_stroke) {
+    if (v->kind.guided) {
         *near = (-a - e) / m->slot.y;
         *far = (a - e) / m->slot.y;
         return;

@@ -11,6 +11,9 @@
 /* The place of a point of a link or of the ground, given in the link's own axes. */
 fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at);
 
+/* The place of a joint, by its number in the kind. */
+fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int joint);
+
 /* A link's second pin. */
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link);
 

@@ -63,7 +63,14 @@ const scene_polygon *scene_polygons(const view *v)
         {VELOCITY, sliding, {{NULL, NULL}, {NULL, NULL}}, "", "v"},
         {ACCELERATION, without_turning, {{"o'", "b'"}, {NULL, NULL}}, "'", "a"}};
 
-    return !v->kind.has_slot ? of_rod : v->kind.has_stroke ? of_yoke : of_slider;
+    switch (v->kind.shape[FOURLINK_FOLLOWER]) {
+    case FOURLINK_SHAPE_LEVER:
+        return of_slider;
+    case FOURLINK_SHAPE_YOKE:
+        return of_yoke;
+    default:
+        return of_rod;
+    }
 }
 
 /* ------------------------------------------------------------------------------------------- springs */
@@ -78,17 +85,15 @@ int scene_has_coil(const fourlink_spring *spring)
     return spring->stiffness != 0 || !scene_has_damper(spring);
 }
 
-const char *scene_pin_of(const view *v, const fourlink_spring *spring)
+int scene_joint_of(const fourlink_spring *spring)
 {
-    static const int pins[5][5] = {
+    static const int joints[5][5] = {
         {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 3}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
 
-    return v->kind.joint[pins[spring->link][spring->to]].letter;
+    return joints[spring->link][spring->to];
 }
 
 /* ----------------------------------------------------------------------------------- forces, torques */
-
-enum { JOINT_C = 2, JOINT_D };
 
 /* Add an entry of the sort to a list; returns it. */
 static scene_force *add(scene_force *list, int *n, scene_sort sort, const char *name,
@@ -119,23 +124,38 @@ static void add_couple(scene *s, const char *name, const char *sub, const char *
     add(s->torques, &s->n_torques, SCENE_PIN, name, sub, of, sign, at, on);
 }
 
+/* 1 for the guide of a piston or yoke, on the ground. */
+static int is_guide(const fourlink_joint *j)
+{
+    return j->slider && j->from == FOURLINK_GROUND;
+}
+
+/* Add what one link of a joint exerts on the other, and of a slider the couple: F_12, the reaction F_21. */
+static void add_joint(scene *s, const fourlink_joint *j, int is_reaction)
+{
+    int by = is_reaction ? j->on : j->from, on = is_reaction ? j->from : j->on;
+    int sign = is_reaction ? -1 : 1;
+    unsigned long number = (unsigned long)(10 * j->from + j->on);
+    char sub[TRACKS_NAME], of[TRACKS_NAME];
+
+    if (on == FOURLINK_GROUND)
+        return;
+    tracks_name("", (unsigned long)(10 * by + on), "", sub);
+    add_pin(s, is_guide(j) ? "N" : "F", is_guide(j) ? "" : sub, tracks_name("F", number, "", of),
+            sign, j->letter, on);
+    if (j->slider)
+        add_couple(s, "M", sub, tracks_name("M", number, "", of), sign, j->letter, on);
+}
+
 static void add_pins(scene *s, const fourlink_kind_facts *kind)
 {
-    const char *C = kind->joint[JOINT_C].letter, *D = kind->joint[JOINT_D].letter;
+    int i;
 
-    add_pin(s, "F", "12", "F12", 1, "A", 2);
-    add_pin(s, "F", "32", "F23", -1, "B", 2);
-    add_pin(s, "F", "23", "F23", 1, "B", 3);
-    add_pin(s, "F", "43", "F34", -1, C, 3);
-    add_pin(s, "F", "34", "F34", 1, C, 4);
-    add_pin(s, kind->has_stroke ? "N" : "F", kind->has_stroke ? "" : "14", "F14", 1, D, 4);
-    add_couple(s, "T", "s", "Ts", 1, "A", 2);
-    if (kind->has_slot) {
-        add_couple(s, "M", "43", "M34", -1, "B", 3);
-        add_couple(s, "M", "34", "M34", 1, "B", 4);
+    add_couple(s, "T", "s", "Ts", 1, "A", FOURLINK_CRANK);
+    for (i = 0; i < 4; i++) {
+        add_joint(s, &kind->joint[i], 1);
+        add_joint(s, &kind->joint[i], 0);
     }
-    if (kind->has_stroke)
-        add_couple(s, "M", "14", "M14", 1, "C", 4);
 }
 
 static void add_bodies(scene *s, const fourlink_design *design)
@@ -157,26 +177,24 @@ static void add_bodies(scene *s, const fourlink_design *design)
     }
 }
 
-/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
-static int is_inner(const fourlink_kind_facts *kind, const fourlink_load_info *load)
+/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide.  `joint`: that
+** of friction, or null. */
+static int is_inner(const fourlink_load_info *load, const fourlink_joint *joint)
 {
-    if (load->sort == FOURLINK_LOAD_FRICTION)
-        return !(kind->has_stroke && load->element == JOINT_D);
-    return load->sort == FOURLINK_LOAD_SPRING;
+    return joint ? !is_guide(joint) : load->sort == FOURLINK_LOAD_SPRING;
 }
 
 /* Where the torque of a load is drawn: at the first pin of its link, that of a spring at the spring's. */
 static const char *place_of_torque(const view *v, const fourlink_load_info *load)
 {
-    static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
     fourlink_spring spring;
 
     if (load->sort == FOURLINK_LOAD_SPRING) {
         fourlink_deck_spring(v->deck, load->element, NULL, &spring);
         if (spring.is_torsional)
-            return scene_pin_of(v, &spring);
+            return v->kind.joint[scene_joint_of(&spring)].letter;
     }
-    return v->kind.joint[origins[load->link]].letter;
+    return v->kind.joint[v->kind.begins[load->link]].letter;
 }
 
 /* The friction of a slider on its lever is in F34. */
@@ -188,21 +206,22 @@ static void add_loads(scene *s, const view *v)
     unsigned long i;
 
     for (i = 0; fourlink_deck_load(v->deck, i, &load) == FOURLINK_OK; i++) {
-        int is_friction = load.sort == FOURLINK_LOAD_FRICTION;
+        const fourlink_joint *joint =
+            load.sort == FOURLINK_LOAD_FRICTION ? &v->kind.joint[load.element] : NULL;
 
         tracks_name("L", i, "", at);
         tracks_name("L", i, "F", of);
-        if (!(is_friction && v->kind.has_slot && load.element == JOINT_C)) {
+        if (!joint || !joint->slider || is_guide(joint)) {
             f = add(s->forces, &s->n_forces, SCENE_LOAD, load.name, "", of, 1, at, load.link);
-            f->is_inner = is_inner(&v->kind, &load);
+            f->is_inner = is_inner(&load, joint);
             f->load = load.sort;
         }
         tracks_name("L", i, "T", of);
         f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", of, 1,
                 place_of_torque(v, &load), load.link);
-        f->is_inner = is_friction || is_inner(&v->kind, &load);
+        f->is_inner = joint || is_inner(&load, joint);
         f->load = load.sort;
-        if (is_friction) {
+        if (joint) {
             static const char *const joints[] = {"A", "B", "C", "D"};
 
             f->name = "M";

@@ -80,8 +80,8 @@ char *scene_words(const scene_force *f, char *out, size_t size);
 int scene_has_coil(const fourlink_spring *spring);
 int scene_has_damper(const fourlink_spring *spring);
 
-/* The letter of the pin at which a torsional spring is: that of its links, or of the ground and one of
+/* The number of the joint at which a torsional spring is: that of its links, or of the ground and one of
 ** them. */
-const char *scene_pin_of(const view *v, const fourlink_spring *spring);
+int scene_joint_of(const fourlink_spring *spring);
 
 #endif

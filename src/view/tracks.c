@@ -109,17 +109,12 @@ static void put_points(tracks *t, const fourlink_state *state)
     char name[TRACKS_NAME];
     fourlink_vector at;
     unsigned long k;
-    int link;
+    int joint, link;
 
-    put_place(t, "A", zero);
-    put_place(t, "B", state->link[FOURLINK_COUPLER].origin);
-    if (t->v->kind.has_stroke)
-        put_place(t, "C", state->link[FOURLINK_FOLLOWER].origin);
-    else if (!t->v->kind.has_slot)
-        put_place(t, "C", geometry_end(t->v, state, FOURLINK_COUPLER));
-    if (!t->v->kind.has_stroke)
-        put_place(t, "D", state->link[FOURLINK_FOLLOWER].origin);
-    if (t->v->kind.has_slot)
+    for (joint = 0; joint < 4; joint++)
+        if (!tracks_get(t, t->v->kind.joint[joint].letter))
+            put_place(t, t->v->kind.joint[joint].letter, geometry_joint(t->v, state, joint));
+    if (t->v->kind.slotted)
         put_lever(t, state);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (t->v->design->link[link].mass > 0)
@@ -159,7 +154,7 @@ static void put_rod(tracks *t, const fourlink_state *state)
     put(t, "vC", QUANTITY_SPEED, v);
     put(t, "vCB", QUANTITY_SPEED, place_at(v.x - v_B->x, v.y - v_B->y));
     put_parts(t, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER], arm(t, state, FOURLINK_COUPLER));
-    if (t->v->kind.has_stroke)
+    if (t->v->kind.guided)
         put(t, "aC", QUANTITY_ACCELERATION, a);
     else
         put_parts(t, "aCn", "aCt", &state->link[FOURLINK_FOLLOWER],
@@ -177,7 +172,7 @@ static void put_sliding(tracks *t, const fourlink_state *state)
 
     put(t, "vB4", QUANTITY_SPEED, place_in(lever->velocity, r, 0, lever->omega));
     put(t, "vS", QUANTITY_SPEED, place_in(zero, *u, state->slide_v, 0));
-    if (t->v->kind.has_stroke) {
+    if (t->v->kind.guided) {
         put(t, "aB4", QUANTITY_ACCELERATION, lever->acceleration);
     } else {
         put_parts(t, "aB4n", "aB4t", lever, r);
@@ -230,11 +225,11 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
     put(t, "F23", QUANTITY_FORCE, place_at(f->F23x, f->F23y));
     put(t, "F34", QUANTITY_FORCE, place_at(f->F34x, f->F34y));
     put(t, "F14", QUANTITY_FORCE,
-        place_at(t->v->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
+        place_at(t->v->kind.guided ? 0 : f->F14x, f->F14y)); /* N without friction */
     put_number(t, "Ts", QUANTITY_TORQUE, view_driving_torque(t->v, f));
-    if (t->v->kind.has_slot)
+    if (t->v->kind.slotted)
         put_number(t, "M34", QUANTITY_TORQUE, f->M34);
-    if (t->v->kind.has_stroke)
+    if (t->v->kind.guided)
         put_number(t, "M14", QUANTITY_TORQUE, f->M14);
     put_inertia(t, &now->state);
     put_loads(t, &now->state, loads);
@@ -265,7 +260,7 @@ void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fo
     }
     tracks_find_places(t, v, state);
     put(t, "vB", QUANTITY_SPEED, state->link[FOURLINK_COUPLER].velocity);
-    if (v->kind.has_slot)
+    if (v->kind.slotted)
         put_sliding(t, state);
     else
         put_rod(t, state);

@@ -34,7 +34,7 @@ static void cut_end(view *v)
 
 static void stretch(view *v, const fourlink_vector *at)
 {
-    if (at->y != 0 && !v->kind.has_stroke)
+    if (at->y != 0 && v->kind.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_LEVER)
         return;
     v->lever_low = GSL_MIN_DBL(v->lever_low, at->x);
     v->lever_high = GSL_MAX_DBL(v->lever_high, at->x);
@@ -85,7 +85,7 @@ void view_take_design(view *v, fourlink_results *results)
         cut_end(v);
     v->range.n_rows = v->problem.n_rows;
     v->lever_low = v->lever_high = 0;
-    if (v->kind.has_slot)
+    if (v->kind.slotted)
         find_reach(v);
     fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
 }
@@ -194,7 +194,7 @@ static int is_clear(const view *v, const fourlink_state *state)
                           *rod = &state->link[FOURLINK_COUPLER].axis;
 
     return state->mu > CLEAR &&
-           (!v->kind.has_stroke || fabs(crank->x * rod->y - crank->y * rod->x) > sin(CLEAR));
+           (!v->kind.guided || fabs(crank->x * rod->y - crank->y * rod->x) > sin(CLEAR));
 }
 
 /* The number of the deck's own loads, and gas, that act; how many there are, and one that acts. */

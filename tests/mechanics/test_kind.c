@@ -63,10 +63,13 @@ TEST(test_facts)
     static const struct {
         int kind;
         const char *name, *letters, *bearings; /* of the joints; p: a pin, s: a slider */
-        int has_stroke, has_slot;
-    } cases[] = {{FOURLINK_FOUR_BAR, "four-bar", "ABCD", "pppp", 0, 0},
-                 {FOURLINK_SLIDER_CRANK, "slider-crank", "ABCC", "ppps", 1, 0},
-                 {FOURLINK_INVERTED_SLIDER_CRANK, "inverted-slider-crank", "ABBD", "ppsp", 0, 1}};
+        const char *shapes, *drawn; /* of the moving links: bar, piston or slider, lever, yoke */
+        int guided, slotted;
+    } cases[] = {{FOURLINK_FOUR_BAR, "four-bar", "ABCD", "pppp", "bbb", "342", 0, 0},
+                 {FOURLINK_SLIDER_CRANK, "slider-crank", "ABCC", "ppps", "bbp", "342", 4, 0},
+                 {FOURLINK_INVERTED_SLIDER_CRANK, "inverted-slider-crank", "ABBD", "ppsp", "bpl",
+                  "432", 0, 4},
+                 {FOURLINK_SCOTCH_YOKE, "scotch-yoke", "ABBC", "ppss", "bpy", "432", 4, 4}};
     static const int links[4][2] = {{1, 2}, {2, 3}, {3, 4}, {1, 4}};
     fourlink_kind_facts facts, before;
     size_t k;
@@ -80,12 +83,30 @@ TEST(test_facts)
         assert_int_equal(facts.kind, kind);
         assert_string_equal(facts.name, cases[k].name);
         assert_string_equal(facts.words, fourlink_kind_text(kind));
-        assert_int_equal(facts.has_stroke, cases[k].has_stroke);
-        assert_int_equal(facts.has_slot, cases[k].has_slot);
+        assert_int_equal(facts.guided, cases[k].guided);
+        assert_int_equal(facts.slotted, cases[k].slotted);
         assert_string_equal(facts.link[0], "");
         for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
             assert_string_equal(facts.link[i], fourlink_link_text(kind, i));
             assert_int_equal(facts.slides_on[i], fourlink_slides(kind, i));
+        }
+        for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+            const fourlink_joint *first = &facts.joint[facts.begins[i]];
+
+            assert_int_equal("?bply"[facts.shape[i]], cases[k].shapes[i - FOURLINK_CRANK]);
+            assert_int_equal('0' + facts.drawn[i - FOURLINK_CRANK],
+                             cases[k].drawn[i - FOURLINK_CRANK]);
+            assert_int_equal(first->at, i);
+            assert_false(first->is_tip);
+            assert_true(first->from == i || first->on == i);
+            /* what slides is drawn as a block, and what it slides on has the slot or is the ground */
+            assert_int_equal(facts.shape[i] == FOURLINK_SHAPE_BLOCK ||
+                                 facts.shape[i] == FOURLINK_SHAPE_YOKE,
+                             facts.slides_on[i] != 0);
+            assert_int_equal(facts.slides_on[i] == FOURLINK_GROUND, facts.guided == i);
+            assert_int_equal(facts.shape[i] == FOURLINK_SHAPE_LEVER ||
+                                 facts.shape[i] == FOURLINK_SHAPE_YOKE,
+                             facts.slotted == i);
         }
         for (i = 0; i < 4; i++) {
             const fourlink_joint *joint = &facts.joint[i];

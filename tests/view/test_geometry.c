@@ -77,12 +77,12 @@ static void check_ways(fourlink_branch branch)
         n++;
         B = at.link[3].origin;
         C = at.link[4].origin;
-        if (shown.kind.has_stroke) {
+        if (shown.kind.guided) {
             assert_near(C.y, shown.design->offset, 1e-12 * size);
             x_low = fmin(x_low, C.x);
             x_high = fmax(x_high, C.x);
         }
-        if (shown.kind.has_slot) {
+        if (shown.kind.slotted) {
             fourlink_vector u = at.link[3].axis, foot = place_in(B, u, -at.s, 0);
 
             /* s is from the foot of the perpendicular from D, or from C */
@@ -92,15 +92,15 @@ static void check_ways(fourlink_branch branch)
             s_high = fmax(s_high, at.s);
         }
     }
-    if (n && shown.kind.has_stroke) {
+    if (n && shown.kind.guided) {
         geometry_find_guide(&shown, branch, &near, &far);
         check_way("guide", near, far, x_low, x_high,
-                  size / fabs(shown.kind.has_slot ? shown.mechanism->slot.y : 1), n == SAMPLES);
+                  size / fabs(shown.kind.slotted ? shown.mechanism->slot.y : 1), n == SAMPLES);
     }
-    if (n && shown.kind.has_slot) {
+    if (n && shown.kind.slotted) {
         geometry_find_way(&shown, branch, &near, &far);
         check_way("slide", near, far, s_low, s_high,
-                  size / fabs(shown.kind.has_stroke ? shown.mechanism->slot.y : 1), n == SAMPLES);
+                  size / fabs(shown.kind.guided ? shown.mechanism->slot.y : 1), n == SAMPLES);
     }
 }
 

@@ -224,7 +224,7 @@ static void check_slot(const fourlink_instant *now, double v, double a)
 
     same("vB = vB4 + vS", plus(at_now("vB4"), vS), at_now("vB"), v);
     none("vS across the slide", cross(vS, now->state.link[3].axis), v);
-    if (shown.kind.has_stroke) {
+    if (shown.kind.guided) {
         same("vB4", at_now("vB4"), rate("C"), v);
         same("aB4", at_now("aB4"), rate("vB4"), a); /* it does not turn */
         sum = plus(at_now("aB4"), at_now("aS"));
@@ -252,7 +252,7 @@ static void check_rod(double v, double a)
     check_point("C", v, a);
     same("vCB", at_now("vCB"), minus(rate("C"), rate("B")), v);
     check_parts("aCBn", "aCBt", minus(C, B), rate("vCB"), a);
-    if (shown.kind.has_stroke)
+    if (shown.kind.guided)
         assert_non_null(tracks_get(&around[NOW], "aC"));
     else
         check_parts("aCn", "aCt", minus(C, at_now("D")), rate("vC"), a);
@@ -282,7 +282,7 @@ static void check_motion(const fourlink_instant *now)
     same("A", at_now("A"), place_at(0, 0), 0);
     check_point("B", v, a);
     check_parts("aBn", "aBt", minus(at_now("B"), at_now("A")), rate("vB"), a);
-    if (shown.kind.has_slot)
+    if (shown.kind.slotted)
         check_slot(now, v, a);
     else
         check_rod(v, a);
@@ -377,7 +377,7 @@ static double lever_low, lever_high;
 
 static void reach(const fourlink_vector *at)
 {
-    if (at->y != 0 && !shown.kind.has_stroke)
+    if (at->y != 0 && !shown.kind.guided)
         return;
     lever_low = fmin(lever_low, at->x);
     lever_high = fmax(lever_high, at->x);
@@ -392,7 +392,7 @@ static void check_lever(const tracks *t, const fourlink_load *loads)
     int link;
 
     lever_low = lever_high = 0;
-    if (!shown.kind.has_slot)
+    if (!shown.kind.slotted)
         return;
     if (lever->mass > 0)
         reach(&lever->cg);
@@ -405,7 +405,7 @@ static void check_lever(const tracks *t, const fourlink_load *loads)
     assert_near(shown.lever_low, lever_low, 0);
     assert_near(shown.lever_high, lever_high, 0);
     /* the pin of the lever is on the line of its ends */
-    pin = get(t, shown.kind.has_stroke ? "C" : "D");
+    pin = get(t, shown.kind.guided ? "C" : "D");
     ends = minus(get(t, "E2"), get(t, "E1"));
     none("length of the lever", size_of(ends) - (lever_high - lever_low), 1e-6 * lever_high);
     same("pin of the lever",
@@ -497,7 +497,7 @@ TEST(pins_of_torsional_springs)
         assert_int_equal(fourlink_kind_of(kinds[known[i].machine], &shown.kind), FOURLINK_OK);
         spring.link = known[i].link;
         spring.to = known[i].to;
-        assert_string_equal(scene_pin_of(&shown, &spring), known[i].pin);
+        assert_string_equal(shown.kind.joint[scene_joint_of(&spring)].letter, known[i].pin);
     }
 }
 
