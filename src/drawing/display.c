@@ -118,6 +118,24 @@ const char *display_words(const display *d, size_t offset)
     return offset < d->n_words ? d->words + offset : "";
 }
 
+const char *display_text_of(const display *d, const display_item *x, char out[DISPLAY_WORDS])
+{
+    const char *words = display_words(d, x->words);
+
+    return x->value || x->unit
+               ? flk_text_join(out, DISPLAY_WORDS, words, display_words(d, x->value),
+                               display_words(d, x->unit), (char *)NULL)
+               : words;
+}
+
+void display_set(display *d, display_item *x, unsigned long key, const char *value,
+                 const char *unit)
+{
+    x->key = key;
+    x->value = display_keep(d, value);
+    x->unit = display_keep(d, unit);
+}
+
 display_item *display_add(display *d, display_sort sort, int stroke, int layer)
 {
     display_item *list = grow(d->items, &d->items_capacity, d->n_items, 1, sizeof *d->items);

@@ -76,9 +76,11 @@ typedef struct display_item {
     int is_open; /* of a disc or a mark: white; of an arrow: its head is never shorter than this; of an
                     area: a polygon already */
     display_align align;
-    int is_boxed;       /* 1: a text on a white ground */
-    int is_upright;     /* 1: a text that runs upwards */
-    size_t words, name; /* offsets of texts; 0: "" */
+    int is_boxed;              /* 1: a text on a white ground */
+    int is_upright;            /* 1: a text that runs upwards */
+    size_t words, value, unit; /* of a text, one behind the other: offsets; 0: "" */
+    size_t name;               /* in the file: an offset */
+    unsigned long key;         /* what it shows: the same at all steps of a motion */
 } display_item;
 
 typedef struct display_panel {
@@ -119,6 +121,14 @@ void display_drop_panel(display *d);
 /* Keep a text; returns its offset. */
 size_t display_keep(display *d, const char *words);
 const char *display_words(const display *d, size_t offset);
+
+/* The words of a text, its value and its unit. */
+enum { DISPLAY_WORDS = 300 }; /* of one that has a value */
+const char *display_text_of(const display *d, const display_item *x, char out[DISPLAY_WORDS]);
+
+/* Say what an item shows, and put a value and its unit behind its words. */
+void display_set(display *d, display_item *x, unsigned long key, const char *value,
+                 const char *unit);
 
 /* Add an item to the panel; a dummy when out of memory. */
 display_item *display_add(display *d, display_sort sort, int stroke, int layer);

@@ -23,7 +23,7 @@ void motion_close(motion *m)
     free(m->items);
     free(m->tracks);
     free(m->curves);
-    free(m->words);
+    free(m->values);
     display_close(&m->kept);
     memset(m, 0, sizeof *m);
 }
@@ -47,63 +47,41 @@ static void *grow(void *list, size_t *capacity, size_t n, size_t size)
 
 /* ----------------------------------------------------------------------------------------- the same */
 
-#define EQUALS " = "
-
-const char *motion_value(const char *words)
-{
-    const char *equals = strstr(words, EQUALS);
-
-    return equals ? equals + strlen(EQUALS) : words;
-}
-
-/* 1 if two texts have the same words but for their values. */
-static int has_same_name(const char *x, const char *y)
-{
-    size_t n = (size_t)(motion_value(x) - x);
-
-    return n == (size_t)(motion_value(y) - y) && strncmp(x, y, n) == 0;
-}
-
-/* 1 if the words of an item may differ from step to step. */
-static int is_note(const display_item *x)
-{
-    return x->sort == DISPLAY_TEXT && (x->part == DISPLAY_NOTE || x->part == DISPLAY_SCALE);
-}
-
 #define SAME 0.01 /* pixels: radii */
 
-static int is_equal(const char *x, const char *y)
+static int is_same(const display_item *x, const display_item *y)
 {
-    return strcmp(x, y) == 0;
-}
-
-static int is_same(const motion *m, const display_item *x, const display *d, const display_item *y)
-{
-    return x->sort == y->sort && x->pen == y->pen && x->layer == y->layer &&
-           x->is_open == y->is_open && fabs(x->size - y->size) < SAME &&
+    return x->key == y->key && x->part == y->part && x->sort == y->sort && x->pen == y->pen &&
+           x->layer == y->layer && x->is_open == y->is_open && fabs(x->size - y->size) < SAME &&
            fabs(x->radius[0] - y->radius[0]) < SAME && fabs(x->radius[1] - y->radius[1]) < SAME &&
            x->align == y->align && x->is_boxed == y->is_boxed && x->is_upright == y->is_upright &&
-           (x->n == y->n || x->sort == DISPLAY_ARC || x->sort == DISPLAY_CURVE) &&
-           strcmp(display_words(&m->kept, x->name), display_words(d, y->name)) == 0 &&
-           (is_note(y) ? has_same_name : is_equal)(display_words(&m->kept, x->words),
-                                                   display_words(d, y->words));
+           (x->n == y->n || x->sort == DISPLAY_ARC || x->sort == DISPLAY_CURVE);
 }
 
-static size_t *words_at(const motion *m, size_t item, size_t step)
+static motion_value *value_at(const motion *m, size_t item, size_t step)
 {
-    return &m->words[m->items[item].row * m->n_steps + step];
+    return &m->values[m->items[item].row * m->n_steps + step];
+}
+
+const motion_value *motion_value_at(const motion *m, size_t item, size_t step)
+{
+    return value_at(m, item, step);
+}
+
+int motion_has(const motion *m, size_t item, size_t step)
+{
+    return value_at(m, item, step)->value != MOTION_NONE;
 }
 
 /* The item that an item of a step continues, one that does not yet have this step: the first behind the
 ** last one found, or the first of all; the number of items if it is new. */
-static size_t find(const motion *m, size_t from, size_t step, const display *d,
-                   const display_item *x)
+static size_t find(const motion *m, size_t from, size_t step, const display_item *x)
 {
     size_t k, i;
 
     for (k = 0; k < m->n_items; k++) {
         i = (from + k) % m->n_items;
-        if (*words_at(m, i, step) == MOTION_NONE && is_same(m, &m->items[i].like, d, x))
+        if (!motion_has(m, i, step) && is_same(&m->items[i].like, x))
             return i;
     }
     return m->n_items;
@@ -148,28 +126,30 @@ static int keep_curve(motion *m, const display *d, const display_item *x)
 static int insert(motion *m, size_t at, const display *d, const display_item *x)
 {
     motion_item *items = grow(m->items, &m->items_capacity, m->n_items + 1, sizeof *m->items);
-    size_t *words =
-        grow(m->words, &m->words_capacity, (m->n_items + 1) * m->n_steps, sizeof *m->words);
+    motion_value *values =
+        grow(m->values, &m->values_capacity, (m->n_items + 1) * m->n_steps, sizeof *m->values);
     int is_curve = x->sort == DISPLAY_CURVE;
     motion_item new;
     size_t i;
 
     m->items = items ? items : m->items;
-    m->words = words ? words : m->words;
+    m->values = values ? values : m->values;
     new.like = *x;
     new.like.words = display_keep(&m->kept, display_words(d, x->words));
+    new.like.value = display_keep(&m->kept, display_words(d, x->value));
+    new.like.unit = display_keep(&m->kept, display_words(d, x->unit));
     new.like.name = display_keep(&m->kept, display_words(d, x->name));
     new.first = is_curve ? m->n_curves : m->n_tracks;
     new.n = is_curve ? x->n : tracks_of(x);
-    new.varies = 0;
-    if (!items || !words || memory_has_failed() ||
+    new.varies = new.unit_varies = 0;
+    if (!items || !values || memory_has_failed() ||
         !(is_curve ? keep_curve(m, d, x) : reserve_tracks(m, new.n)))
         return 0;
     memmove(items + at + 1, items + at, (m->n_items - at) * sizeof *items);
     new.row = m->n_items++;
     items[at] = new;
     for (i = 0; i < m->n_steps; i++)
-        *words_at(m, at, i) = is_curve ? new.like.words : MOTION_NONE;
+        value_at(m, at, i)->value = value_at(m, at, i)->unit = is_curve ? 0 : MOTION_NONE;
     return 1;
 }
 
@@ -194,37 +174,43 @@ static void put_places(motion *m, const motion_item *to, size_t step, const disp
     }
 }
 
+/* Keep a text of a step, which may be the one that the item had before. */
+static size_t keep(motion *m, size_t before, const display *d, size_t words)
+{
+    const char *now = display_words(d, words);
+
+    return strcmp(now, display_words(&m->kept, before)) == 0 ? before : display_keep(&m->kept, now);
+}
+
+static void put_value(motion *m, motion_item *to, size_t step, const display *d,
+                      const display_item *x)
+{
+    motion_value *all = &m->values[to->row * m->n_steps], *new = &all[step];
+    int has_last = step > 0 && all[step - 1].value != MOTION_NONE;
+
+    new->value = keep(m, has_last ? all[step - 1].value : to->like.value, d, x->value);
+    new->unit = keep(m, to->like.unit, d, x->unit);
+    to->varies |= new->value != to->like.value;
+    to->unit_varies |= new->unit != to->like.unit;
+}
+
 void motion_add(motion *m, size_t step, const display *d)
 {
     size_t from = 0, i, at;
 
     for (i = 0; i < d->n_items && !memory_has_failed(); i++) {
         const display_item *x = &d->items[i];
-        motion_item *to;
 
-        at = find(m, from, step, d, x);
+        at = find(m, from, step, x);
         if (at == m->n_items) {
             at = from;
             if (!insert(m, at, d, x))
                 return;
         }
-        to = &m->items[at];
         if (x->sort != DISPLAY_CURVE) {
-            int is_new =
-                strcmp(display_words(&m->kept, to->like.words), display_words(d, x->words)) != 0;
-
-            to->varies |= is_new;
-            *words_at(m, at, step) =
-                is_new ? display_keep(&m->kept, display_words(d, x->words)) : to->like.words;
-            put_places(m, to, step, d, x);
+            put_value(m, &m->items[at], step, d, x);
+            put_places(m, &m->items[at], step, d, x);
         }
         from = at + 1;
     }
-}
-
-const char *motion_words(const motion *m, size_t item, size_t step)
-{
-    size_t at = *words_at(m, item, step);
-
-    return at == MOTION_NONE ? NULL : display_words(&m->kept, at);
 }

@@ -13,9 +13,17 @@
 typedef struct motion_item {
     display_item like; /* in words and names, offsets of the motion's; its places are not used */
     size_t first, n;   /* of its tracks; of a curve, of its places */
-    size_t row;        /* of its words */
-    int varies;        /* 1: they are not the same at all steps */
+    size_t row;        /* of its values */
+    int varies;        /* 1: its value is not the same at all steps */
+    int unit_varies;   /* 1: nor is its unit */
 } motion_item;
+
+/* What an item shows at a step: offsets of texts; MOTION_NONE: it is not there. */
+typedef struct motion_value {
+    size_t value, unit;
+} motion_value;
+
+#define MOTION_NONE ((size_t)-1)
 
 typedef struct motion {
     size_t n_steps;
@@ -25,24 +33,20 @@ typedef struct motion {
     size_t n_tracks, tracks_capacity;
     fourlink_vector *curves;
     size_t n_curves, curves_capacity;
-    size_t *words; /* by row and step: an offset of words; MOTION_NONE: the item is not there */
-    size_t words_capacity;
-    display kept; /* the words */
+    motion_value *values; /* by row and step */
+    size_t values_capacity;
+    display kept; /* the texts */
 } motion;
-
-/* What may differ in the words of a note or a scale: what is behind its equals sign, or all. */
-const char *motion_value(const char *words);
-
-#define MOTION_NONE ((size_t)-1)
 
 void motion_open(motion *m, size_t n_steps);
 void motion_close(motion *m);
 
-/* Add the panel of a display list as one step.  An item that has the same sort, look, name and words as one
-** of the steps before continues it; the words of notes may differ. */
+/* Add the panel of a display list as one step.  An item that has the same key, sort and look as one of the
+** steps before continues it; it has the same words, but its value and its unit may differ. */
 void motion_add(motion *m, size_t step, const display *d);
 
-/* The words of an item at a step; null if it is not there. */
-const char *motion_words(const motion *m, size_t item, size_t step);
+/* 1 if an item is there at a step; the value that it shows. */
+int motion_has(const motion *m, size_t item, size_t step);
+const motion_value *motion_value_at(const motion *m, size_t item, size_t step);
 
 #endif

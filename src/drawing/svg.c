@@ -226,7 +226,7 @@ static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anch
 static void put_text(FILE *out, const display *d, const display_item *x)
 {
     fourlink_vector at = d->places[x->first];
-    char class_name[30];
+    char class_name[30], words[DISPLAY_WORDS];
 
     fputs("<text x=\"", out);
     put_number(out, at.x);
@@ -242,7 +242,7 @@ static void put_text(FILE *out, const display *d, const display_item *x)
         put_class(out, d, x, svg_class(x, class_name));
     fputs(anchors[x->align], out);
     putc('>', out);
-    put_words(out, display_words(d, x->words));
+    put_words(out, display_text_of(d, x, words));
     fputs("</text>\n", out);
 }
 
@@ -479,14 +479,14 @@ static void put_y(FILE *out, const display *d, const display_item *x)
 static void put_moving(FILE *out, const display *frames, int n, size_t i, int repeats)
 {
     const display_item *x = item_of(&frames[0], i);
-    char class_name[30] = "h-", own[30];
+    char class_name[30] = "h-", own[30], words[DISPLAY_WORDS];
 
     display_class(x->pen, class_name + 2);
     if (x->sort == DISPLAY_TEXT) {
         fputs("<text class=\"halo\"", out);
         fputs(anchors[x->align], out);
         putc('>', out);
-        put_words(out, display_words(&frames[0], x->words));
+        put_words(out, display_text_of(&frames[0], x, words));
         put_values(out, frames, n, i, repeats, "x", put_x);
         put_values(out, frames, n, i, repeats, "y", put_y);
         fputs("</text>\n", out);

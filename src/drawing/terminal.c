@@ -131,11 +131,11 @@ static int length_of(const char *words)
 static void put_words(screen *s, const display_item *x)
 {
     fourlink_vector at = s->d->places[x->first];
-    char words[1300];
+    char words[1300], own[DISPLAY_WORDS];
     int length, column, row = whole_of(at.y / s->line);
     const char *c = words;
 
-    spell(display_words(s->d, x->words), s->is_ascii, words, sizeof words);
+    spell(display_text_of(s->d, x, own), s->is_ascii, words, sizeof words);
     length = length_of(words);
     column = whole_of(at.x / s->letter + 0.5) - (x->align == DISPLAY_RIGHT    ? length
                                                  : x->align == DISPLAY_MIDDLE ? length / 2

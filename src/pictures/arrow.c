@@ -16,7 +16,7 @@
 #define TORQUE 0.07
 #define AROUND_COIL 0.08
 
-void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
+void arrow_put(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F)
 {
     arrow *new = &arrows->list[arrows->n];
@@ -26,24 +26,26 @@ void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
     new->at = at;
     new->F = F;
     new->kind = kind;
+    new->number = number;
     flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     arrows->n++;
 }
 
-void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
-               double y)
+void arrow_add(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
+               double x, double y)
 {
     if (x != 0 || y != 0)
-        arrow_put(arrows, kind, name, at, place_at(x, y));
+        arrow_put(arrows, number, kind, name, at, place_at(x, y));
 }
 
-void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f)
+void arrow_add_force(arrow_list *arrows, const picture_row *r, int number)
 {
     static const pen pens[] = {PEN_FORCE, PEN_LOAD, PEN_RESULT};
+    const scene_force *f = &r->drawn.forces[number];
     fourlink_vector F = tracks_vector(&r->numbers, f->of);
     char words[40];
 
-    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words),
+    arrow_add(arrows, number, pens[f->sort], scene_words(f, words, sizeof words),
               tracks_vector(&r->numbers, f->at), f->sign * F.x, f->sign * F.y);
 }
 
@@ -108,6 +110,7 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
         double size = gsl_hypot(x->F.x, x->F.y);
         fourlink_vector end = place_in(x->at, x->F, scale, 0);
 
+        sketch_show(s, SKETCH_FORCE, (unsigned long)x->number);
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);
         if (size < SMALLEST * largest) {
@@ -123,20 +126,22 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
 
 void arrow_note_missing(sketch *s, const picture *p, double largest)
 {
-    char words[PICTURE_WORDS];
+    picture_number x;
 
-    sketch_note(s, "no arrow below %s",
-                picture_words(p, "", SMALLEST * largest, QUANTITY_FORCE, words));
+    picture_value(p, SMALLEST * largest, QUANTITY_FORCE, &x);
+    sketch_show(s, SKETCH_MISSING, 0);
+    sketch_value(s, "no arrow below ", x.value, x.unit);
 }
 
-void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
-                       double torque)
+void arrow_draw_torque(sketch *s, const picture *p, int number, pen kind, const char *name,
+                       fourlink_vector at, double torque)
 {
     double side = kind == PEN_FORCE ? -1 : 1, radius = TORQUE * s->size;
     fourlink_vector below = place_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
     if (torque == 0)
         return;
+    sketch_show(s, SKETCH_TORQUE, (unsigned long)number);
     sketch_torque(s, kind, at, name[0] ? radius : AROUND_COIL * s->size, torque);
     if (!name[0])
         return;
@@ -153,7 +158,7 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
         const scene_force *f = &r->drawn.torques[i];
 
         if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION)
-            arrow_draw_torque(s, p, PEN_LOAD, is_free || !f->is_inner ? f->name : "",
+            arrow_draw_torque(s, p, i, PEN_LOAD, is_free || !f->is_inner ? f->name : "",
                               tracks_vector(&r->numbers, f->at),
                               tracks_vector(&r->numbers, f->of).x);
     }
@@ -162,7 +167,9 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = view_si(&p->v, q, place_round(view_value(&p->v, q, largest) / 2.5));
-    char words[PICTURE_WORDS];
+    picture_number x;
 
-    sketch_scale(s, PEN_CONSTRUCTION, scale * bar, picture_words(p, "", bar, q, words));
+    picture_value(p, bar, q, &x);
+    sketch_show(s, SKETCH_OTHER, 0);
+    sketch_scale(s, PEN_CONSTRUCTION, scale * bar, x.value, x.unit);
 }

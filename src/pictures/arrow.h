@@ -12,6 +12,7 @@ typedef struct arrow {
     fourlink_vector at; /* m */
     fourlink_vector F;  /* N */
     pen kind;
+    int number; /* of the scene's forces, or of a polygon's sides */
     char name[40];
 } arrow;
 
@@ -23,13 +24,13 @@ typedef struct arrow_list {
 } arrow_list;
 
 /* Add a force; arrow_add leaves out a force of 0. */
-void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
+void arrow_put(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F);
-void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
-               double y);
+void arrow_add(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
+               double x, double y);
 
-/* Add a force of the scene. */
-void arrow_add_force(arrow_list *arrows, const picture_row *r, const scene_force *f);
+/* Add a force of the scene, by its number. */
+void arrow_add_force(arrow_list *arrows, const picture_row *r, int number);
 
 /* Keep those that act in the window of a drawing that has one. */
 void arrow_cut(arrow_list *arrows, const sketch *s);
@@ -53,8 +54,8 @@ void arrow_note_missing(sketch *s, const picture *p, double largest);
 ** those of springs on a link that is not free, it goes around the coil that has name and value. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free);
-void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
-                       double torque);
+void arrow_draw_torque(sketch *s, const picture *p, int number, pen kind, const char *name,
+                       fourlink_vector at, double torque);
 
 /* Draw an arrow that shows the scale of a quantity, below the drawing; `largest` is in SI units. */
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest);

@@ -188,10 +188,13 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
                DISPLAY_MIDDLE, canvas_shorten(words, letters, 0, fitting, sizeof fitting));
 }
 
-double canvas_scale(const canvas *c, double from, double length, int stroke, const char *words)
+double canvas_scale(const canvas *c, double from, double length, int stroke, const char *value,
+                    const char *unit)
 {
     double y = -0.8 * CANVAS_LINE / c->box_height, to = from + length, end = 4 / c->box_height;
+    unsigned long key = 4 * (unsigned long)stroke;
     size_t kept = display_keep(c->d, "scale");
+    display_item *words;
     int k;
 
     for (k = stroke ? 0 : -1; k <= (stroke ? 0 : 1);
@@ -205,22 +208,27 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
         line->in_box = 1;
         line->name = kept;
         line->part = DISPLAY_SCALE;
+        line->key = key + (unsigned long)(k + 1);
     }
-    put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, words)
-        ->part = DISPLAY_SCALE;
-    return to + 4 * CANVAS_LETTER + canvas_width_of(words);
+    words = put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, "");
+    words->part = DISPLAY_SCALE;
+    display_set(c->d, words, key, value, unit);
+    return to + 4 * CANVAS_LETTER + canvas_width_of(value) + canvas_width_of(unit);
 }
 
-void canvas_note(const canvas *c, int line, const char *format, ...)
+display_item *canvas_note(const canvas *c, int line, const char *format, ...)
 {
     char words[MESSAGE_SIZE];
+    display_item *note;
     va_list values;
 
     va_start(values, format);
     flk_message_list(words, sizeof words, format, values);
     va_end(values);
-    put_in_box(c, "note", 1, 1, 0.02 * c->box_width, line * CANVAS_LINE, DISPLAY_LEFT, words)
-        ->part = DISPLAY_NOTE;
+    note =
+        put_in_box(c, "note", 1, 1, 0.02 * c->box_width, line * CANVAS_LINE, DISPLAY_LEFT, words);
+    note->part = DISPLAY_NOTE;
+    return note;
 }
 
 /* ----------------------------------------------------------------------------------------------- key */
@@ -233,15 +241,25 @@ void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words)
         return;
     new->sort = sort;
     new->pen = stroke;
+    new->key = 0;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     c->n_entries++;
+}
+
+void canvas_add_key_of(canvas *c, unsigned long key, int stroke, const char *words)
+{
+    int n = c->n_entries;
+
+    canvas_add_key(c, DISPLAY_LINE, stroke, words);
+    if (c->n_entries > n)
+        c->entries[n].key = key;
 }
 
 /* Put an entry, from a place in pixels right of and above the upper left corner of the box. */
 static void put_entry(const canvas *c, const canvas_entry *x, double dx, double dy)
 {
     size_t kept = display_keep(c->d, "key");
-    display_item *sample;
+    display_item *sample, *words;
     int i;
 
     if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) {
@@ -263,8 +281,11 @@ static void put_entry(const canvas *c, const canvas_entry *x, double dx, double 
     sample->in_box = 1;
     sample->name = kept;
     sample->part = DISPLAY_KEY;
-    put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words)
-        ->part = DISPLAY_KEY;
+    sample->key = x->key;
+    words =
+        put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words);
+    words->part = DISPLAY_KEY;
+    words->key = x->key;
 }
 
 static double width_of_entry(const canvas_entry *x)

@@ -20,6 +20,7 @@
 typedef struct canvas_entry {
     display_sort sort;
     int pen;
+    unsigned long key; /* of a drawing that moves */
     char words[100];
 } canvas_entry;
 
@@ -70,15 +71,17 @@ void canvas_drop_panel(canvas *c);
 void canvas_titles(const canvas *c, const char *x, const char *x_unit, const char *y,
                    const char *y_unit, const char *format, ...);
 
-/* Add to the key of the panel. */
+/* Add to the key of the panel; what it tells of, in a drawing that moves. */
 void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words);
+void canvas_add_key_of(canvas *c, unsigned long key, int stroke, const char *words);
 
 /* Put a scale below a bare drawing: a length in pixels, as an arrow of this pen or, 0, as a line with ends,
-** and its words.  Returns where the next may begin. */
-double canvas_scale(const canvas *c, double from, double length, int stroke, const char *words);
+** its value and unit.  Returns where the next may begin. */
+double canvas_scale(const canvas *c, double from, double length, int stroke, const char *value,
+                    const char *unit);
 
 /* Put a line of text to the right of the axes, line 0 at their top, in such a format. */
-void canvas_note(const canvas *c, int line, const char *format, ...);
+display_item *canvas_note(const canvas *c, int line, const char *format, ...);
 
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);

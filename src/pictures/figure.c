@@ -33,6 +33,8 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
     if (ways > place_distance(first, second) * (1 + 1e-9)) {
         sketch_line(s, PEN_CONSTRUCTION, first, at);
         sketch_line(s, PEN_CONSTRUCTION, second, at);
+    } else {
+        sketch_skip(s, 2);
     }
 }
 
@@ -150,6 +152,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
+    sketch_show(s, SKETCH_FRAME, 0);
     sketch_support(s, pins.A);
     if (!p->v.kind.guided) {
         sketch_support(s, pins.D);
@@ -239,6 +242,7 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
         const fourlink_link_state *x = &state->link[link];
         pen own = kind ? kind : (pen)link;
 
+        sketch_show(s, SKETCH_LINK, (unsigned long)link);
         if (p->v.kind.shape[link] == FOURLINK_SHAPE_BAR)
             put_bar(s, p, state, link, own);
         if (link == p->v.kind.slotted)
@@ -301,8 +305,15 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
         return;
     corners[n++] = state->link[link].origin;
     corners[n++] = geometry_end(&p->v, state, link);
+    sketch_show(s, SKETCH_HULL, (unsigned long)link);
     if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
         put_hull(s, (pen)link, corners, n);
+}
+
+static void put_pin(sketch *s, unsigned long joint, fourlink_vector at, const char *letter)
+{
+    sketch_show(s, SKETCH_PIN, joint);
+    sketch_pin(s, at, letter);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -319,19 +330,22 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     for (i = 0; i < p->v.problem.n_points; i++) {
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
+        sketch_show(s, SKETCH_POINT, i);
         sketch_dot(s, at, tracks_name("P", i, "", own));
         sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.guided)
-        sketch_pin(s, pins.D, "D");
+        put_pin(s, 3, pins.D, "D");
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (p->v.design->link[link].mass > 0)
+        if (p->v.design->link[link].mass > 0) {
+            sketch_show(s, SKETCH_CENTRE, (unsigned long)link);
             sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg),
                           tracks_name("G", (unsigned long)link, "", own));
-    sketch_pin(s, pins.A, "A");
-    sketch_pin(s, pins.B, "B");
+        }
+    put_pin(s, 0, pins.A, "A");
+    put_pin(s, 1, pins.B, "B");
     if (!p->v.kind.slotted) /* C is B */
-        sketch_pin(s, pins.C, "C");
+        put_pin(s, 2, pins.C, "C");
     else if (p->v.kind.guided)
         sketch_mark(s, pins.C, "C");
 }
@@ -389,10 +403,13 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 static void put_angle(sketch *s, const picture *p, fourlink_vector at, int link, double angle,
                       double radius, const char *name)
 {
-    char mark[PICTURE_MARK];
+    picture_number x;
+    char words[40];
     double half = angle / 2;
 
-    sketch_note(s, "%s = %s", name, figure_angle(p, angle, 4, mark));
+    picture_angle(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, &x);
+    sketch_show(s, SKETCH_ANGLE, (unsigned long)link);
+    sketch_value(s, flk_text_join(words, sizeof words, name, " = ", (char *)NULL), x.value, x.unit);
     if (s->c->motion && link != FOURLINK_CRANK)
         return;
     radius *= s->size;
@@ -425,6 +442,7 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
     fourlink_vector from[5], to[5];
     int link;
 
+    sketch_show(s, SKETCH_NUMBERS, 0);
     from[2] = pins.A;
     to[2] = from[3] = pins.B;
     to[3] = to[4] = pins.C;
@@ -454,21 +472,26 @@ void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
 
     if (omega == 0)
         return;
+    sketch_show(s, SKETCH_SENSE, 0);
     sketch_turn_arrow(s, PEN_SENSE, A, radius, from, from + sign * LONG);
     sketch_text_around(s, A, radius, middle, OMEGA SUB_2);
 }
 
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
 {
-    char words[PICTURE_WORDS];
+    char words[PICTURE_WORDS], fitting[PICTURE_WORDS];
+    picture_number x;
 
-    sketch_note(s, "%s", picture_words(p, name, si, q, words));
+    picture_value(p, si, q, &x);
+    name = canvas_shorten(name, PICTURE_NAME, 0, fitting, sizeof fitting);
+    sketch_value(s, flk_text_join(words, sizeof words, name, " = ", (char *)NULL), x.value, x.unit);
 }
 
 void figure_slope(sketch *s, const picture *p)
 {
     char mark[PICTURE_MARK];
 
+    sketch_show(s, SKETCH_SLOPE, 0);
     if (p->on.turn != 0)
         sketch_note(s, "x rises at %s", figure_angle(p, p->on.turn, 4, mark));
 }
@@ -481,6 +504,7 @@ void figure_gravity(sketch *s, const picture *p)
     if (s->c->motion && s->c->motion->phase == LABELS_MEASURE) /* the range is not yet known */
         return;
 
+    sketch_show(s, SKETCH_GRAVITY, 0);
     sketch_turn(s, 0);
     if (geometry_has_weight(&p->v)) {
         sketch_arrow(s, PEN_LOAD, place_at(left, top), to);
@@ -500,6 +524,7 @@ void figure_gravity(sketch *s, const picture *p)
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
 {
     put_links(s, p, state);
+    sketch_show(s, SKETCH_LETTER, 0);
     (s->c->motion ? put_steady_letters : put_letters)(s, p, state);
     figure_sense(s, state, figure_place(p, state).A);
     if (has_angles)
@@ -564,6 +589,7 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
         }
         points[n++] = next;
     }
+    sketch_show(s, SKETCH_PATH, i);
     sketch_curve(s, (pen)pen_of, flk_text_join(title, sizeof title, "path of ", name, (char *)NULL),
                  points, n);
 }

@@ -9,7 +9,6 @@
 ** In a drawing that moves a text keeps its direction: the one where it covers least at 18 positions together.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -201,24 +200,13 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
 #define AROUND 32.0  /* pixels, from what is drawn to the edge of a drawing that moves */
 #define MOST_RINGS 2 /* its texts are nearer to their places */
 
-/* How many texts before text k have the same words. */
-static int nth_of(const labels *l, int k)
+/* The side of a text; that of a new one if there is none. */
+static int side_of(const labels_motion *m, const label *text)
 {
-    int nth = 0, i;
+    int i;
 
-    for (i = 0; i < k; i++)
-        nth += strcmp(l->list[i].words, l->list[k].words) == 0;
-    return nth;
-}
-
-/* The side of text k; that of a new one if there is none. */
-static int side_of(const labels_motion *m, const labels *l, int k)
-{
-    int nth = nth_of(l, k), i;
-
-    for (i = 0; i < m->n_sides; i++)
-        if (m->sides[i].nth == nth && strcmp(m->sides[i].words, l->list[k].words) == 0)
-            break;
+    for (i = 0; i < m->n_sides && m->sides[i].key != text->key; i++)
+        ;
     return i;
 }
 
@@ -262,12 +250,11 @@ void labels_keep(labels_motion *m, labels *l, double size, double width, double 
     for (k = 0; k < l->n; k++) {
         label *text = &l->list[k];
 
-        text->side = side_of(m, l, k);
+        text->side = side_of(m, text);
         put_at(text, 0);
         if (text->side < m->n_sides || text->side == LABELS_MOST)
             continue;
-        strcpy(m->sides[text->side].words, text->words);
-        m->sides[m->n_sides++].nth = nth_of(l, k);
+        m->sides[m->n_sides++].key = text->key;
     }
     m->kept[m->n_kept] = *l;
     turn_into_pixels(&m->kept[m->n_kept++]);
@@ -327,7 +314,7 @@ void labels_take_sides(labels *l, const labels_motion *m, double size, double wi
 
     take_scale(l, m, size, width, height);
     for (k = 0; k < l->n; k++) {
-        int side = side_of(m, l, k);
+        int side = side_of(m, &l->list[k]);
 
         put_at(&l->list[k], side < m->n_sides ? m->sides[side].candidate : 0);
     }

@@ -21,6 +21,7 @@ typedef struct label {
     int is_close;           /* 1: it stands close to its place or nowhere */
     int is_hidden;          /* 1, when placed: nowhere */
     int side;               /* of a drawing that moves: its number in labels_motion */
+    unsigned long key;      /* what it names: the same at all steps of a motion */
     fourlink_vector middle; /* of the text, in pixels from the place */
     char words[LABELS_WORDS];
 } label;
@@ -51,9 +52,8 @@ void labels_place(labels *l, place_box drawn, int is_fixed, double size, double 
 /* A text of a drawing that moves stands on the same side of its place at all positions: where it covers least
 ** at some of them together. */
 typedef struct labels_side {
-    char words[LABELS_WORDS];
-    int nth;       /* of the texts with these words */
-    int candidate; /* its place, by the number that labels.c gives it */
+    unsigned long key; /* of the text */
+    int candidate;     /* its place, by the number that labels.c gives it */
 } labels_side;
 
 typedef enum labels_phase {

@@ -32,7 +32,7 @@ static void add_springs(arrow_list *arrows, const picture_row *r)
         fourlink_vector F = tracks_vector(&r->numbers, f->of);
 
         if (f->load == FOURLINK_LOAD_SPRING)
-            arrow_add(arrows, PEN_LOAD, "", tracks_vector(&r->numbers, f->at), F.x, F.y);
+            arrow_add(arrows, i, PEN_LOAD, "", tracks_vector(&r->numbers, f->at), F.x, F.y);
     }
 }
 
@@ -46,7 +46,7 @@ static void add_forces(arrow_list *arrows, const picture_row *r, int link)
 
         if (link == FOURLINK_GROUND ? f->sort == SCENE_PIN && f->sign > 0
                                     : f->sort == SCENE_LOAD && f->on == link && !f->is_inner)
-            arrow_add_force(arrows, r, f);
+            arrow_add_force(arrows, r, i);
     }
 }
 
@@ -82,13 +82,15 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r, doubl
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, PEN_FORCE, "T" SUB_S, crankshaft,
+    arrow_draw_torque(s, p, 0, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
     if (s->is_window)
         return;
+    sketch_show(s, SKETCH_MEANING, 0);
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
+    sketch_show(s, SKETCH_MEANING, has_springs ? 2 : 1);
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, has_springs ? "load, weight, spring" : "load or weight");
 }
@@ -182,13 +184,18 @@ static void draw_crank(sketch *s, const picture *p, const picture_row *r)
 {
     fourlink_vector A = tracks_vector(&r->numbers, "A"), B = tracks_vector(&r->numbers, "B");
 
+    sketch_show(s, SKETCH_FRAME, 0);
     sketch_support(s, A);
     if (!p->v.kind.guided)
         sketch_support(s, place_at(p->v.design->link[FOURLINK_GROUND].length, 0));
+    sketch_show(s, SKETCH_LINK, FOURLINK_CRANK);
     sketch_line(s, PEN_CRANK, A, B);
+    sketch_show(s, SKETCH_PIN, 0);
     sketch_pin(s, A, "A");
+    sketch_show(s, SKETCH_PIN, 1);
     sketch_pin(s, B, "B");
-    sketch_note(s, "%s", fourlink_status_text(r->now.status));
+    sketch_show(s, SKETCH_MISSING, 1);
+    sketch_value(s, "", fourlink_status_text(r->now.status), "");
 }
 
 void mechanism_draw(picture *p, const picture_row *r, double largest)
@@ -199,8 +206,10 @@ void mechanism_draw(picture *p, const picture_row *r, double largest)
     figure_open(&s, p, r->now.branch);
     figure_paths(&s, p, r->now.branch);
     wanted_draw(&s, p);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        sketch_show(&s, SKETCH_LINK, (unsigned long)link);
         sketch_key(&s, (pen)link, p->v.kind.link[link]);
+    }
     if (r->now.status == FOURLINK_OK) {
         figure_frame(&s, p, &r->now.state);
         figure_draw(&s, p, &r->now.state, 1);

@@ -12,18 +12,24 @@
 #include "system/memory.h"
 #include "picture.h"
 
-#define LONGEST_NAME 24 /* letters, next to a value */
-
-char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK])
+void picture_angle(const picture *p, double angle, int digits, picture_number *out)
 {
     const char *name = p->v.units[QUANTITY_ANGLE].name;
     int is_deg = strcmp(name, "deg") == 0;
-    char number[FORMAT_SIZE];
 
     if (fabs(angle) < 1e-9)
         angle = 0; /* rounding, and -0 */
-    return flk_text_join(out, PICTURE_MARK, format_general(angle, digits, number),
-                         is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+    format_general(angle, digits, out->value);
+    flk_text_join(out->unit, sizeof out->unit, is_deg ? "\302\260" : " ", is_deg ? "" : name,
+                  (char *)NULL);
+}
+
+char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK])
+{
+    picture_number x;
+
+    picture_angle(p, angle, digits, &x);
+    return flk_text_join(out, PICTURE_MARK, x.value, x.unit, (char *)NULL);
 }
 
 /* The prefix of a value that is too large or too small to be read without one, divided by it; "" if it has
@@ -44,17 +50,27 @@ static const char *find_prefix(const char *unit_name, double *value)
     return prefixes[power + 3];
 }
 
-char *picture_words(const picture *p, const char *name, double si, quantity q,
-                    char out[PICTURE_WORDS])
+void picture_value(const picture *p, double si, quantity q, picture_number *out)
 {
-    char number[FORMAT_SIZE], fitting[PICTURE_WORDS], own[NOTATION_SIZE];
+    char own[NOTATION_SIZE];
     double value = view_value(&p->v, q, si);
     const char *prefix = find_prefix(p->v.units[q].name, &value);
 
-    name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
-    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " = " : "",
-                         format_general(value, 5, number), " ", prefix,
-                         canvas_unit(&p->on, p->v.units[q].name, own), (char *)NULL);
+    format_general(value, 5, out->value);
+    flk_text_join(out->unit, sizeof out->unit, " ", prefix,
+                  canvas_unit(&p->on, p->v.units[q].name, own), (char *)NULL);
+}
+
+char *picture_words(const picture *p, const char *name, double si, quantity q,
+                    char out[PICTURE_WORDS])
+{
+    char fitting[PICTURE_WORDS];
+    picture_number x;
+
+    picture_value(p, si, q, &x);
+    name = canvas_shorten(name, PICTURE_NAME, 0, fitting, sizeof fitting);
+    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " = " : "", x.value, x.unit,
+                         (char *)NULL);
 }
 
 double picture_speed_of(const picture *p, fourlink_branch branch)

@@ -206,8 +206,14 @@ double size_height(const picture *p, double width);
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);
 
+/* A value and its unit, with the blank between them if there is one. */
+typedef struct picture_number {
+    char value[FORMAT_SIZE], unit[NOTATION_SIZE];
+} picture_number;
+
 /* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
+void picture_angle(const picture *p, double angle, int digits, picture_number *out);
 char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Subscripts, in UTF-8. */
@@ -217,7 +223,9 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 #define SUB_4 "\342\202\204"
 #define SUB_S "\342\202\233"
 
-/* "NAME = VALUE UNIT" or "VALUE UNIT" of a value in SI units. */
+/* A value in SI units; "NAME = VALUE UNIT" or "VALUE UNIT" of it.  A name has so many letters at most. */
+#define PICTURE_NAME 24
+void picture_value(const picture *p, double si, quantity q, picture_number *out);
 #define PICTURE_WORDS 120
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);

@@ -10,6 +10,7 @@
 
 #include "base/message.h"
 #include "sketch.h"
+#include "system/format.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
@@ -33,6 +34,27 @@ static fourlink_vector turned(const sketch *s, fourlink_vector p)
     double x = p.x - s->held.x, y = p.y - s->held.y;
 
     return place_at(s->cosine * x - s->sine * y, s->sine * x + s->cosine * y);
+}
+
+/* Keys: what, its number, 1,024 parts, and 256 pieces of a part that the window cuts. */
+#define NUMBERS 256UL
+#define PARTS 1024UL
+#define PIECES 256UL
+
+void sketch_show(sketch *s, sketch_subject what, unsigned long number)
+{
+    s->subject = s->part = ((unsigned long)what * NUMBERS + number) * PARTS * PIECES;
+}
+
+void sketch_skip(sketch *s, unsigned long parts)
+{
+    s->part += parts * PIECES;
+}
+
+static unsigned long next_part(sketch *s)
+{
+    sketch_skip(s, 1);
+    return s->part - PIECES;
 }
 
 void sketch_hold(sketch *s, fourlink_vector at)
@@ -84,6 +106,7 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
         s->is_fixed = 1;
         s->drawn = c->motion->drawn;
     }
+    sketch_show(s, SKETCH_OTHER, 0);
     sketch_turn(s, 1);
     canvas_begin_panel(c);
 }
@@ -129,7 +152,8 @@ static void take_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
 }
 
-static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to, int has_head)
+static void put_line(sketch *s, unsigned long key, pen p, fourlink_vector from, fourlink_vector to,
+                     int has_head)
 {
     display_item *line;
 
@@ -141,16 +165,17 @@ static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to,
     take_line(s, p, from, to);
     line = display_line(s->c->d, (int)p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
     line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
+    line->key = key;
 }
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_line(s, p, from, to, 0);
+    put_line(s, next_part(s), p, from, to, 0);
 }
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_line(s, p, from, to, 1);
+    put_line(s, next_part(s), p, from, to, 1);
 }
 
 /* A place of an arc or a spiral, after a part of it. */
@@ -167,6 +192,7 @@ void sketch_spiral(sketch *s, pen p, fourlink_vector centre, double inner, doubl
     int n = 8 + (int)(fabs(to - from) / DISPLAY_ARC_STEP), is_cut = 0, i;
     double turn = atan2(s->sine, s->cosine);
     fourlink_vector last = on_arc(centre, inner, outer, from, to, 0), next;
+    unsigned long key = next_part(s);
 
     for (i = 0; i <= n; i++)
         is_cut |= is_beyond(s, turned(s, on_arc(centre, inner, outer, from, to, (double)i / n)));
@@ -174,13 +200,14 @@ void sketch_spiral(sketch *s, pen p, fourlink_vector centre, double inner, doubl
         display_item *arc =
             display_arc(s->c->d, (int)p, in_unit(s, turned(s, centre)), from + turn, to - from);
 
+        arc->key = key;
         arc->radius[0] = in_unit(s, place_at(inner, 0)).x;
         arc->radius[1] = in_unit(s, place_at(outer, 0)).x;
     }
     for (i = 1; i <= n; i++) {
         next = on_arc(centre, inner, outer, from, to, (double)i / n);
         if (is_cut)
-            sketch_line(s, p, last, next);
+            put_line(s, key + (unsigned long)i, p, last, next, 0);
         else
             take_line(s, p, turned(s, last), turned(s, next));
         last = next;
@@ -210,6 +237,7 @@ static void put_disc(sketch *s, display_sort sort, fourlink_vector at, double pa
 {
     double radius = part * s->letter * s->size;
     size_t kept = display_keep(s->c->d, name);
+    unsigned long key = next_part(s);
     display_item *disc;
 
     at = turned(s, at);
@@ -218,6 +246,7 @@ static void put_disc(sketch *s, display_sort sort, fourlink_vector at, double pa
     include(s, at);
     add_disc(s, at, radius);
     disc = display_add(s->c->d, sort, PEN_GROUND, DISPLAY_FRONT);
+    disc->key = key;
     disc->is_open = is_open;
     disc->name = kept;
     disc->size = in_unit(s, place_at(radius, 0)).x;
@@ -262,12 +291,14 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     label *new = &s->texts.list[s->texts.n];
+    unsigned long key = next_part(s);
     fourlink_vector side = turned(s, place_beside(s->held, dx, dy));
 
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
         return NULL;
     include(s, at);
+    new->key = key;
     new->at = at;
     new->dx = side.x;
     new->dy = side.y;
@@ -305,13 +336,26 @@ void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double
     sketch_text(s, place_polar(centre, radius, angle), cos(angle), sin(angle), words);
 }
 
+void sketch_value(sketch *s, const char *words, const char *value, const char *unit)
+{
+    sketch_line_beside *new = &s->notes[s->n_notes];
+
+    if (s->n_notes == SKETCH_NOTES)
+        return;
+    new->key = s->subject;
+    flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
+    flk_text_join(new->value, sizeof new->value, value, (char *)NULL);
+    flk_text_join(new->unit, sizeof new->unit, unit, (char *)NULL);
+    s->n_notes++;
+}
+
 void sketch_note(sketch *s, const char *format, ...)
 {
+    char words[LABELS_WORDS];
     va_list values;
 
     va_start(values, format);
-    if (s->n_notes < SKETCH_NOTES)
-        flk_message_list(s->notes[s->n_notes++], LABELS_WORDS, format, values);
+    sketch_value(s, flk_message_list(words, sizeof words, format, values), "", "");
     va_end(values);
 }
 
@@ -323,10 +367,13 @@ void sketch_ring(sketch *s, fourlink_vector at, const char *name)
 void sketch_mark(sketch *s, fourlink_vector at, const char *name)
 {
     size_t kept = display_keep(s->c->d, name);
+    display_item *disc;
 
     if (!s->c->is_bare)
         return;
-    display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT)->name = kept;
+    disc = display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
+    disc->name = kept;
+    disc->key = next_part(s);
     display_add_place(s->c->d, in_unit(s, turned(s, at)));
 }
 
@@ -354,16 +401,19 @@ static void add_entry(sketch *s, pen p, const char *title)
     sketch_entry *new = &s->entries[s->n_entries++];
 
     new->p = p;
+    new->key = s->subject;
     flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
 }
 
 void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
     size_t kept = display_keep(s->c->d, title);
+    display_item *curve = display_add(s->c->d, DISPLAY_CURVE, (int)p, DISPLAY_CURVES);
     fourlink_vector at, last = {0, 0};
     int in_piece = 0, is_empty = 1, i;
 
-    display_add(s->c->d, DISPLAY_CURVE, (int)p, DISPLAY_CURVES)->name = kept;
+    curve->name = kept;
+    curve->key = next_part(s);
     for (i = 0; i < n; i++) {
         if (gsl_isnan(points[i].x)) {
             display_add_place(s->c->d, points[i]);
@@ -390,6 +440,11 @@ void sketch_key(sketch *s, pen p, const char *meaning)
     add_entry(s, p, meaning);
 }
 
+static double width_of_note(const sketch_line_beside *x)
+{
+    return canvas_width_of(x->words) + canvas_width_of(x->value) + canvas_width_of(x->unit);
+}
+
 /* Values and key are to the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
@@ -397,7 +452,7 @@ static double width_of_margin(const sketch *s)
     int i;
 
     for (i = 0; i < s->n_notes; i++)
-        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
+        width = GSL_MAX_DBL(width, narrow * width_of_note(&s->notes[i]) + 3 * CANVAS_LETTER);
     for (i = 0; i < s->n_entries; i++)
         if (s->entries[i].title[0])
             width = GSL_MAX_DBL(width,
@@ -411,11 +466,15 @@ static void put_margin(const sketch *s)
     int in_key = 0, i;
 
     for (i = 0; i < s->n_entries; i++) {
-        canvas_add_key(s->c, DISPLAY_LINE, (int)s->entries[i].p, s->entries[i].title);
+        canvas_add_key_of(s->c, s->entries[i].key, (int)s->entries[i].p, s->entries[i].title);
         in_key += s->entries[i].title[0] != '\0';
     }
-    for (i = 0; i < s->n_notes; i++)
-        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", s->notes[i]);
+    for (i = 0; i < s->n_notes; i++) {
+        const sketch_line_beside *x = &s->notes[i];
+
+        display_set(s->c->d, canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", x->words),
+                    x->key, x->value, x->unit);
+    }
 }
 
 /* The end of a text that is nearest to a place, in pixels from its own place. */
@@ -463,6 +522,7 @@ static void put_label(const sketch *s, const label *x)
     display_align align = side > 0 ? DISPLAY_LEFT : side < 0 ? DISPLAY_RIGHT : DISPLAY_MIDDLE;
     display_item *put = display_text(s->c->d, 0, in_unit(s, x->at), align, x->words);
 
+    put->key = x->key;
     put->is_boxed = 1;
     put->dx = x->middle.x - side * x->half;
     put->dy = -x->middle.y;
@@ -514,18 +574,21 @@ static void put_axes(const sketch *s)
     canvas_set_axes(s->c, axes, step_of(step, middle.x, width), step_of(step, middle.y, height));
 }
 
-void sketch_scale(sketch *s, pen p, double length, const char *words)
+void sketch_scale(sketch *s, pen p, double length, const char *value, const char *unit)
 {
     double below = s->is_window ? -0.06 : 0.16; /* in a window it is inside */
     fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - below * s->size);
     fourlink_vector to = place_beside(from, length, 0);
+    char words[LABELS_WORDS];
 
     if (s->c->is_bare) {
         s->scale.p = p;
         s->scale.length = length;
-        flk_text_join(s->scale.words, sizeof s->scale.words, words, (char *)NULL);
+        flk_text_join(s->scale.value, sizeof s->scale.value, value, (char *)NULL);
+        flk_text_join(s->scale.unit, sizeof s->scale.unit, unit, (char *)NULL);
         return;
     }
+    flk_text_join(words, sizeof words, value, unit, (char *)NULL);
     sketch_turn(s, 0);
     sketch_arrow(s, p, from, to);
     sketch_text(s, to, 0.7, 0, words);
@@ -539,12 +602,13 @@ static void put_scales(const sketch *s)
 {
     double unit = in_unit(s, place_at(s->texts.scale, 0)).x / s->shrink;
     double bar = place_round(BAR * s->c->box_width * unit), next;
-    char words[LABELS_WORDS], own[NOTATION_SIZE];
+    char value[FORMAT_SIZE], words[NOTATION_SIZE + 1], own[NOTATION_SIZE];
 
-    flk_message(words, sizeof words, "%.6g %s", bar, canvas_unit(s->c, s->unit->name, own));
-    next = canvas_scale(s->c, INDENT, bar / unit, 0, words);
+    flk_text_join(words, sizeof words, " ", canvas_unit(s->c, s->unit->name, own), (char *)NULL);
+    next = canvas_scale(s->c, INDENT, bar / unit, 0, format_general(bar, 6, value), words);
     if (s->scale.length > 0)
-        canvas_scale(s->c, next, s->scale.length / s->texts.scale, (int)s->scale.p, s->scale.words);
+        canvas_scale(s->c, next, s->scale.length / s->texts.scale, (int)s->scale.p, s->scale.value,
+                     s->scale.unit);
 }
 
 /* A position of a motion whose range is being found, or whose texts are kept, is not drawn; returns 1. */

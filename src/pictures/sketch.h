@@ -12,9 +12,45 @@
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
 
+/* What is drawn.  With a number it is the same thing at each position of a motion. */
+typedef enum sketch_subject {
+    SKETCH_OTHER,
+    SKETCH_FRAME,
+    SKETCH_LINK,   /* by number */
+    SKETCH_HULL,   /* of the points of a link */
+    SKETCH_OFF,    /* the lines to a place off a link's own, of a load */
+    SKETCH_POINT,  /* a tracer point */
+    SKETCH_CENTRE, /* of mass, of a link */
+    SKETCH_PIN,    /* a joint */
+    SKETCH_LETTER, /* of all joints */
+    SKETCH_ANGLE,  /* of a link */
+    SKETCH_NUMBERS,
+    SKETCH_SENSE,
+    SKETCH_SLOPE,
+    SKETCH_GRAVITY,
+    SKETCH_SPRING,
+    SKETCH_FORCE, /* of the scene */
+    SKETCH_TORQUE,
+    SKETCH_SIDE, /* of a polygon */
+    SKETCH_CORNER,
+    SKETCH_IMAGE,
+    SKETCH_PATH,
+    SKETCH_WANTED, /* a position */
+    SKETCH_MEANING,
+    SKETCH_MISSING, /* why there is no arrow, or no position */
+    SKETCH_CIRCLES
+} sketch_subject;
+
+/* A line beside the drawing: words, and behind them a value and its unit. */
+typedef struct sketch_line_beside {
+    unsigned long key;
+    char words[LABELS_WORDS], value[LABELS_WORDS], unit[40];
+} sketch_line_beside;
+
 /* A curve, or the meaning of a line, in the key; title "": it is not there. */
 typedef struct sketch_entry {
     pen p;
+    unsigned long key;
     char title[80];
 } sketch_entry;
 
@@ -22,7 +58,7 @@ typedef struct sketch_entry {
 typedef struct sketch_scale_bar {
     pen p;
     double length;
-    char words[LABELS_WORDS];
+    char value[LABELS_WORDS], unit[40];
 } sketch_scale_bar;
 
 typedef struct sketch {
@@ -36,8 +72,10 @@ typedef struct sketch {
     int is_window;             /* 1: nothing beyond it is drawn */
     double cosine, sine;       /* of the angle by which it is turned */
     fourlink_vector held;      /* the place that is its origin */
+    unsigned long subject;     /* of what is drawn now: the key of its first part, */
+    unsigned long part;        /* and of the next */
     int n_notes;
-    char notes[SKETCH_NOTES][LABELS_WORDS];
+    sketch_line_beside notes[SKETCH_NOTES];
     labels texts;
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
@@ -53,6 +91,10 @@ void sketch_turn(sketch *s, int is_turned);
 
 /* Let this place be where the origin is, at each position of a motion. */
 void sketch_hold(sketch *s, fourlink_vector at);
+
+/* Say what the following shows, until it is said again; of its parts, in their order, so many are left out. */
+void sketch_show(sketch *s, sketch_subject what, unsigned long number);
+void sketch_skip(sketch *s, unsigned long parts);
 
 /* Draw only what is in a square around a place, with this half side. */
 void sketch_window(sketch *s, fourlink_vector middle, double half);
@@ -101,11 +143,13 @@ void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const ch
 void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
                         const char *words);
 
-/* Put a line of text beside the drawing, below the one before, in a format of flk_message. */
+/* Put a line of text beside the drawing, below the one before, in a format of flk_message; or words, with a
+** value behind them and its unit, which may change in a motion.  A subject has one of them. */
 void sketch_note(sketch *s, const char *format, ...);
+void sketch_value(sketch *s, const char *words, const char *value, const char *unit);
 
-/* Draw an arrow of this length below the drawing, with words that say what it stands for. */
-void sketch_scale(sketch *s, pen p, double length, const char *words);
+/* Draw an arrow of this length below the drawing, with what it stands for. */
+void sketch_scale(sketch *s, pen p, double length, const char *value, const char *unit);
 
 /* Draw a support: a triangle on hatched ground below the point. */
 void sketch_support(sketch *s, fourlink_vector at);

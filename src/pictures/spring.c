@@ -175,6 +175,7 @@ void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 
     for (i = 0; i < p->v.problem.n_springs; i++) {
         fourlink_deck_spring(p->v.deck, i, &name, &spring);
+        sketch_show(s, SKETCH_SPRING, i);
         (spring.is_torsional ? draw_torsional : draw_linear)(s, p, state, &spring, name);
         if (has_values && fourlink_spring_at(p->v.mechanism, state, &spring, &at) == FOURLINK_OK)
             figure_note(s, p, name, at.force,

@@ -87,6 +87,7 @@ static void draw_sides(polygon *g)
 
         if (format_settled(length, g->largest) == 0)
             continue; /* rounding */
+        sketch_show(&g->s, SKETCH_SIDE, (unsigned long)i);
         figure_note(&g->s, g->p, x->name, length / g->s.shrink, g->q);
         if (length < SHORTEST * g->largest) {
             sketch_line(&g->s, x->kind, x->at, to);
@@ -103,8 +104,9 @@ static void draw_sides(polygon *g)
 }
 
 /* Put the letter of a corner away from the middle. */
-static void put_letter(polygon *g, fourlink_vector at, const char *letter)
+static void put_letter(polygon *g, int corner, fourlink_vector at, const char *letter)
 {
+    sketch_show(&g->s, SKETCH_CORNER, (unsigned long)corner);
     if (arrow_largest(&g->sides) > 0)
         sketch_text(&g->s, at, at.x - g->middle.x, at.y - g->middle.y, letter);
 }
@@ -131,6 +133,7 @@ static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
                       canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
                       x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
         flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
+        sketch_show(&g->s, SKETCH_IMAGE, (unsigned long)i);
         put_image(g, place_in(zero, tracks_vector(&r->numbers, of), g->s.shrink, 0), letter);
     }
 }
@@ -169,8 +172,9 @@ static void find_sides(polygon *g, const picture_row *r, const scene_polygon *d,
     for (x = d->sides; x->name; x++)
         if (tracks_get(&r->numbers, x->of)) {
             g->of[g->sides.n] = x;
-            arrow_put(&g->sides, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
-                      name_of(x, name), corner_at(g, x->from),
+            arrow_put(&g->sides, g->sides.n,
+                      x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
+                      corner_at(g, x->from),
                       place_in(zero, tracks_vector(&r->numbers, x->of), shrink, 0));
         }
 }
@@ -218,13 +222,14 @@ void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon 
     find_sides(&g, r, d, shrink_of(vectors_size(r, d), most));
     hold_middle(&g);
     draw_sides(&g);
+    sketch_show(&g.s, SKETCH_FRAME, 0);
     for (i = 0; i < 2 && d->lines[i][0]; i++)
         sketch_line(&g.s, PEN_CONSTRUCTION, corner_at(&g, d->lines[i][0]),
                     corner_at(&g, d->lines[i][1]));
-    put_letter(&g, zero, d->sides[0].from);
+    put_letter(&g, SCENE_SIDES, zero, d->sides[0].from);
     for (i = 0; i < g.sides.n; i++)
         if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
-            put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
+            put_letter(&g, i, end_of(&g.sides.list[i]), g.of[i]->to);
     put_images(&g, r, d);
     sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
 }
@@ -305,7 +310,7 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
         if (f->on != b->link || f->sort != sort)
             continue;
         n = b->forces.n;
-        arrow_add_force(&b->forces, r, f);
+        arrow_add_force(&b->forces, r, i);
         if (sort != SCENE_PIN)
             continue;
         b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
@@ -359,8 +364,10 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
 static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
 {
     fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
-    const char *letter = p->v.kind.joint[b->link - FOURLINK_CRANK + pin].letter;
+    int joint = b->link - FOURLINK_CRANK + pin;
+    const char *letter = p->v.kind.joint[joint].letter;
 
+    sketch_show(s, SKETCH_PIN, (unsigned long)joint);
     if (b->circle[pin].radius > 0) {
         sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
         sketch_dot(s, at, letter);
@@ -375,16 +382,20 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 {
     unsigned long i;
 
+    sketch_show(s, SKETCH_LINK, (unsigned long)b->link);
     if (b->link == p->v.kind.slotted)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else if (p->v.kind.slides_on[b->link])
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
-    for (i = 0; i < p->v.problem.n_loads; i++)
+    for (i = 0; i < p->v.problem.n_loads; i++) {
+        sketch_show(s, SKETCH_OFF, i);
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
                        geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
+    }
+    sketch_show(s, SKETCH_CENTRE, (unsigned long)b->link);
     if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G, "G");
@@ -406,7 +417,7 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
         double value = format_settled(f->sign * tracks_vector(&r->numbers, f->of).x, size);
 
         if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
-            arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
+            arrow_draw_torque(s, p, i, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
                               scene_words(f, words, sizeof words),
                               tracks_vector(&r->numbers, f->at), value);
     }
@@ -426,6 +437,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b,
                           double largest_of_motion)
 {
     double largest = arrow_longest(&b->forces, largest_of_motion);
+    char number[FORMAT_SIZE];
     sketch s;
 
     sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
@@ -437,12 +449,14 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b,
             arrow_note_missing(&s, p, largest);
         arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * b->length / largest, largest);
     } else {
+        sketch_show(&s, SKETCH_MISSING, 1);
         sketch_note(&s, NO_FORCES);
     }
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     put_torques(&s, p, r, b);
+    sketch_show(&s, SKETCH_CIRCLES, 0);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
-        sketch_note(&s, "friction circles %.6g:1", b->circle_scale);
+        sketch_value(&s, "friction circles ", format_general(b->circle_scale, 6, number), ":1");
     sketch_close(&s, "free body of the %s", p->v.kind.link[b->link]);
 }
 
@@ -455,7 +469,7 @@ static void put_force_polygon(picture *p, const free_body *b)
 
     open_polygon(&g, p, QUANTITY_FORCE, NO_FORCES);
     for (i = 0; i < b->forces.n; i++) {
-        arrow_put(&g.sides, b->forces.list[i].kind, b->forces.list[i].name, at,
+        arrow_put(&g.sides, i, b->forces.list[i].kind, b->forces.list[i].name, at,
                   b->forces.list[i].F);
         at = end_of(&g.sides.list[i]);
     }

@@ -61,9 +61,11 @@ void wanted_draw(sketch *s, picture *p)
     if (!view_find_solution(p->v.deck, &x) || !x)
         return;
     for (i = 0; i < x->n_positions; i++) {
-        fourlink_vector at = x->has_point ? put_coupler(s, x, &x->position[i])
-                                          : put_function(s, p, x, &x->position[i]);
+        fourlink_vector at;
 
+        sketch_show(s, SKETCH_WANTED, (unsigned long)i);
+        at = x->has_point ? put_coupler(s, x, &x->position[i])
+                          : put_function(s, p, x, &x->position[i]);
         put_ring(s, at, i + 1, x->n_positions <= NUMBERED);
     }
     if (x->n_positions > 0)

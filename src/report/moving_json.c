@@ -95,21 +95,20 @@ static void put_place(line *l, const follow *f, const follow_place *x)
 
 /* ----------------------------------------------------------------------------------------------- texts */
 
-/* Write so many bytes of a text as a list of words. */
-static void put_words(line *l, const char *all, size_t length)
+/* Write a text as a list of words. */
+static void put_words(line *l, const char *words)
 {
-    char words[MESSAGE_SIZE], own[MESSAGE_SIZE];
+    char own[MESSAGE_SIZE];
     notation_part x = {NULL, 0, 0, 0};
     int n = 0;
 
-    length = GSL_MIN(length, sizeof words - 1);
-    memcpy(words, all, length);
-    words[length] = '\0';
     x.words = words;
     line_put(l, "[");
     while (notation_next(words, &x)) {
-        memcpy(own, x.words, x.n);
-        own[x.n] = '\0';
+        size_t length = GSL_MIN(x.n, sizeof own - 1);
+
+        memcpy(own, x.words, length);
+        own[length] = '\0';
         line_put(l, n++ ? "," : "");
         interactive_put(l, x.level ? "[%q" : "%q", x.is_minus ? NOTATION_MINUS : own);
         if (x.level)
@@ -118,60 +117,49 @@ static void put_words(line *l, const char *all, size_t length)
     line_put(l, "]");
 }
 
-/* The unit that ends the values of an item at all steps, with the blank before it; "": there is none. */
-static const char *unit_of(const motion *m, size_t item)
+/* Write the values of an item by step, with | between them, and their units unless they are all the same; an
+** empty one is that of the step before. */
+static void put_values(line *l, const motion *m, size_t item)
 {
-    const char *last = NULL, *words, *own;
-    size_t i;
-
-    for (i = 0; i < m->n_steps; i++) {
-        if ((words = motion_words(m, item, i)) == NULL)
-            continue;
-        own = strrchr(motion_value(words), ' ');
-        if (!own || (last && strcmp(last, own) != 0))
-            return "";
-        last = own;
-    }
-    return last ? last : "";
-}
-
-/* Write the values of an item by step, with | between them; an empty one is that of the step before. */
-static void put_values(line *l, const motion *m, size_t item, const char *end)
-{
-    const char *words, *value, *last = "";
+    const char *value, *end;
+    motion_value last = {MOTION_NONE, MOTION_NONE};
     size_t i;
 
     line_byte(l, '"');
     for (i = 0; i < m->n_steps; i++) {
+        const motion_value *x = motion_value_at(m, item, i);
+
         line_put(l, i ? "|" : "");
-        if ((words = motion_words(m, item, i)) == NULL)
+        if (!motion_has(m, item, i))
             continue;
-        value = motion_value(words);
-        if (strcmp(value, last) != 0) {
+        if (x->value != last.value || x->unit != last.unit) {
+            value = display_words(&m->kept, x->value);
+            end = m->items[item].unit_varies ? display_words(&m->kept, x->unit) : "";
             line_put(l, *value == '-' ? NOTATION_MINUS : "");
-            line_text(l, value + (*value == '-'), strlen(value) - (*value == '-') - strlen(end));
+            line_text(l, value + (*value == '-'), strlen(value) - (*value == '-'));
+            line_text(l, end, strlen(end));
         }
-        last = value;
+        last = *x;
     }
     line_byte(l, '"');
 }
 
-/* Write the words of an item: those that stay, and in their midst what changes. */
+/* Write the words of an item, or of one whose value changes, the words before it and its unit. */
 static void put_all_words(line *l, const motion *m, size_t item)
 {
-    const char *words = display_words(&m->kept, m->items[item].like.words), *end;
+    const motion_item *x = &m->items[item];
+    char all[DISPLAY_WORDS];
 
     line_put(l, "\"words\":");
-    if (!m->items[item].varies) {
-        put_words(l, words, strlen(words));
+    if (!x->varies && !x->unit_varies) {
+        put_words(l, display_text_of(&m->kept, &x->like, all));
         return;
     }
-    end = unit_of(m, item);
-    put_words(l, words, (size_t)(motion_value(words) - words));
+    put_words(l, display_words(&m->kept, x->like.words));
     line_put(l, ",\"values\":");
-    put_values(l, m, item, end);
+    put_values(l, m, item);
     line_put(l, ",\"unit\":");
-    put_words(l, end, strlen(end));
+    put_words(l, x->unit_varies ? "" : display_words(&m->kept, x->like.unit));
 }
 
 /* ----------------------------------------------------------------------------------------------- items */
@@ -183,7 +171,7 @@ static void put_gone(line *l, const motion *m, size_t item)
     int is_gone = 0, n = 0;
 
     for (i = 0; i <= m->n_steps; i++) {
-        int here = i < m->n_steps && !motion_words(m, item, i);
+        int here = i < m->n_steps && !motion_has(m, item, i);
 
         if (here != is_gone) {
             line_put(l, n++ ? ",%lu" : ",\"gone\":[%lu", (unsigned long)i);
@@ -203,7 +191,7 @@ static int is_still(const follow *f, size_t item)
         if (x->like.sort != DISPLAY_LINE || f->list[f->number[x->first + i]].sort != FOLLOW_FIXED)
             return 0;
     for (i = 0; i < f->m->n_steps; i++)
-        if (!motion_words(f->m, item, i))
+        if (!motion_has(f->m, item, i))
             return 0;
     return 1;
 }

@@ -456,11 +456,22 @@ static struct {
         fourlink_vector at[MOST_PLACES];
         int n;
         display_sort sort;
-        char words[40];
+        unsigned long key;
+        char words[DISPLAY_WORDS];
     } item[MOST_ITEMS];
 } steps[STEPS];
 
-/* A crank with a block, a rod with a point, a spring between them, notes, an arrow that is not there now and then. */
+static unsigned long last_key;
+
+/* Give an item the next key. */
+static display_item *keyed(display_item *x)
+{
+    x->key = ++last_key;
+    return x;
+}
+
+/* A crank with a block, a rod with a point, a spring between them, notes, two arrows that look the same, of which one or
+** the other is not there now and then. */
 static void draw_step(display *d, int i, double length, double offset)
 {
     double theta = 0.2 + 2 * PI * i / STEPS;
@@ -472,42 +483,54 @@ static void draw_step(display *d, int i, double length, double offset)
     char words[40];
     display_item *x;
 
+    last_key = 0;
     display_clear(d);
     display_begin_panel(d);
-    x = display_add(d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
+    x = keyed(display_add(d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT));
     x->size = 0.1;
     display_add_place(d, B);
-    x = display_add(d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
+    x = keyed(display_add(d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT));
     x->size = 0.1;
     display_add_place(d, C);
     if (i % 5 != 3) {
         x = display_line(d, PEN_FORCE, DISPLAY_FRONT, B,
                          place_beside(B, cos(3 * theta), sin(2 * theta)));
         x->sort = DISPLAY_ARROW;
+        x->key = 100;
     }
-    display_line(d, PEN_CRANK, DISPLAY_LINES, A, B);
-    display_line(d, PEN_COUPLER, DISPLAY_LINES, B, C);
-    display_line(d, PEN_COUPLER, DISPLAY_LINES, B, P);
-    display_line(d, PEN_COUPLER, DISPLAY_LINES, P, C);
-    display_line(d, PEN_FOLLOWER, DISPLAY_LINES, corner, other);
-    display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(-1, 12), place_at(2, 12));
+    if (i % 4 != 1) {
+        x = display_line(d, PEN_FORCE, DISPLAY_FRONT, C, place_beside(C, cos(theta), 1));
+        x->sort = DISPLAY_ARROW;
+        x->key = 101;
+    }
+    keyed(display_line(d, PEN_CRANK, DISPLAY_LINES, A, B));
+    keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, B, C));
+    keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, B, P));
+    keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, P, C));
+    keyed(display_line(d, PEN_FOLLOWER, DISPLAY_LINES, corner, other));
+    keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(-1, 12), place_at(2, 12)));
     /* parts of the way from A to C, which changes its length */
-    display_line(d, PEN_GROUND, DISPLAY_LINES, A, C);
-    display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(0.3 * C.x, 13.2),
-                 place_at(0.7 * C.x, 12.8));
-    x = display_arc(d, PEN_CONSTRUCTION, A, 0, theta);
+    keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, A, C));
+    keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(0.3 * C.x, 13.2),
+                       place_at(0.7 * C.x, 12.8)));
+    x = keyed(display_arc(d, PEN_CONSTRUCTION, A, 0, theta));
     x->radius[0] = x->radius[1] = 0.4;
-    display_text(d, PEN_GROUND, B, DISPLAY_MIDDLE, "B");
-    sprintf(words, "theta = %d", 15 * i);
-    x = display_text(d, PEN_GROUND, place_at(-2, 11), DISPLAY_LEFT, words);
+    keyed(display_text(d, PEN_GROUND, B, DISPLAY_MIDDLE, "B"));
+    sprintf(words, "%d", 15 * i);
+    x = keyed(display_text(d, PEN_GROUND, place_at(-2, 11), DISPLAY_LEFT, "theta = "));
     x->part = DISPLAY_NOTE;
+    display_set(d, x, x->key, words, i < STEPS / 2 ? " deg" : " degrees");
+    x = keyed(display_text(d, PEN_GROUND, place_at(-2, 11), DISPLAY_LEFT, "a = "));
+    x->part = DISPLAY_NOTE;
+    display_set(d, x, x->key, "3", " mm");
     if (i % 7 == 2)
-        display_text(d, PEN_GROUND, place_at(-2, 15), DISPLAY_LEFT, "dead");
+        keyed(display_text(d, PEN_GROUND, place_at(-2, 15), DISPLAY_LEFT, "dead"));
     display_end_panel(d, box, axes);
 }
 
 static void keep_step(const display *d, int i)
 {
+    char words[DISPLAY_WORDS];
     size_t k, j;
 
     steps[i].n = (int)d->n_items;
@@ -515,7 +538,8 @@ static void keep_step(const display *d, int i)
         const display_item *x = &d->items[k];
 
         steps[i].item[k].sort = x->sort;
-        strcpy(steps[i].item[k].words, display_words(d, x->words));
+        steps[i].item[k].key = x->key;
+        strcpy(steps[i].item[k].words, display_text_of(d, x, words));
         steps[i].item[k].n = x->sort == DISPLAY_ARC ? 1 : (int)x->n;
         for (j = 0; j < (size_t)steps[i].item[k].n; j++)
             steps[i].item[k].at[j] = x->sort == DISPLAY_ARC ? x->centre : d->places[x->first + j];
@@ -530,12 +554,16 @@ static void check_step(const motion *m, const follow *f, int i)
 
     for (at = 0; at < m->n_items; at++) {
         const motion_item *x = &m->items[at];
-        const char *words = motion_words(m, at, (size_t)i);
+        const motion_value *value = motion_value_at(m, at, (size_t)i);
+        char words[DISPLAY_WORDS];
 
-        if (!words)
+        if (!motion_has(m, at, (size_t)i))
             continue;
         assert_true(k < steps[i].n);
         assert_int_equal(x->like.sort, steps[i].item[k].sort);
+        assert_int_equal(x->like.key, steps[i].item[k].key);
+        sprintf(words, "%s%s%s", display_words(&m->kept, x->like.words),
+                display_words(&m->kept, value->value), display_words(&m->kept, value->unit));
         assert_string_equal(words, steps[i].item[k].words);
         for (j = 0; j < steps[i].item[k].n; j++) {
             size_t track = x->first + (size_t)j;
@@ -569,16 +597,22 @@ TEST(motions_of_many_steps)
             motion_add(&m, (size_t)i, &d);
         }
         follow_open(&f, &m);
-        assert_int_equal(m.n_items, 15);
+        assert_int_equal(m.n_items, 17);
+        for (k = 0; k < m.n_items; k++) {
+            int is_theta = strcmp(display_words(&m.kept, m.items[k].like.words), "theta = ") == 0;
+
+            assert_int_equal(m.items[k].varies, is_theta);
+            assert_int_equal(m.items[k].unit_varies, is_theta);
+        }
         for (i = 0; i < STEPS; i++)
             check_step(&m, &f, i);
-        /* the pins B and C, the tip of the arrow and the angle of the arc are their own; P goes with the rod */
+        /* the pins B and C, the tips of the arrows and the angle of the arc are their own; P goes with the rod */
         for (k = 0; k < f.n; k++) {
             own += f.list[k].sort == FOLLOW_OWN;
             along += f.list[k].sort == FOLLOW_ALONG;
             beside += f.list[k].sort == FOLLOW_BESIDE;
         }
-        assert_int_equal(own, 4);
+        assert_int_equal(own, 5);
         assert_int_equal(along, 3);
         assert_int_equal(beside, 2);
         follow_close(&f);
