@@ -86,8 +86,8 @@ double arrow_largest_of_motion(picture *p, fourlink_branch branch)
             now.state.mu < VIEW_NEAR)
             continue;
         tracks_find(&numbers, &p->v, &now, p->loads);
-        for (i = 0; i < numbers.n; i++)
-            if (numbers.list[i].q == QUANTITY_FORCE)
+        for (i = 0; i < TRACK_COUNT; i++)
+            if (numbers.list[i].is_there && numbers.list[i].q == QUANTITY_FORCE)
                 largest = GSL_MAX_DBL(largest, gsl_hypot(numbers.list[i].v.x, numbers.list[i].v.y));
     }
     return largest;

@@ -10,7 +10,7 @@
 
 #include "figure.h"
 
-#define CORNERS (PICTURE_POINTS + 2) /* of a link: its points and pins */
+#define CORNERS (TRACKS_POINTS + 2) /* of a link: its points and pins */
 
 #define STEPS 180 /* of a path */
 #define HALVINGS 20
@@ -90,8 +90,8 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     int i;
 
     tracks_find_places(&places, &p->v, state);
-    for (i = 0; i < places.n; i++)
-        if (tracks_is_outline(&places.list[i]))
+    for (i = 0; i < TRACK_COUNT; i++)
+        if (tracks_is_outline(&places, i))
             sketch_include(s, places.list[i].v);
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
@@ -331,7 +331,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_show(s, SKETCH_POINT, i);
-        sketch_dot(s, at, tracks_name("P", i, "", own));
+        sketch_dot(s, at, tracks_name("P", i, own));
         sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.guided)
@@ -340,7 +340,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         if (p->v.design->link[link].mass > 0) {
             sketch_show(s, SKETCH_CENTRE, (unsigned long)link);
             sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg),
-                          tracks_name("G", (unsigned long)link, "", own));
+                          tracks_name("G", (unsigned long)link, own));
         }
     put_pin(s, 0, pins.A, "A");
     put_pin(s, 1, pins.B, "B");

@@ -182,7 +182,8 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
 /* Draw the crank where the linkage cannot be assembled, and why it cannot. */
 static void draw_crank(sketch *s, const picture *p, const picture_row *r)
 {
-    fourlink_vector A = tracks_vector(&r->numbers, "A"), B = tracks_vector(&r->numbers, "B");
+    fourlink_vector A = tracks_vector(&r->numbers, TRACK_A),
+                    B = tracks_vector(&r->numbers, TRACK_B);
 
     sketch_show(s, SKETCH_FRAME, 0);
     sketch_support(s, A);

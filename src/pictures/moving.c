@@ -106,7 +106,7 @@ int moving_count(const moving *x)
 /* A step as it was solved, once for all drawings. */
 struct moving_step {
     fourlink_instant now;
-    fourlink_load loads[PICTURE_LOADS + 2];
+    fourlink_load loads[TRACKS_LOADS];
 };
 
 /* Solve all steps; 0 without memory. */

@@ -108,8 +108,7 @@ typedef struct plot_caption {
 } plot_caption;
 
 /* What a drawing has room for; the gas is one more load. */
-#define PICTURE_LOADS 40
-#define PICTURE_POINTS 24
+#define PICTURE_LOADS (TRACKS_LOADS - 2)
 #define PICTURE_POSITIONS 24
 
 #define PICTURE_CURVES 24  /* of any columns */
@@ -143,7 +142,7 @@ typedef struct picture {
 /* One crank angle, with its loads and all that is drawn there. */
 typedef struct picture_row {
     fourlink_instant now;
-    fourlink_load loads[PICTURE_LOADS + 2];
+    fourlink_load loads[TRACKS_LOADS];
     tracks numbers;
     scene drawn;
 } picture_row;

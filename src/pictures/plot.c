@@ -220,7 +220,8 @@ static const char *missing(const picture *p)
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
         p->v.n_columns > PICTURE_CURVES)
         return "a picture shows at most 24 columns; name those to draw with --columns";
-    if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->v.problem.n_points > PICTURE_POINTS))
+    if ((needs & (PLOT_DRAWING | PLOT_AT)) &&
+        (has_too_many_loads(p) || p->v.problem.n_points > TRACKS_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }

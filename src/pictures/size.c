@@ -60,10 +60,10 @@ static place_box box_of_motion(const picture *p, fourlink_branch branch)
         if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
             continue;
         tracks_find_places(&places, &p->v, &now.state);
-        for (i = 0; i < places.n; i++) {
+        for (i = 0; i < TRACK_COUNT; i++) {
             const fourlink_vector *at = &places.list[i].v;
 
-            if (tracks_is_outline(&places.list[i]))
+            if (tracks_is_outline(&places, i))
                 place_grow(&b, c * at->x - s * at->y, s * at->x + c * at->y);
         }
     }

@@ -123,7 +123,7 @@ static void put_image(polygon *g, fourlink_vector end, const char *letter)
 static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 {
     static const char *const subscripts[] = {"", "", SUB_2, SUB_3, SUB_4};
-    char letter[80], of[TRACKS_NAME], fitting[LABELS_WORDS];
+    char letter[80], fitting[LABELS_WORDS];
     int i;
 
     for (i = 0; i < r->drawn.n_images && arrow_largest(&g->sides) > 0; i++) {
@@ -131,24 +131,25 @@ static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 
         flk_text_join(letter, sizeof letter,
                       canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
-                      x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
-        flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
+                      subscripts[x->link], (char *)NULL);
         sketch_show(&g->s, SKETCH_IMAGE, (unsigned long)i);
-        put_image(g, place_in(zero, tracks_vector(&r->numbers, of), g->s.shrink, 0), letter);
+        put_image(g,
+                  place_in(zero, tracks_vector(&r->numbers, x->of + d->derivative), g->s.shrink, 0),
+                  letter);
     }
 }
 
 /* The first side that ends at a corner; the number of sides if it is the pole. */
-static int side_to(const polygon *g, const char *corner)
+static int side_to(const polygon *g, int corner)
 {
     int i;
 
-    for (i = 0; i < g->sides.n && strcmp(g->of[i]->to, corner) != 0; i++)
+    for (i = 0; i < g->sides.n && g->of[i]->to != corner; i++)
         ;
     return i;
 }
 
-static fourlink_vector corner_at(const polygon *g, const char *corner)
+static fourlink_vector corner_at(const polygon *g, int corner)
 {
     int i = side_to(g, corner);
 
@@ -170,7 +171,7 @@ static void find_sides(polygon *g, const picture_row *r, const scene_polygon *d,
 
     g->s.shrink = shrink;
     for (x = d->sides; x->name; x++)
-        if (tracks_get(&r->numbers, x->of)) {
+        if (r->numbers.list[x->of].is_there) {
             g->of[g->sides.n] = x;
             arrow_put(&g->sides, g->sides.n,
                       x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
@@ -223,13 +224,13 @@ void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon 
     hold_middle(&g);
     draw_sides(&g);
     sketch_show(&g.s, SKETCH_FRAME, 0);
-    for (i = 0; i < 2 && d->lines[i][0]; i++)
+    for (i = 0; i < 2 && d->lines[i][1]; i++)
         sketch_line(&g.s, PEN_CONSTRUCTION, corner_at(&g, d->lines[i][0]),
                     corner_at(&g, d->lines[i][1]));
-    put_letter(&g, SCENE_SIDES, zero, d->sides[0].from);
+    put_letter(&g, SCENE_SIDES, zero, d->letters[0]);
     for (i = 0; i < g.sides.n; i++)
-        if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
-            put_letter(&g, i, end_of(&g.sides.list[i]), g.of[i]->to);
+        if (d->letters[g.of[i]->to] && side_to(&g, g.of[i]->to) == i)
+            put_letter(&g, i, end_of(&g.sides.list[i]), d->letters[g.of[i]->to]);
     put_images(&g, r, d);
     sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
 }
@@ -347,8 +348,8 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     const fourlink_joint *ends = &p->v.kind.joint[link - FOURLINK_CRANK];
 
     b->link = link;
-    b->first = tracks_vector(&r->numbers, ends[0].letter);
-    b->second = tracks_vector(&r->numbers, ends[1].letter);
+    b->first = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[0]));
+    b->second = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[1]));
     b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
     b->length = length_of(p, r, b);
     b->forces.n = 0;
@@ -427,7 +428,7 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
     if (p->on.motion && b->link == p->v.kind.slotted)
-        sketch_hold(s, tracks_vector(&r->numbers, p->v.kind.joint[3].letter));
+        sketch_hold(s, tracks_vector(&r->numbers, TRACK_OF_JOINT(&p->v.kind.joint[3])));
     else if (p->on.motion)
         sketch_hold(s, place_middle(b->first, b->second));
 }

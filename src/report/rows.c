@@ -100,8 +100,8 @@ static double time_step_of(const fourlink_problem *p)
 
 static int draws_all(const rows *t)
 {
-    return t->v.problem.n_points <= ROWS_POINTS && t->v.problem.n_loads <= ROWS_LOADS &&
-           t->v.problem.n_springs <= ROWS_LOADS;
+    return t->v.problem.n_points <= TRACKS_POINTS && t->v.problem.n_loads <= TRACKS_LOADS &&
+           t->v.problem.n_springs <= TRACKS_SPRINGS;
 }
 
 /* Open the deck, and with a further assignment unless it is null; 0 without memory or if it has mistakes. */

@@ -5,9 +5,7 @@
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H
 
-#include "view/view.h"
-
-enum { ROWS_LOADS = 42, ROWS_POINTS = 24 };
+#include "view/tracks.h"
 
 typedef struct rows {
     const fourlink_source *source;

@@ -65,11 +65,11 @@ static void put_link(line *l, const rows *t, int link)
 
         fourlink_deck_point(t->v.deck, i, NULL, &on, &at);
         if (on == link)
-            line_put(l, "%s\"%s\"", n++ ? "," : "", tracks_name("P", i, "", name));
+            line_put(l, "%s\"%s\"", n++ ? "," : "", tracks_name("P", i, name));
     }
     line_put(l, "]");
     if (t->v.design->link[link].mass > 0)
-        line_put(l, ",\"centre\":\"%s\"", tracks_name("G", (unsigned long)link, "", name));
+        line_put(l, ",\"centre\":\"%s\"", tracks_name("G", (unsigned long)link, name));
     line_put(l, "}");
 }
 
@@ -98,8 +98,7 @@ static void put_tracers(line *l, const rows *t)
     for (i = 0; i < t->v.problem.n_points; i++) {
         fourlink_deck_point(t->v.deck, i, &name, &on, &at);
         interactive_put_comma(l, &n);
-        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", name,
-                        tracks_name("P", i, "", disc));
+        interactive_put(l, "{\"label\":[%q,\"\",\"\"],\"of\":%q}", name, tracks_name("P", i, disc));
     }
     line_put(l, "],\n");
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the names of their
-** tracks.
+** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the numbers of
+** their tracks.
 **
 ** Pictures draw it at one instant, those of a report at each step of a motion.
 */
@@ -12,11 +12,12 @@
 
 /* ------------------------------------------------------------------------------------------ polygons */
 
-/* A side from one corner to another; corners whose names begin with _ have no letter. */
+/* A side from one corner to another. */
 typedef struct scene_side {
     const char *name, *sub, *super; /* v_CB, a_B^n */
-    const char *from, *to, *of;
-    int link; /* whose vector it is; 5: of none */
+    int from, to;                   /* 0: the pole */
+    int of;                         /* its track */
+    int link;                       /* whose vector it is; 5: of none */
 } scene_side;
 
 enum { SCENE_SIDES = 8 }; /* at most */
@@ -27,8 +28,10 @@ typedef struct scene_polygon {
     const char *zero; /* if all sides are 0 */
     const scene_side
         *sides; /* the last has no name; those without a track are not of this mechanism */
-    const char *lines[2][2]; /* from corner to corner; null: none */
-    const char *mark, *of; /* on the letters of the images, and the first letter of their tracks */
+    const char *const *letters; /* of the corners; null: it has none */
+    int lines[2][2];            /* from corner to corner; 0 and 0: none */
+    const char *mark;           /* on the letters of the images, */
+    int derivative;             /* and by how much their tracks are behind those of the places */
 } scene_polygon;
 
 /* Those of velocities and of accelerations. */
@@ -43,9 +46,9 @@ typedef enum scene_sort { SCENE_PIN, SCENE_LOAD, SCENE_INERTIA } scene_sort;
 typedef struct scene_force {
     const char *name; /* F_12, - m a_G2; that of a load is the deck's */
     char sub[TRACKS_NAME];
-    char of[TRACKS_NAME], at[TRACKS_NAME]; /* tracks of its values and of its place */
-    int sign;                              /* -1: a reaction to them */
-    int on;                                /* the link */
+    int of, at; /* tracks of its values and of its place */
+    int sign;   /* -1: a reaction to them */
+    int on;     /* the link */
     scene_sort sort;
     int is_inner; /* 1: it is not in the drawing of the whole mechanism */
     int load;     /* FOURLINK_LOAD_OWN ...; 0: none */
@@ -54,11 +57,12 @@ typedef struct scene_force {
 /* The image of a centre of mass, g_2, or of a tracer point in a polygon. */
 typedef struct scene_image {
     const char *name;
-    char sub[2];
-    char of[TRACKS_NAME]; /* its track, without the first letter of the polygon */
+    int link; /* below its letter; 0: none */
+    int of;   /* the track of its place */
 } scene_image;
 
-enum { SCENE_FORCES = 64, SCENE_IMAGES = 28 };
+/* Pins with both directions, couples, weight and inertia of three links, loads. */
+enum { SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS, SCENE_IMAGES = 3 + TRACKS_POINTS };
 
 typedef struct scene {
     scene_image images[SCENE_IMAGES];

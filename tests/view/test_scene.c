@@ -126,16 +126,43 @@ static void find_around(const fourlink_instant *now)
     shown.problem.has_forces = has_forces;
 }
 
-static fourlink_vector get(const tracks *t, const char *name)
+/* The fixed tracks by their names here: that of a place, with v or a before it its derivatives. */
+static const struct {
+    const char *name;
+    int number;
+} fixed[] = {{"A", TRACK_A},     {"B", TRACK_B},       {"C", TRACK_C},       {"D", TRACK_D},
+             {"E1", TRACK_E1},   {"E2", TRACK_E2},     {"vB", TRACK_VB},     {"vC", TRACK_VC},
+             {"vCB", TRACK_VCB}, {"vB4", TRACK_VB4},   {"vS", TRACK_VS},     {"aBn", TRACK_ABN},
+             {"aBt", TRACK_ABT}, {"aCBn", TRACK_ACBN}, {"aCBt", TRACK_ACBT}, {"aCn", TRACK_ACN},
+             {"aCt", TRACK_ACT}, {"aC", TRACK_AC},     {"aB4n", TRACK_AB4N}, {"aB4t", TRACK_AB4T},
+             {"aB4", TRACK_AB4}, {"aK", TRACK_AK},     {"aS", TRACK_AS}};
+
+/* -1: there is none */
+static int number_of(const char *name)
 {
-    if (!tracks_get(t, name))
-        fail_msg("no %s in\n%s", name, deck_text);
-    return tracks_get(t, name)->v;
+    size_t i;
+
+    for (i = 0; i < COUNT(fixed); i++)
+        if (strcmp(fixed[i].name, name) == 0)
+            return fixed[i].number;
+    return -1;
+}
+
+static int has(const tracks *t, int number)
+{
+    return number >= 0 && t->list[number].is_there;
+}
+
+static fourlink_vector get(const tracks *t, int number)
+{
+    if (!has(t, number))
+        fail_msg("no track %d in\n%s", number, deck_text);
+    return tracks_vector(t, number);
 }
 
 static fourlink_vector at_now(const char *name)
 {
-    return get(&around[NOW], name);
+    return get(&around[NOW], number_of(name));
 }
 
 static fourlink_vector minus(fourlink_vector p, fourlink_vector q)
@@ -164,11 +191,16 @@ static double cross(fourlink_vector p, fourlink_vector q)
 }
 
 /* d/dt of a track */
-static fourlink_vector rate(const char *name)
+static fourlink_vector rate_of(int number)
 {
-    fourlink_vector d = minus(get(&around[AFTER], name), get(&around[BEFORE], name));
+    fourlink_vector d = minus(get(&around[AFTER], number), get(&around[BEFORE], number));
 
     return place_at(d.x / (2 * step), d.y / (2 * step));
+}
+
+static fourlink_vector rate(const char *name)
+{
+    return rate_of(number_of(name));
 }
 
 static void same(const char *what, fourlink_vector p, fourlink_vector q, double size)
@@ -184,16 +216,12 @@ static void none(const char *what, double x, double size)
     same(what, place_at(x, 0), place_at(0, 0), size);
 }
 
-/* vX is the rate of X, aX that of vX. */
-static void check_point(const char *name, double v, double a)
+/* The velocity is the rate of the place, the acceleration that of the velocity. */
+static void check_point(int place, int velocity, int acceleration, double v, double a)
 {
-    char speed[TRACKS_NAME + 1], acceleration[TRACKS_NAME + 1];
-
-    snprintf(speed, sizeof speed, "v%s", name);
-    snprintf(acceleration, sizeof acceleration, "a%s", name);
-    same(speed, at_now(speed), rate(name), v);
-    if (tracks_get(&around[NOW], acceleration))
-        same(acceleration, at_now(acceleration), rate(speed), a);
+    same("velocity", get(&around[NOW], velocity), rate_of(place), v);
+    if (has(&around[NOW], acceleration))
+        same("acceleration", get(&around[NOW], acceleration), rate_of(velocity), a);
 }
 
 /* A normal and a tangential part: against the arm and across it; they are omega^2 r and alpha r of it, and `whole` is their
@@ -249,11 +277,11 @@ static void check_rod(double v, double a)
 {
     fourlink_vector B = at_now("B"), C = at_now("C");
 
-    check_point("C", v, a);
+    check_point(TRACK_C, TRACK_VC, TRACK_AC, v, a);
     same("vCB", at_now("vCB"), minus(rate("C"), rate("B")), v);
     check_parts("aCBn", "aCBt", minus(C, B), rate("vCB"), a);
     if (shown.kind.guided)
-        assert_non_null(tracks_get(&around[NOW], "aC"));
+        assert_true(has(&around[NOW], TRACK_AC));
     else
         check_parts("aCn", "aCt", minus(C, at_now("D")), rate("vC"), a);
 }
@@ -265,11 +293,13 @@ static double largest(quantity q)
     double most = 0;
     int i;
 
-    for (i = 0; i < t->n; i++)
-        if (t->list[i].q == q)
+    for (i = 0; i < TRACK_COUNT; i++)
+        if (has(t, i) && t->list[i].q == q)
             most = fmax(most, size_of(t->list[i].v));
     return most;
 }
+
+static long n_points; /* centres of mass and tracer points */
 
 static void check_motion(const fourlink_instant *now)
 {
@@ -280,53 +310,53 @@ static void check_motion(const fourlink_instant *now)
     v = largest(QUANTITY_SPEED);
     a = largest(QUANTITY_ACCELERATION);
     same("A", at_now("A"), place_at(0, 0), 0);
-    check_point("B", v, a);
+    check_point(TRACK_B, TRACK_VB, -1, v, a);
     check_parts("aBn", "aBt", minus(at_now("B"), at_now("A")), rate("vB"), a);
     if (shown.kind.slotted)
         check_slot(now, v, a);
     else
         check_rod(v, a);
-    for (i = 0; i < around[NOW].n; i++)
-        if (strchr("GP", around[NOW].list[i].name[0]))
-            check_point(around[NOW].list[i].name, v, a);
+    for (i = TRACK_CENTRE; i < TRACK_LOAD; i += i + 3 == TRACK_WEIGHT ? TRACK_POINT - i : 3)
+        if (has(&around[NOW], i)) {
+            check_point(i, i + 1, i + 2, v, a);
+            n_points++;
+        }
 }
 
 /* ------------------------------------------------------------------------------------------ polygons */
 
 enum { CORNERS = 8 };
 
+static scene shown_scene;
+
 /* Each corner is at one place, however it is reached; the sides of a rod's acceleration that are not of this mechanism
 ** have no track. */
 static void check_polygon(const scene_polygon *p)
 {
-    const char *names[CORNERS];
     fourlink_vector places[CORNERS];
+    int is_known[CORNERS] = {1, 0, 0, 0, 0, 0, 0, 0}, n = 1, i;
     const scene_side *side;
-    int n = 1, i, from, to;
 
-    names[0] = p->sides->from;
     places[0] = place_at(0, 0);
+    assert_int_equal(p->sides->from, 0);
+    assert_non_null(p->letters[0]);
     for (side = p->sides; side->name; side++) {
         fourlink_vector end;
 
-        if (!tracks_get(&around[NOW], side->of))
+        if (!has(&around[NOW], side->of))
             continue;
-        assert_int_equal(tracks_get(&around[NOW], side->of)->q, p->q);
-        for (from = to = -1, i = 0; i < n; i++) {
-            from = strcmp(names[i], side->from) == 0 ? i : from;
-            to = strcmp(names[i], side->to) == 0 ? i : to;
-        }
-        assert_true(from >= 0);
-        end = plus(places[from], at_now(side->of));
-        if (to >= 0) {
-            same(p->title, places[to], end, largest(p->q));
-        } else {
-            assert_true(n < CORNERS);
-            names[n] = side->to;
-            places[n++] = end;
-        }
+        assert_int_equal(around[NOW].list[side->of].q, p->q);
+        assert_true(side->to < CORNERS && is_known[side->from]);
+        end = plus(places[side->from], get(&around[NOW], side->of));
+        if (is_known[side->to])
+            same(p->title, places[side->to], end, largest(p->q));
+        places[side->to] = end;
+        n += !is_known[side->to];
+        is_known[side->to] = 1;
     }
     assert_true(n >= 3);
+    for (i = 0; i < shown_scene.n_images; i++) /* that of a point is its velocity or acceleration */
+        assert_int_equal(around[NOW].list[shown_scene.images[i].of + p->derivative].q, p->q);
 }
 
 /* --------------------------------------------------------------------------------------- equilibrium */
@@ -338,7 +368,9 @@ static void check_equilibrium(const scene *s, const tracks *t)
     fourlink_vector sum;
     int link, i;
 
-    for (i = 0; i < t->n; i++) {
+    for (i = 0; i < TRACK_COUNT; i++) {
+        if (!has(t, i))
+            continue;
         force = fmax(force, t->list[i].q == QUANTITY_FORCE ? size_of(t->list[i].v) : 0);
         torque = fmax(torque, t->list[i].q == QUANTITY_TORQUE ? fabs(t->list[i].v.x) : 0);
         arm = fmax(arm, t->list[i].q == QUANTITY_LENGTH ? size_of(t->list[i].v) : 0);
@@ -359,8 +391,7 @@ static void check_equilibrium(const scene *s, const tracks *t)
             if (s->torques[i].on == link) {
                 const scene_force *f = &s->torques[i];
 
-                if (!tracks_get(t, f->of)->is_number)
-                    fail_msg("%s is no number", f->of);
+                assert_int_equal(t->list[f->of].q, QUANTITY_TORQUE);
                 moment += f->sign * get(t, f->of).x;
                 if (f->load != FOURLINK_LOAD_FRICTION) /* which is drawn as circles */
                     get(t, f->at);
@@ -405,29 +436,28 @@ static void check_lever(const tracks *t, const fourlink_load *loads)
     assert_near(shown.lever_low, lever_low, 0);
     assert_near(shown.lever_high, lever_high, 0);
     /* the pin of the lever is on the line of its ends */
-    pin = get(t, shown.kind.guided ? "C" : "D");
-    ends = minus(get(t, "E2"), get(t, "E1"));
+    pin = get(t, shown.kind.guided ? TRACK_C : TRACK_D);
+    ends = minus(get(t, TRACK_E2), get(t, TRACK_E1));
     none("length of the lever", size_of(ends) - (lever_high - lever_low), 1e-6 * lever_high);
     same("pin of the lever",
-         place_at(dot(minus(pin, get(t, "E1")), ends), cross(minus(pin, get(t, "E1")), ends)),
+         place_at(dot(minus(pin, get(t, TRACK_E1)), ends),
+                  cross(minus(pin, get(t, TRACK_E1)), ends)),
          place_at(-lever_low * size_of(ends), 0), 1e-6 * dot(ends, ends));
 }
 
 /* The ends of a linear spring are as far apart as the spring is long. */
 static void check_springs(const tracks *t, const fourlink_state *at)
 {
-    char P[TRACKS_NAME], Q[TRACKS_NAME];
     fourlink_spring_state found;
     fourlink_spring spring;
-    unsigned long i;
+    int i;
 
-    for (i = 0; i < shown.problem.n_springs; i++) {
-        fourlink_deck_spring(shown.deck, i, NULL, &spring);
+    for (i = 0; i < (int)shown.problem.n_springs; i++) {
+        fourlink_deck_spring(shown.deck, (unsigned long)i, NULL, &spring);
         if (spring.is_torsional ||
             fourlink_spring_at(shown.mechanism, at, &spring, &found) != FOURLINK_OK)
             continue;
-        assert_close(size_of(minus(get(t, tracks_name("K", i, "P", P)),
-                                   get(t, tracks_name("K", i, "Q", Q)))),
+        assert_close(size_of(minus(get(t, TRACK_SPRING + 2 * i), get(t, TRACK_SPRING + 2 * i + 1))),
                      found.length, 1e-12);
     }
 }
@@ -441,10 +471,9 @@ static void check_scene(fourlink_branch branch)
     fourlink_load loads[32];
     fourlink_instant now;
     static tracks t;
-    static scene s;
     int i;
 
-    scene_find(&s, &shown);
+    scene_find(&shown_scene, &shown);
     for (i = 0; i < 4; i++) {
         if (fourlink_results_at(results, branch, between(-400, 400), NULL, &now, loads) !=
                 FOURLINK_OK ||
@@ -454,7 +483,7 @@ static void check_scene(fourlink_branch branch)
         check_polygon(&scene_polygons(&shown)[0]);
         check_polygon(&scene_polygons(&shown)[1]);
         tracks_find(&t, &shown, &now, loads);
-        check_equilibrium(&s, &t);
+        check_equilibrium(&shown_scene, &t);
         check_lever(&t, loads);
         check_springs(&t, &now.state);
         n_instants++;
@@ -472,7 +501,7 @@ TEST(scenes_of_random_machines)
             check_scene(shown.branches[i]);
         fourlink_results_free(results);
     }
-    assert_true(n_instants > number);
+    assert_true(n_instants > number && n_points > number);
 }
 
 /* -------------------------------------------------------------------------------------------- pins */
