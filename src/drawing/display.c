@@ -78,6 +78,7 @@ void display_close(display *d)
 void display_clear(display *d)
 {
     d->n_panels = d->n_items = d->n_places = d->n_words = 0;
+    d->key = 0;
     display_keep(d, "");
 }
 
@@ -128,10 +129,8 @@ const char *display_text_of(const display *d, const display_item *x, char out[DI
                : words;
 }
 
-void display_set(display *d, display_item *x, unsigned long key, const char *value,
-                 const char *unit)
+void display_set_value(display *d, display_item *x, const char *value, const char *unit)
 {
-    x->key = key;
     x->value = display_keep(d, value);
     x->unit = display_keep(d, unit);
 }
@@ -149,6 +148,7 @@ display_item *display_add(display *d, display_sort sort, int stroke, int layer)
     x->sort = sort;
     x->pen = stroke;
     x->layer = layer;
+    x->key = d->key;
     x->first = d->n_places;
     return x;
 }

@@ -80,7 +80,7 @@ typedef struct display_item {
     int is_upright;            /* 1: a text that runs upwards */
     size_t words, value, unit; /* of a text, one behind the other: offsets; 0: "" */
     size_t name;               /* in the file: an offset */
-    unsigned long key;         /* what it shows: the same at all steps of a motion */
+    unsigned long key; /* what it shows: the same at all steps of a motion; 0: what stands still */
 } display_item;
 
 typedef struct display_panel {
@@ -99,6 +99,7 @@ typedef struct display {
     size_t n_places, places_capacity;
     char *words;
     size_t n_words, words_capacity;
+    unsigned long key; /* of the items that are added next */
     display_item none; /* takes the place of an item for which there is no memory */
 } display;
 
@@ -126,9 +127,8 @@ const char *display_words(const display *d, size_t offset);
 enum { DISPLAY_WORDS = 300 }; /* of one that has a value */
 const char *display_text_of(const display *d, const display_item *x, char out[DISPLAY_WORDS]);
 
-/* Say what an item shows, and put a value and its unit behind its words. */
-void display_set(display *d, display_item *x, unsigned long key, const char *value,
-                 const char *unit);
+/* Put a value and its unit behind the words of an item. */
+void display_set_value(display *d, display_item *x, const char *value, const char *unit);
 
 /* Add an item to the panel; a dummy when out of memory. */
 display_item *display_add(display *d, display_sort sort, int stroke, int layer);

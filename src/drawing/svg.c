@@ -405,63 +405,82 @@ void svg_write(FILE *out, const display *d, const char *title, const char *descr
 
 /* -------------------------------------------------------------------------------------------- motion */
 
-/* 1 if all frames have the same items, at other places. */
-static int is_alike(const display *frames, int n)
+/* An item of a frame in another one; null if it is not there. */
+static const display_item *item_in(const display *frame, const display_item *x)
 {
-    size_t i;
+    const display_item *y = frame->items + frame->panels[0].first;
+
+    for (; y < frame->items + frame->n_items; y++)
+        if (y->key == x->key && y->part == x->part && y->sort == x->sort && y->pen == x->pen)
+            return y;
+    return NULL;
+}
+
+/* Frames with a panel each, and an item of one of them. */
+typedef struct moving_item {
+    const display *frames, *of;
+    int n, repeats; /* 1: the first frame follows the last */
+    const display_item *x;
+} moving_item;
+
+/* 1 if it is in all frames at the same places; without a key, as the axes, it is. */
+static int is_still(const moving_item *m)
+{
+    const display_item *y;
+    size_t j;
     int k;
 
-    for (k = 1; k < n; k++) {
-        if (frames[k].n_items - frames[k].panels[0].first !=
-            frames[0].n_items - frames[0].panels[0].first)
+    for (k = 0; k < m->n && m->x->key; k++) {
+        y = item_in(&m->frames[k], m->x);
+        if (!y || y->n != m->x->n)
             return 0;
-        for (i = 0; i < frames[0].panels[0].n; i++) {
-            const display_item *x = &frames[0].items[frames[0].panels[0].first + i],
-                               *y = &frames[k].items[frames[k].panels[0].first + i];
-
-            if (x->sort != y->sort || x->pen != y->pen || x->n != y->n)
+        for (j = 0; j < y->n; j++)
+            if (place_distance(m->of->places[m->x->first + j], m->frames[k].places[y->first + j]) >
+                5e-4)
                 return 0;
-        }
     }
     return 1;
 }
 
-/* The same item in another frame. */
-static const display_item *item_of(const display *frame, size_t i)
+static void put_animate(FILE *out, const char *attribute, const char *mode)
 {
-    return &frame->items[frame->panels[0].first + i];
+    fprintf(out, "<animate attributeName=\"%s\"%s dur=\"%ds\" repeatCount=\"indefinite\" values=\"",
+            attribute, mode, SECONDS);
 }
 
-static int is_moving(const display *frames, int n, size_t i)
-{
-    const display_item *x = item_of(&frames[0], i);
-    size_t j;
-    int k;
-
-    for (k = 1; k < n; k++)
-        for (j = 0; j < x->n; j++) {
-            fourlink_vector p = frames[0].places[x->first + j],
-                            q = frames[k].places[item_of(&frames[k], i)->first + j];
-
-            if (place_distance(p, q) > 5e-4)
-                return 1;
-        }
-    return 0;
-}
-
-/* The values of an attribute in all frames, and again in the first if the motion repeats. */
-static void put_values(FILE *out, const display *frames, int n, size_t i, int repeats,
-                       const char *attribute,
+/* The values of an attribute in all frames; where the item is not there, those before. */
+static void put_values(FILE *out, const moving_item *m, const char *attribute,
                        void put(FILE *out, const display *d, const display_item *x))
 {
+    const display *d = m->of;
+    const display_item *x = m->x, *y;
     int k;
 
-    fprintf(out, "<animate attributeName=\"%s\" dur=\"%ds\" repeatCount=\"indefinite\" values=\"",
-            attribute, SECONDS);
-    for (k = 0; k < n + repeats; k++) {
+    put_animate(out, attribute, "");
+    for (k = 0; k < m->n + m->repeats; k++) {
+        y = item_in(&m->frames[k % m->n], m->x);
+        if (y) {
+            d = &m->frames[k % m->n];
+            x = y;
+        }
         fputs(k ? ";" : "", out);
-        put(out, &frames[k % n], item_of(&frames[k % n], i));
+        put(out, d, x);
     }
+    fputs("\"/>", out);
+}
+
+/* Where it is not there. */
+static void put_visibility(FILE *out, const moving_item *m)
+{
+    int k = 0;
+
+    while (k < m->n && item_in(&m->frames[k], m->x))
+        k++;
+    if (k == m->n)
+        return;
+    put_animate(out, "visibility", " calcMode=\"discrete\"");
+    for (k = 0; k < m->n; k++)
+        fprintf(out, "%s%s", k ? ";" : "", item_in(&m->frames[k], m->x) ? "visible" : "hidden");
     fputs("\"/>", out);
 }
 
@@ -476,9 +495,9 @@ static void put_y(FILE *out, const display *d, const display_item *x)
 }
 
 /* Write an item that moves. */
-static void put_moving(FILE *out, const display *frames, int n, size_t i, int repeats)
+static void put_moving(FILE *out, const moving_item *m)
 {
-    const display_item *x = item_of(&frames[0], i);
+    const display_item *x = m->x;
     char class_name[30] = "h-", own[30], words[DISPLAY_WORDS];
 
     display_class(x->pen, class_name + 2);
@@ -486,64 +505,68 @@ static void put_moving(FILE *out, const display *frames, int n, size_t i, int re
         fputs("<text class=\"halo\"", out);
         fputs(anchors[x->align], out);
         putc('>', out);
-        put_words(out, display_text_of(&frames[0], x, words));
-        put_values(out, frames, n, i, repeats, "x", put_x);
-        put_values(out, frames, n, i, repeats, "y", put_y);
+        put_words(out, display_text_of(m->of, x, words));
+        put_values(out, m, "x", put_x);
+        put_values(out, m, "y", put_y);
+        put_visibility(out, m);
         fputs("</text>\n", out);
     } else if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_MARK || x->sort == DISPLAY_CENTRE) {
         fputs("<circle r=\"", out);
         put_number(out, x->size);
         fprintf(out, "\" class=\"%s\">", svg_class(x, own));
-        put_values(out, frames, n, i, repeats, "cx", put_x);
-        put_values(out, frames, n, i, repeats, "cy", put_y);
+        put_values(out, m, "cx", put_x);
+        put_values(out, m, "cy", put_y);
+        put_visibility(out, m);
         fputs("</circle>\n", out);
     } else {
         fprintf(out, "<path class=\"%s\">", class_name + 2);
-        put_values(out, frames, n, i, repeats, "d", put_path);
+        put_values(out, m, "d", put_path);
+        put_visibility(out, m);
         fputs("</path>\n", out);
     }
     if (x->sort == DISPLAY_ARROW || x->sort == DISPLAY_CENTRE) {
         fprintf(out, "<path class=\"%s\">", x->sort == DISPLAY_CENTRE ? "solid" : class_name);
-        put_values(out, frames, n, i, repeats, "d",
-                   x->sort == DISPLAY_CENTRE ? put_quarters : put_head);
+        put_values(out, m, "d", x->sort == DISPLAY_CENTRE ? put_quarters : put_head);
+        put_visibility(out, m);
         fputs("</path>\n", out);
     }
 }
 
-/* Frames that have different items are shown one after the other. */
-static void put_frame(FILE *out, const display *d, int k, int n)
+/* Write those items of frame k in a layer that are in none of the frames before. */
+static void put_new_items(FILE *out, moving_item *m, int k, int layer)
 {
-    fprintf(out,
-            "<g visibility=\"hidden\"><animate attributeName=\"visibility\" calcMode=\"discrete\" "
-            "dur=\"%ds\" repeatCount=\"indefinite\" keyTimes=\"0;%.4f;%.4f\" "
-            "values=\"hidden;visible;hidden\"/>\n",
-            SECONDS, (double)k / n, (k + 1.0) / n);
-    put_items(out, d, d->panels[0].first, d->n_items);
-    fputs("</g>\n", out);
+    const display *d = &m->frames[k];
+    const display_item *x;
+    int before;
+
+    for (x = d->items + d->panels[0].first; x < d->items + d->n_items; x++) {
+        for (before = 0; before < k && x->key && !item_in(&m->frames[before], x); before++)
+            ;
+        if (before < k || x->layer != layer)
+            continue;
+        m->of = d;
+        m->x = x;
+        if (is_still(m))
+            put_item(out, d, x);
+        else
+            put_moving(out, m);
+    }
 }
 
 void svg_write_motion(FILE *out, const display *frames, int n, int repeats, const char *title,
                       const char *description)
 {
-    const display_panel *p = &frames[0].panels[0];
-    size_t i;
+    moving_item m;
     int layer, k;
 
+    m.frames = frames;
+    m.n = n;
+    m.repeats = repeats;
     put_begin(out, &frames[0], title, description, 0);
-    put_items(out, &frames[0], 0, p->first);
-    put_panel_data(out, p);
-    if (is_alike(frames, n))
-        for (layer = 0; layer < DISPLAY_LAYERS; layer++)
-            for (i = 0; i < p->n; i++) {
-                if (item_of(&frames[0], i)->layer != layer)
-                    continue;
-                if (is_moving(frames, n, i))
-                    put_moving(out, frames, n, i, repeats);
-                else
-                    put_item(out, &frames[0], item_of(&frames[0], i));
-            }
-    else
+    put_items(out, &frames[0], 0, frames[0].panels[0].first);
+    put_panel_data(out, &frames[0].panels[0]);
+    for (layer = 0; layer < DISPLAY_LAYERS; layer++)
         for (k = 0; k < n; k++)
-            put_frame(out, &frames[k], k, n);
+            put_new_items(out, &m, k, layer);
     fputs("</g>\n</svg>\n", out);
 }

@@ -98,6 +98,7 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
 void canvas_begin_panel(canvas *c)
 {
     display_begin_panel(c->d);
+    c->d->key = 0;
     c->n_entries = 0;
     c->has_key_below_title = 0;
 }
@@ -192,11 +193,11 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
                     const char *unit)
 {
     double y = -0.8 * CANVAS_LINE / c->box_height, to = from + length, end = 4 / c->box_height;
-    unsigned long key = 4 * (unsigned long)stroke;
     size_t kept = display_keep(c->d, "scale");
     display_item *words;
     int k;
 
+    c->d->key = 4 * (unsigned long)stroke + 1;
     for (k = stroke ? 0 : -1; k <= (stroke ? 0 : 1);
          k++) { /* the line, or both ends and the line */
         double x1 = k < 0 ? from : k > 0 ? to : from, x2 = k < 0 ? from : to;
@@ -208,11 +209,11 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
         line->in_box = 1;
         line->name = kept;
         line->part = DISPLAY_SCALE;
-        line->key = key + (unsigned long)(k + 1);
+        c->d->key++;
     }
     words = put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, "");
     words->part = DISPLAY_SCALE;
-    display_set(c->d, words, key, value, unit);
+    display_set_value(c->d, words, value, unit);
     return to + 4 * CANVAS_LETTER + canvas_width_of(value) + canvas_width_of(unit);
 }
 
@@ -241,27 +242,19 @@ void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words)
         return;
     new->sort = sort;
     new->pen = stroke;
-    new->key = 0;
+    new->key = c->d->key;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     c->n_entries++;
-}
-
-void canvas_add_key_of(canvas *c, unsigned long key, int stroke, const char *words)
-{
-    int n = c->n_entries;
-
-    canvas_add_key(c, DISPLAY_LINE, stroke, words);
-    if (c->n_entries > n)
-        c->entries[n].key = key;
 }
 
 /* Put an entry, from a place in pixels right of and above the upper left corner of the box. */
 static void put_entry(const canvas *c, const canvas_entry *x, double dx, double dy)
 {
     size_t kept = display_keep(c->d, "key");
-    display_item *sample, *words;
+    display_item *sample;
     int i;
 
+    c->d->key = x->key;
     if (x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) {
         sample = display_add(c->d, x->sort, x->pen, DISPLAY_FRONT);
         sample->is_open = 1; /* a polygon already */
@@ -281,11 +274,8 @@ static void put_entry(const canvas *c, const canvas_entry *x, double dx, double 
     sample->in_box = 1;
     sample->name = kept;
     sample->part = DISPLAY_KEY;
-    sample->key = x->key;
-    words =
-        put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words);
-    words->part = DISPLAY_KEY;
-    words->key = x->key;
+    put_in_box(c, "key", 0, 1, dx + SAMPLE + 0.7 * CANVAS_LETTER, dy, DISPLAY_LEFT, x->words)
+        ->part = DISPLAY_KEY;
 }
 
 static double width_of_entry(const canvas_entry *x)

@@ -71,9 +71,8 @@ void canvas_drop_panel(canvas *c);
 void canvas_titles(const canvas *c, const char *x, const char *x_unit, const char *y,
                    const char *y_unit, const char *format, ...);
 
-/* Add to the key of the panel; what it tells of, in a drawing that moves. */
+/* Add to the key of the panel. */
 void canvas_add_key(canvas *c, display_sort sort, int stroke, const char *words);
-void canvas_add_key_of(canvas *c, unsigned long key, int stroke, const char *words);
 
 /* Put a scale below a bare drawing: a length in pixels, as an arrow of this pen or, 0, as a line with ends,
 ** its value and unit.  Returns where the next may begin. */

@@ -265,12 +265,11 @@ static int compare(const void *first, const void *second)
     return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
 }
 
-/* Draw the outline of a link, the convex hull of so many points, which are sorted: the lower side from left
-** to right, then the upper side back (A. M. Andrew, "Another efficient algorithm for convex hulls in two
-** dimensions", Information Processing Letters 9, 1979). */
-static void put_hull(sketch *s, pen p, fourlink_vector *points, int n)
+/* Find the convex hull of so many points, which are sorted: the lower side from left to right, then the upper side
+** back (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
+** Letters 9, 1979).  Returns the number of its corners. */
+static int find_hull(fourlink_vector *points, int n, fourlink_vector corners[2 * CORNERS])
 {
-    fourlink_vector corners[2 * CORNERS];
     int m = 0, lower, i;
 
     qsort(points, (size_t)n, sizeof *points, compare);
@@ -281,33 +280,52 @@ static void put_hull(sketch *s, pen p, fourlink_vector *points, int n)
     for (i = n - 2; i >= 0; corners[m++] = points[i--])
         while (m >= lower && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
             m--;
-    for (i = 0; i + 1 < m; i++)
-        sketch_line(s, p, corners[i], corners[i + 1]);
+    return m - 1; /* the last is the first */
+}
+
+static void place_points(const fourlink_state *state, int link, fourlink_vector *points, int n)
+{
+    int i;
+
+    for (i = 0; i < n; i++)
+        points[i] = geometry_of_link(state, link, &points[i]);
+}
+
+/* Draw the outline of a link, the hull of points in its own axes: in a motion from the same corner at each position. */
+static void put_hull(sketch *s, const fourlink_state *state, int link, fourlink_vector *points,
+                     int n)
+{
+    fourlink_vector corners[2 * CORNERS];
+    int m, i;
+
+    if (!s->c->motion)
+        place_points(state, link, points, n);
+    m = find_hull(points, n, corners);
+    if (s->c->motion)
+        place_points(state, link, corners, m + 1);
+    for (i = 0; i < m; i++)
+        sketch_line(s, (pen)link, corners[i], corners[i + 1]);
 }
 
 /* Draw the outline of a link with tracer points. */
 static void put_points(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector corners[CORNERS], at;
+    fourlink_vector points[CORNERS];
     unsigned long i;
-    const char *name;
     int n = 0, is_off = 0, on;
 
     for (i = 0; i < p->v.problem.n_points; i++) {
-        at = tracer(p, state, i, &name, &on);
-        if (on != link)
-            continue;
-        corners[n++] = at;
-        fourlink_deck_point(p->v.deck, i, &name, &on, &at);
-        is_off = is_off || at.y != 0;
+        fourlink_deck_point(p->v.deck, i, NULL, &on, &points[n]);
+        if (on == link)
+            is_off |= points[n++].y != 0;
     }
     if (n == 0)
         return;
-    corners[n++] = state->link[link].origin;
-    corners[n++] = geometry_end(&p->v, state, link);
+    points[n++] = place_at(0, 0);
+    points[n++] = place_at(p->v.design->link[link].length, 0);
     sketch_show(s, SKETCH_HULL, (unsigned long)link);
     if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
-        put_hull(s, (pen)link, corners, n);
+        put_hull(s, state, link, points, n);
 }
 
 static void put_pin(sketch *s, unsigned long joint, fourlink_vector at, const char *letter)

@@ -51,10 +51,12 @@ void sketch_skip(sketch *s, unsigned long parts)
     s->part += parts * PIECES;
 }
 
+/* The key of the next part, which the items have that are added now. */
 static unsigned long next_part(sketch *s)
 {
+    s->c->d->key = s->part;
     sketch_skip(s, 1);
-    return s->part - PIECES;
+    return s->c->d->key;
 }
 
 void sketch_hold(sketch *s, fourlink_vector at)
@@ -152,8 +154,7 @@ static void take_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
 }
 
-static void put_line(sketch *s, unsigned long key, pen p, fourlink_vector from, fourlink_vector to,
-                     int has_head)
+static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to, int has_head)
 {
     display_item *line;
 
@@ -165,17 +166,18 @@ static void put_line(sketch *s, unsigned long key, pen p, fourlink_vector from, 
     take_line(s, p, from, to);
     line = display_line(s->c->d, (int)p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
     line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
-    line->key = key;
 }
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_line(s, next_part(s), p, from, to, 0);
+    next_part(s);
+    put_line(s, p, from, to, 0);
 }
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_line(s, next_part(s), p, from, to, 1);
+    next_part(s);
+    put_line(s, p, from, to, 1);
 }
 
 /* A place of an arc or a spiral, after a part of it. */
@@ -192,22 +194,22 @@ void sketch_spiral(sketch *s, pen p, fourlink_vector centre, double inner, doubl
     int n = 8 + (int)(fabs(to - from) / DISPLAY_ARC_STEP), is_cut = 0, i;
     double turn = atan2(s->sine, s->cosine);
     fourlink_vector last = on_arc(centre, inner, outer, from, to, 0), next;
-    unsigned long key = next_part(s);
 
+    next_part(s);
     for (i = 0; i <= n; i++)
         is_cut |= is_beyond(s, turned(s, on_arc(centre, inner, outer, from, to, (double)i / n)));
     if (!is_cut) {
         display_item *arc =
             display_arc(s->c->d, (int)p, in_unit(s, turned(s, centre)), from + turn, to - from);
 
-        arc->key = key;
         arc->radius[0] = in_unit(s, place_at(inner, 0)).x;
         arc->radius[1] = in_unit(s, place_at(outer, 0)).x;
     }
     for (i = 1; i <= n; i++) {
         next = on_arc(centre, inner, outer, from, to, (double)i / n);
+        s->c->d->key++; /* a piece of this part */
         if (is_cut)
-            put_line(s, key + (unsigned long)i, p, last, next, 0);
+            put_line(s, p, last, next, 0);
         else
             take_line(s, p, turned(s, last), turned(s, next));
         last = next;
@@ -237,16 +239,15 @@ static void put_disc(sketch *s, display_sort sort, fourlink_vector at, double pa
 {
     double radius = part * s->letter * s->size;
     size_t kept = display_keep(s->c->d, name);
-    unsigned long key = next_part(s);
     display_item *disc;
 
+    next_part(s);
     at = turned(s, at);
     if (is_beyond(s, at))
         return;
     include(s, at);
     add_disc(s, at, radius);
     disc = display_add(s->c->d, sort, PEN_GROUND, DISPLAY_FRONT);
-    disc->key = key;
     disc->is_open = is_open;
     disc->name = kept;
     disc->size = in_unit(s, place_at(radius, 0)).x;
@@ -367,13 +368,11 @@ void sketch_ring(sketch *s, fourlink_vector at, const char *name)
 void sketch_mark(sketch *s, fourlink_vector at, const char *name)
 {
     size_t kept = display_keep(s->c->d, name);
-    display_item *disc;
 
     if (!s->c->is_bare)
         return;
-    disc = display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT);
-    disc->name = kept;
-    disc->key = next_part(s);
+    next_part(s);
+    display_add(s->c->d, DISPLAY_DISC, PEN_GROUND, DISPLAY_FRONT)->name = kept;
     display_add_place(s->c->d, in_unit(s, turned(s, at)));
 }
 
@@ -408,12 +407,11 @@ static void add_entry(sketch *s, pen p, const char *title)
 void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
     size_t kept = display_keep(s->c->d, title);
-    display_item *curve = display_add(s->c->d, DISPLAY_CURVE, (int)p, DISPLAY_CURVES);
     fourlink_vector at, last = {0, 0};
     int in_piece = 0, is_empty = 1, i;
 
-    curve->name = kept;
-    curve->key = next_part(s);
+    next_part(s);
+    display_add(s->c->d, DISPLAY_CURVE, (int)p, DISPLAY_CURVES)->name = kept;
     for (i = 0; i < n; i++) {
         if (gsl_isnan(points[i].x)) {
             display_add_place(s->c->d, points[i]);
@@ -466,14 +464,16 @@ static void put_margin(const sketch *s)
     int in_key = 0, i;
 
     for (i = 0; i < s->n_entries; i++) {
-        canvas_add_key_of(s->c, s->entries[i].key, (int)s->entries[i].p, s->entries[i].title);
+        s->c->d->key = s->entries[i].key;
+        canvas_add_key(s->c, DISPLAY_LINE, (int)s->entries[i].p, s->entries[i].title);
         in_key += s->entries[i].title[0] != '\0';
     }
     for (i = 0; i < s->n_notes; i++) {
         const sketch_line_beside *x = &s->notes[i];
 
-        display_set(s->c->d, canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", x->words),
-                    x->key, x->value, x->unit);
+        s->c->d->key = x->key;
+        display_set_value(s->c->d, canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", x->words),
+                          x->value, x->unit);
     }
 }
 
@@ -522,7 +522,6 @@ static void put_label(const sketch *s, const label *x)
     display_align align = side > 0 ? DISPLAY_LEFT : side < 0 ? DISPLAY_RIGHT : DISPLAY_MIDDLE;
     display_item *put = display_text(s->c->d, 0, in_unit(s, x->at), align, x->words);
 
-    put->key = x->key;
     put->is_boxed = 1;
     put->dx = x->middle.x - side * x->half;
     put->dy = -x->middle.y;
@@ -537,6 +536,7 @@ static void put_labels(const sketch *s)
 
         if (one->is_hidden)
             continue;
+        s->c->d->key = one->key;
         if (one->has_leader && !s->c->is_text && !s->c->motion)
             put_leader(s, one);
         put_label(s, one);
@@ -653,6 +653,7 @@ void sketch_close(sketch *s, const char *format, ...)
     put_margin(s);
     if (s->c->is_bare)
         put_scales(s);
+    s->c->d->key = 0; /* the axes stand still */
     canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,
                   s->c->turn != 0 ? "vertical" : "y", s->unit->name, "%s", title);
     put_axes(s);

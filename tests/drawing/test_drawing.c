@@ -519,10 +519,10 @@ static void draw_step(display *d, int i, double length, double offset)
     sprintf(words, "%d", 15 * i);
     x = keyed(display_text(d, PEN_GROUND, place_at(-2, 11), DISPLAY_LEFT, "theta = "));
     x->part = DISPLAY_NOTE;
-    display_set(d, x, x->key, words, i < STEPS / 2 ? " deg" : " degrees");
+    display_set_value(d, x, words, i < STEPS / 2 ? " deg" : " degrees");
     x = keyed(display_text(d, PEN_GROUND, place_at(-2, 11), DISPLAY_LEFT, "a = "));
     x->part = DISPLAY_NOTE;
-    display_set(d, x, x->key, "3", " mm");
+    display_set_value(d, x, "3", " mm");
     if (i % 7 == 2)
         keyed(display_text(d, PEN_GROUND, place_at(-2, 15), DISPLAY_LEFT, "dead"));
     display_end_panel(d, box, axes);
