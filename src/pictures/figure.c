@@ -130,6 +130,12 @@ static double size_of(picture *p, fourlink_branch branch)
         all.c = &p->on;
         sketch_turn(&all, 1);
         include_all(&all, p, branch, 0);
+        if (place_is_empty(&all.drawn)) { /* no position: the crank is drawn */
+            double r = p->v.design->link[FOURLINK_CRANK].length;
+
+            sketch_include(&all, place_at(-r, -r));
+            sketch_include(&all, place_at(r, r));
+        }
         p->size = GSL_MAX_DBL(all.drawn.x_max - all.drawn.x_min, all.drawn.y_max - all.drawn.y_min);
         p->size_branch = branch;
     }
