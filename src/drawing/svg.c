@@ -220,191 +220,6 @@ static void put_words(FILE *out, const char *words)
 
 #define BASELINE 5 /* pixels below the middle of a line */
 
-/* By display_align. */
-static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-
-static void put_text(FILE *out, const display *d, const display_item *x)
-{
-    fourlink_vector at = d->places[x->first];
-    char class_name[30], words[DISPLAY_WORDS];
-
-    fputs("<text x=\"", out);
-    put_number(out, at.x);
-    fputs("\" y=\"", out);
-    put_number(out, at.y + (x->is_upright ? 0 : BASELINE));
-    putc('"', out);
-    if (x->is_upright) {
-        fputs(" transform=\"rotate(-90 ", out);
-        put_place(out, ' ', at);
-        fputs(")\"", out);
-    }
-    if (x->pen || x->name || x->is_boxed)
-        put_class(out, d, x, svg_class(x, class_name));
-    fputs(anchors[x->align], out);
-    putc('>', out);
-    put_words(out, display_text_of(d, x, words));
-    fputs("</text>\n", out);
-}
-
-const char *svg_class(const display_item *x, char out[30])
-{
-    char own[20];
-
-    if (x->sort == DISPLAY_TEXT)
-        return flk_text_join(out, 30, x->pen ? "h-" : "", display_class(x->pen, own),
-                             x->is_boxed && x->pen ? " halo"
-                             : x->is_boxed         ? "halo"
-                             : x->pen              ? ""
-                                                   : "words",
-                             (char *)NULL);
-    if (x->sort != DISPLAY_DISC && x->sort != DISPLAY_MARK && x->sort != DISPLAY_CENTRE)
-        return x->sort == DISPLAY_ABOVE   ? "above"
-               : x->sort == DISPLAY_BELOW ? "below"
-                                          : display_class(x->pen, out);
-    if (x->sort == DISPLAY_MARK && x->pen)
-        return flk_text_join(out, 30, "h-", display_class(x->pen, own), " mark", (char *)NULL);
-    if (x->sort == DISPLAY_MARK)
-        return x->is_open ? "open mark" : "solid mark";
-    if (x->sort == DISPLAY_CENTRE)
-        return "open centre";
-    return x->is_open ? "open" : "solid";
-}
-
-static void put_circle(FILE *out, const display *d, const display_item *x)
-{
-    fourlink_vector at = d->places[x->first];
-    char class_name[30];
-
-    fputs("<circle cx=\"", out);
-    put_number(out, at.x);
-    fputs("\" cy=\"", out);
-    put_number(out, at.y);
-    fputs("\" r=\"", out);
-    put_number(out, x->size);
-    putc('"', out);
-    put_class(out, d, x, svg_class(x, class_name));
-    fputs("/>\n", out);
-}
-
-/* A path, of which `put` writes the way. */
-static void put_one(FILE *out, const display *d, const display_item *x, const char *class_name,
-                    void put(FILE *out, const display *d, const display_item *x))
-{
-    fputs("<path", out);
-    put_class(out, d, x, class_name);
-    fputs(" d=\"", out);
-    put(out, d, x);
-    fputs("\"/>\n", out);
-}
-
-static void put_item(FILE *out, const display *d, const display_item *x)
-{
-    char own[30], head[32];
-    const char *class_name = svg_class(x, own);
-
-    if (x->sort == DISPLAY_TEXT) {
-        put_text(out, d, x);
-    } else if (x->sort < DISPLAY_DISC) {
-        if (x->n)
-            put_one(out, d, x, class_name, put_path);
-        if (x->sort == DISPLAY_ARROW)
-            put_one(out, d, x, flk_text_join(head, sizeof head, "h-", class_name, (char *)NULL),
-                    put_head);
-    } else {
-        put_circle(out, d, x);
-        if (x->sort == DISPLAY_CENTRE) {
-            display_item quarters = *x;
-
-            quarters.name = 0;
-            put_one(out, d, &quarters, "solid", put_quarters);
-        }
-    }
-}
-
-static void put_items(FILE *out, const display *d, size_t from, size_t to)
-{
-    size_t i;
-    int layer;
-
-    for (layer = 0; layer < DISPLAY_LAYERS; layer++)
-        for (i = from; i < to; i++)
-            if (d->items[i].layer == layer)
-                put_item(out, d, &d->items[i]);
-}
-
-/* ------------------------------------------------------------------------------------------- picture */
-
-static void put_element(FILE *out, const char *name, const char *words)
-{
-    fprintf(out, "<%s>", name);
-    xml_put(out, words, strlen(words));
-    fprintf(out, "</%s>\n", name);
-}
-
-/* How pixels and units of the axes of a panel belong together. */
-static void put_panel_data(FILE *out, const display_panel *p)
-{
-    char number[FORMAT_SIZE];
-    double axes[4];
-    int i;
-
-    axes[0] = p->axes.x_min;
-    axes[1] = p->axes.x_max;
-    axes[2] = p->axes.y_min;
-    axes[3] = p->axes.y_max;
-    fputs("<g class=\"panel\" data-box=\"", out);
-    put_place(out, ' ', place_at(p->left, p->top));
-    put_place(out, ' ', place_at(p->width, p->height));
-    fputs("\" data-axes=\"", out);
-    for (i = 0; i < 4; i++)
-        fprintf(out, "%s%s", i ? " " : "", format_general(axes[i], 9, number));
-    fputs("\">\n", out);
-}
-
-static void put_begin(FILE *out, const display *d, const char *title, const char *description,
-                      int is_figure)
-{
-    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fourlink\" role=\"img\" "
-          "xml:space=\"preserve\" width=\"",
-          out);
-    put_number(out, d->width);
-    fputs("\" height=\"", out);
-    put_number(out, d->height);
-    fputs("\" viewBox=\"0 0 ", out);
-    put_number(out, d->width);
-    putc(' ', out);
-    put_number(out, d->height);
-    fputs("\">\n", out);
-    put_element(out, "title", title);
-    put_element(out, "desc", description);
-    if (is_figure)
-        return;
-    fputs("<style>\n", out);
-    svg_put_style(out);
-    fputs("</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", out);
-}
-
-void svg_write(FILE *out, const display *d, const char *title, const char *description,
-               int is_figure)
-{
-    size_t i, done = 0;
-
-    put_begin(out, d, title, description, is_figure);
-    for (i = 0; i < d->n_panels; i++) {
-        const display_panel *p = &d->panels[i];
-
-        put_items(out, d, done, p->first); /* of no panel */
-        put_panel_data(out, p);
-        put_items(out, d, p->first, p->first + p->n);
-        fputs("</g>\n", out);
-        done = p->first + p->n;
-    }
-    put_items(out, d, done, d->n_items);
-    fputs("</svg>\n", out);
-}
-
-/* -------------------------------------------------------------------------------------------- motion */
-
 /* An item of a frame in another one; null if it is not there. */
 static const display_item *item_in(const display *frame, const display_item *x)
 {
@@ -494,43 +309,215 @@ static void put_y(FILE *out, const display *d, const display_item *x)
     put_number(out, d->places[x->first].y + (x->sort == DISPLAY_TEXT ? BASELINE : 0));
 }
 
-/* Write an item that moves. */
-static void put_moving(FILE *out, const moving_item *m)
+/* End an element that has no words; of an item that moves, with its values. */
+static void end_element(FILE *out, const moving_item *m, const char *name, const char *first,
+                        void put_first(FILE *out, const display *d, const display_item *x),
+                        const char *second)
 {
-    const display_item *x = m->x;
-    char class_name[30] = "h-", own[30], words[DISPLAY_WORDS];
+    if (!m) {
+        fputs("/>\n", out);
+        return;
+    }
+    putc('>', out);
+    put_values(out, m, first, put_first);
+    if (second)
+        put_values(out, m, second, put_y);
+    put_visibility(out, m);
+    fprintf(out, "</%s>\n", name);
+}
 
-    display_class(x->pen, class_name + 2);
-    if (x->sort == DISPLAY_TEXT) {
-        fputs("<text class=\"halo\"", out);
-        fputs(anchors[x->align], out);
-        putc('>', out);
-        put_words(out, display_text_of(m->of, x, words));
+/* By display_align. */
+static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
+
+static void put_text(FILE *out, const display *d, const display_item *x, const moving_item *m)
+{
+    fourlink_vector at = d->places[x->first];
+    char class_name[30], words[DISPLAY_WORDS];
+
+    fputs("<text x=\"", out);
+    put_number(out, at.x);
+    fputs("\" y=\"", out);
+    put_number(out, at.y + (x->is_upright ? 0 : BASELINE));
+    putc('"', out);
+    if (x->is_upright) {
+        fputs(" transform=\"rotate(-90 ", out);
+        put_place(out, ' ', at);
+        fputs(")\"", out);
+    }
+    if (x->pen || x->name || x->is_boxed)
+        put_class(out, d, x, svg_class(x, class_name));
+    fputs(anchors[x->align], out);
+    putc('>', out);
+    put_words(out, display_text_of(d, x, words));
+    if (m) {
         put_values(out, m, "x", put_x);
         put_values(out, m, "y", put_y);
         put_visibility(out, m);
-        fputs("</text>\n", out);
-    } else if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_MARK || x->sort == DISPLAY_CENTRE) {
-        fputs("<circle r=\"", out);
-        put_number(out, x->size);
-        fprintf(out, "\" class=\"%s\">", svg_class(x, own));
-        put_values(out, m, "cx", put_x);
-        put_values(out, m, "cy", put_y);
-        put_visibility(out, m);
-        fputs("</circle>\n", out);
-    } else {
-        fprintf(out, "<path class=\"%s\">", class_name + 2);
-        put_values(out, m, "d", put_path);
-        put_visibility(out, m);
-        fputs("</path>\n", out);
     }
-    if (x->sort == DISPLAY_ARROW || x->sort == DISPLAY_CENTRE) {
-        fprintf(out, "<path class=\"%s\">", x->sort == DISPLAY_CENTRE ? "solid" : class_name);
-        put_values(out, m, "d", x->sort == DISPLAY_CENTRE ? put_quarters : put_head);
-        put_visibility(out, m);
-        fputs("</path>\n", out);
+    fputs("</text>\n", out);
+}
+
+const char *svg_class(const display_item *x, char out[30])
+{
+    char own[20];
+
+    if (x->sort == DISPLAY_TEXT)
+        return flk_text_join(out, 30, x->pen ? "h-" : "", display_class(x->pen, own),
+                             x->is_boxed && x->pen ? " halo"
+                             : x->is_boxed         ? "halo"
+                             : x->pen              ? ""
+                                                   : "words",
+                             (char *)NULL);
+    if (x->sort != DISPLAY_DISC && x->sort != DISPLAY_MARK && x->sort != DISPLAY_CENTRE)
+        return x->sort == DISPLAY_ABOVE   ? "above"
+               : x->sort == DISPLAY_BELOW ? "below"
+                                          : display_class(x->pen, out);
+    if (x->sort == DISPLAY_MARK && x->pen)
+        return flk_text_join(out, 30, "h-", display_class(x->pen, own), " mark", (char *)NULL);
+    if (x->sort == DISPLAY_MARK)
+        return x->is_open ? "open mark" : "solid mark";
+    if (x->sort == DISPLAY_CENTRE)
+        return "open centre";
+    return x->is_open ? "open" : "solid";
+}
+
+static void put_circle(FILE *out, const display *d, const display_item *x, const moving_item *m)
+{
+    fourlink_vector at = d->places[x->first];
+    char class_name[30];
+
+    fputs("<circle cx=\"", out);
+    put_number(out, at.x);
+    fputs("\" cy=\"", out);
+    put_number(out, at.y);
+    fputs("\" r=\"", out);
+    put_number(out, x->size);
+    putc('"', out);
+    put_class(out, d, x, svg_class(x, class_name));
+    end_element(out, m, "circle", "cx", put_x, "cy");
+}
+
+/* A path, of which `put` writes the way. */
+static void put_one(FILE *out, const display *d, const display_item *x, const moving_item *m,
+                    const char *class_name,
+                    void put(FILE *out, const display *d, const display_item *x))
+{
+    fputs("<path", out);
+    put_class(out, d, x, class_name);
+    fputs(" d=\"", out);
+    put(out, d, x);
+    putc('"', out);
+    end_element(out, m, "path", "d", put, NULL);
+}
+
+/* Write an item; one that moves is in other frames too. */
+static void put_item(FILE *out, const display *d, const display_item *x, const moving_item *m)
+{
+    char own[30], head[32];
+    const char *class_name = svg_class(x, own);
+
+    if (x->sort == DISPLAY_TEXT) {
+        put_text(out, d, x, m);
+    } else if (x->sort < DISPLAY_DISC) {
+        if (x->n)
+            put_one(out, d, x, m, class_name, put_path);
+        if (x->sort == DISPLAY_ARROW)
+            put_one(out, d, x, m, flk_text_join(head, sizeof head, "h-", class_name, (char *)NULL),
+                    put_head);
+    } else {
+        put_circle(out, d, x, m);
+        if (x->sort == DISPLAY_CENTRE) {
+            display_item quarters = *x;
+
+            quarters.name = 0;
+            put_one(out, d, &quarters, m, "solid", put_quarters);
+        }
     }
 }
+
+static void put_items(FILE *out, const display *d, size_t from, size_t to)
+{
+    size_t i;
+    int layer;
+
+    for (layer = 0; layer < DISPLAY_LAYERS; layer++)
+        for (i = from; i < to; i++)
+            if (d->items[i].layer == layer)
+                put_item(out, d, &d->items[i], NULL);
+}
+
+/* ------------------------------------------------------------------------------------------- picture */
+
+static void put_element(FILE *out, const char *name, const char *words)
+{
+    fprintf(out, "<%s>", name);
+    xml_put(out, words, strlen(words));
+    fprintf(out, "</%s>\n", name);
+}
+
+/* How pixels and units of the axes of a panel belong together. */
+static void put_panel_data(FILE *out, const display_panel *p)
+{
+    char number[FORMAT_SIZE];
+    double axes[4];
+    int i;
+
+    axes[0] = p->axes.x_min;
+    axes[1] = p->axes.x_max;
+    axes[2] = p->axes.y_min;
+    axes[3] = p->axes.y_max;
+    fputs("<g class=\"panel\" data-box=\"", out);
+    put_place(out, ' ', place_at(p->left, p->top));
+    put_place(out, ' ', place_at(p->width, p->height));
+    fputs("\" data-axes=\"", out);
+    for (i = 0; i < 4; i++)
+        fprintf(out, "%s%s", i ? " " : "", format_general(axes[i], 9, number));
+    fputs("\">\n", out);
+}
+
+static void put_begin(FILE *out, const display *d, const char *title, const char *description,
+                      int is_figure)
+{
+    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fourlink\" role=\"img\" "
+          "xml:space=\"preserve\" width=\"",
+          out);
+    put_number(out, d->width);
+    fputs("\" height=\"", out);
+    put_number(out, d->height);
+    fputs("\" viewBox=\"0 0 ", out);
+    put_number(out, d->width);
+    putc(' ', out);
+    put_number(out, d->height);
+    fputs("\">\n", out);
+    put_element(out, "title", title);
+    put_element(out, "desc", description);
+    if (is_figure)
+        return;
+    fputs("<style>\n", out);
+    svg_put_style(out);
+    fputs("</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", out);
+}
+
+void svg_write(FILE *out, const display *d, const char *title, const char *description,
+               int is_figure)
+{
+    size_t i, done = 0;
+
+    put_begin(out, d, title, description, is_figure);
+    for (i = 0; i < d->n_panels; i++) {
+        const display_panel *p = &d->panels[i];
+
+        put_items(out, d, done, p->first); /* of no panel */
+        put_panel_data(out, p);
+        put_items(out, d, p->first, p->first + p->n);
+        fputs("</g>\n", out);
+        done = p->first + p->n;
+    }
+    put_items(out, d, done, d->n_items);
+    fputs("</svg>\n", out);
+}
+
+/* -------------------------------------------------------------------------------------------- motion */
 
 /* Write those items of frame k in a layer that are in none of the frames before. */
 static void put_new_items(FILE *out, moving_item *m, int k, int layer)
@@ -546,10 +533,7 @@ static void put_new_items(FILE *out, moving_item *m, int k, int layer)
             continue;
         m->of = d;
         m->x = x;
-        if (is_still(m))
-            put_item(out, d, x);
-        else
-            put_moving(out, m);
+        put_item(out, d, x, is_still(m) ? NULL : m);
     }
 }
 

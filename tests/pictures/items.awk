@@ -216,7 +216,8 @@ function tag_of(i, frame, tag, part, n, k, values) {
     tag = substr(part[1], 1, index(part[1], ">"))
     for (k = 2; k <= n; k++) {
         split(attribute(" " part[k], "values"), values, ";")
-        tag = tag " " attribute(" " part[k], "attributeName") "=\"" values[frame] "\""
+        match(tag, /^<[a-z]+/) # before its own value, where nothing moves
+        tag = substr(tag, 1, RLENGTH) " " attribute(" " part[k], "attributeName") "=\"" values[frame] "\"" substr(tag, RLENGTH + 1)
     }
     return tag
 }
