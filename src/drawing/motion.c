@@ -58,19 +58,14 @@ static int is_same(const display_item *x, const display_item *y)
            (x->n == y->n || x->sort == DISPLAY_ARC || x->sort == DISPLAY_CURVE);
 }
 
-static motion_value *value_at(const motion *m, size_t item, size_t step)
+motion_value *motion_value_at(const motion *m, size_t item, size_t step)
 {
     return &m->values[m->items[item].row * m->n_steps + step];
 }
 
-const motion_value *motion_value_at(const motion *m, size_t item, size_t step)
-{
-    return value_at(m, item, step);
-}
-
 int motion_has(const motion *m, size_t item, size_t step)
 {
-    return value_at(m, item, step)->value != MOTION_NONE;
+    return motion_value_at(m, item, step)->value != MOTION_NONE;
 }
 
 /* The item that an item of a step continues, one that does not yet have this step: the first behind the
@@ -149,7 +144,8 @@ static int insert(motion *m, size_t at, const display *d, const display_item *x)
     new.row = m->n_items++;
     items[at] = new;
     for (i = 0; i < m->n_steps; i++)
-        value_at(m, at, i)->value = value_at(m, at, i)->unit = is_curve ? 0 : MOTION_NONE;
+        motion_value_at(m, at, i)->value = motion_value_at(m, at, i)->unit =
+            is_curve ? 0 : MOTION_NONE;
     return 1;
 }
 

@@ -47,6 +47,6 @@ void motion_add(motion *m, size_t step, const display *d);
 
 /* 1 if an item is there at a step; the value that it shows. */
 int motion_has(const motion *m, size_t item, size_t step);
-const motion_value *motion_value_at(const motion *m, size_t item, size_t step);
+motion_value *motion_value_at(const motion *m, size_t item, size_t step);
 
 #endif
