@@ -271,9 +271,9 @@ static int compare(const void *first, const void *second)
     return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
 }
 
-/* Find the convex hull of so many points, which are sorted: the lower side from left to right, then the upper side
-** back (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
-** Letters 9, 1979).  Returns the number of its corners. */
+/* Find the convex hull of so many points, which are sorted: the lower side from left to right, then the
+** upper side back (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions",
+** Information Processing Letters 9, 1979).  Returns the number of its corners. */
 static int find_hull(fourlink_vector *points, int n, fourlink_vector corners[2 * CORNERS])
 {
     int m = 0, lower, i;
@@ -297,7 +297,8 @@ static void place_points(const fourlink_state *state, int link, fourlink_vector 
         points[i] = geometry_of_link(state, link, &points[i]);
 }
 
-/* Draw the outline of a link, the hull of points in its own axes: in a motion from the same corner at each position. */
+/* Draw the outline of a link, the hull of points in its own axes: in a motion from the same corner at each
+** position. */
 static void put_hull(sketch *s, const fourlink_state *state, int link, fourlink_vector *points,
                      int n)
 {

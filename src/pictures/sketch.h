@@ -92,7 +92,7 @@ void sketch_turn(sketch *s, int is_turned);
 /* Let this place be where the origin is, at each position of a motion. */
 void sketch_hold(sketch *s, fourlink_vector at);
 
-/* Say what the following shows, until it is said again; of its parts, in their order, so many are left out. */
+/* Say what the following shows, until it is said again; leave out so many of its parts, which are counted. */
 void sketch_show(sketch *s, sketch_subject what, unsigned long number);
 void sketch_skip(sketch *s, unsigned long parts);
 

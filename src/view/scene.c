@@ -184,8 +184,8 @@ static void add_bodies(scene *s, const fourlink_design *design)
     }
 }
 
-/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide.  `joint`: that
-** of friction, or null. */
+/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide.  `joint`:
+** that of friction, or null. */
 static int is_inner(const fourlink_load_info *load, const fourlink_joint *joint)
 {
     return joint ? !is_guide(joint) : load->sort == FOURLINK_LOAD_SPRING;

@@ -12,8 +12,8 @@
 /* What a drawing has room for. */
 enum { TRACKS_LOADS = 42, TRACKS_POINTS = 24, TRACKS_SPRINGS = TRACKS_LOADS, TRACKS_NAME = 16 };
 
-/* The numbers of the tracks; of some there are several.  A centre of mass, or a tracer point, has its place and
-** behind that its velocity and its acceleration. */
+/* The numbers of the tracks; of some there are several.  A centre of mass, or a tracer point, has its place
+** and behind that its velocity and its acceleration. */
 enum {
     TRACK_A, /* the joints, by letter */
     TRACK_B,
