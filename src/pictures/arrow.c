@@ -3,7 +3,6 @@
 ** arrow.c - forces as arrows on one scale.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 

@@ -3,14 +3,11 @@
 ** figure.c - a mechanism at one position, drawn to scale.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "figure.h"
-
-#define CORNERS (TRACKS_POINTS + 2) /* of a link: its points and pins */
 
 #define STEPS 180 /* of a path */
 #define HALVINGS 20
@@ -258,83 +255,6 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     }
 }
 
-/* Twice the area of the triangle o, p, q; above 0 if it is counter-clockwise. */
-static double turn(fourlink_vector o, fourlink_vector p, fourlink_vector q)
-{
-    return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
-}
-
-static int compare(const void *first, const void *second)
-{
-    const fourlink_vector *p = first, *q = second;
-
-    return p->x != q->x ? (p->x < q->x ? -1 : 1) : (p->y > q->y) - (p->y < q->y);
-}
-
-/* Find the convex hull of so many points, which are sorted: the lower side from left to right, then the
-** upper side back (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions",
-** Information Processing Letters 9, 1979).  Returns the number of its corners. */
-static int find_hull(fourlink_vector *points, int n, fourlink_vector corners[2 * CORNERS])
-{
-    int m = 0, lower, i;
-
-    qsort(points, (size_t)n, sizeof *points, compare);
-    for (i = 0; i < n; corners[m++] = points[i++])
-        while (m >= 2 && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
-            m--;
-    lower = m + 1;
-    for (i = n - 2; i >= 0; corners[m++] = points[i--])
-        while (m >= lower && turn(corners[m - 2], corners[m - 1], points[i]) <= 0)
-            m--;
-    return m - 1; /* the last is the first */
-}
-
-static void place_points(const fourlink_state *state, int link, fourlink_vector *points, int n)
-{
-    int i;
-
-    for (i = 0; i < n; i++)
-        points[i] = geometry_of_link(state, link, &points[i]);
-}
-
-/* Draw the outline of a link, the hull of points in its own axes: in a motion from the same corner at each
-** position. */
-static void put_hull(sketch *s, const fourlink_state *state, int link, fourlink_vector *points,
-                     int n)
-{
-    fourlink_vector corners[2 * CORNERS];
-    int m, i;
-
-    if (!s->c->motion)
-        place_points(state, link, points, n);
-    m = find_hull(points, n, corners);
-    if (s->c->motion)
-        place_points(state, link, corners, m + 1);
-    for (i = 0; i < m; i++)
-        sketch_line(s, (pen)link, corners[i], corners[i + 1]);
-}
-
-/* Draw the outline of a link with tracer points. */
-static void put_points(sketch *s, const picture *p, const fourlink_state *state, int link)
-{
-    fourlink_vector points[CORNERS];
-    unsigned long i;
-    int n = 0, is_off = 0, on;
-
-    for (i = 0; i < p->v.problem.n_points; i++) {
-        fourlink_deck_point(p->v.deck, i, NULL, &on, &points[n]);
-        if (on == link)
-            is_off |= points[n++].y != 0;
-    }
-    if (n == 0)
-        return;
-    points[n++] = place_at(0, 0);
-    points[n++] = place_at(p->v.design->link[link].length, 0);
-    sketch_show(s, SKETCH_HULL, (unsigned long)link);
-    if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
-        put_hull(s, state, link, points, n);
-}
-
 static void put_pin(sketch *s, unsigned long joint, fourlink_vector at, const char *letter)
 {
     sketch_show(s, SKETCH_PIN, joint);
@@ -350,7 +270,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     int link;
 
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        put_points(s, p, state, link);
+        hull_draw(s, p, state, link);
     figure_outline(s, p, state, PEN_OF_LINK);
     for (i = 0; i < p->v.problem.n_points; i++) {
         fourlink_vector at = tracer(p, state, i, &name, &link);

@@ -4,7 +4,6 @@
 */
 #include <math.h>
 #include <stdarg.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -23,8 +22,7 @@
 /* The width of a letter is that of digits; names are narrower. */
 #define NARROW 0.9
 
-#define MOST_TITLES 18 /* in the key, which is as high as the axes */
-#define TICS 7         /* smallest distance between two, in letters */
+#define TICS 7 /* smallest distance between two, in letters */
 
 /* Texts avoid every so many points of a curve. */
 #define OBSTACLE 4
@@ -337,29 +335,6 @@ void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double
     sketch_text(s, place_polar(centre, radius, angle), cos(angle), sin(angle), words);
 }
 
-void sketch_value(sketch *s, const char *words, const char *value, const char *unit)
-{
-    sketch_line_beside *new = &s->notes[s->n_notes];
-
-    if (s->n_notes == SKETCH_NOTES)
-        return;
-    new->key = s->subject;
-    flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
-    flk_text_join(new->value, sizeof new->value, value, (char *)NULL);
-    flk_text_join(new->unit, sizeof new->unit, unit, (char *)NULL);
-    s->n_notes++;
-}
-
-void sketch_note(sketch *s, const char *format, ...)
-{
-    char words[LABELS_WORDS];
-    va_list values;
-
-    va_start(values, format);
-    sketch_value(s, flk_message_list(words, sizeof words, format, values), "", "");
-    va_end(values);
-}
-
 void sketch_ring(sketch *s, fourlink_vector at, const char *name)
 {
     put_disc(s, DISPLAY_DISC, at, RING, 1, name);
@@ -395,15 +370,6 @@ void sketch_support(sketch *s, fourlink_vector at)
     sketch_ground(s, at.x - r, at.x + r, at.y - r, -1);
 }
 
-static void add_entry(sketch *s, pen p, const char *title)
-{
-    sketch_entry *new = &s->entries[s->n_entries++];
-
-    new->p = p;
-    new->key = s->subject;
-    flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
-}
-
 void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *points, int n)
 {
     size_t kept = display_keep(s->c->d, title);
@@ -430,51 +396,7 @@ void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *po
         display_add_place(s->c->d, in_unit(s, at));
     }
     if (!is_empty)
-        add_entry(s, p, s->n_entries < MOST_TITLES ? title : "");
-}
-
-void sketch_key(sketch *s, pen p, const char *meaning)
-{
-    add_entry(s, p, meaning);
-}
-
-static double width_of_note(const sketch_line_beside *x)
-{
-    return canvas_width_of(x->words) + canvas_width_of(x->value) + canvas_width_of(x->unit);
-}
-
-/* Values and key are to the right of the axes. */
-static double width_of_margin(const sketch *s)
-{
-    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
-    int i;
-
-    for (i = 0; i < s->n_notes; i++)
-        width = GSL_MAX_DBL(width, narrow * width_of_note(&s->notes[i]) + 3 * CANVAS_LETTER);
-    for (i = 0; i < s->n_entries; i++)
-        if (s->entries[i].title[0])
-            width = GSL_MAX_DBL(width,
-                                narrow * canvas_width_of(s->entries[i].title) + 7 * CANVAS_LETTER);
-    return width;
-}
-
-/* Put the key, and the notes below it. */
-static void put_margin(const sketch *s)
-{
-    int in_key = 0, i;
-
-    for (i = 0; i < s->n_entries; i++) {
-        s->c->d->key = s->entries[i].key;
-        canvas_add_key(s->c, DISPLAY_LINE, (int)s->entries[i].p, s->entries[i].title);
-        in_key += s->entries[i].title[0] != '\0';
-    }
-    for (i = 0; i < s->n_notes; i++) {
-        const sketch_line_beside *x = &s->notes[i];
-
-        s->c->d->key = x->key;
-        display_set_value(s->c->d, canvas_note(s->c, i + (in_key ? in_key + 1 : 0), "%s", x->words),
-                          x->value, x->unit);
-    }
+        sketch_key(s, p, s->n_entries < SKETCH_TITLES ? title : "");
 }
 
 /* The end of a text that is nearest to a place, in pixels from its own place. */
@@ -619,7 +541,7 @@ static int is_before_drawing(sketch *s)
     if (!m || m->phase == LABELS_DRAW)
         return 0;
     if (m->phase == LABELS_KEEP) {
-        canvas_place_panel(s->c, 2, width_of_margin(s));
+        canvas_place_panel(s->c, 2, sketch_margin_width(s));
         labels_keep(m, &s->texts, s->size, s->c->box_width, s->c->box_height);
     } else if (!place_is_empty(&s->drawn)) {
         place_grow(&m->drawn, s->drawn.x_min, s->drawn.y_min);
@@ -643,14 +565,14 @@ void sketch_close(sketch *s, const char *format, ...)
         place_grow(&s->drawn, -s->size, -s->size);
         place_grow(&s->drawn, s->size, s->size);
     }
-    canvas_place_panel(s->c, 2, width_of_margin(s));
+    canvas_place_panel(s->c, 2, sketch_margin_width(s));
     if (s->c->motion)
         labels_take_sides(&s->texts, s->c->motion, s->size, s->c->box_width, s->c->box_height);
     else
         labels_place(&s->texts, s->drawn, s->is_fixed, s->size, s->c->box_width, s->c->box_height);
     s->drawn = s->texts.drawn;
     put_labels(s);
-    put_margin(s);
+    sketch_put_margin(s);
     if (s->c->is_bare)
         put_scales(s);
     s->c->d->key = 0; /* the axes stand still */

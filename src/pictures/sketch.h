@@ -11,6 +11,7 @@
 #define SKETCH_CURVES 32
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
+#define SKETCH_TITLES 18 /* of curves, in the key, which is as high as the axes */
 
 /* What is drawn.  With a number it is the same thing at each position of a motion. */
 typedef enum sketch_subject {
@@ -162,6 +163,10 @@ void sketch_curve(sketch *s, pen p, const char *title, const fourlink_vector *po
 
 /* Put a line of this pen and its meaning into the key, after the curves. */
 void sketch_key(sketch *s, pen p, const char *meaning);
+
+/* The width of what is beside the drawing, in pixels; put it there: margin.c. */
+double sketch_margin_width(const sketch *s);
+void sketch_put_margin(const sketch *s);
 
 /* Finish the drawing, with axes of equal scale around it; its title in a format of flk_message. */
 void sketch_close(sketch *s, const char *format, ...);

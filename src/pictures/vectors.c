@@ -4,7 +4,6 @@
 ** bodies and their polygons of forces, which close:  sum F - m a_G = 0
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
