@@ -34,6 +34,7 @@
 
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 #define PLACES 18
+#define PLACES_OF_ENERGY 180
 #define SLOWEST 1e-3 /* of the speed that the torque at rest gives in a radian */
 #define SPEEDS 60    /* that are tried */
 #define FACTOR 1.4
@@ -177,6 +178,16 @@ typedef struct problem {
     double close, rounded;
 } problem;
 
+/* The torques at a constant speed after an angle, rad. */
+static int find_torque(const flk_path *p, double passed, double speed, flk_machine_place *place,
+                       flk_machine_torque *torque)
+{
+    const flk_equation *e = &p->equation;
+    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, passed), place);
+
+    return status == FOURLINK_OK ? flk_equation_torque(e, place, speed, torque) : status;
+}
+
 /* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no
 ** position. */
 static int mean_torque(const flk_path *p, double cycle, double speed, double *mean)
@@ -187,11 +198,8 @@ static int mean_torque(const flk_path *p, double cycle, double speed, double *me
 
     *mean = 0;
     for (i = 0; i < PLACES; i++) {
-        double theta2 = p->equation.from + p->equation.sense * cycle * ((double)i + 0.381) / PLACES;
-
-        if (flk_machine_at(&p->equation.machine, p->equation.branch, theta2, &place) !=
-                FOURLINK_OK ||
-            flk_equation_torque(&p->equation, &place, speed, &torque) != FOURLINK_OK)
+        if (find_torque(p, cycle * ((double)i + 0.381) / PLACES, speed, &place, &torque) !=
+            FOURLINK_OK)
             return 0;
         *mean += torque.net / PLACES;
     }
@@ -216,6 +224,29 @@ static double guess_speed(const flk_path *p, double cycle)
         last = mean;
     }
     return 0;
+}
+
+/* A guess of the flywheel, kg m2: the textbooks', for a crank at a constant speed,
+**
+**    I = (max E - min E) / (fluctuation omega2^2),   dE/dtheta2 = T_m + Q - mean - J' omega2^2 / 2
+**
+** and half as much again, since with too small a flywheel a machine may stall.  1 if that is not known. */
+static double guess_flywheel(const flk_path *p, double cycle, double speed, double mean,
+                             double fluctuation)
+{
+    double energy = 0, least = 0, greatest = 0, step = cycle / PLACES_OF_ENERGY;
+    flk_machine_place place;
+    flk_machine_torque torque;
+    int i;
+
+    for (i = 0; i < PLACES_OF_ENERGY; i++) {
+        if (find_torque(p, step * (i + 0.5), speed, &place, &torque) != FOURLINK_OK)
+            return 1;
+        energy += step * (torque.net - mean - place.half_slope * speed * speed);
+        least = GSL_MIN(least, energy);
+        greatest = GSL_MAX(greatest, energy);
+    }
+    return greatest > least ? 1.5 * (greatest - least) / (fluctuation * speed * speed) : 1;
 }
 
 /* 1 if the path shows no more than that these guesses are wrong. */
@@ -324,6 +355,11 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctua
     p->status = FOURLINK_NO_STEADY;
     if (!(speed > 0) || (q.balances && !mean_torque(p, cycle, speed, &mean)))
         return 0;
+    if (fluctuation > 0) {
+        machine->flywheel = guess_flywheel(p, cycle, speed, mean, fluctuation);
+        q.flywheel.x = -log(machine->flywheel);
+        flk_machine_at(machine, p->equation.branch, p->equation.from, &place);
+    }
     q.torque_unit = 0.5 * place.total * speed * speed / cycle;
     q.speed.x = log(speed);
     q.torque.x = -mean / q.torque_unit;
