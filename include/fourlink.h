@@ -16,7 +16,8 @@
 **
 ** The headers are strict C90 and compile as C++98.  The library keeps no state, prints nothing and never ends
 ** the process; every function may be called from several threads at once.  Memory is taken where a deck or a
-** design is opened or a number is set, and released by fourlink_results_free and fourlink_deck_free.
+** design is opened or a number is set, and where a motion is integrated (fourlink_results_open, note 3); it is
+** released by fourlink_results_free and fourlink_deck_free.
 **
 ** Conventions
 **
@@ -231,10 +232,13 @@ typedef struct fourlink_turning fourlink_turning;
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated here
-**    on the branches that the deck requests, and on the other branch when it is first requested.  Then each
-**    function on a branch can return FOURLINK_NO_MEMORY, and nothing else; it may be called again.  Several
-**    threads can call them at once, each with its own results.  No result depends on earlier calls.
+** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated on a branch
+**    when something is first asked that follows from it, which can take seconds.  Facts of a run-up need the
+**    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
+**    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
+**    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, for programs that must not fail
+**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  Several threads can call these
+**    functions at once, each with its own results.  No result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
@@ -371,7 +375,7 @@ FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch
 **    facts      valid until the next call of this function, or fourlink_results_free
 **    n          how many
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_MEMORY
 */
 FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, int groups,
                                         const fourlink_value **facts, unsigned long *n);
@@ -603,8 +607,8 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 ** Returned:
 **    check      the printed value, the computed one, and whether they agree
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch, since
-**    the value is sought on the other one too
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch; a value
+**    that differs is sought on the other one too
 */
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);

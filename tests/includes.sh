@@ -48,7 +48,7 @@ FNR == 1 {
 }
 
 folder ~ /^(system|view|drawing|tables|pictures|report|command)$/ && file !~ /^src\/(system\/(system_|memory)|view\/results)/ &&
-/(^|[^a-z_])((m|c|re)alloc|strdup|fourlink_(results_(open|open_like|design|set|set_text|put|check)|deck_read|extreme))\(/ {
+/(^|[^a-z_])((m|c|re)alloc|strdup|fourlink_(results_(open|open_like|design|set|set_text|put|get|value|facts|check)|deck_read|extreme))\(/ {
   offend("memory", file ":" FNR ": memory is taken from system/memory.h, or by way of view/results.h")
 }
 

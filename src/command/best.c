@@ -64,8 +64,7 @@ static int is_met(search *s, fourlink_results *r, fourlink_branch branch, double
     for (i = 0; i < s->n_conditions; i++) {
         const fourlink_value *c = &s->conditions[i];
 
-        if (!is_found(s, fourlink_results_get(r, c->handle, branch, from, &v)) ||
-            !sheet_meets(c, &v))
+        if (!is_found(s, results_get(r, c->handle, branch, from, &v)) || !sheet_meets(c, &v))
             return 0;
     }
     return 1;
@@ -84,7 +83,7 @@ static double value_of(search *s, fourlink_results *r, fourlink_branch *branch)
         fourlink_branch b = (fourlink_branch)i;
 
         if (!(b == FOURLINK_OPEN ? problem.open : problem.crossed) ||
-            !is_found(s, fourlink_results_value(r, s->name, b, problem.motion.from, &v)))
+            !is_found(s, results_value(r, s->name, b, problem.motion.from, &v)))
             continue;
         s->is_words |= v.words != NULL;
         if (v.words || !gsl_finite(v.value) || !(s->sign * v.value < least) ||
@@ -296,7 +295,7 @@ static int write_result(FILE *out, const search *s)
     line l;
     unsigned long length;
 
-    if (fourlink_results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
+    if (results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
         (deck = input_deck_text(s->trial, &length)) == NULL)
         return command_lacks_memory("cannot analyse", s->in->name);
     line_start(&l, out);

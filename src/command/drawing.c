@@ -132,6 +132,8 @@ static int tell_missing_rows(const input *in)
     view v;
 
     view_take(&v, in->results);
+    if (!view_find_motion(&v))
+        return command_lacks_memory("cannot analyse", in->name);
     missing = view_count_missing(&v, &all, &why);
     if (v.range.stops && !missing)
         return tell_missing(in, 1, all + 1, "rows", "the crank comes to rest before the last one");

@@ -146,7 +146,7 @@ static double excess(double x, void *data)
     int status = memory_has_failed() ? FOURLINK_NO_MEMORY : set_key(q, x);
 
     if (status == FOURLINK_OK)
-        status = fourlink_results_value(q->in->results, q->name, q->branch, q->angle, &v);
+        status = results_value(q->in->results, q->name, q->branch, q->angle, &v);
     if (results_gave_up(status))
         q->gave_up = fourlink_status_text(status);
     if (status != FOURLINK_OK || v.words || !gsl_finite(v.value))

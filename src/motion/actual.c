@@ -15,7 +15,7 @@
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1.5e-13 /* of a step: 1e-11 over many */
-/* Trial steps of a motion; of a steady motion, or a run-up that leads to one, with the search for it.
+/* Trial steps of a motion; of a run-up, of the steady motion with the search for it.
 ** Each that is kept takes 240 bytes. */
 #define MOST_STEPS 80000
 #define MOST_STEPS_OF_SEARCH 160000
@@ -25,7 +25,7 @@ typedef struct on_branch {
     flk_path path;
     flk_actual_facts facts;
     int is_found; /* 1: it is integrated; 0: not yet, or memory failed */
-    int is_known; /* 1: all facts; 0: those of the cycle are still missing */
+    int is_known; /* 1: all facts; 0: those of the cycle, which only other facts need, are missing */
 } on_branch;
 
 struct flk_actual {
@@ -49,35 +49,6 @@ static int run_free(flk_path *p, const deck *d, double length)
     return flk_path_run(p, speed, length);
 }
 
-/* A run-up that ends never reaches the steady motion, unless it merely needs too many steps. */
-static void discard_cycle_facts(const flk_path *p, flk_actual_facts *f)
-{
-    if (p->status == FOURLINK_TOO_LONG)
-        return;
-    flk_facts_forget(f);
-    f->no_cycle = p->status;
-}
-
-/* Find a run-up, and the facts of the steady motion that it approaches.  Two motions of a machine never have
-** the same energy at the same angle.  A motion from rest that completes the first cycle has gained energy, so
-** it gains energy in every later cycle too, and settles at the steady motion.  It stalls in the first cycle
-** or never; rows that end earlier do not decide this. */
-static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
-{
-    int found;
-
-    if (!m->winds && flk_steady_find(p, m->cycle, 0, 0))
-        flk_facts_of_cycle(p, m->cycle, f);
-    else
-        f->no_cycle = p->status;
-    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run_free(p, p->d, m->cycle))
-        discard_cycle_facts(p, f);
-    found = run_free(p, p->d, m->length);
-    if (!found)
-        discard_cycle_facts(p, f);
-    return found;
-}
-
 /* By time: the sense of the motion is that in which the crank starts. */
 static int run_for(flk_path *p, const deck *d)
 {
@@ -96,21 +67,20 @@ static int run_for(flk_path *p, const deck *d)
     return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->mode.duration);
 }
 
-static int find_actual(flk_actual *m, flk_path *p, flk_actual_facts *f)
+static int find_steady(const flk_actual *m, flk_path *p, double mean_speed, double fluctuation)
+{
+    p->status = FOURLINK_NO_STEADY;
+    return !m->winds && flk_steady_find(p, m->cycle, mean_speed, fluctuation);
+}
+
+static int find_actual(const flk_actual *m, flk_path *p)
 {
     const deck *d = p->d;
 
     if (d->mode.duration > 0)
         return run_for(p, d);
-    if (m->winds)
-        p->status = FOURLINK_NO_STEADY;
-    if (d->mode.kind == MODE_STEADY && m->winds)
-        return 0;
-    if (d->mode.kind == MODE_RUN_UP)
-        return run_up(m, p, f);
     if (d->mode.kind == MODE_STEADY)
-        return flk_steady_find(p, m->cycle, p->equation.sense * d->mode.mean_speed,
-                               d->mode.fluctuation);
+        return find_steady(m, p, p->equation.sense * d->mode.mean_speed, d->mode.fluctuation);
     return run_free(p, d, m->length);
 }
 
@@ -143,7 +113,7 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
     p->budget = budget_of(&p->equation.machine, m->d->mode.kind);
     p->no_memory = 0;
     flk_facts_forget(f);
-    found = find_actual(m, p, f);
+    found = find_actual(m, p);
     f->flywheel = p->equation.machine.flywheel;
     f->inertia = flk_machine_shaft(&p->equation.machine);
     if (found)
@@ -154,6 +124,39 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
     }
     b->is_found = !p->no_memory;
+    b->is_known = 0;
+}
+
+/* Find the facts of the steady motion that a run-up approaches; 0 if memory fails.  Two motions of a machine
+** never have the same energy at the same angle.  A motion from rest that completes the first cycle has gained
+** energy, so it gains energy in every later cycle too, and settles at the steady motion.  It stalls in the
+** first cycle or never; rows that end earlier do not decide this.  A run-up that ends never reaches it, unless
+** it merely needs too many steps. */
+static int find_approached(const flk_actual *m, const on_branch *b, flk_actual_facts *f)
+{
+    flk_path p = b->path;
+    flk_actual_facts found = *f;
+
+    if (f->status != FOURLINK_OK && f->status != FOURLINK_TOO_LONG) {
+        f->no_cycle = f->status;
+        return 1;
+    }
+    p.node = NULL;
+    p.n = p.room = 0;
+    p.budget = budget_of(&p.equation.machine, MODE_RUN_UP);
+    if (find_steady(m, &p, 0, 0))
+        flk_facts_of_cycle(&p, m->cycle, &found);
+    else
+        found.no_cycle = p.status;
+    if (found.no_cycle == FOURLINK_OK && m->length < m->cycle && !run_free(&p, p.d, m->cycle) &&
+        p.status != FOURLINK_TOO_LONG) {
+        found = *f;
+        found.no_cycle = p.status;
+    }
+    free(p.node);
+    if (!p.no_memory)
+        *f = found;
+    return !p.no_memory;
 }
 
 /* The motion of a branch, integrated if necessary. */
@@ -166,9 +169,32 @@ static on_branch *on(flk_actual *m, fourlink_branch branch)
     return b;
 }
 
-int flk_actual_prepare(flk_actual *m, fourlink_branch branch)
+/* Complete the facts of a motion that is found; 0 if memory fails. */
+static int find_facts(const flk_actual *m, on_branch *b)
 {
-    return m && !on(m, branch)->is_found ? FOURLINK_NO_MEMORY : FOURLINK_OK;
+    const deck *d = m->d;
+    flk_actual_facts *f = &b->facts;
+
+    if (d->mode.duration > 0)
+        return 1;
+    if (d->mode.kind == MODE_RUN_UP && !find_approached(m, b, f))
+        return 0;
+    if (f->status != FOURLINK_OK)
+        return 1;
+    if (d->mode.kind == MODE_RUN_UP)
+        flk_facts_of_run_up(&b->path, f);
+    else if (d->mode.kind == MODE_STEADY || m->length >= m->cycle * (1 - 1e-12))
+        flk_facts_of_cycle(&b->path, m->cycle, f);
+    return 1;
+}
+
+int flk_actual_prepare(flk_actual *m, fourlink_branch branch, int has_facts)
+{
+    on_branch *b = m ? on(m, branch) : NULL;
+
+    if (b && b->is_found && has_facts && !b->is_known)
+        b->is_known = find_facts(m, b);
+    return !b || (b->is_found && (b->is_known || !has_facts)) ? FOURLINK_OK : FOURLINK_NO_MEMORY;
 }
 
 flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *acting, double end,
@@ -277,16 +303,5 @@ int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_a
 
 const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
 {
-    on_branch *b = m ? on(m, branch) : NULL;
-
-    if (!b)
-        return NULL;
-    if (!b->path.swings && !b->is_known && b->facts.status == FOURLINK_OK) {
-        if (m->d->mode.kind == MODE_RUN_UP)
-            flk_facts_of_run_up(&b->path, &b->facts);
-        else if (m->d->mode.kind == MODE_STEADY || m->length >= m->cycle * (1 - 1e-12))
-            flk_facts_of_cycle(&b->path, m->cycle, &b->facts);
-    }
-    b->is_known = 1;
-    return &b->facts;
+    return m ? &on(m, branch)->facts : NULL;
 }

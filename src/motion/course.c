@@ -232,9 +232,7 @@ int flk_course_open(flk_course *c, const deck *d, flk_acting *acting, flk_actual
     c->is_shared = actual != NULL;
     if (c->corners && !actual && d->mode.kind != MODE_GIVEN)
         c->actual = flk_actual_open(d, c->corners, acting, c->end, c->period, c->winds);
-    return c->corners && (c->actual || d->mode.kind == MODE_GIVEN) &&
-           (!d->open || flk_actual_prepare(c->actual, FOURLINK_OPEN) == FOURLINK_OK) &&
-           (!d->crossed || flk_actual_prepare(c->actual, FOURLINK_CROSSED) == FOURLINK_OK);
+    return c->corners && (c->actual || d->mode.kind == MODE_GIVEN);
 }
 
 void flk_course_close(flk_course *c)

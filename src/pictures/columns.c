@@ -9,6 +9,7 @@
 
 #include "base/message.h"
 #include "panel.h"
+#include "view/results.h"
 
 /* ------------------------------------------------------------------------------------- any columns */
 
@@ -266,7 +267,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     plan_columns(p, &plan, p->v.problem.over.name, branch, speed);
     plan.n_key = 2;
     plan.n_extremes = 1;
-    if (fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK) {
+    if (results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK) {
         plan.mean = mean.value;
         plan.mean_name = is_later ? "later mean" : "mean";
         picture_words(p, plan.mean_name, view_si(&p->v, QUANTITY_ANGULAR_SPEED, mean.value),

@@ -11,6 +11,7 @@
 #include "base/quantity.h"
 #include "system/memory.h"
 #include "picture.h"
+#include "view/results.h"
 
 void picture_angle(const picture *p, double angle, int digits, picture_number *out)
 {
@@ -77,7 +78,7 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
 {
     fourlink_value mean;
 
-    return fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK
+    return results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK
                ? mean.value * mean.to_si
                : p->v.problem.motion.speed;
 }
@@ -230,7 +231,7 @@ static int take_results(picture *p, fourlink_results *results)
     p->size_branch = 0;
     free(p->loads);
     p->loads = memory_get(p->v.problem.n_loads + 1, sizeof *p->loads);
-    return p->loads != NULL;
+    return p->loads && view_find_motion(&p->v);
 }
 
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request)
@@ -327,10 +328,10 @@ int picture_has_balance(const picture *p)
 {
     fourlink_value value;
 
-    return fourlink_results_value(p->v.results, "balance_mass", p->v.branches[0], 0, &value) ==
+    return results_value(p->v.results, "balance_mass", p->v.branches[0], 0, &value) ==
                FOURLINK_OK ||
-           fourlink_results_value(p->v.results, "balance_rocker_mass", p->v.branches[0], 0,
-                                  &value) == FOURLINK_OK;
+           results_value(p->v.results, "balance_rocker_mass", p->v.branches[0], 0, &value) ==
+               FOURLINK_OK;
 }
 
 int picture_open_balance(picture *p, const char *apply, picture *other)

@@ -67,7 +67,7 @@ static int keep_outputs(const picture *p, designs *d, unsigned long i, int branc
     int status, good = 1;
 
     for (k = 0; k < d->n_outputs; k++) {
-        status = fourlink_results_get(r, d->outputs[k].handle, p->v.branches[branch], from, &v);
+        status = results_get(r, d->outputs[k].handle, p->v.branches[branch], from, &v);
         if (status == FOURLINK_OK && !v.words && gsl_finite(v.value))
             values_of(d, p, i, branch)[k] = v.value;
         good = good && (status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT);

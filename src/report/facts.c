@@ -9,6 +9,7 @@
 #include "report.h"
 #include "tables/sheet.h"
 #include "view/notation.h"
+#include "view/results.h"
 #include "view/rounding.h"
 
 /* The angle of a value as a cell. */
@@ -57,7 +58,7 @@ static void put_facts(report *r, const char *heading, int group)
     page *p = &r->page;
     unsigned long n, i;
 
-    fourlink_results_facts(r->v.results, 0, group, &facts, &n);
+    results_facts(r->v.results, 0, group, &facts, &n);
     if (!n)
         return;
     page_table(p, heading, "Name|Value|Unit|" PAGE_AT "|Branch|Meaning");
@@ -183,8 +184,8 @@ static int find_result(report *r, int i, fourlink_branch branch, fourlink_value 
         return 0;
     return fourlink_results_find(r->v.results, results[i].name, found) == FOURLINK_OK &&
            !(found->flags & FOURLINK_CRANK_ANGLE) &&
-           fourlink_results_get(r->v.results, found->handle + statistic, branch, p->motion.from,
-                                found) == FOURLINK_OK &&
+           results_get(r->v.results, found->handle + statistic, branch, p->motion.from, found) ==
+               FOURLINK_OK &&
            !found->words && !gsl_isnan(found->value);
 }
 
@@ -234,7 +235,7 @@ void report_put_results(report *r)
     unsigned long n;
     int i;
 
-    fourlink_results_facts(r->v.results, 0, FOURLINK_FACTS_LIMITS, &facts, &n);
+    results_facts(r->v.results, 0, FOURLINK_FACTS_LIMITS, &facts, &n);
     if (n && facts[0].words)
         page_print(p, "<p class=\"type\">%s.</p>\n", facts[0].words);
     page_table_of(p, "results", "Results",

@@ -178,6 +178,8 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     unsigned long n;
 
     view_take(&r->v, r->request->opened);
+    if (!view_find_motion(&r->v))
+        return -1;
     r->has_rows = view_count_missing(&r->v, &n, &why) < n;
     fourlink_results_notes(r->v.results, REPORT_MISTAKES, r->notes, &r->n_notes);
     r->loads = memory_get(r->v.problem.n_loads + 1, sizeof *r->loads);

@@ -114,9 +114,10 @@ static int open_deck(rows *t, const fourlink_source *source, fourlink_results *o
     fourlink_results_free(t->own);
     t->own = NULL;
     status = view_reopen(source, opened, "--report", &further, further != NULL, &t->own, &mistake);
-    if (status == FOURLINK_OK)
-        view_take(&t->v, t->own);
-    return status == FOURLINK_OK;
+    if (status != FOURLINK_OK)
+        return 0;
+    view_take(&t->v, t->own);
+    return 1;
 }
 
 int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at)
@@ -133,6 +134,8 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
         return 0;
     if (!t->v.problem.over.is_crank_angle &&
         !open_deck(t, source, opened, view_set_step(&t->v, time_step_of(&t->v.problem), step)))
+        return 0;
+    if (!view_find_motion(&t->v))
         return 0;
     t->steps = memory_get(MOST_ROWS * 2 + 2, sizeof *t->steps);
     if (t->steps)

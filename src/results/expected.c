@@ -150,7 +150,7 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     if (c->hint[0] || c->has_time ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return FOURLINK_OK;
-    status = flk_actual_prepare(o->a.course.actual, other);
+    status = flk_name_prepare(o, n, other);
     if (status != FOURLINK_OK)
         return status;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
@@ -185,6 +185,8 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
 ** that a large file does not take long. */
 #define HINTED 1000
 
+#define ALL_FACTS (FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION)
+
 /* Report a name that is neither a column nor a fact. */
 static void refuse(fourlink_check *c, text name, const char *nearest)
 {
@@ -196,14 +198,14 @@ static void refuse(fourlink_check *c, text name, const char *nearest)
 /* The most similar name of the deck's facts and columns. */
 static const char *find_nearest(flk_opened *o, const deck_expectation *e, int handle)
 {
-    const int all = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
     const char *known[FLK_FACT_LIMIT + 2], *nearest = flk_column_meant(&o->a, e->name);
     int group = flk_fact_group(handle);
     unsigned long n, i;
 
     if (nearest)
         return nearest;
-    n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : all, 0, NULL, 0, &o->found);
+    n = flk_fact_list(&o->a, NULL, (int)e->branch, group ? group : ALL_FACTS, 0, NULL, 0,
+                      &o->found);
     for (i = 0; i < n; i++)
         known[i] = o->found.list[i].name;
     known[n] = flk_column_nearest(&o->a, e->name);
@@ -260,7 +262,6 @@ static void fold(text t, char out[FOLDED])
 ** is none, or more than one. */
 static const char *find_folded(flk_opened *o, const deck_expectation *e)
 {
-    const int all = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
     char wanted[FOLDED], own[FOLDED];
     const char *found = NULL, *name;
     unsigned long n_facts, i;
@@ -268,7 +269,7 @@ static const char *find_folded(flk_opened *o, const deck_expectation *e)
     flk_column c;
 
     fold(e->name, wanted);
-    n_facts = flk_fact_list(&o->a, NULL, (int)e->branch, all, 0, NULL, 0, &o->found);
+    n_facts = flk_fact_list(&o->a, NULL, (int)e->branch, ALL_FACTS, 0, NULL, 0, &o->found);
     for (i = 0; i < n_columns + n_facts; i++) {
         if (i < n_columns && !flk_column_number(&o->a, i, &c))
             continue;
@@ -555,14 +556,19 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     return flk_expected_agrees(c, c->computed, turn);
 }
 
-void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
+int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
     deck_expectation plain = *e;
     char written[FOLDED];
     const char *name;
-    int agrees, is_hinted = e - o->d.expectations < HINTED;
+    int agrees, is_hinted = e - o->d.expectations < HINTED, status;
 
     flk_name_find(o, e->name, n);
+    status = n->kind == FLK_NAME_UNKNOWN || n->kind == FLK_NAME_GIVEN /* similar facts are sought */
+                 ? flk_opened_prepare(o, (int)e->branch, ALL_FACTS)
+                 : flk_name_prepare(o, n, e->branch);
+    if (status != FOURLINK_OK)
+        return status;
     if (n->kind == FLK_NAME_UNKNOWN && !n->statistic && is_hinted &&
         (name = find_folded(o, e)) != NULL) {
         plain.name = flk_text_of(flk_text_copy(flk_text_of(name), written, sizeof written));
@@ -584,4 +590,5 @@ void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
         c->verdict = agrees ? FOURLINK_NO_MISPRINT : FOURLINK_MISPRINT;
     else
         c->verdict = agrees ? FOURLINK_AGREES : FOURLINK_DIFFERS;
+    return FOURLINK_OK;
 }

@@ -7,9 +7,9 @@
 
 #include "opened.h"
 
-/* Compare a printed value with the computed one, and give what its name means. */
-void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
-                          fourlink_check *check);
+/* Compare a printed value with the computed one, and give what its name means: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
+                         fourlink_check *check);
 
 /* 1 if a value agrees with check->printed within check->tolerance.  For an angle, `turn` is a full turn in
 ** its unit, since whole turns do not count; else 0. */

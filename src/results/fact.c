@@ -389,11 +389,12 @@ static int is_of_motion(const deck *d, int i)
 
 int flk_fact_why_missing(flk_analysis *a, int handle, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
+    const flk_actual_facts *f;
     int i = OTHER(handle), status;
 
-    if (!f || !is_of_motion(a->d, i))
+    if (!a->course.actual || !is_of_motion(a->d, i))
         return FOURLINK_NO_SUCH_FACT;
+    f = flk_actual_facts_of(a->course.actual, branch);
     status = f->status == FOURLINK_OK && i != FACT_STALL_ANGLE ? f->no_cycle : f->status;
     return status == FOURLINK_OK ? FOURLINK_NO_SUCH_FACT : status;
 }

@@ -121,6 +121,30 @@ static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch b
     return value_in_row(o, c, branch, &row, value);
 }
 
+int flk_opened_prepare(flk_opened *o, int branch, int groups)
+{
+    int has_facts = (groups & (FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION)) != 0;
+    int status = FOURLINK_OK, i;
+
+    for (i = 0; i < 2 && status == FOURLINK_OK && groups & ~FOURLINK_FACTS_LIMITS; i++) {
+        int each = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+
+        if (branch ? branch == each : i == 0 ? o->d.open : o->d.crossed)
+            status = flk_actual_prepare(o->a.course.actual, (fourlink_branch)each, has_facts);
+    }
+    return status;
+}
+
+int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch)
+{
+    int groups = n->kind == FLK_NAME_FACT ? flk_fact_group(n->handle)
+                 : n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC
+                     ? FOURLINK_FACTS_EXTREMES
+                     : 0;
+
+    return flk_opened_prepare(o, (int)branch, groups);
+}
+
 int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
                          fourlink_value *value)
 {
@@ -141,6 +165,10 @@ unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
 int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
                    fourlink_value *value)
 {
+    int status = flk_name_prepare(o, n, branch);
+
+    if (status != FOURLINK_OK)
+        return status;
     switch (n->kind) {
     case FLK_NAME_COLUMN:
         return value_of_column(o, &n->c, branch, angle, value);

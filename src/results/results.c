@@ -293,25 +293,35 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
     return FOURLINK_OK;
 }
 
-/* Check what a function on a branch is given, that nothing is null, and the branch; then prepare its motion, so
-** that nothing after this needs memory. */
+/* Check what a function on a branch is given, that nothing is null, and the branch. */
 static int check_branch(const fourlink_results *r, int is_given, int branch)
 {
     if (!r || !is_given)
         return FOURLINK_NULL;
     return flk_kind_has_branch(flk_kind_of(r->now->d.machine.mechanism.design.kind),
                                (fourlink_branch)branch)
-               ? flk_actual_prepare(r->now->a.course.actual, (fourlink_branch)branch)
+               ? FOURLINK_OK
                : FOURLINK_BAD_BRANCH;
+}
+
+/* The same; then prepare its motion, so that nothing after this needs memory. */
+static int check_motion(fourlink_results *r, int is_given, int branch)
+{
+    int status = check_branch(r, is_given, branch);
+
+    return status == FOURLINK_OK ? flk_opened_prepare(r->now, branch, FOURLINK_FACTS_EXTREMES)
+                                 : status;
 }
 
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
                            const fourlink_value **facts, unsigned long *n)
 {
     int status = branch            ? check_branch(r, facts && n, branch)
-                 : r && facts && n ? FOURLINK_OK /* the branches of the deck, which are prepared */
+                 : r && facts && n ? FOURLINK_OK /* the branches of the deck */
                                    : FOURLINK_NULL;
 
+    if (status == FOURLINK_OK)
+        status = flk_opened_prepare(r->now, branch, groups);
     if (status != FOURLINK_OK)
         return status;
     *n = flk_fact_list(&r->now->a, &r->now->extremes, branch, groups, 0, r->now->columns,
@@ -354,7 +364,7 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
                          double *values, fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_branch(r, 1, (int)branch);
+    int status = check_motion(r, 1, (int)branch);
     flk_row row;
 
     if (status != FOURLINK_OK)
@@ -386,7 +396,7 @@ int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned 
                           unsigned long n, unsigned long n_columns, const int *handles,
                           double *values)
 {
-    int status = check_branch(r, (handles && values) || !n || !n_columns, (int)branch), needs;
+    int status = check_motion(r, (handles && values) || !n || !n_columns, (int)branch), needs;
     unsigned long rows = r ? r->now->a.course.range.n_rows : 0, i, k, some;
     flk_column columns[COLUMNS];
     flk_row row;
@@ -414,7 +424,7 @@ int fourlink_results_rows(fourlink_results *r, fourlink_branch branch, unsigned 
 int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
                         fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_branch(r, 1, (int)branch);
+    int status = check_motion(r, 1, (int)branch);
     flk_row row;
 
     if (status != FOURLINK_OK)
@@ -428,7 +438,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
 int fourlink_results_along(fourlink_results *r, fourlink_branch branch, double place,
                            double *values, fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_branch(r, 1, (int)branch);
+    int status = check_motion(r, 1, (int)branch);
     const flk_course *course;
     double at;
     flk_row row;
@@ -445,7 +455,7 @@ int fourlink_results_along(fourlink_results *r, fourlink_branch branch, double p
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
                                double value, unsigned long max, double *angles, unsigned long *n)
 {
-    int status = check_branch(r, name && n && (angles || !max), (int)branch);
+    int status = check_motion(r, name && n && (angles || !max), (int)branch);
     flk_column c;
 
     if (status != FOURLINK_OK)
@@ -501,7 +511,7 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
 
 int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
 {
-    int status = check_branch(r, angle != NULL, (int)branch);
+    int status = check_motion(r, angle != NULL, (int)branch);
     const flk_actual_facts *actual;
 
     if (status != FOURLINK_OK)
@@ -516,6 +526,8 @@ int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourli
     int status = check_branch(r, turning != NULL, (int)branch);
     const fourlink_turning *found;
 
+    if (status == FOURLINK_OK && r->now->a.turning_memory)
+        status = flk_opened_prepare(r->now, (int)branch, FOURLINK_FACTS_TURNING);
     if (status != FOURLINK_OK)
         return status;
     found = flk_turning_find(&r->now->a, branch);
@@ -535,11 +547,8 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
         return FOURLINK_NULL;
     if (i >= r->now->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    status = flk_actual_prepare(r->now->a.course.actual, r->now->d.expectations[i].branch);
-    if (status != FOURLINK_OK)
-        return status;
-    flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
-    if (found.verdict == FOURLINK_DIFFERS && !found.words[0])
+    status = flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
+    if (status == FOURLINK_OK && found.verdict == FOURLINK_DIFFERS && !found.words[0])
         status = flk_hint_find(r->now, &n, &found);
     if (status == FOURLINK_OK)
         *check = found;

@@ -76,7 +76,7 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     if (!view_read(v, QUANTITY_ANGLE, rest.start ? flk_text_trim(rest) : item->words, item->words,
                    &item->value, message))
         return -1;
-    if (fourlink_results_at(v->results, FOURLINK_OPEN, item->value, NULL, NULL, NULL) !=
+    if (fourlink_results_at(v->results, v->branches[0], item->value, NULL, NULL, NULL) !=
         FOURLINK_NO_SUCH_ANGLE)
         return 1;
     flk_message(message, 400,

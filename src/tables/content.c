@@ -110,7 +110,7 @@ static void write_facts(sheet *s, int groups, void (*put)(sheet *s, const fourli
     const fourlink_value *facts;
     unsigned long n;
 
-    fourlink_results_facts(s->v.results, 0, groups, &facts, &n);
+    results_facts(s->v.results, 0, groups, &facts, &n);
     put_facts(s, facts, n, put);
 }
 
@@ -173,7 +173,7 @@ static void write_extremes(sheet *s)
     unsigned long n, j;
     int i, are_same;
 
-    fourlink_results_facts(s->v.results, 0, FOURLINK_FACTS_EXTREMES, &facts, &n);
+    results_facts(s->v.results, 0, FOURLINK_FACTS_EXTREMES, &facts, &n);
     for (i = 0; i < s->v.n_branches; i++)
         for (j = 0; j < s->v.n_columns; j++) {
             int branch = (int)s->v.branches[i];
@@ -319,10 +319,9 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
         fourlink_results_list(results[i], FOURLINK_ALL_COLUMNS, &all[i].list, &all[i].n);
     put_names(s, all, n_results, s->format->column);
     for (i = 0; i < n_results; i++)
-        fourlink_results_facts(results[i], FOURLINK_OPEN,
-                               FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING |
-                                   FOURLINK_FACTS_MOTION,
-                               &all[i].list, &all[i].n);
+        results_facts(results[i], FOURLINK_OPEN,
+                      FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
+                      &all[i].list, &all[i].n);
     put_names(s, all, n_results, s->format->listed);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
@@ -390,8 +389,7 @@ static void close_results(sheet *s)
 ** have needs no reason. */
 static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
 {
-    int status =
-        fourlink_results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
+    int status = results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
 
     output->has_value = status == FOURLINK_OK;
     output->is_other = 0;
@@ -442,6 +440,8 @@ static void write_content(sheet *s)
         write_values(s);
         return;
     }
+    if (s->content != SHEET_CHECK && s->content != SHEET_LIST && !view_find_motion(&s->v))
+        return;
     if (!s->is_form)
         tell(s, frame_of(s)->open);
     switch (s->content) {

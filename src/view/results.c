@@ -47,6 +47,30 @@ int results_put(fourlink_results *results, unsigned long n, const int *handles,
     return noted(fourlink_results_put(results, n, handles, values, NULL));
 }
 
+int results_end(fourlink_results *results, fourlink_branch branch, double *angle)
+{
+    return noted(fourlink_results_end(results, branch, angle));
+}
+
+int results_get(fourlink_results *results, int handle, fourlink_branch branch, double angle,
+                fourlink_value *value)
+{
+    return noted(fourlink_results_get(results, handle, branch, angle, value));
+}
+
+int results_value(fourlink_results *results, const char *name, fourlink_branch branch, double angle,
+                  fourlink_value *value)
+{
+    return noted(fourlink_results_value(results, name, branch, angle, value));
+}
+
+void results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
+                   unsigned long *n)
+{
+    *n = 0;
+    noted(fourlink_results_facts(results, branch, groups, facts, n));
+}
+
 int results_gave_up(int status)
 {
     return status == FOURLINK_TOO_LONG || status == FOURLINK_LONG_SEARCH;

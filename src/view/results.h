@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** results.h - the functions of fourlink.h that need memory, with the same names but for their beginning: if it fails,
-** that is noted (system/memory.h).  The command calls no others that could fail so: it asks for the branches that the
-** deck requests, whose motion is found where the deck is opened.
+** that is noted (system/memory.h).  The others on a branch could fail so only where its motion is integrated: they are called
+** after view_find_motion, for the branches that the deck requests.
 */
 #ifndef FOURLINK_VIEW_RESULTS_H
 #define FOURLINK_VIEW_RESULTS_H
@@ -20,6 +20,15 @@ int results_design(const fourlink_results *from, unsigned long design, unsigned 
 int results_set(fourlink_results *results, const char *name, double value);
 int results_put(fourlink_results *results, unsigned long n, const int *handles,
                 const double *values);
+
+/* Where the motion ends; what has a name; the facts, none if memory fails. */
+int results_end(fourlink_results *results, fourlink_branch branch, double *angle);
+int results_get(fourlink_results *results, int handle, fourlink_branch branch, double angle,
+                fourlink_value *value);
+int results_value(fourlink_results *results, const char *name, fourlink_branch branch, double angle,
+                  fourlink_value *value);
+void results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
+                   unsigned long *n);
 
 /* The i-th comparison; 0 if memory fails, and all of it is 0, with empty texts. */
 int results_check(fourlink_results *results, unsigned long i, fourlink_check *check);

@@ -16,20 +16,22 @@
 
 #define BEFORE 1e-9 /* of the motion, by which a position is before its end */
 
-/* Where a machine stalls on all branches, its motion ends just before. */
-static void cut_end(view *v)
+int view_find_motion(view *v)
 {
     double from = v->problem.motion.from, farthest = from, angle;
-    int i;
+    int goes_on = !v->problem.over.is_crank_angle, i, status;
 
     for (i = 0; i < v->n_branches; i++) {
-        if (fourlink_results_end(v->results, v->branches[i], &angle) == FOURLINK_OK)
-            return;
+        status = results_end(v->results, v->branches[i], &angle);
+        if (status == FOURLINK_NO_MEMORY)
+            return 0;
+        goes_on |= status == FOURLINK_OK;
         if (fabs(angle - from) > fabs(farthest - from))
             farthest = angle;
     }
-    if (farthest != from && fabs(farthest - from) < fabs(v->end - from))
+    if (!goes_on && farthest != from && fabs(farthest - from) < fabs(v->end - from))
         v->end = farthest - BEFORE * (farthest - from);
+    return 1;
 }
 
 static void stretch(view *v, const fourlink_vector *at)
@@ -81,8 +83,6 @@ void view_take_design(view *v, fourlink_results *results)
     fourlink_motion_range(&v->problem.motion, &v->range);
     v->over = flk_quantity_find(v->problem.over.quantity);
     v->end = v->problem.over.last;
-    if (v->problem.mode != FOURLINK_MODE_GIVEN && v->problem.over.is_crank_angle)
-        cut_end(v);
     v->range.n_rows = v->problem.n_rows;
     v->lever_low = v->lever_high = 0;
     if (v->kind.slotted)
@@ -122,13 +122,12 @@ int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *fou
     unsigned long i;
     int status;
 
-    fourlink_results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list,
-                           &found->n);
+    results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list, &found->n);
     for (i = 0; i < v->n_columns && (v->columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
         ;
     if (found->n || i == v->n_columns)
         return FOURLINK_OK;
-    status = fourlink_results_get(v->results, v->columns[i].handle + FOURLINK_MAX, branch, 0, &one);
+    status = results_get(v->results, v->columns[i].handle + FOURLINK_MAX, branch, 0, &one);
     return status == FOURLINK_OK ? FOURLINK_LONG_SEARCH : status;
 }
 

@@ -22,7 +22,9 @@ typedef struct view {
     fourlink_branch branches[2]; /* that the deck asks for */
     int n_branches;
     fourlink_range range; /* by time, with the number of its rows */
-    double end; /* the last place of the motion; by angle, of a machine that stalls, there */
+    double
+        end; /* the last place of the motion; by angle, of a machine that stalls on all branches, just
+                   before that once its motion is found */
     fourlink_unit units[QUANTITY_COUNT];
     quantity over;                 /* of problem.over */
     double lever_low, lever_high;  /* m, how far a slotted lever reaches along its axis from D */
@@ -35,6 +37,10 @@ void view_take(view *v, fourlink_results *results);
 
 /* Take another design of the same deck, which has the same units. */
 void view_take_design(view *v, fourlink_results *results);
+
+/* Find the motion of the branches, which of a machine is integrated: this is called before anything else that follows
+** from the motion, such as rows, is asked.  0 if memory fails, which is noted. */
+int view_find_motion(view *v);
 
 /* The linkage that a synthesis has found, for the caller to free; null of another deck.  0: out of memory. */
 int view_find_solution(const fourlink_deck *deck, fourlink_solution **found);

@@ -41,7 +41,7 @@ static int ask(fourlink_results *r, int which, fourlink_branch branch, answer *a
         a->status = fourlink_results_rows(r, branch, 0, 2, 1, &found.handle, a->numbers);
         return 1;
     case 3:
-        a->status = fourlink_results_facts(r, (int)branch, 7, &a->list, &a->n_list);
+        a->status = fourlink_results_facts(r, (int)branch, 15, &a->list, &a->n_list);
         return 1;
     case 4:
         a->status = fourlink_results_value(r, "alpha2", branch, 5, &a->value);
@@ -50,7 +50,7 @@ static int ask(fourlink_results *r, int which, fourlink_branch branch, answer *a
         a->status = fourlink_results_value(r, "max(omega2)", branch, 0, &a->value);
         return 1;
     case 6:
-        a->status = fourlink_results_value(r, "run_time", branch, 0, &a->value);
+        a->status = fourlink_results_value(r, "run_up_time", branch, 0, &a->value);
         return 1;
     case 7:
         a->status = fourlink_results_end(r, branch, a->numbers);
@@ -66,6 +66,9 @@ static int ask(fourlink_results *r, int which, fourlink_branch branch, answer *a
         return 1;
     case 11:
         a->status = fourlink_results_along(r, branch, 0, a->numbers, &a->instant, a->loads);
+        return 1;
+    case 12:
+        a->status = fourlink_results_facts(r, 0, 15, &a->list, &a->n_list);
         return 1;
     default:
         return 0;
@@ -104,60 +107,110 @@ static uint64_t digest_of(const answer *a)
     return d.hash;
 }
 
-/* The motion of the branch that the deck does not request is found when a function asks for it. */
-TEST(test_failed_memory_of_the_other_branch)
+/* Motions that are integrated, and facts of one. */
+static const char *const motions[] = {
+    "[motor]\nstall_torque = 20 N m\nno_load_speed = 14 rad/s\n[motion]\nmode = run-up\nto = 200 "
+    "deg\n",
+    "[motor]\ntorque = constant\n[load]\nlink = rocker\ntorque = -1 N m\nover = omega4\nat_speed = "
+    "1 rad/s\n"
+    "[motion]\nmode = steady\nmean_speed = 10 rad/s\n",
+    "[motion]\nmode = free\nspeed = 20 rad/s\nto = 1500 deg\n",
+    "[motion]\nmode = free\nspeed = 20 rad/s\nrows = time\ntime_step = 10 ms\nduration = 100 ms\n"};
+
+/* A deck with motion i, which requests the open branch. */
+static const char *deck_of(size_t i)
 {
-    static const char *const motions[] = {
-        "[motor]\nstall_torque = 20 N m\nno_load_speed = 14 rad/s\n[motion]\nmode = run-up\nto = "
-        "200 deg\n",
-        "[motor]\ntorque = constant\n[load]\nlink = rocker\ntorque = -1 N m\nover = "
-        "omega4\nat_speed = 1 rad/s\n"
-        "[motion]\nmode = steady\nmean_speed = 10 rad/s\n",
-        "[motion]\nmode = free\nspeed = 20 rad/s\nto = 1500 deg\n",
-        "[motion]\nmode = free\nspeed = 20 rad/s\nrows = time\ntime_step = 10 ms\nduration = 100 "
-        "ms\n"};
-    unsigned long n, k, tried = 0;
-    int which, on;
+    return print(ROCKER FLYWHEEL "%s[table]\nbranch = open\n[expect]\n%s\nomega4 = 7.77 rad/s\n",
+                 motions[i], strstr(motions[i], "rows") ? "at = 20 ms" : "at = 10 deg");
+}
+
+/* Let each allocation fail that a function takes for the motion; returns how many there are. */
+static unsigned long try_function(const char *contents, int which, fourlink_branch branch)
+{
+    fourlink_results *r = opened(contents);
+    unsigned long n, k;
+    uint64_t expected;
+    answer a;
+    int on;
+
+    forget(&a);
+    watch_memory(0, 0);
+    ask(r, which, branch, &a);
+    n = watched_memory();
+    expected = digest_of(&a);
+    fourlink_results_free(r);
+    for (k = 1; k <= n; k++)
+        for (on = 0; on < 2; on++) {
+            r = opened(contents);
+            forget(&a);
+            watch_memory(k, on);
+            ask(r, which, branch, &a);
+            watched_memory();
+            if (a.status != FOURLINK_NO_MEMORY || !is_untouched(&a))
+                fail_msg("%s, function %d, allocation %lu of %lu: %s", contents, which, k, n,
+                         fourlink_status_text(a.status));
+            ask(r, which, branch, &a); /* there is memory again */
+            if (digest_of(&a) != expected)
+                fail_msg("%s, function %d, allocation %lu: other results", contents, which, k);
+            fourlink_results_free(r);
+        }
+    return n;
+}
+
+/* The motion of a branch is found when a function asks for it. */
+TEST(test_failed_memory_of_a_motion)
+{
+    unsigned long tried = 0;
+    answer none;
+    int which;
     size_t i;
 
-    for (i = 0; i < COUNT(motions); i++) {
-        const char *contents =
-            print(ROCKER FLYWHEEL "%s[table]\nbranch = open\n[expect]\n%s\nomega4 = 7.77 rad/s\n",
-                  motions[i], strstr(motions[i], "rows") ? "at = 20 ms" : "at = 10 deg");
-        answer a;
-
-        for (which = 0;; which++) {
-            fourlink_results *r = opened(contents);
-            uint64_t expected;
-            int more;
-
-            forget(&a);
-            watch_memory(0, 0);
-            more = ask(r, which, FOURLINK_CROSSED, &a);
-            n = watched_memory();
-            expected = more ? digest_of(&a) : 0;
-            fourlink_results_free(r);
-            if (!more)
-                break;
-            for (k = 1; k <= n; k++)
-                for (on = 0; on < 2; on++) {
-                    r = opened(contents);
-                    forget(&a);
-                    watch_memory(k, on);
-                    ask(r, which, FOURLINK_CROSSED, &a);
-                    watched_memory();
-                    if (a.status != FOURLINK_NO_MEMORY || !is_untouched(&a))
-                        fail_msg("motion %lu, function %d, allocation %lu of %lu: %s",
-                                 (unsigned long)i, which, k, n, fourlink_status_text(a.status));
-                    ask(r, which, FOURLINK_CROSSED, &a); /* there is memory again */
-                    assert_true(digest_of(&a) == expected);
-                    fourlink_results_free(r);
-                    tried++;
-                }
-        }
-    }
+    for (i = 0; i < COUNT(motions); i++)
+        for (which = 0; ask(NULL, which, FOURLINK_OPEN, &none); which++)
+            tried += try_function(deck_of(i), which, FOURLINK_OPEN) +
+                     try_function(deck_of(i), which, FOURLINK_CROSSED);
     print_message("%lu allocations failed\n", tried);
-    assert_true(tried > 80);
+    assert_true(tried > 100);
+}
+
+/* The memory that a question takes. */
+static unsigned long memory_for(fourlink_results *r, const char *name)
+{
+    fourlink_value v;
+
+    watch_memory(0, 0);
+    fourlink_results_value(r, name, FOURLINK_OPEN, 0, &v);
+    return watched_memory();
+}
+
+/* A motion is integrated when it is asked for, once; the steady motion that a run-up approaches, for its facts. */
+TEST(test_motion_that_nobody_asked_for)
+{
+    static const char *const still[] = {"crank.length", "motion.speed", "mu_min",
+                                        "type",         "stroke",       "mass",
+                                        "theta4_max",   "no name",      "rotatability"};
+    const fourlink_value *list;
+    unsigned long n;
+    size_t i, k;
+    int which;
+
+    for (i = 0; i < COUNT(motions); i++) {
+        fourlink_results *r = opened(deck_of(i));
+
+        for (k = 0; k < COUNT(still); k++)
+            assert_int_equal(memory_for(r, still[k]), 0);
+        watch_memory(0, 0);
+        for (which = FOURLINK_COLUMNS; which <= FOURLINK_CONDITIONS; which++)
+            assert_int_equal(fourlink_results_list(r, which, &list, &n), FOURLINK_OK);
+        assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_LIMITS, &list, &n),
+                         FOURLINK_OK);
+        assert_int_equal(watched_memory(), 0);
+        assert_true(memory_for(r, "omega4") > 0);
+        assert_int_equal(memory_for(r, "omega4") + memory_for(r, "max(alpha2)"), 0);
+        assert_int_equal(memory_for(r, "mean_speed") > 0, strstr(motions[i], "run-up") != NULL);
+        assert_int_equal(memory_for(r, "mean_speed") + memory_for(r, "run_up_time"), 0);
+        fourlink_results_free(r);
+    }
 }
 
 #define FUNCTIONS 5
