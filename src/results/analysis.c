@@ -356,6 +356,7 @@ void flk_analysis_close(flk_analysis *a)
     flk_course_close(&a->course);
     free(a->acting.load);
     free(a->turning_memory);
+    free(a->means);
     memset(a, 0, sizeof *a);
 }
 

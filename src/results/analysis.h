@@ -99,6 +99,12 @@ typedef struct flk_row {
     flk_actual_row actual; /* of a deck whose motion is not given */
 } flk_row;
 
+/* Mean and root mean square of a column on a branch, in this order, computed once. */
+typedef struct flk_mean {
+    int is_known, status[2];
+    double value[2];
+} flk_mean;
+
 /* The turning moment of a branch, computed once. */
 typedef struct flk_turning {
     int is_known, is_there;
@@ -115,6 +121,7 @@ typedef struct flk_analysis {
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
+    flk_mean *means;        /* from flk_means_open: of column 0, open, crossed; of column 1 ... */
     double
         rows_left; /* that a search may still compute; a row with loads counts as more than one */
 } flk_analysis;

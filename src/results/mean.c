@@ -18,20 +18,22 @@
 **
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
-** with c the angle of that part of the motion in which the column has a value.  Each piece of the
-** motion (samples.h) is integrated over the parameter s of follow.h, in which a root at its end is smooth.  A
-** part in which the rule is not exact is halved.
+** with c the angle of that part of the motion in which the column has a value.  Both are found together, and kept.
+** Each piece of the motion (samples.h) is integrated over the parameter s of follow.h, in which a root at its end
+** is smooth, in wide parts.  A part in which the rule is not exact is halved.
 **
 ** At a pole (pole.h) the column grows as distance^-m, y^k as distance^-km: its integral is infinite where
 ** k m >= 1.  At a dead position a velocity grows as distance^-1/2: it has a mean, but no finite rms.
 */
 
-#define STEP (M_PI / 18)     /* rad, of a part at first */
-#define MOST_PARTS 2e4       /* of the whole motion, at first */
-#define HALVINGS 2000        /* at most */
-#define EXACT 1e-10          /* error of a part, relative to itself or to the whole */
-#define ROUNDING 1e-6        /* relative error that rows can have near a pole */
-#define SHORTEST 1e-10       /* part of a piece that is not halved any more, */
+#define STEP (M_PI / 4) /* rad, of a part at first */
+#define MOST_PARTS 2e4  /* of the whole motion, at first */
+#define HALVINGS 2000   /* at most */
+#define EXACT 1e-10     /* error of a part, relative to itself or to the whole */
+#define ROUNDING 1e-6   /* relative error that rows can have near a pole */
+#define SHORTEST 1e-10  /* part of a piece that is not halved any more, */
+#define SHORTEST_OF_ANGLE \
+    1e-9                     /* ... of a direction, which is rounding where its vector vanishes, */
 #define SHORTEST_AT_END 1e-4 /* at an end without a row */
 
 /* The integrals of 1, y, y^2. */
@@ -43,9 +45,9 @@ typedef struct means {
     flk_samples x;
     const flk_sampled *c; /* the column, with its limits */
     flk_followed t;       /* t.last: value from which an angle continues; NaN: it starts anew */
-    int first, most;      /* powers of y to integrate */
     int is_rough;         /* 1: in the present part an angle jumps, or the rule is not exact */
-    int signs; /* FLK_POLE_UP, FLK_POLE_DOWN: the integral is infinite, by a pole of this sign */
+    int signs
+        [3]; /* FLK_POLE_UP, FLK_POLE_DOWN: by such poles the integral of this power is infinite */
     int halvings;
     moments total, here; /* before, and since an angle started anew */
     double size[3];      /* integrals of magnitudes so far */
@@ -54,6 +56,23 @@ typedef struct means {
 static double value_at(const means *m, double s)
 {
     return flk_samples_smooth(&m->x, m->c, s);
+}
+
+/* Take a pole of an order, by which integrals are infinite. */
+static void take_sign(means *m, double order, int sign)
+{
+    int k;
+
+    for (k = 1; k <= 2; k++)
+        if (k * order >= 1)
+            m->signs[k] |= sign;
+}
+
+/* 1 if an angle jumps to a value, by whole turns next to the last one. */
+static int jumps(const means *m, double value)
+{
+    return m->t.turn > 0 && !gsl_isnan(m->t.last) &&
+           fabs(flk_followed_nearest(&m->t, value, m->t.last) - m->t.last) > m->t.turn / 6;
 }
 
 /* 1, y, y^2; 0 where there is no value. */
@@ -65,24 +84,20 @@ static void powers(double s, void *data, double *power)
     if (gsl_isnan(value)) {
         value = rate = 0;
     } else if (fabs(value) >= m->t.bound) {
-        m->signs |= value > 0 ? FLK_POLE_UP : FLK_POLE_DOWN;
+        take_sign(m, GSL_POSINF, value > 0 ? FLK_POLE_UP : FLK_POLE_DOWN);
         value = 0;
-    } else if (m->t.turn > 0 && !gsl_isnan(m->t.last)) {
+    } else {
+        m->is_rough |= jumps(m, value);
         value = flk_followed_nearest(&m->t, value, m->t.last);
-        m->is_rough |= fabs(value - m->t.last) > m->t.turn / 6;
     }
     power[0] = rate;
     power[1] = value * power[0];
     power[2] = value * power[1];
 }
 
-/* Take a pole at which the integral is infinite. */
 static void take_pole(void *data, const flk_pole *pole)
 {
-    means *m = data;
-
-    if (m->most * pole->order >= 1)
-        m->signs |= pole->signs;
+    take_sign(data, pole->order, pole->signs);
 }
 
 static void add_moments(moments *sum, const moments *more, double times)
@@ -107,18 +122,23 @@ static void start_anew(means *m, double value)
     m->t.last = value;
 }
 
-/* Follow an angle to a parameter, or at an end without a row to one beside it. */
-static void follow_angle(means *m, double s)
+/* An angle at a parameter, or at an end without a row at one beside it; NaN of another column. */
+static double angle_at(const means *m, double s)
 {
-    double value;
-
     if (!(m->t.turn > 0))
-        return;
+        return GSL_NAN;
     if (s <= 0 && flk_follow_has_limit(m->x.f.piece.begin))
         s = 1e-3;
     else if (s >= 1 && flk_follow_has_limit(m->x.f.piece.end))
         s = 1 - 1e-3;
-    value = value_at(m, s);
+    return value_at(m, s);
+}
+
+/* Follow an angle to a parameter. */
+static void follow_angle(means *m, double s)
+{
+    double value = angle_at(m, s);
+
     if (gsl_isnan(value))
         return;
     if (gsl_isnan(m->t.last) || flk_followed_turns_over(&m->t, m->t.last, value))
@@ -133,7 +153,7 @@ static int is_shortest(const means *m, double from, double to)
     int at_end = (from <= 0 && flk_follow_has_limit(m->x.f.piece.begin)) ||
                  (to >= 1 && flk_follow_has_limit(m->x.f.piece.end));
 
-    return to - from < (at_end ? SHORTEST_AT_END : SHORTEST);
+    return to - from < (at_end ? SHORTEST_AT_END : m->t.turn > 0 ? SHORTEST_OF_ANGLE : SHORTEST);
 }
 
 /* 1 if the rule is exact for a part, or if its error is rounding error of the rows, which halving does not
@@ -152,11 +172,11 @@ static void integrate(means *m, double from, double to, const flk_integral *both
     int shortest = is_shortest(m, from, to), k;
     flk_integral i[3];
 
-    m->is_rough = 0;
+    m->is_rough = jumps(m, angle_at(m, to));
     flk_integrate(powers, m, 3, from, to, i);
-    for (k = m->first; k <= m->most; k++) {
+    for (k = 1; k <= 2; k++) {
         m->size[k] += i[k].size - (both ? both[k].size / 2 : 0);
-        m->is_rough |= !is_exact(&i[k], both ? &both[k] : NULL, m->size[k]);
+        m->is_rough |= !m->signs[k] && !is_exact(&i[k], both ? &both[k] : NULL, m->size[k]);
     }
     if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS &&
         !flk_follow_is_over(&m->x.f)) {
@@ -170,11 +190,10 @@ static void integrate(means *m, double from, double to, const flk_integral *both
     follow_angle(m, to);
 }
 
-/* 1 if the result is known. */
+/* 1 if the results are known: no mean, an infinite root mean square. */
 static int is_done(const means *m)
 {
-    return m->signs == (FLK_POLE_UP | FLK_POLE_DOWN) || (m->signs && m->most == 2) ||
-           flk_follow_is_over(&m->x.f);
+    return m->signs[1] == (FLK_POLE_UP | FLK_POLE_DOWN) || flk_follow_is_over(&m->x.f);
 }
 
 static void integrate_piece(means *m)
@@ -185,7 +204,7 @@ static void integrate_piece(means *m)
 
     m->x.f.a->is_fast = !m->t.is_noise;
     follow_angle(m, 0);
-    for (i = 0; i < n && !m->signs && !flk_follow_is_over(&m->x.f); i++)
+    for (i = 0; i < n && !m->signs[1] && !flk_follow_is_over(&m->x.f); i++)
         integrate(m, i / n, (i + 1) / n, NULL);
 }
 
@@ -219,7 +238,7 @@ static void integrate_motion(means *m)
 }
 
 static void begin_mean(means *m, const flk_samples_room *room, flk_analysis *a, const flk_column *c,
-                       fourlink_branch branch, flk_statistic statistic)
+                       fourlink_branch branch)
 {
     int flags = flk_column_flags(c);
 
@@ -230,14 +249,11 @@ static void begin_mean(means *m, const flk_samples_room *room, flk_analysis *a, 
     m->t = m->c->of;
     if (flags & FOURLINK_OF_CRANK)
         m->t.turn = 0; /* it goes on by itself */
-    m->first = m->most = statistic == FLK_MEAN ? 1 : 2;
-    if (m->t.turn > 0 || (flags & FOURLINK_OF_CRANK)) {
+    if (m->t.turn > 0 || (flags & FOURLINK_OF_CRANK))
         flk_follow_all(&m->x.f); /* it does not repeat */
-        m->first = 1;
-    }
 }
 
-static int of_instant(means *m, flk_statistic statistic, double *mean)
+static void take_instant(means *m, flk_mean *found)
 {
     double value;
     flk_row row;
@@ -245,34 +261,65 @@ static int of_instant(means *m, flk_statistic statistic, double *mean)
     flk_follow_row(&m->x.f, flk_column_need(m->t.c), 0, &row);
     value = flk_column_value(m->t.c, &row);
     if (row.at.status != FOURLINK_OK && gsl_isnan(value))
-        return row.at.status;
-    *mean = statistic == FLK_MEAN ? value : fabs(value);
-    return FOURLINK_OK;
+        found->status[0] = found->status[1] = row.at.status;
+    found->value[0] = value;
+    found->value[1] = fabs(value);
+}
+
+/* What the integrals say. */
+static void take_moments(const means *m, flk_mean *found)
+{
+    const double *total = m->total.of;
+    int k;
+
+    if (m->signs[1] == (FLK_POLE_UP | FLK_POLE_DOWN))
+        found->status[0] = FOURLINK_NO_MEAN;
+    for (k = 0; k < 2; k++)
+        if (!m->signs[k + 1] && !(total[0] > 0))
+            found->status[k] = FOURLINK_NOT_REACHED;
+    found->value[0] = m->signs[1] == FLK_POLE_DOWN ? GSL_NEGINF
+                      : m->signs[1]                ? GSL_POSINF
+                                                   : total[1] / total[0];
+    found->value[1] = m->signs[2] ? GSL_POSINF : sqrt(total[2] / total[0]);
+}
+
+static void find_means(flk_analysis *a, const flk_samples_room *room, const flk_column *c,
+                       fourlink_branch branch, flk_mean *found)
+{
+    means m;
+
+    begin_mean(&m, room, a, c, branch);
+    if (m.x.f.motion.length > 0)
+        integrate_motion(&m);
+    a->is_fast = 0;
+    if (!(m.x.f.motion.length > 0))
+        take_instant(&m, found);
+    else if (flk_follow_is_over(&m.x.f))
+        found->status[0] = found->status[1] = FOURLINK_LONG_SEARCH;
+    else
+        take_moments(&m, found);
+}
+
+int flk_means_open(flk_analysis *a, size_t most)
+{
+    a->means = calloc(2 * most, sizeof *a->means);
+    return a->means != NULL;
 }
 
 int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_column *c,
                   fourlink_branch branch, flk_statistic statistic, double *mean)
 {
-    means m;
+    flk_mean *found = &a->means[2 * c->number + (branch == FOURLINK_OPEN ? 0 : 1)];
+    int k = statistic == FLK_MEAN ? 0 : 1;
 
-    if (flk_course_stops(&a->course, branch))
-        return FOURLINK_TOO_LONG;
-    begin_mean(&m, room, a, c, branch, statistic);
-    if (m.x.f.motion.length <= 0)
-        return of_instant(&m, statistic, mean);
-    integrate_motion(&m);
-    a->is_fast = 0;
-    if (flk_follow_is_over(&m.x.f))
-        return FOURLINK_LONG_SEARCH;
-    if (statistic == FLK_MEAN && m.signs == (FLK_POLE_UP | FLK_POLE_DOWN))
-        return FOURLINK_NO_MEAN;
-    if (!m.signs && !(m.total.of[0] > 0))
-        return FOURLINK_NOT_REACHED;
-    *mean = m.signs == FLK_POLE_DOWN && statistic == FLK_MEAN ? GSL_NEGINF
-            : m.signs                                         ? GSL_POSINF
-            : statistic == FLK_MEAN                           ? m.total.of[1] / m.total.of[0]
-                                                              : sqrt(m.total.of[2] / m.total.of[0]);
-    return FOURLINK_OK;
+    if (!found->is_known && flk_course_stops(&a->course, branch))
+        found->status[0] = found->status[1] = FOURLINK_TOO_LONG;
+    else if (!found->is_known)
+        find_means(a, room, c, branch, found);
+    found->is_known = 1;
+    if (found->status[k] == FOURLINK_OK)
+        *mean = found->value[k];
+    return found->status[k];
 }
 
 /* ----------------------------------------------------------------------------------------- turning moment */
@@ -288,14 +335,14 @@ int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_colum
 **
 ** For an actual motion omega is its mean speed, and I is that of the flywheel and of the motor's rotor.
 **
-** The cycle is cut every few degrees and wherever a load's curve or window has a corner; in such a piece the
+** The cycle is cut every 30 degrees and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and Gauss and Kronrod's rule is exact to rounding or the piece is halved.  E has its
 ** extremes at the corners and where T crosses Tm, which is sought from degree to degree.
 */
 
 #define DEGREE (M_PI / 180)
 #define MOST_DEGREES 100000
-#define PIECE 10                /* degrees */
+#define PIECE 30                /* degrees */
 #define INSIDE 1e-10            /* rad, from a corner into the piece beside it */
 #define HALVINGS_OF_MOMENT 1000 /* of pieces, at most */
 #define SHORTEST_OF_MOMENT 1e-9 /* rad: no piece is halved below it */

@@ -452,7 +452,8 @@ static int allocate(flk_opened *o)
     }
     o->found.list = o->facts.list + n;
     o->line_units.texts = o->facts.names + total * DECK_NAME_SIZE;
-    return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
+    return flk_turning_open(&o->a) && flk_means_open(&o->a, columns) &&
+           flk_extremes_open(&o->extremes, columns);
 }
 
 /* Open a deck without mistakes, which may be a design of another, or `like` another; 0 if out of memory. */
