@@ -44,8 +44,10 @@ typedef struct search {
     int *handles;              /* of the variables that have neighbours: the free ones */
     unsigned long n_free;
     double *values, *refined; /* of the free ones, tried and best so far */
-    double found;             /* the smallest sign * value so far */
-    fourlink_branch branch;   /* on which it is */
+    double *tried;            /* points that are known: the free ones, sign * value, branch */
+    size_t n_tried, room;
+    double found;           /* the smallest sign * value so far */
+    fourlink_branch branch; /* on which it is */
 } search;
 
 /* 1 if there is a value; why it is not known is kept. */
@@ -160,6 +162,38 @@ static int set_values(search *s, const double *values)
     return results_put(s->trial, s->n_free, s->handles, values) == FOURLINK_OK;
 }
 
+#define MORE 64 /* points for which memory is taken at once */
+
+/* The smallest sign * value with these values of the free variables, and its branch.  A simplex that has met the end
+** of a range, or become smaller than the digits, comes back to the same points again and again. */
+static double value_with(search *s, const double *values, fourlink_branch *branch)
+{
+    size_t width = s->n_free + 2, size = s->n_free * sizeof *values, i;
+    double *point, value;
+
+    for (i = 0; i < s->n_tried; i++) {
+        point = s->tried + i * width;
+        if (memcmp(point, values, size) == 0) {
+            *branch = (fourlink_branch)(int)point[width - 1];
+            return point[width - 2];
+        }
+    }
+    *branch = FOURLINK_OPEN;
+    value = set_values(s, values) ? value_of(s, s->trial, branch) : WORST;
+    if (s->n_tried == s->room) {
+        point = memory_grow(s->tried, (s->room + MORE) * width, sizeof *s->tried);
+        if (!point)
+            return value;
+        s->tried = point;
+        s->room += MORE;
+    }
+    point = s->tried + s->n_tried++ * width;
+    memcpy(point, values, size);
+    point[width - 2] = value;
+    point[width - 1] = (double)*branch;
+    return value;
+}
+
 /* The value at a point whose coordinates go from 0 to 1 between the neighbours. */
 static double value_at(const gsl_vector *x, void *data)
 {
@@ -173,7 +207,7 @@ static double value_at(const gsl_vector *x, void *data)
 
         s->values[k] = rounded(s->low[k] + share * (s->high[k] - s->low[k]));
     }
-    value = set_values(s, s->values) ? value_of(s, s->trial, &branch) : WORST;
+    value = value_with(s, s->values, &branch);
     if (value < s->found) {
         s->found = value;
         s->branch = branch;
@@ -227,7 +261,7 @@ static void put_back(search *s)
         fourlink_branch branch;
 
         s->refined[i] = s->best[i];
-        value = set_values(s, s->refined) ? value_of(s, s->trial, &branch) : WORST;
+        value = value_with(s, s->refined, &branch);
         if (value <= s->found + ROUNDING * fabs(s->found))
             s->branch = branch;
         else
@@ -337,6 +371,7 @@ static void close_search(search *s)
 {
     fourlink_results_free(s->trial);
     free(s->best);
+    free(s->tried);
     free(s->handles);
 }
 
