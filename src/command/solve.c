@@ -39,6 +39,10 @@ typedef struct question {
     double low, high, wanted, angle;
     double turn; /* of a result that is an angle in a row; 0: none */
     fourlink_branch branch;
+    double set; /* KEY, as it was set last; NaN: it was not, */
+    int status; /* ... and what became of that */
+    double steps[2][STEPS +
+                    1]; /* the results minus VALUE at the steps of the range, on the branches */
     double least, most; /* of the results found */
     line *l;
     unsigned long n;
@@ -129,12 +133,15 @@ static int read_question(question *q)
 
 /* ------------------------------------------------------------------------------------------- solving */
 
-/* Set KEY to x, which is in the unit of results. */
-static int set_key(const question *q, double x)
+/* Set KEY to x, which is in the unit of results, unless it has this value. */
+static int set_key(question *q, double x)
 {
     fourlink_results *r = q->in->results;
 
-    return results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x));
+    if (x != q->set)
+        q->status = results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x));
+    q->set = x;
+    return q->status;
 }
 
 /* NAME - VALUE with KEY set to x; NaN where it has no value or an unbounded one, or is not known. */
@@ -256,16 +263,34 @@ static void take(question *q, flk_sample p[3], int *n, flk_sample next)
         try_touching(q, p);
 }
 
-/* Walk through the range on a branch. */
-static void walk(question *q)
+static double step_at(const question *q, int k)
+{
+    return q->low + (q->high - q->low) * k / STEPS;
+}
+
+/* Find the results at all steps: a design serves both branches. */
+static void find_steps(question *q)
+{
+    int i, k;
+
+    for (k = 0; k <= STEPS; k++)
+        for (i = 0; i < q->v.n_branches; i++) {
+            q->branch = q->v.branches[i];
+            q->steps[i][k] = excess(step_at(q, k), q);
+        }
+}
+
+/* Walk through the range on branch i. */
+static void walk(question *q, int i)
 {
     flk_sample p[3], next;
     double before = q->low;
     int n = 0, k;
 
+    q->branch = q->v.branches[i];
     for (k = 0; k <= STEPS; k++) {
-        next.x = q->low + (q->high - q->low) * k / STEPS;
-        next.value = excess(next.x, q);
+        next.x = step_at(q, k);
+        next.value = q->steps[i][k];
         if (gsl_isnan(next.value)) {
             if (n)
                 take(q, p, &n, end_of_values(q, p[2], next.x));
@@ -306,6 +331,7 @@ int solve_write(FILE *out, input *in)
     memset(&q, 0, sizeof q);
     q.in = in;
     q.l = &l;
+    q.set = GSL_NAN;
     q.least = GSL_POSINF;
     q.most = GSL_NEGINF;
     view_take(&q.v, in->results);
@@ -314,10 +340,9 @@ int solve_write(FILE *out, input *in)
     line_start(&l, out);
     if (in->o->format == &csv_format && !in->o->print_deck)
         line_put(&l, "branch,%s (%s),%s (%s)\n", q.key, q.unit, q.name, q.result_unit);
-    for (i = 0; i < q.v.n_branches; i++) {
-        q.branch = q.v.branches[i];
-        walk(&q);
-    }
+    find_steps(&q);
+    for (i = 0; i < q.v.n_branches; i++)
+        walk(&q, i);
     line_end(&l);
     if (q.n && in->o->print_deck)
         set_key(&q, q.first);
