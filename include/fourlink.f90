@@ -267,6 +267,15 @@ module fourlink
       type(c_ptr), value :: instant, loads
     end function fourlink_results_row
 
+    integer(c_int) function fourlink_results_motion(results, branch, i, values, instant) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      integer(c_long), value :: i
+      real(c_double), intent(inout) :: values(*)
+      type(c_ptr), value :: instant
+    end function fourlink_results_motion
+
     integer(c_int) function fourlink_results_at(results, branch, angle, values, instant, loads) &
         bind(c)
       import

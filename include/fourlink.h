@@ -499,7 +499,22 @@ FOURLINK_API int fourlink_results_put(fourlink_results *results, unsigned long n
                                       const int *handles, const double *values,
                                       fourlink_mistake *mistake);
 
-/* The same at any crank angle of the motion.
+/* A row without its forces, which take most of the time of one: they are computed only for columns, and with friction,
+** where they decide whether the machine moves.
+**
+** Given:
+**    as for fourlink_results_row
+** Returned (each may be null):
+**    values     as from fourlink_results_row
+**    instant    the motion of the row; forces, losses and gas_force are 0
+** Returned (function value):
+**    as from fourlink_results_row; that forces have no solution is found only where they are computed
+*/
+FOURLINK_API int fourlink_results_motion(fourlink_results *results, fourlink_branch branch,
+                                         unsigned long i, double *values,
+                                         fourlink_instant *instant);
+
+/* The same as fourlink_results_row at any crank angle of the motion.
 **
 ** Given:
 **    angle      in the deck's unit of angle; turns are not counted

@@ -37,6 +37,26 @@ static inline void note_values(digest *d, const double *values, unsigned long n)
         note(d, values[n]);
 }
 
+/* A row without its forces has the same values and the same motion. */
+static inline void check_motion(fourlink_results *r, fourlink_branch branch, unsigned long i,
+                                unsigned long n)
+{
+    static const fourlink_forces none;
+    double values[MOST_COLUMNS], alone[MOST_COLUMNS];
+    fourlink_instant row, motion;
+    int status = fourlink_results_row(r, branch, i, values, &row, NULL);
+
+    assert_int_equal(fourlink_results_motion(r, branch, i, alone, &motion), status);
+    if (status >= FOURLINK_NULL)
+        return;
+    assert_memory_equal(alone, values, n * sizeof *values);
+    assert_memory_equal(&motion.row, &row.row, sizeof row.row);
+    if (status == FOURLINK_OK)
+        assert_memory_equal(&motion.state.link[FOURLINK_CRANK], &row.state.link[FOURLINK_CRANK],
+                            3 * sizeof row.state.link[0]);
+    assert_memory_equal(&motion.forces, &none, sizeof none);
+}
+
 /* Call all functions for all that an opened deck has. */
 static inline digest exercise(fourlink_results *r)
 {
@@ -64,6 +84,7 @@ static inline digest exercise(fourlink_results *r)
         for (i = 0; i < p.n_rows; i += 1 + p.n_rows / 20) {
             note_status(&d, fourlink_results_row(r, branches[k], i, values, &instant, loads));
             note_values(&d, values, n);
+            check_motion(r, branches[k], i, n);
         }
         for (i = 0; i < 24; i++)
             if (fourlink_results_at(r, branches[k], turn * (double)i / 24, values, NULL, NULL) !=

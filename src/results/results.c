@@ -361,18 +361,46 @@ static int needs_of(const flk_opened *o, const double *values, const fourlink_in
            (instant ? NEED_ANGLES : 0);
 }
 
+/* Check the number of a row, too. */
+static int check_row(fourlink_results *r, int branch, unsigned long i)
+{
+    int status = check_motion(r, 1, branch);
+
+    return status == FOURLINK_OK && i >= r->now->a.course.range.n_rows ? FOURLINK_NO_SUCH_ROW
+                                                                       : status;
+}
+
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
                          double *values, fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_motion(r, 1, (int)branch);
+    int status = check_row(r, (int)branch, i);
     flk_row row;
 
     if (status != FOURLINK_OK)
         return status;
-    if (i >= r->now->a.course.range.n_rows)
-        return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->now->a, needs_of(r->now, values, instant, loads), branch, i, &row);
     return copy_row(r->now, &row, values, instant, loads);
+}
+
+int fourlink_results_motion(fourlink_results *r, fourlink_branch branch, unsigned long i,
+                            double *values, fourlink_instant *instant)
+{
+    int status = check_row(r, (int)branch, i);
+    flk_row row;
+
+    if (status != FOURLINK_OK)
+        return status;
+    flk_analysis_row(&r->now->a,
+                     (values ? r->now->needs : 0) | NEED_ANGLES |
+                         (r->now->d.machine.has_friction ? r->now->a.possible & NEED_FORCES : 0),
+                     branch, i, &row);
+    copy_row(r->now, &row, values, instant, NULL);
+    if (instant) {
+        memset(&instant->forces, 0, sizeof instant->forces);
+        memset(&instant->losses, 0, sizeof instant->losses);
+        instant->gas_force = 0;
+    }
+    return row.at.status;
 }
 
 #define COLUMNS 64 /* whose rows are computed together */

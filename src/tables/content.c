@@ -40,7 +40,7 @@ static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *a
 static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
                      sheet_row *row)
 {
-    fourlink_results_row(s->v.results, branch, k, s->values, at, NULL);
+    fourlink_results_motion(s->v.results, branch, k, s->values, at);
     take_row(s, branch, at, row);
 }
 

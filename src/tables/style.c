@@ -35,8 +35,8 @@ void style_find_sizes(const view *v, double sound, int has_all, double *values, 
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
             unsigned long row = (unsigned long)(share * (double)(n_rows - 1) + 0.5);
 
-            if (fourlink_results_row(v->results, v->branches[i], row, values,
-                                     sound > 0 ? &now : NULL, NULL) == FOURLINK_OK &&
+            if (fourlink_results_motion(v->results, v->branches[i], row, values, &now) ==
+                    FOURLINK_OK &&
                 sound > 0 && now.state.mu < sound)
                 continue;
             for (j = 0; j < v->n_columns; j++)

@@ -67,6 +67,9 @@ static int ask(fourlink_results *r, int which, fourlink_branch branch, answer *a
     case 11:
         a->status = fourlink_results_along(r, branch, 0, a->numbers, &a->instant, a->loads);
         return 1;
+    case 13:
+        a->status = fourlink_results_motion(r, branch, 1, a->numbers, &a->instant);
+        return 1;
     case 12:
         a->status = fourlink_results_facts(r, 0, 15, &a->list, &a->n_list);
         return 1;

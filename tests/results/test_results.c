@@ -53,6 +53,7 @@ TEST(test_null_pointers)
     assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, NULL, &n), FOURLINK_NULL);
     assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_row(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_motion(NULL, FOURLINK_OPEN, 0, &x, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_at(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_along(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(NULL, "mu", FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
@@ -713,12 +714,15 @@ TEST(test_rows_that_are_not_there)
                      FOURLINK_NO_SUCH_ROW);
     assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, (unsigned long)-1, values, &x, &load),
                      FOURLINK_NO_SUCH_ROW);
+    assert_int_equal(fourlink_results_motion(r, FOURLINK_OPEN, 2, values, &x),
+                     FOURLINK_NO_SUCH_ROW);
     for (i = 0; i < 4; i++) {
         static const int wrong[] = {0, 2, -2, 77};
         fourlink_branch branch = (fourlink_branch)wrong[i];
 
         assert_int_equal(fourlink_results_row(r, branch, 0, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_motion(r, branch, 0, values, &x), FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_at(r, branch, 20, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_along(r, branch, 20, values, &x, &load),
