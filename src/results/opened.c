@@ -444,7 +444,8 @@ static int allocate(flk_opened *o)
     o->columns = malloc(columns * sizeof *o->columns);
     o->facts.names = malloc((total + flk_line_unit_limit(&o->d)) * DECK_NAME_SIZE);
     o->facts.list = malloc(total * sizeof *o->facts.list);
-    if (!o->columns || !o->facts.names || !o->facts.list)
+    o->checks = calloc(GSL_MIN(o->d.n_expectations, FLK_CHECKS_KEPT) + 1, sizeof *o->checks);
+    if (!o->columns || !o->facts.names || !o->facts.list || !o->checks)
         return 0;
     for (i = 1; i <= FOURLINK_CONDITIONS; n += size[i++]) {
         o->lists[i].list = o->facts.list + n;
@@ -610,6 +611,7 @@ void flk_opened_free(flk_opened *o)
     flk_analysis_close(&o->a);
     flk_deck_free(&o->d);
     free(o->columns);
+    free(o->checks);
     free(o->facts.names);
     free(o->facts.list);
     free(o);

@@ -8,6 +8,14 @@
 #include "extreme.h"
 #include "list.h"
 
+/* Comparisons are kept for so many expected values, more than people write. */
+#define FLK_CHECKS_KEPT 1000
+
+typedef struct flk_kept_check {
+    int is_known;
+    fourlink_check check;
+} flk_kept_check;
+
 /* One design of a deck. */
 typedef struct flk_opened {
     deck d;
@@ -22,6 +30,7 @@ typedef struct flk_opened {
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
     fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
     flk_line_units line_units;
+    flk_kept_check *checks; /* of the first expected values */
 } flk_opened;
 
 /* Results, whose numbers a host can set. */

@@ -567,6 +567,7 @@ int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourli
 
 int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check *check)
 {
+    flk_kept_check *kept;
     fourlink_check found;
     flk_name n;
     int status;
@@ -575,10 +576,19 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
         return FOURLINK_NULL;
     if (i >= r->now->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
+    kept = i < FLK_CHECKS_KEPT ? &r->now->checks[i] : NULL;
+    if (kept && kept->is_known) {
+        *check = kept->check;
+        return FOURLINK_OK;
+    }
     status = flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
     if (status == FOURLINK_OK && found.verdict == FOURLINK_DIFFERS && !found.words[0])
         status = flk_hint_find(r->now, &n, &found);
     if (status == FOURLINK_OK)
         *check = found;
+    if (status == FOURLINK_OK && kept) {
+        kept->check = found;
+        kept->is_known = 1;
+    }
     return status;
 }
