@@ -74,11 +74,17 @@ static int names_columns(const options *o)
     return 0;
 }
 
-/* Add the columns of a deck, or its values, each name with each unit once; 0 if memory has failed. */
+static int is_same(const fourlink_value *a, const fourlink_value *b)
+{
+    return strcmp(a->name, b->name) == 0 && strcmp(a->unit, b->unit) == 0;
+}
+
+/* Add the columns of a deck, or its values, each name with each unit once; 0 if memory has failed.  Decks mostly have
+** them in one order, and a deck has each column once. */
 static int add_columns(batch *b, const input *in)
 {
     const fourlink_value *list;
-    unsigned long count = 0, k, j;
+    unsigned long count = 0, before = b->n_header, next = 0, n, k, j;
 
     b->has_values |= input_has_values(in);
     b->has_designs |= input_has_values(in) && in->problem.n_designs > 0;
@@ -86,11 +92,11 @@ static int add_columns(batch *b, const input *in)
         fourlink_results_list(
             in->results, input_has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &count);
     for (k = 0; k < count; k++) {
-        for (j = 0; j < b->n_header; j++)
-            if (strcmp(b->header[j].name, list[k].name) == 0 &&
-                strcmp(b->header[j].unit, list[k].unit) == 0)
-                break;
-        if (j == b->n_header && !add_column(b, &list[k]))
+        n = input_has_values(in) ? b->n_header : before;
+        for (j = 0; j < n && !is_same(&b->header[(next + j) % n], &list[k]); j++)
+            ;
+        next += j < n ? j + 1 : 0;
+        if (j == n && !add_column(b, &list[k]))
             return 0;
     }
     return !memory_has_failed();

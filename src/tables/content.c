@@ -155,14 +155,19 @@ static void write_reasons(sheet *s)
     put_facts(s, ends, n_ends, s->format->fact);
 }
 
+/* Find an extreme, mostly that after the one that was found before. */
 static const fourlink_value *find_extreme(const fourlink_value *facts, unsigned long n, int branch,
-                                          int handle)
+                                          int handle, unsigned long *next)
 {
-    unsigned long i;
+    unsigned long i, k;
 
-    for (i = 0; i < n; i++)
-        if (facts[i].handle == handle && facts[i].branch == branch)
+    for (k = 0; k < n; k++) {
+        i = (*next + k) % n;
+        if (facts[i].handle == handle && facts[i].branch == branch) {
+            *next = i + 1;
             return &facts[i];
+        }
+    }
     return NULL;
 }
 
@@ -170,7 +175,7 @@ static const fourlink_value *find_extreme(const fourlink_value *facts, unsigned 
 static void write_extremes(sheet *s)
 {
     const fourlink_value *facts, *c, *least, *most;
-    unsigned long n, j;
+    unsigned long n, j, next = 0;
     int i, are_same;
 
     results_facts(s->v.results, 0, FOURLINK_FACTS_EXTREMES, &facts, &n);
@@ -179,8 +184,8 @@ static void write_extremes(sheet *s)
             int branch = (int)s->v.branches[i];
 
             c = &s->v.columns[j];
-            least = find_extreme(facts, n, branch, c->handle + FOURLINK_MIN);
-            most = find_extreme(facts, n, branch, c->handle + FOURLINK_MAX);
+            most = find_extreme(facts, n, branch, c->handle + FOURLINK_MAX, &next);
+            least = find_extreme(facts, n, branch, c->handle + FOURLINK_MIN, &next);
             if (!least || !most)
                 continue;
             are_same = sheet_is_on_both(least, facts, n) && sheet_is_on_both(most, facts, n);
@@ -278,14 +283,15 @@ typedef struct name_list {
     unsigned long n;
 } name_list;
 
-/* 1 if name i of the last of these results stands nowhere before. */
+/* 1 if name i of the last of these results stands nowhere before.  Of a deck only facts, whose handles are negative, can
+** have one name, such as the ends of two ranges. */
 static int is_new(const name_list *all, size_t last, unsigned long i)
 {
-    unsigned long k;
+    unsigned long k, own = all[last].list[i].handle < 0 ? i : 0;
     size_t r;
 
     for (r = 0; r <= last; r++)
-        for (k = 0; k < (r < last ? all[r].n : i); k++)
+        for (k = 0; k < (r < last ? all[r].n : own); k++)
             if (strcmp(all[r].list[k].name, all[last].list[i].name) == 0)
                 return 0;
     return 1;

@@ -19,14 +19,16 @@ const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "no
 long sheet_column_under(const sheet *s, unsigned long i)
 {
     const fourlink_value *list = s->v.columns;
-    unsigned long n = s->v.n_columns, j;
+    unsigned long n = s->v.n_columns, j, k;
 
     if (s->content == SHEET_VALUES)
         fourlink_results_list(s->v.results, FOURLINK_OUTPUTS, &list, &n);
-    for (j = 0; j < n; j++)
+    for (k = 0; k < n; k++) {
+        j = (i + k) % n; /* that of the first deck stands there */
         if (strcmp(s->header[i].name, list[j].name) == 0 &&
             strcmp(s->header[i].unit, list[j].unit) == 0)
             return (long)j;
+    }
     return -1;
 }
 
