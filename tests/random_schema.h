@@ -226,6 +226,23 @@ static void append_value(char *out, const key_info *key, key_code code, const ch
     case FORM_POINT:
         append_point(out);
         break;
+    case FORM_PLACE:
+        if (seldom(0.5))
+            append_polar(out, q);
+        else
+            append_pair(out, q);
+        break;
+    case FORM_LINE:
+        append_pair(out, q);
+        append(out, ", ");
+        append_pair(out, q);
+        break;
+    case FORM_CRANK:
+        if (seldom(0.2))
+            append(out, "drawn");
+        else
+            append_quantity(out, q, key->sign);
+        break;
     case FORM_COUNT:
         append(out, "%d", between_whole(1, 12));
         break;
@@ -506,6 +523,23 @@ static void make_task(void)
     }
 }
 
+/* A deck by the places of its pins. */
+static void make_drawn(void)
+{
+    static const char *const others[] = {
+        "C = (110, 90) mm\nD = (120, 10) mm\n[coupler]\nmass = 0.5 kg\nuniform = yes\n",
+        "C = (180, 20) mm\nguide = (0, 10), (200, 21) mm\n[piston]\nmass = 0.5 kg\n",
+        "D = (-60, 90) mm\nC = (-80, 130) mm\n[lever]\nmass = 0.5 kg\ncg = 20 mm\n",
+        "guide = (0, 10), (200, -30) mm\n[yoke]\nmass = 0.5 kg\ncg = 20 mm\n"};
+    int one = one_of(4);
+
+    length = 0;
+    write("mechanism = %s\n[motion]\nspeed = %d rpm\n%s[pins]\n", machine_names[one],
+          between_whole(20, 300), seldom(0.5) ? "from = drawn\n" : "");
+    write("A = (%d, %d) mm\nB = %d mm at %d deg\n%s", between_whole(-9, 9), between_whole(-9, 9),
+          between_whole(20, 40), between_whole(20, 70), others[one]);
+}
+
 /* A deck of any sort, with so many keys tried. */
 static void make_schema_deck(long number, int tries)
 {
@@ -523,7 +557,10 @@ static void make_schema_deck(long number, int tries)
         make_driven_machine(number / 4);
         break;
     default:
-        make_task();
+        if (seldom(0.3))
+            make_drawn();
+        else
+            make_task();
         break;
     }
     deck_text[length] = '\0';
@@ -552,7 +589,7 @@ static const struct {
      {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"},
      NULL,
      SECTION_TOP},
-    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg"}, NULL, SECTION_TOP},
+    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg", "drawn"}, NULL, SECTION_TOP},
     {"--summary", {""}, NULL, SECTION_TOP},
     {"--matrix", {""}, NULL, SECTION_TOP},
     {"--list", {""}, NULL, SECTION_TOP},
@@ -573,7 +610,7 @@ static const struct {
      {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns"},
      "--plot=out.svg",
      SECTION_TOP},
-    {"--plot-at", {"40 deg", "10 deg, 130 deg"}, "--plot=out.svg", SECTION_TOP},
+    {"--plot-at", {"40 deg", "10 deg, 130 deg", "drawn"}, "--plot=out.svg", SECTION_TOP},
     {"--plot-x", {"omega2", "theta4", "time"}, "--plot=out.svg", SECTION_TOP},
     {"--ascii", {""}, "--plot=out.txt", SECTION_TOP},
     {"--report", {"out.html"}, NULL, SECTION_TOP},

@@ -547,6 +547,9 @@ typedef struct fourlink_problem {
     int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
     fourlink_abscissa over; /* what its rows go over */
+    int has_drawn;          /* 1: the deck has [pins] */
+    double drawn;           /* the crank angle as drawn, in the deck's unit */
+    int drawn_branch;       /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the drawing does not tell it */
 } fourlink_problem;
 
 /* All results at one crank angle. */

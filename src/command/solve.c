@@ -37,7 +37,8 @@ typedef struct question {
         result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
     fourlink_value of, result;     /* what is sought, and what is to have a value */
     double low, high, wanted, angle;
-    double turn; /* of a result that is an angle in a row; 0: none */
+    int is_drawn; /* 1: the angle is that of the drawing, which KEY may change */
+    double turn;  /* of a result that is an angle in a row; 0: none */
     fourlink_branch branch;
     double set; /* KEY, as it was set last; NaN: it was not, */
     int status; /* ... and what became of that */
@@ -102,7 +103,23 @@ static int read_angle(question *q, text at)
                                   flk_text_of(q->name), flk_text_of(q->name)));
     if (strcmp(q->result.quantity, "angle") == 0)
         q->turn = 2 * M_PI / q->result.to_si;
-    return view_read(&q->v, QUANTITY_ANGLE, at, at, &q->angle, message) || refuse(message);
+    q->is_drawn = flk_text_equal(at, "drawn");
+    return view_read_crank(&q->v, at, at, &q->angle, message) || refuse(message);
+}
+
+/* Refuse a KEY that cannot be set, and say why. */
+static int check_key(const question *q)
+{
+    fourlink_mistake mistake;
+    char message[MESSAGE_SIZE];
+
+    if (q->of.line_unit)
+        return 1;
+    if (results_set(q->in->results, q->key, q->low, &mistake) == FOURLINK_BAD_DECK)
+        return refuse(mistake.message);
+    return refuse(flk_message(message, sizeof message,
+                              "'%t' follows from other values of the deck: it cannot be set",
+                              flk_text_of(q->key)));
 }
 
 #define FORM                                                                       \
@@ -124,7 +141,7 @@ static int read_question(question *q)
     flk_text_copy(name, q->name, sizeof q->name);
     if (!find(q, q->key, &q->of) || !find(q, q->name, &q->result) ||
         !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
-        !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
+        !check_key(q) || !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
@@ -139,9 +156,19 @@ static int set_key(question *q, double x)
     fourlink_results *r = q->in->results;
 
     if (x != q->set)
-        q->status = results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x));
+        q->status = results_set(r, q->key, input_in_line_unit(r, q->key, q->of.to_si, x), NULL);
     q->set = x;
     return q->status;
+}
+
+static double angle_of(const question *q)
+{
+    fourlink_problem problem;
+
+    if (!q->is_drawn)
+        return q->angle;
+    fourlink_deck_problem(fourlink_results_deck(q->in->results), &problem);
+    return problem.drawn;
 }
 
 /* NAME - VALUE with KEY set to x; NaN where it has no value or an unbounded one, or is not known. */
@@ -153,7 +180,7 @@ static double excess(double x, void *data)
     int status = memory_has_failed() ? FOURLINK_NO_MEMORY : set_key(q, x);
 
     if (status == FOURLINK_OK)
-        status = results_value(q->in->results, q->name, q->branch, q->angle, &v);
+        status = results_value(q->in->results, q->name, q->branch, angle_of(q), &v);
     if (results_gave_up(status))
         q->gave_up = fourlink_status_text(status);
     if (status != FOURLINK_OK || v.words || !gsl_finite(v.value))

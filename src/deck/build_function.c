@@ -12,6 +12,7 @@
 #include "curve_point.h"
 #include "curve_text.h"
 #include "parser.h"
+#include "pieces.h"
 #include "settings.h"
 #include "synthesis.h"
 #include "task.h"
@@ -266,7 +267,7 @@ static int read_points(parser *p, setting *s)
         t->theta2[i] = read.curve[i].x;
         t->output[i] = read.curve[i].y[0];
     }
-    if (flk_curve_text_item(&rest, &item) && flk_text_cut_last(item, " ", &item, &last))
+    if (flk_piece_item(&rest, &item) && flk_text_cut_last(item, " ", &item, &last))
         flk_task_unit(p, last); /* 45 deg 95 mm; file points.csv deg mm */
     if (IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK)) &&
         !flk_task_range(p, KEY_SYNTHESIS_CRANK, QUANTITY_ANGLE, range))

@@ -23,8 +23,8 @@ static void build_window(parser *p, const section_use *use, flk_given_load *give
     if (!IS_SET(from) && !IS_SET(to))
         return;
     given->is_windowed = 1;
-    given->window[0] = from->si[0]; /* 0 if not given */
-    given->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
+    given->window[0] = flk_setting_crank_angle(p, from); /* 0 if not given */
+    given->window[1] = IS_SET(to) ? flk_setting_crank_angle(p, to) : p->d->machine.cycle;
     if (use->is_mistaken)
         return;
     if (given->window[1] <= given->window[0])

@@ -15,8 +15,21 @@
 #include "build_mechanism.h"
 #include "parser.h"
 #include "pieces.h"
+#include "pins.h"
 #include "settings.h"
 #include "vector.h"
+
+/* Refuse a key that the kind of mechanism does not have. */
+static void refuse_key(parser *p, const section_use *use, const setting *s, const char *words,
+                       const key_info *key)
+{
+    int is_plain = use->section == SECTION_TOP || use->section == SECTION_PINS;
+
+    flk_mistake(p->mistakes, s->place, "%s%s%s%s %s has no %s%s", is_plain ? "" : "the ",
+                is_plain ? "" : flk_section_table[use->section].name, is_plain ? "" : " of ",
+                flk_text_article(words), words,
+                use->section == SECTION_PINS && key->form == FORM_PLACE ? "pin " : "", key->name);
+}
 
 /* Find the kind of the mechanism, and refuse sections and keys that it does not have. */
 int flk_build_kind(parser *p)
@@ -59,11 +72,7 @@ int flk_build_kind(parser *p)
         for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
             s = flk_setting_of(use, k);
             if (IS_SET(s) && !(flk_key_table[k].kinds & (int)kind))
-                flk_mistake(p->mistakes, s->place, "%s%s%s%s %s has no %s",
-                            use->section == SECTION_TOP ? "" : "the ",
-                            flk_section_table[use->section].name,
-                            use->section == SECTION_TOP ? "" : " of ", flk_text_article(words),
-                            words, flk_key_table[k].name);
+                refuse_key(p, use, s, words, &flk_key_table[k]);
         }
     }
     return 1;
@@ -85,7 +94,7 @@ static void require_length(parser *p, section_code section)
     const section_use *use = flk_section_find(p, section, NULL);
     const char *link = flk_section_table[section].name;
 
-    if (use ? use->is_mistaken : p->has_unknown_section)
+    if (p->d->pins.is_there || (use ? use->is_mistaken : p->has_unknown_section))
         return;
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
@@ -172,7 +181,7 @@ static int is_without_length(parser *p, const flk_kind *kind, int number)
     section_code section = flk_section_of_link(kind->kind, number);
 
     return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
-           !IS_SET(flk_setting_by_name(p, section, "length"));
+           !(p->d->pins.length[number] > 0) && !IS_SET(flk_setting_by_name(p, section, "length"));
 }
 
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
@@ -318,7 +327,9 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     section_code section = flk_section_of_link(kind->kind, number);
     const setting *length = flk_setting_by_name(p, section, "length");
 
-    if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
+    if (p->d->pins.length[number] > 0)
+        p->d->machine.mechanism.design.link[number].length = p->d->pins.length[number];
+    else if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
         build_stroke(p);
     else if (IS_SET(length))
         p->d->machine.mechanism.design.link[number].length = length->si[0];
@@ -355,14 +366,17 @@ static void build_slide(parser *p)
                   *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
 
     p->d->machine.mechanism.design.offset =
-        IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
-    p->d->machine.mechanism.design.angle = angle->si[0];
+        IS_SET(offset) ? offset->si[0]
+        : p->d->pins.is_there && !flk_build_has(p, KEY_GROUND_LENGTH)
+            ? p->d->pins.offset
+            : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
+    p->d->machine.mechanism.design.angle = p->d->pins.has_slide ? p->d->pins.slide : angle->si[0];
     if (flk_build_has(p, KEY_YOKE_ANGLE))
         p->d->machine.mechanism.design.angle = flk_setting_or(p, KEY_YOKE_ANGLE, M_PI_2);
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
-    else if (flk_section_is_mistaken(p, SECTION_LEVER))
+    else if (flk_section_is_mistaken(p, SECTION_LEVER) || p->d->pins.has_slide)
         return;
     else if (IS_SET(length) && !IS_SET(angle))
         flk_mistake(p->mistakes, length->place,
@@ -434,6 +448,8 @@ static void check_reach(parser *p, const flk_kind *kind)
         check_slot(p);
         return;
     }
+    if (p->d->pins.is_there)
+        return; /* it is assembled as drawn */
     if (flk_kind_has_slide(kind->kind)) {
         check_slide(p, kind, sum);
         return;
@@ -453,9 +469,11 @@ void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->machine.mechanism.design;
     const flk_kind *kind = flk_kind_of(design->kind);
+    const section_use *use;
     double direction, g;
     int i;
 
+    flk_pins_read(p);
     build_slide(p);
     build_link(p, kind, FOURLINK_GROUND);
     for (i = 0; i < 2; i++) /* the rod before a crank that is computed from the stroke */
@@ -463,8 +481,9 @@ void flk_build_mechanism(parser *p)
                    i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
-    direction =
-        flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    p->d->ground_angle =
+        p->d->pins.is_there ? p->d->pins.angle : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - p->d->ground_angle;
     flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);
     design->gravity.x *= g;
     design->gravity.y *= g;
@@ -475,9 +494,11 @@ void flk_build_mechanism(parser *p)
     if (p->mistakes->count)
         return;
     i = fourlink_prepare(design, &p->d->machine.mechanism);
+    use = flk_section_find(p, p->d->pins.is_there ? SECTION_PINS : SECTION_CRANK, NULL);
     if (i != FOURLINK_OK)
-        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK, NULL)->place, "%s",
-                    fourlink_status_text(i));
+        flk_mistake(p->mistakes, use->place, "%s", fourlink_status_text(i));
+    else
+        flk_pins_find_branch(p);
 }
 
 /* The approximations of the engine method, which exist only for the kind of engine in the sources. */

@@ -101,7 +101,7 @@ static int read_positions(parser *p, key_code other, const char *example,
     if (!(flk_task_require(p, KEY_SYNTHESIS_POSITIONS, THREE_POSITIONS) &
           flk_task_require(p, other, example) & flk_task_require(p, KEY_SYNTHESIS_RIGHT, DYAD)))
         return -1;
-    while (n < POSITIONS && flk_curve_text_item(&rest, &item) &&
+    while (n < POSITIONS && flk_piece_item(&rest, &item) &&
            flk_task_point(p, s, item, &at[n], &after)) {
         if (after.length && !flk_piece_read(p, s, after, QUANTITY_ANGLE, &angle[n]))
             return -1;

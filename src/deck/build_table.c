@@ -31,6 +31,8 @@ void flk_build_table(parser *p)
     p->d->asks_for_both = branches == BRANCH_BOTH;
     if (flk_kind_of(p->d->machine.mechanism.design.kind)->has_one_branch)
         branches = BRANCH_OPEN;
+    if (!branches && p->d->pins.branch)
+        branches = p->d->pins.branch == FOURLINK_OPEN ? BRANCH_OPEN : BRANCH_CROSSED;
     if (!branches && flk_machine_count(&p->d->machine, &flk_gas_type))
         branches = BRANCH_OPEN; /* the usual branch of engines */
     p->d->open = branches != BRANCH_CROSSED;

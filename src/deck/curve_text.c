@@ -34,25 +34,6 @@ int flk_curve_text_file(text value, text *name)
     return 1;
 }
 
-int flk_curve_text_item(text *rest, text *item)
-{
-    size_t i;
-    int depth = 0, is_last;
-
-    if (!rest->start)
-        return 0;
-    for (i = 0; i < rest->length && (depth || rest->start[i] != ','); i++)
-        depth = rest->start[i] == '(' ? 1 : rest->start[i] == ')' ? 0 : depth;
-    is_last = i == rest->length;
-    *item = *rest;
-    item->length = i;
-    *item = flk_text_trim(*item);
-    *rest = flk_text_from(*rest, i + !is_last);
-    if (is_last)
-        rest->start = NULL;
-    return 1;
-}
-
 /* 1 if a value is the same at all angles: it has no second number before " at ", and no comma. */
 static int is_constant(text value, quantity q)
 {
@@ -60,7 +41,7 @@ static int is_constant(text value, quantity q)
 
     if (q == QUANTITY_PRESSURE)
         return 0;
-    flk_curve_text_item(&rest, &item);
+    flk_piece_item(&rest, &item);
     if (!flk_text_cut(item, " at ", &size, &angle))
         size = item;
     if (size.length > 1 && strchr("+-", size.start[0]) && flk_text_blank(flk_text_from(size, 1)))
@@ -131,7 +112,7 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
         return q == QUANTITY_FORCE ? flk_vector_read(p, s, q)
                                    : flk_piece_read(p, s, rest, q, &s->si[0]);
     c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
-    while (c && flk_curve_text_item(&rest, &item)) {
+    while (c && flk_piece_item(&rest, &item)) {
         const point *new = &c[s->n_points];
 
         if (!item.length && !rest.start)

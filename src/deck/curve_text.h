@@ -8,9 +8,6 @@
 
 #include "parser.h"
 
-/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
-int flk_curve_text_item(text *rest, text *item);
-
 /* 1 if a curve is `file NAME`; `name` may be null. */
 int flk_curve_text_file(text value, text *name);
 

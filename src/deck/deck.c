@@ -147,6 +147,10 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
+    problem->has_drawn = d->pins.is_there;
+    problem->drawn_branch = d->pins.branch;
+    if (problem->has_drawn)
+        problem->drawn = flk_unit_from_si(d->pins.theta2, d->units[QUANTITY_ANGLE].unit);
     return FOURLINK_OK;
 }
 

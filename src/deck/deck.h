@@ -34,6 +34,20 @@ typedef struct deck_balance {
     double mass[2];          /* kg, at this radius: on crank and rocker */
 } deck_balance;
 
+/* The pins of a deck with [pins], as drawn, and what follows from their places.  Without [pins] all is 0. */
+typedef struct deck_pins {
+    int is_there, has_guide;
+    fourlink_vector A; /* m, on the page */
+    double angle;      /* rad, direction of x of link 1 on the page */
+    double length[5];  /* m, by link; 0: does not follow */
+    double offset;     /* m, of the line of stroke or guide */
+    int has_slide;     /* 1: a lever's length and slide follow */
+    double slide;      /* rad, angle of the slide from the line D-C */
+    double theta2;     /* rad, the crank as drawn, from x of link 1 */
+    double side; /* 1, sine of the angle between the links that meet in line in a dead position */
+    int branch;  /* as drawn; 0: not determined */
+} deck_pins;
+
 #define DECK_POINT_COLUMNS 8
 
 /* A tracer point. */
@@ -118,6 +132,8 @@ typedef struct fourlink_deck deck;
 
 struct fourlink_deck {
     char title[256];
+    deck_pins pins;
+    double ground_angle;    /* rad, direction of x of link 1 from the horizontal */
     flk_machine machine;    /* the mechanism with its design, elements, friction, motor */
     fourlink_motion motion; /* angles in the deck's unit of angle */
     int one_instant;        /* 1: motion.at */

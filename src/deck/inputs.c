@@ -39,11 +39,13 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     memset(x, 0, sizeof *x);
     x->meaning = key->meaning;
     if (s->curve)
-        x->words = "a curve";
+        x->words = key->form == FORM_LINE ? "two points" : "a curve";
     else if (word)
         x->words = word->word;
     else if (s->word)
-        x->words = "constant"; /* the torque of a motor that balances the loads */
+        x->words = key->form == FORM_CRANK
+                       ? "drawn"
+                       : "constant"; /* the torque of a motor that balances the loads */
     else
         x->number = flk_target_number(t);
     if (s->of_length || s->of_centre) {
@@ -57,7 +59,8 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     flk_text_join(x->name, sizeof x->name, flk_section_table[use->section].name, *name ? " " : "",
                   name, ".", key->name, is_part ? "." : "", is_part ? flk_part_names[t->part] : "",
                   (char *)NULL);
-    return key->form != FORM_TEXT && (!is_part || s->si[t->part] != 0 || x->place != 0);
+    return key->form != FORM_TEXT &&
+           (!is_part || key->form == FORM_PLACE || s->si[t->part] != 0 || x->place != 0);
 }
 
 void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take, void *host)
@@ -71,7 +74,8 @@ void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take
         for (t.key = flk_first_key(section); t.key < flk_first_key(section + 1); t.key++) {
             const setting *s = flk_setting_of(use, t.key);
             value_form form = flk_key_table[t.key].form;
-            int has_parts = (form == FORM_VECTOR || form == FORM_POINT) && !s->curve;
+            int has_parts =
+                (form == FORM_VECTOR || form == FORM_POINT || form == FORM_PLACE) && !s->curve;
             int part = has_parts ? PART_X : PART_NONE, last = has_parts ? PART_Y : PART_NONE;
 
             t.use = (size_t)(use - p->uses);

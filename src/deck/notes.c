@@ -58,8 +58,11 @@ static void check_thousands(parser *p, key_code key)
 /* 1 if a setting is a bare number, and the deck does not give the unit of such numbers. */
 static int is_bare(parser *p, const setting *s, quantity q)
 {
-    return IS_SET(s) && !s->curve && !s->of_length && !s->of_centre &&
-           !flk_quantity_unit_text(s->value).length && !p->d->bare[q].is_given;
+    text name;
+    unit u;
+
+    return IS_SET(s) && !s->curve && !s->of_length && !s->of_centre && !p->d->bare[q].is_given &&
+           flk_unit_of_value(p->d, s->value, q, &name, &u) && !name.length;
 }
 
 /* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */

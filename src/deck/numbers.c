@@ -11,6 +11,7 @@
 #include "base/trig.h"
 #include "numbers.h"
 #include "parser.h"
+#include "pins.h"
 #include "settings.h"
 #include "values.h"
 
@@ -20,8 +21,9 @@ int flk_target_is_number(const target *t)
 
     if (t->part != PART_NONE)
         return 1;
-    return t->key != KEY_COUNT && (key->form == FORM_QUANTITY || key->form == FORM_EITHER ||
-                                   (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE));
+    return t->key != KEY_COUNT &&
+           (key->form == FORM_QUANTITY || key->form == FORM_EITHER || key->form == FORM_CRANK ||
+            (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE));
 }
 
 quantity flk_target_quantity(const parser *p, const target *t)
@@ -55,22 +57,6 @@ text flk_setting_text(parser *p, double number, text unit_name)
     memcpy(words + t.length, unit_name.start, unit_name.length);
     t.length += unit_name.length;
     return t;
-}
-
-int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u)
-{
-    text size = value, rest;
-
-    *u = d->bare[q].unit;
-    if (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, that of the first */
-        value = size;
-    size = value;
-    if (value.length && value.start[0] == '(')
-        flk_text_split(&size, ')', &rest);
-    else if (!flk_text_cut(value, " at ", &size, &rest))
-        size = value;
-    *name = flk_quantity_unit_text(size);
-    return !name->length || flk_unit_read(*name, u, &rest);
 }
 
 /* ------------------------------------------------------------------------------- for hosts, by number */
@@ -109,6 +95,13 @@ unsigned long flk_number_find(const deck *d, text name)
     return flk_setting_look(d->settings, name, &t) ? flk_target_number(&t) : 0;
 }
 
+int flk_number_follows(const deck *d, unsigned long id)
+{
+    target t;
+
+    return find_target(d->settings, id, &t) && flk_pins_give(d, t.key);
+}
+
 /* The setting of a number in use; null if it is words, a list or a curve. */
 static const setting *setting_of(const parser *p, const target *t)
 {
@@ -117,7 +110,7 @@ static const setting *setting_of(const parser *p, const target *t)
 
     if (TAKES_NAMES(section) || section == SECTION_UNITS || !flk_target_is_number(t) || s->curve ||
         s->of_length || s->of_centre ||
-        (t->part != PART_NONE && !IS_SET(s) && flk_key_table[t->key].form == FORM_VECTOR) ||
+        (t->part != PART_NONE && !IS_SET(s) && flk_key_table[t->key].form != FORM_POINT) ||
         (t->part == PART_NONE && s->word))
         return NULL;
     return s;

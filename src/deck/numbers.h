@@ -10,10 +10,6 @@
 /* A number and its unit as text. */
 text flk_setting_text(parser *p, double number, text unit_name);
 
-/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
-** cannot be read. */
-int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u);
-
 /* Write the number that in a unit gives exactly the SI value, or the nearest one; 0 if it is not exact. */
 int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE]);
 
@@ -36,6 +32,9 @@ unsigned long flk_number_find(const deck *d, text name);
 /* The quantity and the last word of the name of a number; its value in SI units, NaN if it is not given.
 ** 0 if it is not a number: words, a list, a curve. */
 int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key, double *si);
+
+/* 1 if it follows from the places of pins, so that it cannot be set. */
+int flk_number_follows(const deck *d, unsigned long id);
 
 /* The unit of the line that gives a number; of a bare one, and of one that the deck does not give, the
 ** deck's.  0 if it is not a number. */

@@ -39,7 +39,8 @@ typedef struct setting {
     double si[2];   /* the value in SI units and radians, or the two components */
     int of_length;  /* 1: a point given as a fraction of its link's length */
     int of_centre;  /* 1: a point given from the centre of mass of its link */
-    int is_bare;    /* 1: a force without a direction */
+    int is_place;   /* 1: a place on the page, not a point of a link */
+    int is_bare;    /* 1: a force or a place without a direction */
     int is_number;  /* 1: `number` and `unit` are set, and not read from `value` */
     int is_read;    /* 1: the members that follow from `value` have been read */
     int is_pending; /* 1: a design of the [sweep] sets it, but none has yet */
@@ -51,6 +52,9 @@ typedef struct setting {
 } setting;
 
 #define IS_SET(s) ((s)->place.source != NULL)
+
+/* A crank angle: that of the drawing of [pins]. */
+#define IS_DRAWN(s) ((s)->word != 0)
 
 /* A point of a curve. */
 typedef struct point {

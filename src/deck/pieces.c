@@ -50,3 +50,22 @@ int flk_piece_read(parser *p, setting *s, text t, quantity q, double *si)
     *si = value.si;
     return is_one;
 }
+
+int flk_piece_item(text *rest, text *item)
+{
+    size_t i;
+    int depth = 0, is_last;
+
+    if (!rest->start)
+        return 0;
+    for (i = 0; i < rest->length && (depth || rest->start[i] != ','); i++)
+        depth = rest->start[i] == '(' ? 1 : rest->start[i] == ')' ? 0 : depth;
+    is_last = i == rest->length;
+    *item = *rest;
+    item->length = i;
+    *item = flk_text_trim(*item);
+    *rest = flk_text_from(*rest, i + !is_last);
+    if (is_last)
+        rest->start = NULL;
+    return 1;
+}

@@ -18,4 +18,7 @@ int flk_piece_unit(parser *p, const setting *s, text t, quantity q, unit *u);
 int flk_piece_size(parser *p, const setting *s, quantity q, double si);
 int flk_piece_read(parser *p, setting *s, text t, quantity q, double *si);
 
+/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
+int flk_piece_item(text *rest, text *item);
+
 #endif

@@ -115,6 +115,7 @@ static void build_all(parser *p)
 /* Build what a text describes, or the linkage that its [synthesis] finds. */
 static void build(parser *p)
 {
+    const section_use *pins;
     parser *found;
 
     flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
@@ -124,6 +125,10 @@ static void build(parser *p)
         build_all(p);
         return;
     }
+    pins = flk_section_find(p, SECTION_PINS, NULL);
+    if (pins)
+        flk_mistake(p->mistakes, pins->place,
+                    "either [pins] or [synthesis] gives the lengths, not both");
     found = find_linkage(p);
     if (found) {
         build_all(found);

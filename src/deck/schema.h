@@ -22,6 +22,7 @@
 #define SECTION_LIST(X)                                             \
     X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                          \
     X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                \
+    X(PINS, "pins", 0, ANY_KIND, KEY_PINS_A)                        \
     X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)             \
     X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                \
     X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH) \
@@ -58,6 +59,9 @@ typedef enum value_form {
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
     FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, mid, ... */
+    FORM_PLACE,    /* a place on the page: (41, 37.5) mm, 140 mm at 30 deg */
+    FORM_LINE,     /* two places on the page */
+    FORM_CRANK,    /* a crank angle, or `drawn` */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
     FORM_EITHER    /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
@@ -86,9 +90,9 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
      (section) == SECTION_GRADING)
 
 /* In addition to these, any column or fact. */
-#define EXPECT_KEYS(X, S)                                                            \
-    X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND, "crank angle or time of the row") \
-    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")         \
+#define EXPECT_KEYS(X, S)                                                         \
+    X(S, AT, "at", CRANK, ANGLE, ANY, ANY_KIND, "crank angle or time of the row") \
+    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")      \
     X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of its values")
 
 #define A_UNIT "unit of results and of bare numbers"
@@ -122,6 +126,12 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND,       \
       A_UNIT)                                                                                      \
     X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND, A_UNIT)                 \
+    X(PINS, A, "A", PLACE, LENGTH, ANY, ANY_KIND, "place of pin A")                                \
+    X(PINS, B, "B", PLACE, LENGTH, ANY, ANY_KIND, "place of pin B")                                \
+    X(PINS, C, "C", PLACE, LENGTH, ANY, WITH_TASKS, "place of pin C")                              \
+    X(PINS, D, "D", PLACE, LENGTH, ANY, WITH_PIN_D, "place of pin D")                              \
+    X(PINS, GUIDE, "guide", LINE, LENGTH, ANY, WITH_STROKE,                                        \
+      "two points of the line of stroke or guide")                                                 \
     X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "length")                  \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, WITH_STROKE,                                \
       "offset of the line of stroke or guide")                                                     \
@@ -151,12 +161,12 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "speed of the crank")        \
     X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND,         \
       "acceleration of the crank")                                                                 \
-    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND, "first crank angle")                   \
-    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND, "last crank angle")                        \
+    X(MOTION, FROM, "from", CRANK, ANGLE, ANY, ANY_KIND, "first crank angle")                      \
+    X(MOTION, TO, "to", CRANK, ANGLE, ANY, ANY_KIND, "last crank angle")                           \
     X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                           \
       "interval of the crank angle")                                                               \
     X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND, "period of curves and loads")   \
-    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND, "crank angle")                             \
+    X(MOTION, AT, "at", CRANK, ANGLE, ANY, ANY_KIND, "crank angle")                                \
     X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                               \
       "angle of the run-up from rest")                                                             \
     X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND, "this speed and acceleration throughout") \
@@ -186,8 +196,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "where it acts")                               \
     X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND, "torque, counter-clockwise positive")  \
     X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND, "what the force turns with")              \
-    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND, "first crank angle at which it acts")    \
-    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND, "last crank angle at which it acts")         \
+    X(LOAD, FROM, "from", CRANK, ANGLE, ANY, ANY_KIND, "first crank angle at which it acts")       \
+    X(LOAD, TO, "to", CRANK, ANGLE, ANY, ANY_KIND, "last crank angle at which it acts")            \
     X(LOAD, OVER, "over", WORD, NUMBER, ANY, ANY_KIND, "what the load follows")                    \
     X(LOAD, BACK, "back", CURVE, TORQUE, ANY, ANY_KIND, "its values where that falls")             \
     X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "of the speed")            \

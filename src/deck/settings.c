@@ -92,13 +92,22 @@ double flk_setting_or(parser *p, key_code key, double otherwise)
 {
     const setting *s = flk_setting_find(p, key);
 
-    return IS_SET(s) ? s->si[0] : otherwise;
+    if (!IS_SET(s))
+        return otherwise;
+    return flk_key_table[key].form == FORM_CRANK ? flk_setting_crank_angle(p, s) : s->si[0];
+}
+
+double flk_setting_crank_angle(const parser *p, const setting *s)
+{
+    return IS_DRAWN(s) ? p->d->pins.theta2 : s->si[0];
 }
 
 double flk_setting_in_unit(parser *p, const setting *s, quantity q)
 {
     const unit *u = &p->d->units[q].unit;
 
+    if (IS_DRAWN(s))
+        return flk_unit_from_si(flk_setting_crank_angle(p, s), *u);
     if (s->unit.up == u->up && s->unit.down == u->down)
         return s->number;
     return flk_unit_from_si(s->si[0], *u);
@@ -495,7 +504,8 @@ static section_use *find_section(parser *p, text_place place, section_code code,
 static int is_vector(key_code key)
 {
     return key != KEY_COUNT &&
-           (flk_key_table[key].form == FORM_POINT || flk_key_table[key].form == FORM_VECTOR);
+           (flk_key_table[key].form == FORM_POINT || flk_key_table[key].form == FORM_VECTOR ||
+            flk_key_table[key].form == FORM_PLACE);
 }
 
 /* 1 if the target is a vector whose parts can be set.  A force must be in the deck; a point defaults to the

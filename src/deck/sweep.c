@@ -367,7 +367,7 @@ static int find_quantity(parser *p, variation *v)
     }
     if (flk_target_is_number(&v->target))
         return 1; /* an indicator card is always a curve */
-    is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
+    is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR || key->form == FORM_PLACE;
     return flk_mistake(p->mistakes, v->place,
                        is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
                                  : "'%t' is not a quantity that can be varied",

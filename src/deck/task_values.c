@@ -85,7 +85,7 @@ unsigned long flk_task_list(parser *p, key_code key, quantity q, unsigned long m
     text rest = s->value, item;
     unsigned long n = 0;
 
-    while (flk_curve_text_item(&rest, &item)) {
+    while (flk_piece_item(&rest, &item)) {
         if (n == most) {
             flk_mistake(p->mistakes, s->place, "more than %ld values", (long)most);
             return 0;

@@ -149,19 +149,35 @@ static int is_one_word(const char *name)
     return !*name;
 }
 
-/* The unit in which the crank's length is written, or another length; null if it is bare. */
-static const setting *written_length(parser *p, text *name)
+int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u)
 {
-    static const key_code lengths[] = {KEY_CRANK_LENGTH, KEY_CRANK_STROKE, KEY_COUPLER_LENGTH,
-                                       KEY_ROD_LENGTH, KEY_GROUND_LENGTH};
+    text size = value, rest;
+
+    *u = d->bare[q].unit;
+    if (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, that of the first */
+        value = size;
+    size = value;
+    if (value.length && value.start[0] == '(')
+        flk_text_split(&size, ')', &rest);
+    else if (!flk_text_cut(value, " at ", &size, &rest))
+        size = value;
+    *name = flk_quantity_unit_text(size);
+    return !name->length || flk_unit_read(*name, u, &rest);
+}
+
+/* The unit in which the crank's length is written, or another length or pin; 0 if it is bare. */
+static int written_length(parser *p, text *name, unit *u)
+{
+    static const key_code lengths[] = {KEY_CRANK_LENGTH, KEY_CRANK_STROKE,  KEY_COUPLER_LENGTH,
+                                       KEY_ROD_LENGTH,   KEY_GROUND_LENGTH, KEY_PINS_B,
+                                       KEY_PINS_A};
     const size_t n = sizeof lengths / sizeof *lengths;
     const setting *s = NULL;
     size_t i;
 
     for (i = 0; i < n && !(s && IS_SET(s) && !s->is_pending); i++)
         s = flk_setting_find(p, lengths[i]);
-    *name = flk_quantity_unit_text(s->value);
-    return name->length ? s : NULL;
+    return flk_unit_of_value(p->d, s->value, QUANTITY_LENGTH, name, u) && name->length;
 }
 
 void flk_values_follow_units(parser *p, int deck_units)
@@ -169,20 +185,18 @@ void flk_values_follow_units(parser *p, int deck_units)
     static const char *const customary[] = {"in", "ft"};
     deck_unit *units = p->d->units, *length = &units[QUANTITY_LENGTH];
     int how_far = length->is_given ? SPEEDS : AREAS, i;
-    const setting *s = NULL;
     text name, bad;
-    unit u;
+    unit u, own;
 
     if (!length->is_given) {
-        s = deck_units ? written_length(p, &name) : NULL;
-        if (!s)
+        if (!deck_units || !written_length(p, &name, &own))
             return;
         flk_value_name_unit(name, length->name);
-        length->unit = s->unit;
+        length->unit = own;
     }
-    for (i = 0; i < 2 && s; i++)
-        if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == s->unit.up &&
-            u.down == s->unit.down) {
+    for (i = 0; i < 2 && !length->is_given; i++)
+        if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == own.up &&
+            u.down == own.down) {
             strcpy(length->name, customary[i]); /* for inches and the like */
             how_far = ALL_UNITS;
         }
@@ -313,6 +327,15 @@ static int is_verbatim(key_code code, text value)
            flk_curve_text_file(value, NULL);
 }
 
+/* `drawn` needs a drawing. */
+static int check_drawn(parser *p, const setting *s)
+{
+    return (p->is_answers ? p->d->pins.is_there
+                          : flk_section_find(p, SECTION_PINS, NULL) != NULL) ||
+           flk_mistake(p->mistakes, s->place,
+                       "'drawn' needs [pins], the places of the pins as drawn");
+}
+
 static void read_setting(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
@@ -335,6 +358,12 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
             set_unit(p->d->bare, key->q, s->value, s->unit);
         }
         break;
+    case FORM_CRANK:
+        s->word = flk_text_equal(s->value, "drawn");
+        if (s->word ? check_drawn(p, s)
+                    : flk_piece_read(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
+            check_sign(p, key, s);
+        break;
     case FORM_QUANTITY:
     case FORM_EITHER:
         s->word = code == KEY_MOTOR_TORQUE && flk_text_equal(s->value, "constant");
@@ -348,9 +377,14 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         if (read_count(p, s, key->q))
             check_sign(p, key, s);
         break;
+    case FORM_LINE:
+        flk_vector_read_line(p, s, key->q);
+        break;
     case FORM_VECTOR:
     case FORM_POINT:
-        if (key->form == FORM_POINT)
+    case FORM_PLACE:
+        s->is_place = key->form == FORM_PLACE;
+        if (key->form != FORM_VECTOR)
             flk_vector_read(p, s, key->q);
         else
             flk_curve_text_read(p, s, key->q);

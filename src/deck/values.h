@@ -21,6 +21,10 @@ void flk_values_result_units(parser *p, const char *list);
 /* The name of a unit for tables, as one word: kgf.m for "kgf m". */
 void flk_value_name_unit(text t, char name[DECK_NAME_SIZE]);
 
+/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
+** cannot be read. */
+int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u);
+
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 

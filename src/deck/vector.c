@@ -83,7 +83,7 @@ static int read_share(parser *p, setting *s, text t, double *share)
 /* 10 mm */
 static int read_size(parser *p, setting *s, text t, quantity q, point *result, double *size)
 {
-    if (q == QUANTITY_LENGTH && read_share(p, s, t, size))
+    if (q == QUANTITY_LENGTH && !s->is_place && read_share(p, s, t, size))
         return 1;
     if (!flk_piece_read(p, s, t, q, size))
         return 0;
@@ -98,16 +98,16 @@ static int read_step(parser *p, setting *s, text t, quantity q, point *result)
     static const char *const places[] = {"origin", "mid", "end"};
     text size_text = t, angle_text, before;
     double size = 0, angle = 0, x, y;
-    int has_angle, i;
+    int has_angle, i, is_of_link = q == QUANTITY_LENGTH && !s->is_place;
 
-    if (q == QUANTITY_LENGTH && flk_text_same(t, "G")) {
+    if (is_of_link && flk_text_same(t, "G")) {
         s->of_centre = 1;
         result->y[0] = result->y[1] = 0;
         return 1;
     }
     if (t.length && t.start[0] == '(')
         return read_components(p, s, t, q, result);
-    for (i = 0; i < 3 && q == QUANTITY_LENGTH; i++)
+    for (i = 0; i < 3 && is_of_link; i++)
         if (flk_text_equal(t, places[i])) {
             s->of_length = i > 0;
             result->y[0] = 0.5 * i;
@@ -182,6 +182,49 @@ int flk_vector_read(parser *p, setting *s, quantity q)
         return 0;
     s->si[0] = vector.y[0];
     s->si[1] = vector.y[1];
+    if (s->is_place && s->is_bare && !s->parts)
+        return flk_mistake(p->mistakes, s->place,
+                           "expected a place, such as (41, 37.5) mm or 140 mm at 30 deg, not '%t'",
+                           s->value);
+    return 1;
+}
+
+/* A place of a line, in the unit of the last if it has none. */
+static int read_end(parser *p, setting *s, text t, text last, quantity q, point *end)
+{
+    text unit_name = flk_text_from(last, last.length), rest = last, inside;
+    char ending[DECK_NAME_SIZE];
+    const char *copy;
+
+    if (last.length && last.start[0] == '(' && flk_text_split(&rest, ')', &inside) && rest.start)
+        unit_name = rest;
+    if (t.length && t.start[0] == '(' && t.start[t.length - 1] == ')') {
+        flk_text_copy(unit_name, ending, sizeof ending);
+        copy = flk_reader_copy(p, t, ending);
+        if (!copy)
+            return 0;
+        t = flk_text_of(copy);
+    }
+    return flk_vector_read_piece(p, s, t, q, end);
+}
+
+int flk_vector_read_line(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, first, last, more;
+    point *ends = flk_reader_keep(p, 2 * sizeof *ends);
+
+    s->is_place = 1;
+    if (!ends)
+        return 0;
+    if (!flk_piece_item(&rest, &first) || !flk_piece_item(&rest, &last) ||
+        flk_piece_item(&rest, &more) || s->is_number)
+        return flk_mistake(p->mistakes, s->place,
+                           "expected two points, such as (0, 10) mm, (200, 10) mm, not '%t'",
+                           s->value);
+    if (!read_end(p, s, first, last, q, &ends[0]) || !read_end(p, s, last, last, q, &ends[1]))
+        return 0;
+    s->curve = ends;
+    s->n_points = 2;
     return 1;
 }
 

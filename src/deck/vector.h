@@ -13,6 +13,9 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
 
 /* Read a point of a link; the parts that are set separately. */
 int flk_vector_read(parser *p, setting *s, quantity q);
+/* Read two places, (0, 10) mm, (200, 10) mm, as the points of a curve. */
+int flk_vector_read_line(parser *p, setting *s, quantity q);
+
 void flk_vector_read_parts(parser *p, setting *s, quantity q);
 
 /* Sine and cosine, exact for whole quarters of a turn. */

@@ -184,8 +184,7 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
             return view_refuse(mistake, "--plot-at", plot_names[p->request->kind],
                                " draws one position, not several");
         angle = &p->angles[p->n_angles++];
-        if (!view_read(&p->v, QUANTITY_ANGLE, item, item, angle, words) ||
-            !is_in_range(p, *angle, words))
+        if (!view_read_crank(&p->v, item, item, angle, words) || !is_in_range(p, *angle, words))
             return view_refuse(mistake, "--plot-at", words, "");
     }
     return 1;

@@ -52,7 +52,7 @@ static void tell_line_unit(const deck *d, unsigned long id, flk_line_units *unit
 {
     deck_unit u;
 
-    if (flk_number_unit(d, id, &u))
+    if (!flk_number_follows(d, id) && flk_number_unit(d, id, &u))
         v->line_unit = flk_line_unit_text(units, u.name);
 }
 
@@ -211,6 +211,28 @@ static void derive_offset(listing *t)
                     "offset of the line of stroke");
 }
 
+/* What the pins give besides lengths. */
+static void derive_from_pins(listing *t, section_code section)
+{
+    const deck_pins *pins = &t->d->pins;
+
+    if (!pins->is_there)
+        return;
+    if (section == SECTION_PINS)
+        add_default(t, "pins", "drawn", QUANTITY_ANGLE,
+                    flk_unit_from_si(pins->theta2, t->d->units[QUANTITY_ANGLE].unit),
+                    "crank angle as drawn");
+    if (section == SECTION_GROUND) {
+        add_derived(t, "ground", "offset", QUANTITY_LENGTH, pins->offset,
+                    "offset of the line of stroke or guide");
+        add_default(t, "ground", "angle", QUANTITY_ANGLE, 0, "direction of the ground link")
+            ->value = flk_unit_from_si(pins->angle, t->d->units[QUANTITY_ANGLE].unit);
+    }
+    if (section == SECTION_LEVER)
+        add_derived(t, "lever", "angle", QUANTITY_ANGLE, pins->slide,
+                    "angle of the slide from the line D-C");
+}
+
 /* What motion and rows have without being told. */
 static void derive_motion(listing *t)
 {
@@ -283,6 +305,7 @@ static void add_what_follows(listing *t, section_code section)
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         if (flk_section_of_link(t->d->machine.mechanism.design.kind, link) == section)
             derive_link(t, link);
+    derive_from_pins(t, section);
     if (section == SECTION_GROUND)
         derive_offset(t);
     for (i = 0; i < sizeof sections / sizeof *sections; i++)
@@ -297,7 +320,8 @@ static int has_inputs(section_code section)
            section != SECTION_SYNTHESIS && !TAKES_NAMES(section);
 }
 
-#define MOST_DERIVED 40 /* links 20, offset 1, gas 2, motion 4, gravity 2, friction 4, flywheel 1 */
+#define MOST_DERIVED \
+    44 /* links 20, pins 4, offset 1, gas 2, motion 4, gravity 2, friction 4, flywheel 1 */
 
 size_t flk_list_input_limit(const deck *d)
 {

@@ -73,8 +73,8 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     flk_text_split(&rest, '=', &name);
     if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2"))
         return take_column(v, flk_text_trim(name), flk_text_trim(rest), item, message);
-    if (!view_read(v, QUANTITY_ANGLE, rest.start ? flk_text_trim(rest) : item->words, item->words,
-                   &item->value, message))
+    if (!view_read_crank(v, rest.start ? flk_text_trim(rest) : item->words, item->words,
+                         &item->value, message))
         return -1;
     if (fourlink_results_at(v->results, v->branches[0], item->value, NULL, NULL, NULL) !=
         FOURLINK_NO_SUCH_ANGLE)

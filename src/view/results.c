@@ -36,9 +36,10 @@ int results_design(const fourlink_results *from, unsigned long design, unsigned 
         fourlink_results_design(from, design, max_mistakes, results, mistakes, n_mistakes));
 }
 
-int results_set(fourlink_results *results, const char *name, double value)
+int results_set(fourlink_results *results, const char *name, double value,
+                fourlink_mistake *mistake)
 {
-    return noted(fourlink_results_set(results, name, value, NULL));
+    return noted(fourlink_results_set(results, name, value, mistake));
 }
 
 int results_put(fourlink_results *results, unsigned long n, const int *handles,

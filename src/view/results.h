@@ -17,7 +17,8 @@ int results_open_like(const fourlink_source *source, fourlink_results *like,
 int results_design(const fourlink_results *from, unsigned long design, unsigned long max_mistakes,
                    fourlink_results **results, fourlink_mistake *mistakes,
                    unsigned long *n_mistakes);
-int results_set(fourlink_results *results, const char *name, double value);
+int results_set(fourlink_results *results, const char *name, double value,
+                fourlink_mistake *mistake);
 int results_put(fourlink_results *results, unsigned long n, const int *handles,
                 const double *values);
 

@@ -183,6 +183,18 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
     return 1;
 }
 
+int view_read_crank(const view *v, text value, text words, double *angle,
+                    char message[MESSAGE_SIZE])
+{
+    if (!flk_text_equal(value, "drawn"))
+        return view_read(v, QUANTITY_ANGLE, value, words, angle, message);
+    *angle = v->problem.drawn;
+    if (!v->problem.has_drawn)
+        flk_message(message, MESSAGE_SIZE, "'%t' needs [pins], the places of the pins as drawn",
+                    words);
+    return v->problem.has_drawn;
+}
+
 /* rad: a position is clear if it is farther from a dead one. */
 #define CLEAR (20 * M_PI / 180)
 
@@ -256,6 +268,12 @@ static long find_busiest(const view *v, fourlink_branch branch, int *most, fourl
     return found;
 }
 
+/* 1 if the position of the drawing is shown, unless the deck has one of its own. */
+static int is_drawn(const view *v)
+{
+    return v->problem.has_drawn && !v->problem.one_instant;
+}
+
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads)
 {
@@ -266,6 +284,9 @@ int view_find_position(const view *v, fourlink_branch branch, const double *angl
 
     if (angle)
         return fourlink_results_at(v->results, branch, *angle, NULL, now, loads);
+    if (is_drawn(v) &&
+        fourlink_results_at(v->results, branch, v->problem.drawn, NULL, now, loads) == FOURLINK_OK)
+        return FOURLINK_OK;
     status = first = find_sixth(v, branch, now, loads);
     if (first == FOURLINK_OK) {
         acting = count_acting(v, loads, &of, &name);
@@ -293,6 +314,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 
     if (v->range.n_rows == 1)
         return "the deck's instant";
+    if (is_drawn(v) && now->row.angle == v->problem.drawn)
+        return "as drawn";
     off = now->row.place - sixth_of(v);
     if (fabs(off) <= 1e-9 * fabs(v->end))
         return "";

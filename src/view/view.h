@@ -69,8 +69,12 @@ int view_reopen(const fourlink_source *source, fourlink_results *opened, const c
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
-/* The position to show on a branch: at a crank angle; if that is null, a sixth of the way through the motion,
-** or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
+/* Read a crank angle, which may be `drawn`. */
+int view_read_crank(const view *v, text value, text words, double *angle,
+                    char message[MESSAGE_SIZE]);
+
+/* The position to show on a branch: at a crank angle; if that is null, that of the drawing of [pins], unless the
+** deck is one instant; or a sixth of the way through the motion, or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
 ** the one nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be
 ** assembled.  Returns a status. */
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
@@ -81,7 +85,7 @@ int view_find_position(const view *v, fourlink_branch branch, const double *angl
 /* rad: where the transmission angle is smaller, a dead position is near, whose forces set no scale. */
 #define VIEW_NEAR 0.2
 
-/* Why it is shown, if no crank angle was asked for: "where press acts"; "" for a sixth of the way. */
+/* Why it is shown, if no crank angle was asked for: "as drawn", "where press acts"; "" for a sixth of the way. */
 #define VIEW_WHY 120
 const char *view_tell_position(const view *v, const fourlink_instant *now,
                                const fourlink_load *loads, char out[VIEW_WHY]);

@@ -30,6 +30,7 @@ cat >complete.awk <<'END'
         if ("piston" in has || "gas" in has) {kind = "slider-crank"; lengths = "crank 50 rod 200"}
         if ("slider" in has || "lever" in has) {kind = "inverted-slider-crank"; lengths = "ground 300 crank 50"}
         if ("yoke" in has) {kind = "scotch-yoke"; lengths = "crank 50"}
+        if ("pins" in has) lengths = ""
         if ("synthesis" in has) lengths = "positions" in has ? "" : "ground 80"
         if (!("mechanism" in has)) print "mechanism = " kind
         if ("synthesis" in has && lengths && !("ground" in has)) {print "[ground]\nlength = 80 mm"; lengths = ""}

@@ -49,6 +49,10 @@ static const char *kind_of(const key_info *k)
         return "point";
     case FORM_VECTOR:
         return "vector";
+    case FORM_PLACE:
+        return "place";
+    case FORM_LINE:
+        return "line";
     case FORM_COUNT:
         return "count";
     default:

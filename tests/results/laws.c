@@ -10,7 +10,7 @@
 ** in turn, with
 ** `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
-#include "changed_decks.h"
+#include "drawn_decks.h"
 
 static int turns_fully(fourlink_results *r)
 {
@@ -342,6 +342,28 @@ static void compare_crawl(void)
     fourlink_results_free(slow.r);
 }
 
+/* --------------------------------------------------------------------------------------- by its pins */
+
+/* The branch and the crank angle of the drawing are found again, and the results are the same. */
+static void compare_drawn(void)
+{
+    fourlink_results *r = opened(changed_text, NULL);
+    fourlink_problem problem;
+
+    if (r) {
+        problem = problem_of(r);
+        if (problem.drawn_branch != (int)drawn_branch ||
+            !problem.open != (drawn_branch == FOURLINK_CROSSED) ||
+            !problem.crossed != (drawn_branch == FOURLINK_OPEN))
+            fail("the drawn branch is %d, expected %d", problem.drawn_branch, (int)drawn_branch);
+        compare(ROW, drawn_at,
+                difference_of_angles(drawn_at, problem.drawn * problem.motion.angle_unit), 1e3,
+                "the crank as drawn");
+        fourlink_results_free(r);
+    }
+    compare_decks(NULL);
+}
+
 /* -------------------------------------------------------------------------------------------- the laws */
 
 static law laws[] = {
@@ -371,6 +393,7 @@ static law laws[] = {
      .has_own_time = 1,
      .check = compare_cycles},
     {.name = "at a crawl", .change = move_quickly, .factor = factor_one, .check = compare_crawl},
+    {.name = "by its pins", .change = draw_pins, .factor = factor_one, .check = compare_drawn},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)

@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** pins.c - [pins]: a mechanism by the places of its pins on a page, in one drawn position.
+**
+** The page has x to the right and y up.  From the places follow the lengths, the offset, the direction of x of
+** link 1 on the page, the crank angle as drawn and the branch.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/cycle.h"
+#include "base/quantity.h"
+#include "base/trig.h"
+#include "mechanics/kind.h"
+#include "mechanics/mechanics.h"
+#include "mechanics/mechanism.h"
+#include "pins.h"
+#include "settings.h"
+
+#define SAME 1e-12   /* of the largest coordinate: two places are one */
+#define IN_LINE 1e-7 /* sine of the angle between links that are in line */
+#define BESIDE 0.01  /* of the rod's length: C is on its guide */
+
+static fourlink_vector minus(fourlink_vector x, fourlink_vector y)
+{
+    x.x -= y.x;
+    x.y -= y.y;
+    return x;
+}
+
+static double length_of(fourlink_vector x)
+{
+    return flk_length(x.x, x.y);
+}
+
+static double direction_of(fourlink_vector x)
+{
+    return flk_angle(x.y, x.x);
+}
+
+/* A length for a message. */
+static const char *in_words(const parser *p, double length, char out[MESSAGE_SIZE])
+{
+    const deck_unit *u = &p->d->units[QUANTITY_LENGTH];
+
+    return flk_message(out, MESSAGE_SIZE, "%.6g %s", flk_unit_from_si(length, u->unit), u->name);
+}
+
+/* An angle in (-pi, pi]. */
+static double reduced(double angle)
+{
+    double x = flk_cycle_beside(angle, 2 * M_PI);
+
+    return x > -M_PI ? x : M_PI;
+}
+
+/* ------------------------------------------------------------------------------------------ the places */
+
+enum { PIN_A, PIN_B, PIN_C, PIN_D, PINS };
+
+/* The places of a drawing; those that are not given are 0. */
+typedef struct drawing {
+    const setting *pin[PINS], *guide;
+    fourlink_vector at[PINS];
+    fourlink_vector on_guide[2];
+    double size; /* m, of the largest coordinate */
+} drawing;
+
+static void take_places(parser *p, drawing *x)
+{
+    int i;
+
+    memset(x, 0, sizeof *x);
+    x->guide = flk_setting_find(p, KEY_PINS_GUIDE);
+    for (i = 0; i < 2 && x->guide->curve; i++) {
+        x->on_guide[i].x = x->guide->curve[i].y[0];
+        x->on_guide[i].y = x->guide->curve[i].y[1];
+        x->size = GSL_MAX(x->size, length_of(x->on_guide[i]));
+    }
+    for (i = 0; i < PINS; i++) {
+        x->pin[i] = flk_setting_find(p, (key_code)(KEY_PINS_A + i));
+        x->at[i].x = x->pin[i]->si[0];
+        x->at[i].y = x->pin[i]->si[1];
+        x->size = GSL_MAX(x->size, length_of(x->at[i]));
+    }
+}
+
+/* 1 if the kind of mechanism needs this pin. */
+static int needs_pin(const parser *p, int pin)
+{
+    fourlink_kind kind = p->d->machine.mechanism.design.kind;
+
+    return pin < PIN_C || (pin == PIN_C && (WITH_PIN_C & (int)kind)) ||
+           (pin == PIN_D && (WITH_PIN_D & (int)kind));
+}
+
+/* 1 if all places are there that the mechanism needs. */
+static int has_places(parser *p, const section_use *use, const drawing *x)
+{
+    const char *words = fourlink_kind_text((int)p->d->machine.mechanism.design.kind);
+    int i, n = 0;
+
+    for (i = 0; i < PINS && !use->is_mistaken; i++)
+        if (needs_pin(p, i) && !IS_SET(x->pin[i])) {
+            flk_mistake(p->mistakes, use->place, "[pins] of %s %s needs %s, the place of that pin",
+                        flk_text_article(words), words, flk_key_table[KEY_PINS_A + i].name);
+            n++;
+        }
+    if (flk_kind_of(p->d->machine.mechanism.design.kind)->has_one_branch && !IS_SET(x->guide) &&
+        !use->is_mistaken) {
+        flk_mistake(p->mistakes, use->place,
+                    "[pins] of %s %s needs guide, two points of the line on which link 4 slides",
+                    flk_text_article(words), words);
+        n++;
+    }
+    return !use->is_mistaken && !n;
+}
+
+/* 1 if two pins that a link or the ground joins are at two places. */
+static int are_apart(parser *p, const drawing *x, int i, int k)
+{
+    if (!IS_SET(x->pin[i]) || !IS_SET(x->pin[k]) ||
+        length_of(minus(x->at[i], x->at[k])) > SAME * x->size)
+        return 1;
+    return flk_mistake(p->mistakes, x->pin[k]->place, "the pins %s and %s are at the same place",
+                       flk_key_table[KEY_PINS_A + i].name, flk_key_table[KEY_PINS_A + k].name);
+}
+
+static int check_places(parser *p, const drawing *x)
+{
+    fourlink_kind kind = p->d->machine.mechanism.design.kind;
+    int is_right = are_apart(p, x, PIN_A, PIN_B) & are_apart(p, x, PIN_A, PIN_D);
+
+    if (kind == FOURLINK_INVERTED_SLIDER_CRANK)
+        return is_right;
+    is_right &= are_apart(p, x, PIN_B, PIN_C) & are_apart(p, x, PIN_C, PIN_D);
+    if (x->guide->curve && !(length_of(minus(x->on_guide[1], x->on_guide[0])) > SAME * x->size))
+        is_right = flk_mistake(p->mistakes, x->guide->place,
+                               "the two points of the guide are the same: it has no direction");
+    return is_right;
+}
+
+/* ------------------------------------------------------------------------------- what follows from them */
+
+/* Four-bar:
+**
+**    d = AD, a = AB, b = BC, c = DC;  x of link 1 is from A to D
+**
+** The side of the coupler on which D lies is the sine of the angle from BC to DC: it has the sign of
+** (D - B) x (C - B), and is 0 in a dead position. */
+static void find_four_bar(deck_pins *pins, const drawing *x)
+{
+    fourlink_vector ground = minus(x->at[PIN_D], x->at[PIN_A]),
+                    coupler = minus(x->at[PIN_C], x->at[PIN_B]),
+                    rocker = minus(x->at[PIN_C], x->at[PIN_D]);
+
+    pins->length[FOURLINK_GROUND] = length_of(ground);
+    pins->length[FOURLINK_COUPLER] = length_of(coupler);
+    pins->length[FOURLINK_FOLLOWER] = length_of(rocker);
+    pins->angle = direction_of(ground);
+    pins->side = FLK_CROSS(coupler, rocker) / length_of(coupler) / length_of(rocker);
+}
+
+/* The line of a slide on the ground: a point of it, and its direction u.  With F the foot of A on it, x runs
+** from F to C, along the given direction if C is at F, or if there is no C. */
+static void find_line(deck_pins *pins, const drawing *x, double along, const fourlink_vector *C)
+{
+    fourlink_vector u, from_A = minus(C ? *C : x->on_guide[0], x->at[PIN_A]);
+    double reach;
+
+    flk_sine_cosine(along, &u.y, &u.x);
+    reach = FLK_DOT(from_A, u);
+    pins->angle = C && reach < -SAME * x->size ? reduced(along + M_PI) : along;
+    pins->offset = pins->angle == along ? FLK_CROSS(u, from_A) : -FLK_CROSS(u, from_A);
+    if (fabs(pins->offset) <= SAME * x->size)
+        pins->offset = 0;
+}
+
+/* Slider-crank: a = AB, l = BC.  The side is the cosine of the angle from x to the rod. */
+static int find_slider_crank(parser *p, deck_pins *pins, const drawing *x)
+{
+    fourlink_vector rod = minus(x->at[PIN_C], x->at[PIN_B]), guide, from_guide, u;
+    double along = flk_setting_or(p, KEY_GROUND_ANGLE, 0), beside;
+    char far[MESSAGE_SIZE];
+
+    pins->length[FOURLINK_COUPLER] = length_of(rod);
+    if (x->guide->curve) {
+        guide = minus(x->on_guide[1], x->on_guide[0]);
+        from_guide = minus(x->at[PIN_C], x->on_guide[0]);
+        beside = fabs(FLK_CROSS(guide, from_guide)) / length_of(guide);
+        if (beside > BESIDE * length_of(rod))
+            return flk_mistake(p->mistakes, x->guide->place,
+                               "C is %s beside this guide: give C, or two points of the line on "
+                               "which it moves",
+                               in_words(p, beside, far));
+        along = direction_of(guide);
+    }
+    find_line(pins, x, along, &x->at[PIN_C]);
+    flk_sine_cosine(pins->angle, &u.y, &u.x);
+    pins->side = FLK_DOT(rod, u) / length_of(rod);
+    return 1;
+}
+
+/* Inverted slider-crank: d = AD, a = AB.  With C, the slide has the direction u from C to B, and is at the
+** angle gamma from the line D-C, of the length c; B is at s = (B - D) . u from the foot of D.  Without C the
+** lever's own keys say where the slide passes D, at the distance h, and the open branch is meant:
+**
+**    s = sqrt(BD^2 - h^2)
+**
+** The side is s / BD. */
+static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
+{
+    const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET);
+    double h = flk_setting_find(p, KEY_LEVER_LENGTH)->si[0] *
+                   -flk_sine(flk_setting_find(p, KEY_LEVER_ANGLE)->si[0]) +
+               offset->si[0];
+    char far[MESSAGE_SIZE], near[MESSAGE_SIZE];
+    fourlink_vector ground = minus(x->at[PIN_D], x->at[PIN_A]),
+                    r = minus(x->at[PIN_B], x->at[PIN_D]), u = minus(x->at[PIN_B], x->at[PIN_C]),
+                    lever = minus(x->at[PIN_C], x->at[PIN_D]);
+
+    pins->length[FOURLINK_GROUND] = length_of(ground);
+    pins->angle = direction_of(ground);
+    if (!IS_SET(x->pin[PIN_C])) {
+        pins->branch = FOURLINK_OPEN;
+        if (length_of(r) <= SAME * x->size)
+            return flk_mistake(p->mistakes, x->pin[PIN_B]->place,
+                               "B is at D, so that the slide has no direction: give C, a point of "
+                               "the slide");
+        if (fabs(h) > length_of(r) * (1 + SAME))
+            return flk_mistake(p->mistakes, IS_SET(offset) ? offset->place : x->pin[PIN_B]->place,
+                               "the slide passes D at %s, and B is nearer, at %s: the slide cannot "
+                               "reach it",
+                               in_words(p, fabs(h), far), in_words(p, length_of(r), near));
+        return 1;
+    }
+    if (length_of(u) <= SAME * x->size)
+        return flk_mistake(p->mistakes, x->pin[PIN_C]->place,
+                           "C is at B, so that the slide has no direction: give another point of "
+                           "the slide");
+    if (IS_SET(offset) && offset->source == GIVEN_BY_TEXT)
+        return flk_mistake(p->mistakes, offset->place,
+                           "give either the pin C, a point of the slide, or the offset, not both");
+    pins->has_slide = 1;
+    pins->length[FOURLINK_FOLLOWER] = length_of(lever) > SAME * x->size ? length_of(lever) : 0;
+    pins->slide =
+        pins->length[FOURLINK_FOLLOWER] > 0 ? reduced(direction_of(u) - direction_of(lever)) : 0;
+    pins->side = length_of(r) > 0 ? FLK_DOT(r, u) / length_of(r) / length_of(u) : 0;
+    return 1;
+}
+
+static int find_lengths(parser *p, deck_pins *pins, const drawing *x)
+{
+    fourlink_vector crank = minus(x->at[PIN_B], x->at[PIN_A]);
+    int found = 1;
+
+    pins->length[FOURLINK_CRANK] = length_of(crank);
+    switch (p->d->machine.mechanism.design.kind) {
+    case FOURLINK_FOUR_BAR:
+        find_four_bar(pins, x);
+        break;
+    case FOURLINK_SLIDER_CRANK:
+        found = find_slider_crank(p, pins, x);
+        break;
+    case FOURLINK_INVERTED_SLIDER_CRANK:
+        found = find_inverted(p, pins, x);
+        break;
+    default: /* of a yoke, which has one branch */
+        find_line(pins, x, direction_of(minus(x->on_guide[1], x->on_guide[0])), NULL);
+        pins->branch = FOURLINK_OPEN;
+    }
+    pins->theta2 = reduced(direction_of(crank) - pins->angle);
+    return found;
+}
+
+/* --------------------------------------------------------------------------------- what is given besides */
+
+/* A key whose value follows from the pins, and that value; 0 if it does not. */
+static int value_by_pins(const deck *d, key_code key, double *value)
+{
+    const deck_pins *pins = &d->pins;
+    fourlink_kind kind = d->machine.mechanism.design.kind;
+    const key_info *info = &flk_key_table[key];
+    int i;
+
+    if (!pins->is_there)
+        return 0;
+    *value = 0;
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (info->section == flk_section_of_link(kind, i) && strcmp(info->name, "length") == 0) {
+            *value = pins->length[i];
+            return *value > 0;
+        }
+    switch (key) {
+    case KEY_GROUND_ANGLE:
+        *value = pins->angle;
+        return (WITH_PIN_D & (int)kind) || pins->has_guide;
+    case KEY_GROUND_OFFSET:
+        *value = pins->offset;
+        return 1;
+    case KEY_LEVER_OFFSET:
+        return pins->has_slide;
+    case KEY_LEVER_ANGLE:
+        *value = pins->slide;
+        return pins->has_slide;
+    default:
+        return key == KEY_CRANK_STROKE;
+    }
+}
+
+int flk_pins_give(const deck *d, key_code key)
+{
+    double value;
+
+    return value_by_pins(d, key, &value);
+}
+
+/* Two angles differ as directions do, of a guide as lines do. */
+static double difference(const parser *p, key_code key, double x, double y)
+{
+    fourlink_kind kind = p->d->machine.mechanism.design.kind;
+    double turn = key == KEY_GROUND_ANGLE && !(WITH_PIN_D & (int)kind) ? M_PI : 2 * M_PI;
+
+    return flk_key_table[key].q == QUANTITY_ANGLE ? flk_cycle_beside(x - y, turn) : x - y;
+}
+
+/* A value that is given too differs from that by the pins in its last digit at most. */
+static void check_given(parser *p, key_code key, double by_pins)
+{
+    const setting *s = flk_setting_find(p, key);
+    const key_info *info = &flk_key_table[key];
+    const unit *own = &p->d->bare[info->q].unit;
+    text written = flk_quantity_unit_text(s->value);
+    char why[MESSAGE_SIZE];
+    quantity_value read;
+
+    if (!IS_SET(s))
+        return;
+    if (s->source != GIVEN_BY_TEXT)
+        flk_mistake(p->mistakes, s->place,
+                    "%s.%s follows from [pins]: set the place of a pin, such as pins.B.x",
+                    flk_section_table[info->section].name, info->name);
+    else if (key == KEY_CRANK_STROKE)
+        flk_mistake(p->mistakes, s->place,
+                    "the length of the crank follows from [pins]: give no stroke");
+    else if (flk_quantity_read(s->value, s->value, info->q, *own, &read, why) &&
+             !(fabs(difference(p, key, read.si, by_pins)) <= 0.5 * read.digit * (1 + 1e-9)))
+        flk_mistake(p->mistakes, s->place,
+                    "by [pins] the %s of the %s is %.6g %t, not %t: give one of them", info->name,
+                    flk_section_table[info->section].name, flk_unit_from_si(by_pins, read.unit),
+                    written.length ? written : flk_text_of(p->d->bare[info->q].name), s->value);
+}
+
+void flk_pins_read(parser *p)
+{
+    const section_use *use = flk_section_find(p, SECTION_PINS, NULL);
+    deck_pins *pins = &p->d->pins;
+    double value;
+    drawing x;
+    key_code k;
+
+    memset(pins, 0, sizeof *pins);
+    if (!use)
+        return;
+    pins->is_there = 1;
+    take_places(p, &x);
+    pins->has_guide = x.guide->curve != NULL;
+    pins->A = x.at[PIN_A];
+    if (!has_places(p, use, &x) || !check_places(p, &x) || !find_lengths(p, pins, &x))
+        return;
+    for (k = flk_first_key(SECTION_GROUND); k < flk_first_key(SECTION_GAS); k++)
+        if ((flk_section_table[flk_key_table[k].section].kinds & flk_key_table[k].kinds &
+             (int)p->d->machine.mechanism.design.kind) &&
+            value_by_pins(p->d, k, &value))
+            check_given(p, k, value);
+}
+
+/* -------------------------------------------------------------------------------------------- the branch */
+
+/* The branch is the one on which `sine`, the side of the drawing, has its sign: beyond a change point the open
+** branch has the other one (fourlink_branch). */
+void flk_pins_find_branch(parser *p)
+{
+    deck_pins *pins = &p->d->pins;
+    fourlink_kind kind = p->d->machine.mechanism.design.kind;
+    const setting *C = flk_setting_find(p, KEY_PINS_C);
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+    int side = pins->side < 0 ? -1 : 1;
+
+    if (!pins->is_there || pins->branch)
+        return;
+    if (fabs(pins->side) < IN_LINE) {
+        if (!flk_setting_find(p, KEY_TABLE_BRANCH)->word)
+            flk_mistake(p->mistakes, (IS_SET(C) ? C : flk_setting_find(p, KEY_PINS_B))->place,
+                        "%s, so that the drawing does not tell the branch: give [table] branch",
+                        kind == FOURLINK_FOUR_BAR       ? "B, C and D are in line"
+                        : kind == FOURLINK_SLIDER_CRANK ? "the rod is square to the line of stroke"
+                                                        : "the slide is square to the line D-B");
+        return;
+    }
+    crank.theta2 = pins->theta2;
+    if (flk_mechanism_move(&p->d->machine.mechanism, FOURLINK_OPEN, &crank, 0, &state) ==
+            FOURLINK_OK &&
+        state.sine < 0)
+        side = -side;
+    pins->branch = side > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+}

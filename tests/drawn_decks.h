@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** drawn_decks.h - a deck by lengths as one by the places of its pins, drawn at some crank angle, turned and moved on the
+** page.
+*/
+#ifndef DRAWN_DECKS_H
+#define DRAWN_DECKS_H
+
+#include "changed_decks.h"
+
+#define CLEAR 0.3    /* rad, of the transmission angle where it is drawn */
+#define TRIES 100    /* crank angles */
+#define FARTHEST 1.0 /* times the size of the drawing, that it is moved */
+
+static double drawn_at, turned;
+static fourlink_branch drawn_branch;
+
+/* A point of the ground's frame on the page. */
+static fourlink_vector moved;
+static double drawn_size; /* m */
+
+static fourlink_vector on_page(fourlink_vector u)
+{
+    fourlink_vector v;
+
+    v.x = moved.x + cos(turned) * u.x - sin(turned) * u.y;
+    v.y = moved.y + sin(turned) * u.x + cos(turned) * u.y;
+    return v;
+}
+
+static void set_place(deck_lines *d, key_code key, fourlink_vector u)
+{
+    char value[100];
+
+    if (seldom(0.8))
+        snprintf(value, sizeof value, "(%.17g, %.17g) mm", 1e3 * u.x, 1e3 * u.y);
+    else
+        snprintf(value, sizeof value, "%.17g m at %.17g rad", hypot(u.x, u.y), atan2(u.y, u.x));
+    set_line(d, key, value);
+}
+
+static void set_guide(deck_lines *d, double offset)
+{
+    fourlink_vector u[2];
+    char value[200];
+
+    u[0].x = -between(0.2, 2) * drawn_size;
+    u[1].x = between(0.2, 2) * drawn_size;
+    u[0].y = u[1].y = offset;
+    u[0] = on_page(u[0]);
+    u[1] = on_page(u[1]);
+    snprintf(value, sizeof value, "(%.17g, %.17g), (%.17g, %.17g) mm", 1e3 * u[0].x, 1e3 * u[0].y,
+             1e3 * u[1].x, 1e3 * u[1].y);
+    set_line(d, KEY_PINS_GUIDE, value);
+}
+
+/* A position that is clear of dead ones; a piston is on the side of x, and B beyond C on
+** a slide, by which the drawing tells their directions. */
+static int find_drawn(const fourlink_mechanism *m, int has_own_slide, fourlink_state *at)
+{
+    fourlink_crank crank = {0, 0, 0};
+    int i;
+
+    drawn_branch = m->design.kind == FOURLINK_SCOTCH_YOKE || has_own_slide || seldom(0.5)
+                       ? FOURLINK_OPEN
+                       : FOURLINK_CROSSED;
+    for (i = 0; i < TRIES; i++) {
+        crank.theta2 = drawn_at = between(-PI, PI);
+        if (fourlink_analyse(m, drawn_branch, &crank, NULL, 0, at, NULL) == FOURLINK_OK &&
+            at->mu > CLEAR &&
+            (m->design.kind != FOURLINK_SLIDER_CRANK ||
+             at->link[4].origin.x > 0.01 * m->design.link[2].length) &&
+            (m->design.kind != FOURLINK_INVERTED_SLIDER_CRANK || has_own_slide ||
+             at->slide > 0.01 * m->design.link[2].length))
+            return 1;
+    }
+    return 0;
+}
+
+/* The deck in the axes of the page, with the ground turned as on it, and the same by pins.  With lengths of very
+** different sizes the places have too few digits for the shortest. */
+static int draw_pins(deck_lines *d)
+{
+    static const double turns[] = {0, 37 * PI / 180, -120 * PI / 180, PI};
+    static const key_code lengths[] = {KEY_CRANK_LENGTH,  KEY_CRANK_STROKE, KEY_COUPLER_LENGTH,
+                                       KEY_ROCKER_LENGTH, KEY_ROD_LENGTH,   KEY_GROUND_LENGTH,
+                                       KEY_GROUND_OFFSET, KEY_GROUND_ANGLE};
+    fourlink_results *r;
+    fourlink_vector tip = {0, 0};
+    fourlink_problem problem;
+    const fourlink_link *link;
+    fourlink_state drawn;
+    char value[100];
+    int i, k, has_own_slide, is_line;
+
+    write_lines(&base, base_text, sizeof base_text);
+    r = is_task(d) ? NULL : opened(base_text, NULL);
+    if (!r)
+        return 0;
+    problem = problem_of(r);
+    fourlink_results_free(r);
+    link = problem.mechanism.design.link;
+    has_own_slide = kind == FOURLINK_INVERTED_SLIDER_CRANK && !(link[4].length > 0);
+    if (!find_drawn(&problem.mechanism, has_own_slide, &drawn))
+        return 0;
+    drawn_size = fmax(fmax(link[1].length, link[2].length), fmax(link[3].length, link[4].length));
+    drawn_size = fmax(drawn_size, fabs(problem.mechanism.design.offset));
+    turned = seldom(0.5) ? turns[one_of(4)] : between(-PI, PI);
+    moved.x = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
+    moved.y = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
+    snprintf(value, sizeof value, "%.17g rad", turned);
+    set_line(&base, KEY_GROUND_ANGLE, value);
+    set_line(&base, KEY_TABLE_BRANCH, fourlink_branch_text(drawn_branch));
+    *d = base;
+    for (i = 0; i < d->n; i++)
+        for (k = 0; k < (int)(sizeof lengths / sizeof *lengths); k++)
+            if (flk_key_table[lengths[k]].section == d->block[i].section)
+                drop_key(&d->block[i], lengths[k]);
+    drop_key(find_block(d, SECTION_TABLE), KEY_TABLE_BRANCH);
+    if (kind == FOURLINK_INVERTED_SLIDER_CRANK && !has_own_slide) {
+        drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_LENGTH);
+        drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_ANGLE);
+    }
+    set_place(d, KEY_PINS_A, on_page(tip));
+    set_place(d, KEY_PINS_B, on_page(drawn.link[3].origin));
+    tip = drawn.link[4].origin;
+    if (kind != FOURLINK_SLIDER_CRANK && kind != FOURLINK_SCOTCH_YOKE) {
+        set_place(d, KEY_PINS_D, on_page(tip));
+        tip.x += link[4].length * drawn.link[4].axis.x;
+        tip.y += link[4].length * drawn.link[4].axis.y;
+    }
+    if (kind != FOURLINK_SCOTCH_YOKE && !has_own_slide)
+        set_place(d, KEY_PINS_C, on_page(tip));
+    is_line = kind == FOURLINK_SCOTCH_YOKE || seldom(0.5);
+    if ((kind == FOURLINK_SLIDER_CRANK || kind == FOURLINK_SCOTCH_YOKE) && is_line)
+        set_guide(d, problem.mechanism.design.offset);
+    else if (kind == FOURLINK_SLIDER_CRANK)
+        set_line(d, KEY_GROUND_ANGLE, value);
+    return 1;
+}
+
+#endif
