@@ -27,7 +27,9 @@
 **            over links are indexed by the link's number.
 **   Frame    Right-handed, fixed to link 1: origin A, x along A->D (four-bar, inverted slider-crank)
 **            or along the line of stroke from the crankshaft to the piston (slider-crank), z out of
-**            the paper.
+**            the paper.  Results by name, and the crank angles given to functions on them, are in the
+**            axes of the deck: with `axes = page` those of a page, in which x of link 1 has a direction
+**            (fourlink_problem).  Structures are always in this frame, theta2 too.
 **   Units    Results by name are in the units of the deck's results, which each value tells; structures
 **            are in SI units and radians.  Angles, angular speeds and torques are positive
 **            counter-clockwise.

@@ -46,6 +46,7 @@ static void make_base(void)
     for (i = 0; i < base.n; i++)
         for (k = 0; k < base.block[i].n; k++)
             write_card_in(&base.block[i].line[k]);
+    set_line(&base, KEY_TOP_AXES, "ground");
     set_line(&base, KEY_TABLE_COLUMNS, "all");
     set_default(&base, KEY_GRAVITY_ACCELERATION, "9.80665 m/s2");
     set_default(&base, KEY_GRAVITY_DIRECTION, "-90 deg");
@@ -54,6 +55,11 @@ static void make_base(void)
 static int is_task(deck_lines *d)
 {
     return find_block(d, SECTION_SYNTHESIS) != NULL;
+}
+
+static int has_pins(deck_lines *d)
+{
+    return find_block(d, SECTION_PINS) != NULL;
 }
 
 /* ---------------------------------------------------------------------------------------------- scales */
@@ -127,6 +133,8 @@ static void turn_number(deck_number *n, const deck_line *line, const void *how)
 /* The ground and gravity turn; all else is in the axes of the ground. */
 static int turn(deck_lines *d)
 {
+    if (has_pins(d))
+        return 0;
     angle = between(-PI, PI);
     set_default(d, KEY_GROUND_ANGLE, "0 deg");
     change_numbers(d, turn_number, NULL);

@@ -94,7 +94,7 @@ static int draw_pins(deck_lines *d)
     int i, k, has_own_slide, is_line;
 
     write_lines(&base, base_text, sizeof base_text);
-    r = is_task(d) ? NULL : opened(base_text, NULL);
+    r = is_task(d) || has_pins(d) ? NULL : opened(base_text, NULL);
     if (!r)
         return 0;
     problem = problem_of(r);
@@ -121,6 +121,7 @@ static int draw_pins(deck_lines *d)
         drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_LENGTH);
         drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_ANGLE);
     }
+    drop_key(find_block(d, SECTION_TOP), KEY_TOP_AXES);
     set_place(d, KEY_PINS_A, on_page(tip));
     set_place(d, KEY_PINS_B, on_page(drawn.link[3].origin));
     tip = drawn.link[4].origin;
@@ -137,6 +138,183 @@ static int draw_pins(deck_lines *d)
     else if (kind == FOURLINK_SLIDER_CRANK)
         set_line(d, KEY_GROUND_ANGLE, value);
     return 1;
+}
+
+/* With places in the axes of link 1. */
+static int draw_in_own_axes(deck_lines *d)
+{
+    int is_drawn = draw_pins(d);
+
+    if (is_drawn)
+        set_line(d, KEY_TOP_AXES, "ground");
+    return is_drawn;
+}
+
+/* --------------------------------------------------------------------------------- in the axes of the page */
+
+static int is_bare_force;
+
+static void add_turn(deck_number *n)
+{
+    unit u;
+    text bad;
+
+    flk_unit_read(flk_text_of(n->unit_name[0] ? n->unit_name : "deg"), &u, &bad);
+    n->value += flk_unit_from_si(turned, u);
+}
+
+static void find_bare(deck_number *n, const deck_line *line, const void *how)
+{
+    (void)line;
+    (void)how;
+    is_bare_force |=
+        n->part == WHOLE && flk_dimension_equal(n->dim, flk_quantities[QUANTITY_FORCE].dim);
+}
+
+static void number_on_page(deck_number *n, const deck_line *line, const void *how)
+{
+    const deck_block *b = how;
+    double x = n->value;
+    int is_force = line->key == KEY_LOAD_FORCE ||
+                   (line->key == KEY_LOAD_BACK && line_of((deck_block *)b, KEY_LOAD_FORCE));
+    int turns =
+        is_force && !is_bare_force && strcmp(value_of(b, KEY_LOAD_FRAME, "ground"), "ground") == 0;
+
+    if (line->key >= KEY_COUNT)
+        return;
+    if (flk_key_table[line->key].form == FORM_CRANK ||
+        (n->part == ARGUMENT && b->section == SECTION_LOAD &&
+         strncmp(value_of(b, KEY_LOAD_OVER, "theta2"), "theta", 5) == 0) ||
+        (turns && n->part == POLAR))
+        add_turn(n);
+    else if (turns && n->part == COMPONENT_X) {
+        n[0].value = cos(turned) * x - sin(turned) * n[1].value;
+        n[1].value = sin(turned) * x + cos(turned) * n[1].value;
+    }
+}
+
+/* The ends of springs on the ground, in the axes of link 1 in one deck and of the page in the other. */
+static void set_ground_ends(deck_lines *d)
+{
+    static const key_code keys[2][2] = {{KEY_SPRING_LINK, KEY_SPRING_AT},
+                                        {KEY_SPRING_TO, KEY_SPRING_TO_AT}};
+    fourlink_results *r = opened(base_text, NULL);
+    fourlink_spring spring;
+    unsigned long n = 0;
+    int i, k;
+
+    for (i = 0; r && i < base.n; i++) {
+        if (base.block[i].section != SECTION_SPRING)
+            continue;
+        fourlink_deck_spring(fourlink_results_deck(r), n++, NULL, &spring);
+        for (k = 0; k < 2; k++) {
+            fourlink_vector at = k ? spring.to_at : spring.at;
+            int j;
+
+            if (!line_of(&base.block[i], keys[k][1]) ||
+                strcmp(value_of(&base.block[i], keys[k][0], ""), "ground") != 0)
+                continue;
+            snprintf(line_of(&base.block[i], keys[k][1])->value, LONG_VALUE, "(%.17g, %.17g) m",
+                     at.x, at.y);
+            at = on_page(at);
+            for (j = 0; j < d->n; j++)
+                if (strcmp(d->block[j].header, base.block[i].header) == 0)
+                    snprintf(line_of(&d->block[j], keys[k][1])->value, LONG_VALUE,
+                             "(%.17g, %.17g) m", at.x, at.y);
+        }
+    }
+    fourlink_results_free(r);
+}
+
+/* By pins, or by lengths on a page whose origin is A. */
+static int put_on_page(deck_lines *d)
+{
+    char value[100];
+    int i, k;
+
+    if (is_task(d) || has_pins(d) || find_line(d, KEY_MOTION_ROWS))
+        return 0;
+    if (!find_line(d, KEY_MOTION_AT))
+        set_default(&base, KEY_MOTION_FROM, "0 deg");
+    for (i = 0; i < base.n; i++) {
+        deck_block *b = &base.block[i];
+
+        if (line_of(b, KEY_LOAD_FROM) && !line_of(b, KEY_LOAD_TO))
+            add_line(b, "to",
+                     find_line(&base, KEY_MOTION_CYCLE) ? find_line(&base, KEY_MOTION_CYCLE)->value
+                                                        : "360 deg");
+        if (line_of(b, KEY_LOAD_TO) && !line_of(b, KEY_LOAD_FROM))
+            add_line(b, "from", "0 deg");
+    }
+    if (seldom(0.5)) {
+        *d = base;
+        if (!draw_pins(d))
+            return 0;
+    } else {
+        turned = between(-PI, PI);
+        moved.x = moved.y = 0;
+        snprintf(value, sizeof value, "%.17g rad", turned);
+        set_line(&base, KEY_GROUND_ANGLE, value);
+        *d = base;
+        set_line(d, KEY_TOP_AXES, "page");
+        write_lines(&base, base_text, sizeof base_text);
+    }
+    set_ground_ends(d);
+    for (i = 0; i < d->n; i++)
+        for (k = 0; k < d->block[i].n; k++) {
+            deck_line *line = &d->block[i].line[k];
+
+            is_bare_force = 0;
+            if (!has_numbers(line) || line->key >= KEY_COUNT ||
+                (d->block[i].section != SECTION_LOAD && d->block[i].section != SECTION_MOTION))
+                continue;
+            change_line(line, find_bare, NULL);
+            change_line(line, number_on_page, &d->block[i]);
+        }
+    return 1;
+}
+
+/* The column of the other component, x or y, of a vector; -1 if a column is none. */
+static int other_component(const columns *c, int j, char own, char other)
+{
+    char name[100];
+    size_t n = strlen(c->list[j].told->name);
+
+    snprintf(name, sizeof name, "%s", c->list[j].told->name);
+    if (n < 2 || name[n - 1] != own || ends_in(name, "_x"))
+        return -1;
+    name[n - 1] = other;
+    return find_column(c, name);
+}
+
+static int is_direction(const char *name)
+{
+    return is_one_of(name, " theta2 theta3 theta4 ") || ends_in(name, "_dir");
+}
+
+/* A row of the page in the axes of link 1, in the units of its columns. */
+static void turn_row(const columns *c, double *row)
+{
+    int j, k;
+
+    for (j = 0; j < c->n; j++) {
+        const fourlink_value *told = c->list[j].told;
+        double x = row[j], y, origin_x = 0, origin_y = 0;
+
+        if (is_direction(told->name))
+            row[j] -= turned / told->to_si;
+        k = other_component(c, j, 'x', 'y');
+        if (k < 0)
+            continue;
+        if (c->list[j].q == QUANTITY_LENGTH) {
+            origin_x = moved.x / told->to_si;
+            origin_y = moved.y / told->to_si;
+        }
+        x -= origin_x;
+        y = row[k] - origin_y;
+        row[j] = cos(turned) * x + sin(turned) * y;
+        row[k] = cos(turned) * y - sin(turned) * x;
+    }
 }
 
 #endif

@@ -528,9 +528,9 @@ static void make_drawn(void)
 {
     static const char *const others[] = {
         "C = (110, 90) mm\nD = (120, 10) mm\n[coupler]\nmass = 0.5 kg\nuniform = yes\n",
-        "C = (180, 20) mm\nguide = (0, 10), (200, 21) mm\n[piston]\nmass = 0.5 kg\n",
+        "C = (180, 20) mm\nguide = (0, 10) mm, (200, 21) mm\n[piston]\nmass = 0.5 kg\n",
         "D = (-60, 90) mm\nC = (-80, 130) mm\n[lever]\nmass = 0.5 kg\ncg = 20 mm\n",
-        "guide = (0, 10), (200, -30) mm\n[yoke]\nmass = 0.5 kg\ncg = 20 mm\n"};
+        "guide = (0, 10) mm, (200, -30) mm\n[yoke]\nmass = 0.5 kg\ncg = 20 mm\n"};
     int one = one_of(4);
 
     length = 0;
@@ -589,7 +589,10 @@ static const struct {
      {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"},
      NULL,
      SECTION_TOP},
-    {"--at", {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg", "drawn"}, NULL, SECTION_TOP},
+    {"--at",
+     {"30 deg", "45 deg,200 deg", "omega2 = 5 rad/s", "-10 deg", "drawn"},
+     NULL,
+     SECTION_TOP},
     {"--summary", {""}, NULL, SECTION_TOP},
     {"--matrix", {""}, NULL, SECTION_TOP},
     {"--list", {""}, NULL, SECTION_TOP},

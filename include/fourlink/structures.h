@@ -451,6 +451,8 @@ typedef struct fourlink_motion {
     double
         acceleration; /* rad/s2, constant over the range: omega2^2 = speed^2 + 2 acceleration s */
     int hold;         /* 1: every row has this speed and acceleration */
+    double x_at; /* rad, the crank angle at which the crank is along x of link 1, where theta2 is
+                         0; another than 0 if angles are from the horizontal of a page */
 } fourlink_motion;
 
 /* The rows of a motion. */
@@ -547,6 +549,9 @@ typedef struct fourlink_problem {
     int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
     fourlink_abscissa over; /* what its rows go over */
+    int axes_on_page;       /* 1: results by name are in the axes of a page, structures never; */
+    fourlink_vector A;      /* m, the place of A there */
+    double x_angle;         /* rad, and the direction of x of link 1; else 0 */
     int has_drawn;          /* 1: the deck has [pins] */
     double drawn;           /* the crank angle as drawn, in the deck's unit */
     int drawn_branch;       /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the drawing does not tell it */

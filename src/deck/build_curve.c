@@ -12,6 +12,8 @@
 #include "build_curve.h"
 #include "parser.h"
 
+const deck_axes flk_ground_axes = {0, {0, 0}, 0, 1, 0, {0, 0}};
+
 /* rad; angles closer than this are equal */
 #define LEAST_STEP 1e-9
 
@@ -76,9 +78,11 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
     return 0;
 }
 
-void flk_build_curves(parser *p, const setting *s, int n_components, int over, curve *results)
+void flk_build_curves(parser *p, const setting *s, int n_components, int over,
+                      const deck_axes *axes, curve *results)
 {
     double period = period_of(p, over), *memory;
+    double shift = period > 0 ? axes->angle : 0;
     size_t n = check_curve(p, s, over, period), i;
     int k;
 
@@ -88,8 +92,12 @@ void flk_build_curves(parser *p, const setting *s, int n_components, int over, c
             return;
         flk_curve_place(memory, n, &results[k]);
         for (i = 0; i < n; i++) {
-            results[k].x[i] = s->curve[i].x;
-            results[k].y[i] = s->curve[i].y[k];
+            const double *y = s->curve[i].y;
+
+            results[k].x[i] = s->curve[i].x - shift;
+            results[k].y[i] = n_components < 2 ? y[0]
+                              : k == 0         ? axes->cosine * y[0] + axes->sine * y[1]
+                                               : axes->cosine * y[1] - axes->sine * y[0];
         }
         flk_curve_finish(period, &results[k]);
     }

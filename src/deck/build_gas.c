@@ -50,6 +50,6 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    flk_build_curves(p, card, 1, FLK_THETA2, &gas->indicator);
+    flk_build_curves(p, card, 1, FLK_THETA2, &flk_ground_axes, &gas->indicator);
     flk_element_of_gas(gas, p->d->machine.mechanism.design.kind, element);
 }

@@ -25,6 +25,8 @@ static void build_window(parser *p, const section_use *use, flk_given_load *give
     given->is_windowed = 1;
     given->window[0] = flk_setting_crank_angle(p, from); /* 0 if not given */
     given->window[1] = IS_SET(to) ? flk_setting_crank_angle(p, to) : p->d->machine.cycle;
+    given->window[0] -= p->d->axes.angle;
+    given->window[1] -= p->d->axes.angle;
     if (use->is_mistaken)
         return;
     if (given->window[1] <= given->window[0])
@@ -49,6 +51,30 @@ static int over_of(const section_use *use)
     return flk_setting_of(use, KEY_LOAD_OVER)->word;
 }
 
+/* The axes of the components of a force: those of the deck, unless it turns with its link or is along the line
+** of stroke. */
+static deck_axes axes_of_force(const parser *p, const section_use *use, const setting *force)
+{
+    deck_axes axes = p->d->axes;
+
+    if (force->is_bare || flk_setting_of(use, KEY_LOAD_FRAME)->word == FOURLINK_FRAME_LINK) {
+        axes.cosine = 1;
+        axes.sine = 0;
+    }
+    return axes;
+}
+
+/* Take a force, or its curves. */
+static void take_force(parser *p, const section_use *use, const setting *force,
+                       fourlink_vector *value, curve *curves)
+{
+    deck_axes axes = axes_of_force(p, use, force);
+
+    value->x = axes.cosine * force->si[0] + axes.sine * force->si[1];
+    value->y = axes.cosine * force->si[1] - axes.sine * force->si[0];
+    flk_build_curves(p, force, 2, over_of(use), &axes, curves);
+}
+
 /* Build the force of a load, and check its point. */
 static void build_force(parser *p, const section_use *use, flk_given_load *given)
 {
@@ -68,9 +94,7 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
-    given->values.force.x = force->si[0];
-    given->values.force.y = force->si[1];
-    flk_build_curves(p, force, 2, over_of(use), given->values.force_curve);
+    take_force(p, use, force, &given->values.force, given->values.force_curve);
 }
 
 /* Refuse an argument that the mechanism does not have. */
@@ -101,12 +125,10 @@ static void build_back(parser *p, const section_use *use, flk_given_load *given)
         flk_mistake(p->mistakes, back->place,
                     "'back' of a force or of a torque? give them in two loads");
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
-        given->back.force.x = back->si[0];
-        given->back.force.y = back->si[1];
-        flk_build_curves(p, back, 2, over_of(use), given->back.force_curve);
+        take_force(p, use, back, &given->back.force, given->back.force_curve);
     } else {
         given->back.torque = back->si[0];
-        flk_build_curves(p, back, 1, over_of(use), &given->back.torque_curve);
+        flk_build_curves(p, back, 1, over_of(use), &p->d->axes, &given->back.torque_curve);
     }
 }
 
@@ -173,7 +195,7 @@ static void build_load(parser *p, const section_use *use, flk_given_load *given)
     build_force(p, use, given);
     flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), given->load.link, &given->load.at);
     given->values.torque = torque->si[0];
-    flk_build_curves(p, torque, 1, over_of(use), &given->values.torque_curve);
+    flk_build_curves(p, torque, 1, over_of(use), &p->d->axes, &given->values.torque_curve);
     build_window(p, use, given);
     build_law(p, use, given);
 }

@@ -191,6 +191,8 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
 
     at->x = s->si[0] * (s->of_length ? length : 1);
     at->y = s->si[1] * (s->of_length ? length : 1);
+    if (link == FOURLINK_GROUND && !s->of_length && !flk_text_equal(s->value, "origin"))
+        *at = flk_build_on_ground(p, *at);
     if (s->of_centre && link) {
         at->x += p->d->machine.mechanism.design.link[link].cg.x;
         at->y += p->d->machine.mechanism.design.link[link].cg.y;
@@ -465,12 +467,46 @@ static void check_reach(parser *p, const flk_kind *kind)
     }
 }
 
+/* The axes of directions and places: those of the page by default where the pins have places there. */
+static void build_axes(parser *p, double inclination)
+{
+    deck_axes *axes = &p->d->axes;
+    int word = flk_setting_find(p, KEY_TOP_AXES)->word;
+
+    memset(axes, 0, sizeof *axes);
+    axes->cosine = 1;
+    axes->is_page = word ? word == AXES_PAGE : p->d->pins.is_there;
+    if (!axes->is_page)
+        return;
+    axes->A = p->d->pins.A;
+    axes->angle = inclination;
+    flk_vector_direction(inclination, &axes->cosine, &axes->sine);
+}
+
+/* From the axes of the deck to those of link 1. */
+fourlink_vector flk_build_direction(const parser *p, fourlink_vector u)
+{
+    const deck_axes *axes = &p->d->axes;
+    fourlink_vector v;
+
+    v.x = axes->cosine * u.x + axes->sine * u.y;
+    v.y = axes->cosine * u.y - axes->sine * u.x;
+    return v;
+}
+
+fourlink_vector flk_build_on_ground(const parser *p, fourlink_vector place)
+{
+    place.x -= p->d->axes.A.x;
+    place.y -= p->d->axes.A.y;
+    return flk_build_direction(p, place);
+}
+
 void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->machine.mechanism.design;
     const flk_kind *kind = flk_kind_of(design->kind);
     const section_use *use;
-    double direction, g;
+    double direction, inclination, g;
     int i;
 
     flk_pins_read(p);
@@ -481,12 +517,19 @@ void flk_build_mechanism(parser *p)
                    i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
-    p->d->ground_angle =
-        p->d->pins.is_there ? p->d->pins.angle : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
-    direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - p->d->ground_angle;
+    inclination = p->d->pins.is_there ? p->d->pins.angle : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    build_axes(p, inclination);
+    direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - inclination;
     flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);
     design->gravity.x *= g;
     design->gravity.y *= g;
+    p->d->axes.gravity = design->gravity;
+    if (p->d->axes.is_page) {
+        direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2);
+        flk_vector_direction(direction, &p->d->axes.gravity.x, &p->d->axes.gravity.y);
+        p->d->axes.gravity.x *= g;
+        p->d->axes.gravity.y *= g;
+    }
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         if (design->link[i].mass > 0 || design->link[i].inertia > 0)
             p->d->has_forces = 1;

@@ -261,6 +261,7 @@ void flk_build_motion(parser *p)
     check_mode_of_motion(p, p->d->mode.kind);
     build_rows_by_time(p);
     motion->angle_unit = u->up / u->down;
+    motion->x_at = p->d->axes.angle;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
     motion->hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;

@@ -85,6 +85,18 @@ void fourlink_deck_free(fourlink_deck *d)
     free(d);
 }
 
+double flk_deck_direction(const deck *d, double angle)
+{
+    double x = angle + d->axes.angle;
+
+    return x > M_PI ? x - 2 * M_PI : x > -M_PI ? x : x + 2 * M_PI;
+}
+
+double flk_deck_drawn(const deck *d)
+{
+    return flk_deck_direction(d, d->pins.theta2);
+}
+
 const fourlink_abscissa flk_abscissas[2] = {
     {"theta2", "\316\270\342\202\202", "angle", "angle", "the crank angle", "interval", 1, "rad", 0,
      0, 0},
@@ -147,10 +159,13 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
+    problem->axes_on_page = d->axes.is_page;
+    problem->A = d->axes.A;
+    problem->x_angle = d->axes.angle;
     problem->has_drawn = d->pins.is_there;
     problem->drawn_branch = d->pins.branch;
     if (problem->has_drawn)
-        problem->drawn = flk_unit_from_si(d->pins.theta2, d->units[QUANTITY_ANGLE].unit);
+        problem->drawn = flk_unit_from_si(flk_deck_drawn(d), d->units[QUANTITY_ANGLE].unit);
     return FOURLINK_OK;
 }
 

@@ -48,6 +48,18 @@ typedef struct deck_pins {
     int branch;  /* as drawn; 0: not determined */
 } deck_pins;
 
+enum { AXES_GROUND = 1, AXES_PAGE = 2 };
+
+/* The axes of directions and places on the ground: those of link 1, or those of the page.  In them link 1 has its
+** origin A at a place, and its x axis at an angle, here with cosine and sine. */
+typedef struct deck_axes {
+    int is_page;
+    fourlink_vector A; /* m */
+    double angle;      /* rad; of the axes of link 1 all is 0, and the cosine 1 */
+    double cosine, sine;
+    fourlink_vector gravity; /* m/s2, in these axes */
+} deck_axes;
+
 #define DECK_POINT_COLUMNS 8
 
 /* A tracer point. */
@@ -133,7 +145,7 @@ typedef struct fourlink_deck deck;
 struct fourlink_deck {
     char title[256];
     deck_pins pins;
-    double ground_angle;    /* rad, direction of x of link 1 from the horizontal */
+    deck_axes axes;
     flk_machine machine;    /* the mechanism with its design, elements, friction, motor */
     fourlink_motion motion; /* angles in the deck's unit of angle */
     int one_instant;        /* 1: motion.at */
@@ -194,6 +206,12 @@ extern const fourlink_abscissa flk_abscissas[2];
 /* The rows of a deck: the crank angles of its motion, as from fourlink_motion_range, with the number of the
 ** rows; what they go over. */
 int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over);
+
+/* The crank angle as drawn, rad, in the axes of the deck: (-pi, pi]. */
+double flk_deck_drawn(const deck *d);
+
+/* A direction in the axes of link 1 in those of the deck, rad: (-pi, pi]. */
+double flk_deck_direction(const deck *d, double angle);
 
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_deck_keep(deck *d, size_t size);

@@ -31,6 +31,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_SERIES, "none", FOURLINK_EXACT)                                     \
     X(TOP_SERIES, "piston", FOURLINK_SERIES_PISTON)                           \
     X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)                                 \
+    X(TOP_AXES, "ground", AXES_GROUND)                                        \
+    X(TOP_AXES, "page", AXES_PAGE)                                            \
     X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                                    \
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
     YES_WORDS(X, MOTION_HOLD)                                                 \

@@ -104,6 +104,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK,                             \
       "the approximation of the piston")                                                           \
     X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND, "how the forces are computed")           \
+    X(TOP, AXES, "axes", WORD, NUMBER, ANY, ANY_KIND, "the axes of directions and places")         \
     X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND, A_UNIT)                                \
     X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND, A_UNIT)                                   \
     X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND, A_UNIT)                                      \

@@ -99,7 +99,7 @@ double flk_setting_or(parser *p, key_code key, double otherwise)
 
 double flk_setting_crank_angle(const parser *p, const setting *s)
 {
-    return IS_DRAWN(s) ? p->d->pins.theta2 : s->si[0];
+    return IS_DRAWN(s) ? flk_deck_drawn(p->d) : s->si[0];
 }
 
 double flk_setting_in_unit(parser *p, const setting *s, quantity q)

@@ -45,7 +45,7 @@ const setting *flk_setting_by_name(parser *p, section_code section, const char *
 double flk_setting_or(parser *p, key_code key, double otherwise);
 double flk_setting_in_unit(parser *p, const setting *s, quantity q);
 
-/* The crank angle of a setting of such a key, rad. */
+/* The crank angle of a setting of such a key, rad, in the axes of the deck. */
 double flk_setting_crank_angle(const parser *p, const setting *s);
 
 /* Set a key in a section, once. */

@@ -43,6 +43,9 @@
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
 
+/* theta2, rad, at a crank angle of a motion in its unit. */
+double flk_motion_theta2(const fourlink_motion *motion, double angle);
+
 /* How many intervals the range of a motion has, also where an unsigned long has no room for so many rows
 ** (motion.c).  Beyond the most a row number is not exact in floating point. */
 #define FLK_MOTION_MOST 1e15

@@ -127,6 +127,11 @@ static void accelerate_crank(double speed, double acceleration, double s, fourli
     row->time = speed + omega2 != 0 ? 2 * s / (speed + omega2) : 0;
 }
 
+double flk_motion_theta2(const fourlink_motion *motion, double angle)
+{
+    return angle * motion->angle_unit - motion->x_at;
+}
+
 int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row)
 {
     fourlink_row at;
@@ -137,7 +142,7 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
     if (motion->run_up > 0 && motion->acceleration == 0)
         return FOURLINK_NO_RUN_UP;
     at.angle = at.place = angle;
-    at.crank.theta2 = angle * motion->angle_unit;
+    at.crank.theta2 = flk_motion_theta2(motion, angle);
     s = (angle - motion->from) * motion->angle_unit;
     if (motion->run_up > 0) {
         end = direction(motion) * motion->run_up * motion->angle_unit;

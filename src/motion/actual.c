@@ -217,7 +217,7 @@ flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *act
         p->corners = corners;
         p->equation.machine = d->machine;
         p->equation.acting = acting;
-        p->equation.from = motion->from * motion->angle_unit;
+        p->equation.from = flk_motion_theta2(motion, motion->from);
         p->equation.sense = end < motion->from ? -1 : 1;
     }
     return m;
@@ -267,7 +267,7 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
 
     memset(row, 0, sizeof *row);
     row->angle = angle;
-    row->crank.theta2 = angle * motion->angle_unit;
+    row->crank.theta2 = flk_motion_theta2(motion, angle);
     if (p->swings)
         return flk_path_at(p, s, row);
     if (m->d->mode.kind == MODE_STEADY && status == FOURLINK_OK) {
@@ -279,7 +279,7 @@ int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actua
     }
     status = flk_path_at(p, s, row);
     row->time += turns != 0 ? turns * flk_path_end(p)->t : 0;
-    row->crank.theta2 = angle * motion->angle_unit;
+    row->crank.theta2 = flk_motion_theta2(motion, angle);
     return status;
 }
 
@@ -297,7 +297,7 @@ int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_a
     if (status == FOURLINK_OK)
         status = flk_path_at_time(p, time, row);
     if (status == FOURLINK_OK)
-        row->angle = row->crank.theta2 / m->d->motion.angle_unit;
+        row->angle = (row->crank.theta2 + m->d->motion.x_at) / m->d->motion.angle_unit;
     return status;
 }
 

@@ -118,7 +118,7 @@ static void find_direction(const flk_pieces *x, int has_loads, flk_direction *p)
 
     p->corners = x->course->corners;
     p->branch = x->branch;
-    p->from = motion->from * motion->angle_unit;
+    p->from = flk_motion_theta2(motion, motion->from);
     p->sense = x->rate < 0 ? -1 : 1;
     p->has_loads = has_loads;
 }

@@ -144,6 +144,8 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch)
     const labels_motion *m = p->on.motion;
 
     sketch_open(s, &p->on, &p->v.units[QUANTITY_LENGTH], size_of(p, branch));
+    if (p->v.problem.axes_on_page && !p->on.is_bare)
+        sketch_place(s, p->v.problem.A);
     if (p->v.kind.slotted)
         s->block = GSL_MIN_DBL(FIGURE_BLOCK * s->size,
                                OF_CRANK * p->v.design->link[FOURLINK_CRANK].length);
@@ -350,16 +352,19 @@ static void put_angle(sketch *s, const picture *p, fourlink_vector at, int link,
 {
     picture_number x;
     char words[40];
-    double half = angle / 2;
+    double from = p->v.problem.axes_on_page ? -p->v.problem.x_angle : 0, half;
 
+    angle = view_direction(&p->v, angle);
+    half = from + angle / 2;
     picture_angle(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, &x);
     sketch_show(s, SKETCH_ANGLE, (unsigned long)link);
     sketch_value(s, flk_text_join(words, sizeof words, name, " = ", (char *)NULL), x.value, x.unit);
     if (s->c->motion && link != FOURLINK_CRANK)
         return;
     radius *= s->size;
-    sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
-    sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
+    sketch_line(s, PEN_CONSTRUCTION, at, place_polar(at, 1.5 * radius, from));
+    sketch_arc(s, PEN_CONSTRUCTION, at, radius, from + GSL_MIN_DBL(angle, 0),
+               from + GSL_MAX_DBL(angle, 0));
     if (s->c->motion)
         sketch_text_around(s, at, radius, half, name);
     else
@@ -437,7 +442,7 @@ void figure_slope(sketch *s, const picture *p)
     char mark[PICTURE_MARK];
 
     sketch_show(s, SKETCH_SLOPE, 0);
-    if (p->on.turn != 0)
+    if (p->on.turn != 0 && !p->v.problem.axes_on_page)
         sketch_note(s, "x rises at %s", figure_angle(p, p->on.turn, 4, mark));
 }
 
@@ -461,7 +466,7 @@ void figure_gravity(sketch *s, const picture *p)
     sketch_turn(s, 1);
     if (p->on.turn == 0)
         return;
-    axis = place_at(0.2 * s->size, 0);
+    axis = place_polar(place_at(0, 0), 0.2 * s->size, p->v.problem.axes_on_page ? -p->on.turn : 0);
     sketch_arrow(s, PEN_CONSTRUCTION, place_at(0, 0), axis);
     sketch_text(s, axis, 1, 0, "x");
 }

@@ -46,7 +46,8 @@ static int put_position(sketch *s, const picture *p, fourlink_branch branch, dou
     sketch_pin(s, pins.A, "A");
     sketch_pin(s, pins.B, "B");
     sketch_pin(s, pins.C, "C");
-    figure_letter(s, pins.B, pins.A, pins.A, figure_angle(p, theta2, 4, mark));
+    figure_letter(s, pins.B, pins.A, pins.A,
+                  figure_angle(p, view_direction(&p->v, theta2), 4, mark));
     return 1;
 }
 
@@ -62,8 +63,9 @@ static void put_limit(sketch *s, const picture *p, const char *name, double angl
 {
     char mark[PICTURE_MARK], crank[PICTURE_MARK];
 
-    sketch_note(s, "%s = %s at " FIGURE_THETA SUB_2 " = %s", name, figure_angle(p, angle, 5, mark),
-                figure_angle(p, at, 5, crank));
+    sketch_note(s, "%s = %s at " FIGURE_THETA SUB_2 " = %s", name,
+                figure_angle(p, view_direction(&p->v, angle), 5, mark),
+                figure_angle(p, view_direction(&p->v, at), 5, crank));
 }
 
 /* Draw both limits of rocker or lever, and the angle between them. */
@@ -106,8 +108,8 @@ static void put_stroke(sketch *s, const picture *p, fourlink_branch branch,
     sketch_arrow(s, PEN_RESULT, middle, outer);
     sketch_text(s, middle, 0, -1, "stroke");
     figure_note(s, p, "stroke", limits->stroke, QUANTITY_LENGTH);
-    put_angle(s, p, "inner dead centre", limits->inner);
-    put_angle(s, p, "outer dead centre", limits->outer);
+    put_angle(s, p, "inner dead centre", view_direction(&p->v, limits->inner));
+    put_angle(s, p, "outer dead centre", view_direction(&p->v, limits->outer));
 }
 
 /* Draw the dead positions, between which the crank swings. */
@@ -120,8 +122,8 @@ static void put_dead(sketch *s, const picture *p, fourlink_branch branch,
     for (i = 0; i < reach->n_ranges; i++) {
         put_position(s, p, branch, reach->from[i] + INSIDE, &state);
         put_position(s, p, branch, reach->to[i] - INSIDE, &state);
-        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->from[i]);
-        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, reach->to[i]);
+        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, view_direction(&p->v, reach->from[i]));
+        put_angle(s, p, "dead at " FIGURE_THETA SUB_2, view_direction(&p->v, reach->to[i]));
     }
 }
 
@@ -185,13 +187,16 @@ static void put_centre(sketch *s, const picture *p, const char *name, fourlink_v
 {
     char own[NOTATION_SIZE];
     double far = gsl_hypot(I.x, I.y);
+    fourlink_vector on_page;
 
     if (!(far <= 1e6 * s->size)) {
         sketch_note(s, "%s at infinity", name);
         return;
     }
-    sketch_note(s, "%s = (%.5g, %.5g) %s", name, view_value(&p->v, QUANTITY_LENGTH, I.x),
-                view_value(&p->v, QUANTITY_LENGTH, I.y), canvas_unit(&p->on, s->unit->name, own));
+    on_page = view_place(&p->v, I);
+    sketch_note(s, "%s = (%.5g, %.5g) %s", name, view_value(&p->v, QUANTITY_LENGTH, on_page.x),
+                view_value(&p->v, QUANTITY_LENGTH, on_page.y),
+                canvas_unit(&p->on, s->unit->name, own));
     if (far > FAR * s->size)
         return;
     sketch_line(s, PEN_CONSTRUCTION, first, I);

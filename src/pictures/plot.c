@@ -145,6 +145,7 @@ static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *
 static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
 {
     fourlink_reach reach;
+    double turn;
     int i, status = FOURLINK_OK, is_over_angle = p->v.problem.over.is_crank_angle;
 
     for (i = 0; i < p->v.n_branches; i++) {
@@ -159,12 +160,15 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
                     ? reach.n_ranges ? "the links reach" : fourlink_status_text(status)
                 : is_over_angle ? "the motion goes"
                                 : "the crank does not pass it");
+    for (i = 0; i < reach.n_ranges && status != FOURLINK_NO_SUCH_ANGLE; i++) {
+        turn = view_turn_of_range(&p->v, reach.from[i], reach.to[i]);
+        add_range(p, message, i ? ", and" : "",
+                  view_value(&p->v, QUANTITY_ANGLE, reach.from[i] + turn),
+                  view_value(&p->v, QUANTITY_ANGLE, reach.to[i] + turn));
+    }
     if (status != FOURLINK_NO_SUCH_ANGLE)
-        for (i = 0; i < reach.n_ranges; i++)
-            add_range(p, message, i ? ", and" : "",
-                      view_value(&p->v, QUANTITY_ANGLE, reach.from[i]),
-                      view_value(&p->v, QUANTITY_ANGLE, reach.to[i]));
-    else if (is_over_angle)
+        return 0;
+    if (is_over_angle)
         add_range(p, message, "", p->v.problem.over.first, p->v.end);
     return 0;
 }

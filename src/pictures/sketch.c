@@ -31,7 +31,8 @@ static fourlink_vector turned(const sketch *s, fourlink_vector p)
 {
     double x = p.x - s->held.x, y = p.y - s->held.y;
 
-    return place_at(s->cosine * x - s->sine * y, s->sine * x + s->cosine * y);
+    return place_at(s->cosine * x - s->sine * y + s->shift.x,
+                    s->sine * x + s->cosine * y + s->shift.y);
 }
 
 /* Keys: what, its number, 1,024 parts, and 256 pieces of a part that the window cuts. */
@@ -86,6 +87,13 @@ void sketch_turn(sketch *s, int is_turned)
 {
     s->cosine = is_turned ? cos(s->c->turn) : 1;
     s->sine = is_turned ? sin(s->c->turn) : 0;
+    s->shift = is_turned ? s->place : place_at(0, 0);
+}
+
+void sketch_place(sketch *s, fourlink_vector place)
+{
+    s->place = place;
+    sketch_turn(s, 1);
 }
 
 void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
@@ -98,7 +106,7 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     s->size = size;
     s->letter = LETTER;
     s->block = 0;
-    s->held = place_at(0, 0);
+    s->held = s->place = place_at(0, 0);
     s->n_notes = s->n_entries = s->texts.n = s->texts.n_obstacles = 0;
     s->scale.length = 0;
     s->shrink = 1;
@@ -299,8 +307,8 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
     include(s, at);
     new->key = key;
     new->at = at;
-    new->dx = side.x;
-    new->dy = side.y;
+    new->dx = side.x - s->shift.x;
+    new->dy = side.y - s->shift.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     new->is_close = new->has_leader = new->is_hidden = 0;

@@ -75,6 +75,8 @@ typedef struct sketch {
     fourlink_vector held;      /* the place that is its origin */
     unsigned long subject;     /* of what is drawn now: the key of its first part, */
     unsigned long part;        /* and of the next */
+    fourlink_vector place;     /* of that in the axes of the drawing */
+    fourlink_vector shift;     /* the same, or 0 for what is not turned */
     int n_notes;
     sketch_line_beside notes[SKETCH_NOTES];
     labels texts;
@@ -89,6 +91,9 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
+
+/* Place the origin. */
+void sketch_place(sketch *s, fourlink_vector place);
 
 /* Let this place be where the origin is, at each position of a motion. */
 void sketch_hold(sketch *s, fourlink_vector at);

@@ -28,12 +28,12 @@ typedef struct diagram {
     room r;
 } diagram;
 
-/* The crank angle in rad at an angle of the diagram. */
+/* theta2 in rad at an angle of the diagram. */
 static double theta2_at(const diagram *d, double angle)
 {
     double si = view_si(&d->p->v, QUANTITY_ANGLE, angle);
 
-    return d->sense > 0 ? si : d->p->v.problem.cycle - si;
+    return (d->sense > 0 ? si : d->p->v.problem.cycle - si) - d->p->v.problem.motion.x_at;
 }
 
 static double moment_at(const diagram *d, double angle)

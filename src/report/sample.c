@@ -47,6 +47,15 @@ void report_put_sample(report *r)
                "positive counter-clockwise.  Numbers are computed with 16 digits and printed with "
                "%d, angles with four decimals.</p>\n",
                r->at, fourlink_branch_text((int)r->now.branch), MATH_DIGITS);
+    if (r->v.problem.axes_on_page)
+        page_print(p,
+                   "<p>These equations are in the axes of link 1. Its x axis is at %.9g%U on the "
+                   "page, and "
+                   "\316\270\342\202\202 there is %.9g%U.</p>\n",
+                   view_value(&r->v, QUANTITY_ANGLE, r->v.problem.x_angle),
+                   r->v.units[QUANTITY_ANGLE].name,
+                   view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
+                   r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
     if (r->v.problem.has_forces)
         sample_put_forces(r, &m);

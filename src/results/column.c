@@ -284,9 +284,28 @@ int flk_column_has_vector(const flk_column *c)
 
 void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
 {
+    fourlink_vector u;
+
     *x = *y = GSL_NAN;
-    if (row->at.status == FOURLINK_OK)
-        c->source->vector(c, row, x, y);
+    if (row->at.status != FOURLINK_OK)
+        return;
+    c->source->vector(c, row, x, y);
+    u.x = *x;
+    u.y = *y;
+    flk_column_turn(c->d, &u);
+    *x = u.x;
+    *y = u.y;
+}
+
+void flk_column_turn(const deck *d, fourlink_vector *u)
+{
+    const deck_axes *axes = &d->axes;
+    double x = u->x;
+
+    if (!axes->is_page)
+        return;
+    u->x = axes->cosine * x - axes->sine * u->y;
+    u->y = axes->sine * x + axes->cosine * u->y;
 }
 
 void flk_column_values(const flk_column *list, size_t n, const flk_row *row, double *values)

@@ -75,6 +75,9 @@ void flk_column_values(const flk_column *list, size_t n, const flk_row *row, dou
 /* 1 if a column depends on positions, velocities and accelerations alone: loads have no corners in it. */
 int flk_column_is_of_motion(const flk_column *c);
 
+/* Turn a vector from the axes of link 1 to those of the deck. */
+void flk_column_turn(const deck *d, fourlink_vector *u);
+
 /* 1 if a column is the size or the direction of a vector; the vector itself, in SI units. */
 int flk_column_has_vector(const flk_column *c);
 void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);

@@ -13,13 +13,19 @@
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
-    VALUE,           /* the first */
-    POLAR_SIZE,      /* the first, the size of a vector; the second is its direction */
-    POLAR_DIRECTION, /* the first, the direction of a vector; the second is its size */
-    SIZE,            /* resultant of two components */
-    DIRECTION,       /* their direction */
-    PRODUCT,         /* of two */
-    DIFFERENCE       /* of two */
+    VALUE,                   /* the first */
+    POLAR_SIZE,              /* the first, the size of a vector; the second is its direction */
+    POLAR_DIRECTION,         /* the first, the direction of a vector; the second is its size */
+    SIZE,                    /* resultant of two components */
+    DIRECTION,               /* their direction */
+    PRODUCT,                 /* of two */
+    DIFFERENCE,              /* of two */
+    ON_PAGE,                 /* below: in the axes of the deck; in those of link 1 the first */
+    ANGLE_OF_LINK = ON_PAGE, /* an angle from x of link 1 */
+    VECTOR_X,                /* a component of a vector; the second is the other one */
+    VECTOR_Y,
+    PLACE_X, /* of a place */
+    PLACE_Y
 } column_form;
 
 /* Traits, besides FOURLINK_OF_CRANK, FOURLINK_CRANK_ANGLE, FOURLINK_OF_ROUNDING and FOURLINK_FRICTIONLESS. */
@@ -75,6 +81,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define OF_TIME NEED_TIME, FOURLINK_OF_CRANK, NULL, VALUE, ROW(time), 0
 #define OF_STATE(member) 0, 0, NULL, VALUE, STATE(member), 0
 #define OF_ANGLE(member) NEED_ANGLES, 0, NULL, VALUE, STATE(member), 0
+#define OF_LINK_ANGLE(member) NEED_ANGLES, 0, NULL, ANGLE_OF_LINK, STATE(member), 0
+#define X_OF(F) NEED_FORCES, 0, NULL, VECTOR_X, FORCE(F##x), FORCE(F##y)
+#define Y_OF(F) NEED_FORCES, 0, NULL, VECTOR_Y, FORCE(F##y), FORCE(F##x)
 #define OF_FORCES(member) NEED_FORCES, 0, NULL, VALUE, FORCE(member), 0
 #define OF_RESIDUAL NEED_FORCES, FOURLINK_OF_ROUNDING, NULL, VALUE, FORCE(residual), 0
 #define SIZE_OF(F) NEED_FORCES, 0, NULL, SIZE, FORCE(F##x), FORCE(F##y)
@@ -82,6 +91,10 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(Ts), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_POLES(member, denominator) NEED_DERIVED, 0, denominator, VALUE, DERIVED(member), 0
+#define X_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_X, DERIVED(I.x), DERIVED(I.y)
+#define Y_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_Y, DERIVED(I.y), DERIVED(I.x)
+#define X_OF_SHAKING NEED_DERIVED | NEED_FORCES, 0, NULL, VECTOR_X, DERIVED(Fsx), DERIVED(Fsy)
+#define Y_OF_SHAKING NEED_DERIVED | NEED_FORCES, 0, NULL, VECTOR_Y, DERIVED(Fsy), DERIVED(Fsx)
 #define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, 0, NULL, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_INERTIA(form, x, y) \
@@ -105,9 +118,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     NEED_KLEIN, 0, flk_denominator_klein, VALUE, offsetof(flk_row, klein.member), 0
 
 /* F12x, F12y; the numbers of the unknowns are ME3491's */
-#define COMPONENTS(X, F, kinds, words, nx, ny)                                         \
-    X(F##x, FORCE, kinds | USUAL, OF_FORCES(F##x), words ", x", "X(" #nx ") (ME3491)") \
-    X(F##y, FORCE, kinds | USUAL, OF_FORCES(F##y), words ", y", "X(" #ny ") (ME3491)")
+#define COMPONENTS(X, F, kinds, words, nx, ny)                                 \
+    X(F##x, FORCE, kinds | USUAL, X_OF(F), words ", x", "X(" #nx ") (ME3491)") \
+    X(F##y, FORCE, kinds | USUAL, Y_OF(F), words ", y", "X(" #ny ") (ME3491)")
 
 /* F12, F12_dir */
 #define RESULTANT(X, F, kinds)                                                         \
@@ -162,17 +175,17 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
     X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_CRANK(crank.alpha2),                    \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
-    X(theta3, ANGLE, TURNING | USUAL, OF_ANGLE(link[3].theta),                                     \
+    X(theta3, ANGLE, TURNING | USUAL, OF_LINK_ANGLE(link[3].theta),                                \
       "angle of the coupler, rod or slide", "beta (Alvi), thetab (ME3491)")                        \
     X(omega3, ANGULAR_SPEED, TURNING | USUAL, OF_STATE(link[3].omega),                             \
       "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
     X(alpha3, ANGULAR_ACCELERATION, TURNING | USUAL, OF_STATE(link[3].alpha),                      \
       "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
-    X(theta3, ANGLE, YOKE, OF_ANGLE(link[3].theta), "angle of the slot", "")                       \
+    X(theta3, ANGLE, YOKE, OF_LINK_ANGLE(link[3].theta), "angle of the slot", "")                  \
     X(omega3, ANGULAR_SPEED, YOKE, OF_STATE(link[3].omega), "0: the block does not turn", "")      \
     X(alpha3, ANGULAR_ACCELERATION, YOKE, OF_STATE(link[3].alpha), "0: the block does not turn",   \
       "")                                                                                          \
-    X(theta4, ANGLE, PINNED | USUAL, OF_ANGLE(link[4].theta), "angle of the rocker or lever",      \
+    X(theta4, ANGLE, PINNED | USUAL, OF_LINK_ANGLE(link[4].theta), "angle of the rocker or lever", \
       "phi (Alvi), thetac (ME3491)")                                                               \
     X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
       "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                      \
@@ -216,9 +229,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     RESULTANT(X, F34, ALL)                                                                         \
     RESULTANT(X, F14, PINNED)                                                                      \
     X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                           \
-    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx),                                                            \
+    X(Fsx, FORCE, ALL, X_OF_SHAKING,                                                               \
       "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
-    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy),                                                            \
+    X(Fsy, FORCE, ALL, Y_OF_SHAKING,                                                               \
       "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
     X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
     X(Fs, FORCE, ALL, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                            \
@@ -244,13 +257,14 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     X(structural_error, ANGLE, FOUR_BAR, OF_WANTED, "theta4 - wanted theta4, of --synthesis", "")  \
     X(structural_error, LENGTH, SLIDER_CRANK, OF_WANTED, "C.x - wanted C.x, of --synthesis", "")   \
-    X(I13x, LENGTH, TURNING, OF_POLES(I13.x, flk_denominator_13),                                  \
+    X(I13x, LENGTH, TURNING, X_OF_POLE(I13, flk_denominator_13),                                   \
       "instantaneous centre of links 1 and 3, x", "")                                              \
-    X(I13y, LENGTH, TURNING, OF_POLES(I13.y, flk_denominator_13),                                  \
+    X(I13y, LENGTH, TURNING, Y_OF_POLE(I13, flk_denominator_13),                                   \
       "instantaneous centre of links 1 and 3, y", "")                                              \
-    X(I24x, LENGTH, ALL, OF_POLES(I24.x, flk_denominator_24),                                      \
+    X(I24x, LENGTH, ALL, X_OF_POLE(I24, flk_denominator_24),                                       \
       "instantaneous centre of links 2 and 4, x", "")                                              \
-    X(I24y, LENGTH, ALL, OF_MOTION(I24.y), "instantaneous centre of links 2 and 4, y", "")         \
+    X(I24y, LENGTH, ALL, Y_OF_POLE(I24, flk_denominator_24),                                       \
+      "instantaneous centre of links 2 and 4, y", "")                                              \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
     X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, FOURLINK_FRICTIONLESS),                          \

@@ -34,6 +34,11 @@ static double value_of_point(const flk_column *c, const flk_row *row)
     fourlink_point(&row->at.state, c->of.point.link, &c->of.point.at, &u[0], &u[1], &u[2]);
     if (c->info->form == SIZE)
         return flk_length(u[i - 5].x, u[i - 5].y);
+    flk_column_turn(c->d, &u[i / 2]);
+    if (i / 2 == 0) {
+        u[0].x += c->d->axes.A.x;
+        u[0].y += c->d->axes.A.y;
+    }
     return i % 2 == 0 ? u[i / 2].x : u[i / 2].y;
 }
 

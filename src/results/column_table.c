@@ -39,7 +39,9 @@ static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
     flk_column_start(a->d, &table[i], c);
     if (table[i].traits & FOURLINK_CRANK_ANGLE)
         c->scale = 1; /* already in the deck's unit, exactly */
-    c->is_number = table[i].form <= POLAR_DIRECTION;
+    c->is_number =
+        table[i].form <= POLAR_SIZE ||
+        (!a->d->axes.is_page && (table[i].form <= POLAR_DIRECTION || table[i].form >= ON_PAGE));
     c->is_usual = (table[i].kinds & usual) != 0;
     return has(a, &table[i]);
 }
@@ -100,11 +102,26 @@ static double direction_of(double x, double y)
 static double value_of_table(const flk_column *c, const flk_row *row)
 {
     double x = FLK_ROW_NUMBER(row, c->info->x), y = FLK_ROW_NUMBER(row, c->info->y);
+    const deck_axes *axes = &c->d->axes;
 
-    return c->info->form == SIZE        ? flk_length(x, y)
-           : c->info->form == DIRECTION ? direction_of(x, y)
-           : c->info->form == PRODUCT   ? x * y
-                                        : x - y;
+    switch (c->info->form) {
+    case SIZE:
+        return flk_length(x, y);
+    case PRODUCT:
+        return x * y;
+    case DIFFERENCE:
+        return x - y;
+    case DIRECTION:
+        return axes->is_page ? flk_deck_direction(c->d, direction_of(x, y)) : direction_of(x, y);
+    case POLAR_DIRECTION:
+    case ANGLE_OF_LINK:
+        return flk_deck_direction(c->d, x);
+    case VECTOR_X:
+    case PLACE_X:
+        return axes->cosine * x - axes->sine * y + (c->info->form == PLACE_X ? axes->A.x : 0);
+    default:
+        return axes->cosine * x + axes->sine * y + (c->info->form == PLACE_Y ? axes->A.y : 0);
+    }
 }
 
 static void vector_of_table(const flk_column *c, const flk_row *row, double *x, double *y)

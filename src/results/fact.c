@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/trig.h"
 #include "deck/synthesis.h"
 #include "fact.h"
@@ -182,13 +183,27 @@ static fourlink_value *add_fact(listing *t, fact_code code, double si)
     return f;
 }
 
+/* An angle from x of link 1, in the axes of the deck, from 0 to a turn. */
+static double on_page(const listing *t, double angle)
+{
+    return t->d->axes.is_page ? flk_cycle_place(angle + t->d->axes.angle, 0, 2 * M_PI) : angle;
+}
+
+/* What a range of such angles is turned by; 0 for a whole turn. */
+static double turn_of_range(const listing *t, double from, double to)
+{
+    return t->d->axes.is_page && to - from < 2 * M_PI - 1e-9
+               ? flk_deck_direction(t->d, flk_cycle_beside(from, 2 * M_PI)) - from
+               : 0;
+}
+
 /* A fact with the crank angle at which it occurs. */
 static void add_at(listing *t, fact_code code, double si, double theta2)
 {
     fourlink_value *f = add_fact(t, code, si);
 
     f->has_angle = 1;
-    f->angle = in_unit(t, theta2, QUANTITY_ANGLE);
+    f->angle = in_unit(t, on_page(t, theta2), QUANTITY_ANGLE);
 }
 
 static void add_type(listing *t)
@@ -205,12 +220,14 @@ static void add_type(listing *t)
 static void add_reach(listing *t)
 {
     fourlink_reach reach;
+    double turn;
     int i;
 
     fourlink_reach_of(&t->d->machine.mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
-        add_fact(t, FACT_THETA2_FROM, reach.from[i]);
-        add_fact(t, FACT_THETA2_TO, reach.to[i]);
+        turn = turn_of_range(t, reach.from[i], reach.to[i]);
+        add_fact(t, FACT_THETA2_FROM, reach.from[i] + turn);
+        add_fact(t, FACT_THETA2_TO, reach.to[i] + turn);
     }
 }
 
@@ -241,6 +258,7 @@ static void add_reach_of_rocker(listing *t, int branch)
     fourlink_design mirrored = t->d->machine.mechanism.design;
     fourlink_mechanism mechanism;
     fourlink_reach reach;
+    double turn;
     int i;
 
     mirrored.link[FOURLINK_CRANK].length =
@@ -256,8 +274,9 @@ static void add_reach_of_rocker(listing *t, int branch)
                                         M_PI - 0.5 * (reach.from[i] + reach.to[i]));
         if (!is_asked(t->d, t->branch, branch))
             continue;
-        add_fact(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
-        add_fact(t, FACT_THETA4_TO, M_PI - reach.from[i]);
+        turn = turn_of_range(t, M_PI - reach.to[i], M_PI - reach.from[i]);
+        add_fact(t, FACT_THETA4_FROM, M_PI - reach.to[i] + turn);
+        add_fact(t, FACT_THETA4_TO, M_PI - reach.from[i] + turn);
         add_fact(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
     }
     t->branch = 0;
@@ -336,6 +355,7 @@ static void add_balance(listing *t)
 static void add_limits(listing *t)
 {
     fourlink_limits limits;
+    double turn;
 
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
     add_fact(t, FACT_MU_MIN, limits.mu_min);
@@ -345,8 +365,9 @@ static void add_limits(listing *t)
         add_fact(t, FACT_GAMMA_MAX, limits.gamma_max);
     }
     if (limits.has_swing) {
-        add_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
-        add_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
+        turn = turn_of_range(t, limits.theta4_min, limits.theta4_max);
+        add_at(t, FACT_THETA4_MIN, limits.theta4_min + turn, limits.theta2_min);
+        add_at(t, FACT_THETA4_MAX, limits.theta4_max + turn, limits.theta2_max);
         add_fact(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
     }
     if (limits.time_ratio > 0)
@@ -357,8 +378,8 @@ static void add_limits(listing *t)
     }
     if (limits.stroke > 0) {
         add_fact(t, FACT_STROKE, limits.stroke);
-        add_fact(t, FACT_INNER_DEAD_CENTRE, limits.inner);
-        add_fact(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
+        add_fact(t, FACT_INNER_DEAD_CENTRE, on_page(t, limits.inner));
+        add_fact(t, FACT_OUTER_DEAD_CENTRE, on_page(t, limits.outer));
     }
 }
 

@@ -220,7 +220,7 @@ static void derive_from_pins(listing *t, section_code section)
         return;
     if (section == SECTION_PINS)
         add_default(t, "pins", "drawn", QUANTITY_ANGLE,
-                    flk_unit_from_si(pins->theta2, t->d->units[QUANTITY_ANGLE].unit),
+                    flk_unit_from_si(flk_deck_drawn(t->d), t->d->units[QUANTITY_ANGLE].unit),
                     "crank angle as drawn");
     if (section == SECTION_GROUND) {
         add_derived(t, "ground", "offset", QUANTITY_LENGTH, pins->offset,
@@ -275,11 +275,11 @@ static void derive_gas(listing *t)
 
 static void derive_gravity(listing *t)
 {
-    const fourlink_vector *g = &t->d->machine.mechanism.design.gravity;
+    fourlink_vector g = t->d->axes.gravity;
     quantity q = QUANTITY_ACCELERATION;
 
-    add_default(t, "gravity", "x", q, flk_unit_from_si(g->x, t->d->units[q].unit), "gravity, x");
-    add_default(t, "gravity", "y", q, flk_unit_from_si(g->y, t->d->units[q].unit), "gravity, y");
+    add_default(t, "gravity", "x", q, flk_unit_from_si(g.x, t->d->units[q].unit), "gravity, x");
+    add_default(t, "gravity", "y", q, flk_unit_from_si(g.y, t->d->units[q].unit), "gravity, y");
 }
 
 static void derive_flywheel(listing *t)

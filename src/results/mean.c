@@ -360,13 +360,13 @@ typedef struct moment {
     size_t n_cuts;
 } moment;
 
-/* T, and that of the machine without friction; NaN where the links do not reach. */
-static void moment_at(double theta2, void *data, double *T)
+/* At a crank angle, rad, T, and that of the machine without friction; NaN where the links do not reach. */
+static void moment_at(double angle, void *data, double *T)
 {
     moment *m = data;
     flk_row row;
 
-    m->crank.theta2 = theta2;
+    m->crank.theta2 = angle - m->a->d->motion.x_at;
     flk_analysis_at(m->a, NEED_FORCES, m->branch, &m->crank, &row);
     T[0] = row.at.status == FOURLINK_OK ? -row.at.forces.Ts : GSL_NAN;
     T[1] =
@@ -374,11 +374,11 @@ static void moment_at(double theta2, void *data, double *T)
 }
 
 /* T - Tm */
-static double excess(double theta2, void *data)
+static double excess(double angle, void *data)
 {
     double T[FLK_INTEGRALS];
 
-    moment_at(theta2, data, T);
+    moment_at(angle, data, T);
     return T[0] - ((const moment *)data)->mean;
 }
 
@@ -425,7 +425,7 @@ static void cut(moment *m)
 
     direction.corners = m->a->course.corners;
     direction.branch = m->branch;
-    direction.from = 0;
+    direction.from = 0 - m->a->d->motion.x_at;
     direction.sense = direction.has_loads = 1;
     m->cuts[m->n_cuts++] = 0;
     for (i = 1; i <= n; i++, at = end) {

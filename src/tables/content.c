@@ -548,8 +548,8 @@ static const char *find_gap(const sheet *s, char words[200])
 {
     const fourlink_motion *motion = &s->v.problem.motion;
     double to_si = motion->angle_unit;
-    double from = GSL_MIN(motion->from, motion->to) * to_si;
-    double to = GSL_MAX(motion->from, motion->to) * to_si;
+    double from = GSL_MIN(motion->from, motion->to) * to_si - motion->x_at;
+    double to = GSL_MAX(motion->from, motion->to) * to_si - motion->x_at, turn;
     fourlink_reach reach;
     int i;
 
@@ -560,10 +560,12 @@ static const char *find_gap(const sheet *s, char words[200])
     if (!reach.n_ranges)
         return fourlink_status_text(FOURLINK_NOT_REACHED);
     strcpy(words, "assembled only ");
-    for (i = 0; i < reach.n_ranges; i++)
+    for (i = 0; i < reach.n_ranges; i++) {
+        turn = view_turn_of_range(&s->v, reach.from[i], reach.to[i]);
         flk_message(words + strlen(words), 200 - strlen(words), "%sfrom %.4g to %.4g %s",
-                    i ? " and " : "", reach.from[i] / to_si, reach.to[i] / to_si,
+                    i ? " and " : "", (reach.from[i] + turn) / to_si, (reach.to[i] + turn) / to_si,
                     s->v.units[QUANTITY_ANGLE].name);
+    }
     return words;
 }
 

@@ -13,9 +13,20 @@ void head_put_title(sheet *s)
         line_put(&s->l, "# %s\n", s->v.problem.title);
 }
 
+/* The axes of the page, and those of link 1 in them. */
+static void put_axes(sheet *s)
+{
+    const fourlink_problem *p = &s->v.problem;
+
+    if (p->axes_on_page)
+        line_put(&s->l, "# axes of the page, with x of link 1 at %9g %s\n",
+                 view_value(&s->v, QUANTITY_ANGLE, p->x_angle), s->v.units[QUANTITY_ANGLE].name);
+}
+
 void head_put_kind(sheet *s)
 {
     line_put(&s->l, "# %s\n", s->v.kind.words);
+    put_axes(s);
 }
 
 /* The kind and its type, as in "four-bar linkage: crank-rocker".  The name of a type may begin with that
@@ -132,4 +143,5 @@ void head_put_properties(sheet *s)
     put_masses(s);
     put_loads(s);
     line_put(&s->l, "\n");
+    put_axes(s);
 }

@@ -7,8 +7,9 @@
 /* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
-    line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle,
+    line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s%s\n", at->row.angle,
              s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)at->branch),
+             s->v.problem.axes_on_page ? ", equations in the axes of link 1" : "",
              at->status == FOURLINK_OK ? "" : ": ",
              at->status == FOURLINK_OK ? "" : fourlink_status_text(at->status));
 }

@@ -92,7 +92,9 @@ fourlink_vector geometry_force(const fourlink_load *load, const fourlink_state *
 double geometry_turn(const view *v)
 {
     const fourlink_vector *g = &v->design->gravity;
-    double turn = g->x != 0 || g->y != 0 ? atan2(-g->x, -g->y) : 0;
+    double turn = v->problem.axes_on_page  ? v->problem.x_angle
+                  : g->x != 0 || g->y != 0 ? atan2(-g->x, -g->y)
+                                           : 0;
 
     return fabs(turn) < 1e-9 ? 0 : turn;
 }

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "system/format.h"
+#include "base/cycle.h"
 #include "base/text.h"
 #include "system/memory.h"
 #include "view.h"
@@ -193,6 +194,28 @@ int view_read_crank(const view *v, text value, text words, double *angle,
         flk_message(message, MESSAGE_SIZE, "'%t' needs [pins], the places of the pins as drawn",
                     words);
     return v->problem.has_drawn;
+}
+
+double view_direction(const view *v, double angle)
+{
+    return v->problem.axes_on_page ? flk_cycle_beside(angle + v->problem.x_angle, 2 * M_PI) : angle;
+}
+
+fourlink_vector view_place(const view *v, fourlink_vector place)
+{
+    double c = cos(v->problem.x_angle), s = sin(v->problem.x_angle);
+    fourlink_vector on_page;
+
+    if (!v->problem.axes_on_page)
+        return place;
+    on_page.x = v->problem.A.x + c * place.x - s * place.y;
+    on_page.y = v->problem.A.y + s * place.x + c * place.y;
+    return on_page;
+}
+
+double view_turn_of_range(const view *v, double from, double to)
+{
+    return to - from < 2 * M_PI - 1e-9 ? view_direction(v, from) - from : 0;
 }
 
 /* rad: a position is clear if it is farther from a dead one. */

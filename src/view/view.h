@@ -69,6 +69,12 @@ int view_reopen(const fourlink_source *source, fourlink_results *opened, const c
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
+/* A direction and a place in the axes of link 1 in those of the deck, rad, m; what a range of such directions is
+** turned by. */
+double view_direction(const view *v, double angle);
+fourlink_vector view_place(const view *v, fourlink_vector place);
+double view_turn_of_range(const view *v, double from, double to);
+
 /* Read a crank angle, which may be `drawn`. */
 int view_read_crank(const view *v, text value, text words, double *angle,
                     char message[MESSAGE_SIZE]);

@@ -364,6 +364,61 @@ static void compare_drawn(void)
     compare_decks(NULL);
 }
 
+/* ------------------------------------------------------------------------------------- in axes of a page */
+
+/* Rows are the same when turned back, extremes and means of what has no direction too, and the crank angles of
+** extremes where there is one. */
+static void compare_on_page(void)
+{
+    static side a, b;
+    static double expected[MOST_COLUMNS], row[MOST_COLUMNS];
+    int j, k, which, status, told, is_near;
+    char where[100];
+    unsigned long i;
+
+    prepare(&a, opened(base_text, NULL));
+    prepare(&b, a.r ? opened(changed_text, NULL) : NULL);
+    present->cases += a.r && b.r;
+    for (k = 0; a.r && b.r && k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2) && !has_failed; k++) {
+        fourlink_branch one = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+
+        if (a.rows != b.rows || a.c.n != b.c.n)
+            fail("%lu rows of %d columns, expected %lu of %d", b.rows, b.c.n, a.rows, a.c.n);
+        for (is_near = 0, i = 0; i < b.rows && !has_failed; i += b.rows / MOST_ROWS + 1) {
+            status = fourlink_results_row(a.r, one, i, expected, NULL, NULL);
+            told = fourlink_results_row(b.r, one, i, row, NULL, NULL);
+            is_near |= status != FOURLINK_OK || told != FOURLINK_OK;
+            if (status != told) {
+                if (named(&a.c, expected, "condition") < 1e4 && named(&b.c, row, "condition") < 1e4)
+                    fail("row %lu on %d: status %d, expected %d", i, (int)one, told, status);
+                continue;
+            }
+            turn_row(&b.c, row);
+            snprintf(where, sizeof where, "%s, row %lu", fourlink_branch_text((int)one), i);
+            is_near |= compare_rows(&a, &b, expected, row, where) > NEAR_DEAD;
+        }
+        for (i = 0; i < SOME_COLUMNS && !has_failed && !is_near && is_determined(a.r, one, 0);
+             i++) {
+            j = one_of(a.c.n);
+            if (!has_statistics(&a.c.list[j], FOURLINK_MAX) ||
+                is_direction(a.c.list[j].told->name) || other_component(&a.c, j, 'x', 'y') >= 0 ||
+                other_component(&a.c, j, 'y', 'x') >= 0)
+                continue;
+            for (which = FOURLINK_MAX; which <= FOURLINK_RMS; which++) {
+                double x = statistic(&a, j, one, which, &status),
+                       y = statistic(&b, j, one, which, &told);
+
+                if (status == FOURLINK_OK && told == FOURLINK_OK)
+                    compare(sort_of_statistic(which, 0), x, y,
+                            fmax(2e-3 * size_of_quantity[a.c.list[j].q], fabs(x)),
+                            "statistic %d of %s on %d", which, a.c.list[j].told->name, (int)one);
+            }
+        }
+    }
+    fourlink_results_free(a.r);
+    fourlink_results_free(b.r);
+}
+
 /* -------------------------------------------------------------------------------------------- the laws */
 
 static law laws[] = {
@@ -393,7 +448,11 @@ static law laws[] = {
      .has_own_time = 1,
      .check = compare_cycles},
     {.name = "at a crawl", .change = move_quickly, .factor = factor_one, .check = compare_crawl},
-    {.name = "by its pins", .change = draw_pins, .factor = factor_one, .check = compare_drawn},
+    {.name = "by its pins",
+     .change = draw_in_own_axes,
+     .factor = factor_one,
+     .check = compare_drawn},
+    {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)
