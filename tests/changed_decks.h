@@ -57,9 +57,10 @@ static int is_task(deck_lines *d)
     return find_block(d, SECTION_SYNTHESIS) != NULL;
 }
 
+/* 1 if the direction of the ground is given by places. */
 static int has_pins(deck_lines *d)
 {
-    return find_block(d, SECTION_PINS) != NULL;
+    return find_block(d, SECTION_PINS) != NULL || find_line(d, KEY_GROUND_TO);
 }
 
 /* ---------------------------------------------------------------------------------------------- scales */

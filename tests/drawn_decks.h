@@ -77,6 +77,60 @@ static int find_drawn(const fourlink_mechanism *m, int has_own_slide, fourlink_s
     return 0;
 }
 
+/* A point of a link, as drawn, in place of a key that has it on the link. */
+static void set_drawn(deck_block *b, key_code on_link, key_code key, const fourlink_state *drawn,
+                      int link, fourlink_vector at)
+{
+    deck_line *line = line_of(b, on_link);
+    fourlink_vector place = at;
+
+    if (!line || seldom(0.4))
+        return;
+    if (link != FOURLINK_GROUND)
+        fourlink_point(drawn, link, &at, &place, NULL, NULL);
+    place = on_page(place);
+    drop_key(b, on_link);
+    line = add_line(b, flk_key_table[key].name, "");
+    snprintf(line->value, sizeof line->value, "(%.17g, %.17g) mm", 1e3 * place.x, 1e3 * place.y);
+}
+
+/* Points of loads, springs and tracers, and centres of mass, by their places. */
+static void set_drawn_points(deck_lines *d, const fourlink_deck *deck, const fourlink_state *drawn)
+{
+    static fourlink_load loads[200];
+    fourlink_problem problem;
+    unsigned long n[3] = {0, 0, 0};
+    fourlink_spring spring;
+    fourlink_vector at;
+    int i, link, k;
+
+    fourlink_deck_problem(deck, &problem);
+    if (problem.n_loads <= 200)
+        fourlink_deck_loads(deck, drawn_branch, drawn_at, loads, NULL);
+    for (i = 0; i < d->n; i++) {
+        deck_block *b = &d->block[i];
+
+        if (b->section == SECTION_POINT) {
+            fourlink_deck_point(deck, n[0]++, NULL, &link, &at);
+            set_drawn(b, KEY_POINT_AT, KEY_POINT_PLACE, drawn, link, at);
+        } else if (b->section == SECTION_SPRING) {
+            fourlink_deck_spring(deck, n[1]++, NULL, &spring);
+            set_drawn(b, KEY_SPRING_AT, KEY_SPRING_PLACE, drawn, spring.link, spring.at);
+            set_drawn(b, KEY_SPRING_TO_AT, KEY_SPRING_TO_PLACE, drawn, spring.to, spring.to_at);
+        } else if (b->section == SECTION_LOAD && problem.n_loads <= 200) {
+            set_drawn(b, KEY_LOAD_AT, KEY_LOAD_PLACE, drawn, loads[n[2]].link, loads[n[2]].at);
+            n[2]++;
+        }
+        for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
+            if (b->section == flk_section_of_link(problem.mechanism.design.kind, k) &&
+                flk_find_key(b->section, flk_text_of("cg")) != KEY_COUNT &&
+                !find_block(d, SECTION_BALANCE))
+                set_drawn(b, flk_find_key(b->section, flk_text_of("cg")),
+                          flk_find_key(b->section, flk_text_of("cg_place")), drawn, k,
+                          problem.mechanism.design.link[k].cg);
+    }
+}
+
 /* The deck in the axes of the page, with the ground turned as on it, and the same by pins.  With lengths of very
 ** different sizes the places have too few digits for the shortest. */
 static int draw_pins(deck_lines *d)
@@ -98,11 +152,12 @@ static int draw_pins(deck_lines *d)
     if (!r)
         return 0;
     problem = problem_of(r);
-    fourlink_results_free(r);
     link = problem.mechanism.design.link;
     has_own_slide = kind == FOURLINK_INVERTED_SLIDER_CRANK && !(link[4].length > 0);
-    if (!find_drawn(&problem.mechanism, has_own_slide, &drawn))
+    if (!find_drawn(&problem.mechanism, has_own_slide, &drawn)) {
+        fourlink_results_free(r);
         return 0;
+    }
     drawn_size = fmax(fmax(link[1].length, link[2].length), fmax(link[3].length, link[4].length));
     drawn_size = fmax(drawn_size, fabs(problem.mechanism.design.offset));
     turned = seldom(0.5) ? turns[one_of(4)] : between(-PI, PI);
@@ -116,6 +171,8 @@ static int draw_pins(deck_lines *d)
         for (k = 0; k < (int)(sizeof lengths / sizeof *lengths); k++)
             if (flk_key_table[lengths[k]].section == d->block[i].section)
                 drop_key(&d->block[i], lengths[k]);
+    set_drawn_points(d, fourlink_results_deck(r), &drawn);
+    fourlink_results_free(r);
     drop_key(find_block(d, SECTION_TABLE), KEY_TABLE_BRANCH);
     if (kind == FOURLINK_INVERTED_SLIDER_CRANK && !has_own_slide) {
         drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_LENGTH);
@@ -218,7 +275,8 @@ static void set_ground_ends(deck_lines *d)
                      at.x, at.y);
             at = on_page(at);
             for (j = 0; j < d->n; j++)
-                if (strcmp(d->block[j].header, base.block[i].header) == 0)
+                if (strcmp(d->block[j].header, base.block[i].header) == 0 &&
+                    line_of(&d->block[j], keys[k][1]))
                     snprintf(line_of(&d->block[j], keys[k][1])->value, LONG_VALUE,
                              "(%.17g, %.17g) m", at.x, at.y);
         }
@@ -312,6 +370,10 @@ static void turn_row(const columns *c, double *row)
         }
         x -= origin_x;
         y = row[k] - origin_y;
+        if (isnan(x) || isnan(y)) { /* a centre at infinity */
+            row[j] = row[k] = NAN;
+            continue;
+        }
         row[j] = cos(turned) * x + sin(turned) * y;
         row[k] = cos(turned) * y - sin(turned) * x;
     }

@@ -221,6 +221,7 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     AT_LEAST(TORQUE, scale[QUANTITY_FORCE] * arm);
     AT_LEAST(FORCE, scale[QUANTITY_TORQUE] / arm);
     AT_LEAST(POWER, scale[QUANTITY_TORQUE] * w);
+    AT_LEAST(ENERGY, scale[QUANTITY_TORQUE]);
 #undef AT_LEAST
     condition = named(c, row, "condition");
     return condition > 1 ? condition : 1;

@@ -11,6 +11,7 @@
 #include "build.h"
 #include "build_curve.h"
 #include "build_mechanism.h"
+#include "build_place.h"
 #include "parser.h"
 #include "settings.h"
 
@@ -82,6 +83,8 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
                   *at = flk_setting_of(use, KEY_LOAD_AT);
     int link = given->load.link;
 
+    if (!IS_SET(at))
+        at = flk_setting_of(use, KEY_LOAD_PLACE);
     if (force->is_bare && link && !is_piston(p, link))
         flk_mistake(p->mistakes, force->place,
                     "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, "
@@ -93,7 +96,7 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
-        flk_mistake(p->mistakes, at->place, "'at' needs a force");
+        flk_mistake(p->mistakes, at->place, "'%s' needs a force", at->is_place ? "place" : "at");
     take_force(p, use, force, &given->values.force, given->values.force_curve);
 }
 
@@ -193,7 +196,8 @@ static void build_load(parser *p, const section_use *use, flk_given_load *given)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     given->load.frame = (fourlink_frame)frame->word;
     build_force(p, use, given);
-    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), given->load.link, &given->load.at);
+    flk_build_point(p, flk_setting_of(use, KEY_LOAD_AT), flk_setting_of(use, KEY_LOAD_PLACE),
+                    given->load.link, &given->load.at);
     given->values.torque = torque->si[0];
     flk_build_curves(p, torque, 1, over_of(use), &p->d->axes, &given->values.torque_curve);
     build_window(p, use, given);

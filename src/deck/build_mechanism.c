@@ -13,6 +13,7 @@
 #include "mechanics/kind.h"
 #include "build.h"
 #include "build_mechanism.h"
+#include "build_place.h"
 #include "parser.h"
 #include "pieces.h"
 #include "pins.h"
@@ -175,46 +176,9 @@ static void build_stroke(parser *p)
         link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
 
-/* 1 if a link whose length is optional has none. */
-static int is_without_length(parser *p, const flk_kind *kind, int number)
-{
-    section_code section = flk_section_of_link(kind->kind, number);
-
-    return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
-           !(p->d->pins.length[number] > 0) && !IS_SET(flk_setting_by_name(p, section, "length"));
-}
-
-void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
-{
-    double length = p->d->machine.mechanism.design.link[link].length;
-    const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
-
-    at->x = s->si[0] * (s->of_length ? length : 1);
-    at->y = s->si[1] * (s->of_length ? length : 1);
-    if (link == FOURLINK_GROUND && !s->of_length && !flk_text_equal(s->value, "origin"))
-        *at = flk_build_on_ground(p, *at);
-    if (s->of_centre && link) {
-        at->x += p->d->machine.mechanism.design.link[link].cg.x;
-        at->y += p->d->machine.mechanism.design.link[link].cg.y;
-        if (!(p->d->machine.mechanism.design.link[link].mass > 0))
-            flk_mistake(p->mistakes, s->place,
-                        "'%t' is from the centre of mass, and the %s has no mass", s->value,
-                        kind->link[link]);
-    }
-    if (!s->of_length || !link)
-        return;
-    if (is_without_length(p, kind, link))
-        flk_mistake(p->mistakes, s->place,
-                    "'%t' is a part of the length, and the %s has none: give the point in a unit "
-                    "of length",
-                    s->value, kind->link[link]);
-    else
-        flk_piece_size(p, s, QUANTITY_LENGTH, flk_length(at->x, at->y));
-}
-
 /* The mass data in the section of a link. */
 typedef struct body {
-    const setting *mass, *cg, *gyration, *inertia, *period, *pin, *uniform;
+    const setting *mass, *cg, *cg_place, *gyration, *inertia, *period, *pin, *uniform;
 } body;
 
 static body find_body(parser *p, section_code section)
@@ -223,6 +187,7 @@ static body find_body(parser *p, section_code section)
 
     b.mass = flk_setting_by_name(p, section, "mass");
     b.cg = flk_setting_by_name(p, section, "cg");
+    b.cg_place = flk_setting_by_name(p, section, "cg_place");
     b.gyration = flk_setting_by_name(p, section, "gyration");
     b.inertia = flk_setting_by_name(p, section, "inertia");
     b.period = flk_setting_by_name(p, section, "swing_period");
@@ -240,7 +205,7 @@ static void check_inertia(parser *p, const setting *s, const fourlink_link *link
 static void build_bar(parser *p, const flk_kind *kind, const body *b, int number)
 {
     fourlink_link *link = &p->d->machine.mechanism.design.link[number];
-    const setting *others[5];
+    const setting *others[6];
     int i;
 
     others[0] = b->cg;
@@ -248,14 +213,15 @@ static void build_bar(parser *p, const flk_kind *kind, const body *b, int number
     others[2] = b->inertia;
     others[3] = b->period;
     others[4] = b->pin;
-    for (i = 0; i < 5; i++)
+    others[5] = b->cg_place;
+    for (i = 0; i < 6; i++)
         if (IS_SET(others[i]))
             flk_mistake(p->mistakes, others[i]->place,
                         "a uniform link has its centre of mass at mid-length and the inertia of a "
                         "bar: give either 'uniform' or the others");
     fourlink_uniform_bar(link->length, link->mass, link);
     check_inertia(p, b->uniform, link);
-    if (is_without_length(p, kind, number))
+    if (flk_build_is_without_length(p, kind, number))
         flk_mistake(p->mistakes, b->uniform->place, "a uniform %s needs a length",
                     kind->link[number]);
 }
@@ -266,7 +232,7 @@ static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int
     const fourlink_link *link = &p->d->machine.mechanism.design.link[number];
 
     if (!(link->mass > 0) || kind->has_length[number] == FLK_NO_LENGTH || IS_SET(b->cg) ||
-        IS_SET(b->gyration) || IS_SET(b->inertia) || IS_SET(b->period))
+        IS_SET(b->cg_place) || IS_SET(b->gyration) || IS_SET(b->inertia) || IS_SET(b->period))
         return;
     flk_mistake(NOTES(p), b->mass->place,
                 "[%s] is a point mass at %s: write %scg = 0 mm if this is meant",
@@ -308,7 +274,7 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
                                               : NULL;
 
     link->mass = b.mass->si[0];
-    flk_build_place(p, b.cg, number, &link->cg);
+    flk_build_point(p, b.cg, b.cg_place, number, &link->cg);
     if (b.cg->of_centre)
         flk_mistake(p->mistakes, b.cg->place, "'%t': G is the centre of mass itself", b.cg->value);
     if (other && !IS_SET(b.mass) && !use->is_mistaken)
@@ -324,11 +290,45 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
     check_point_mass(p, kind, &b, number);
 }
 
+/* The ground by the place of D from A, which gives its length and angle; 0 if it is given otherwise. */
+static int build_ground(parser *p)
+{
+    const setting *to = flk_setting_find(p, KEY_GROUND_TO),
+                  *length = flk_setting_find(p, KEY_GROUND_LENGTH),
+                  *angle = flk_setting_find(p, KEY_GROUND_ANGLE);
+    double size = flk_length(to->si[0], to->si[1]);
+
+    if (!IS_SET(to))
+        return 0;
+    if (p->d->pins.is_there)
+        return flk_mistake(p->mistakes, to->place, "[pins] gives the place of D: remove 'to'");
+    if (IS_SET(length) || IS_SET(angle))
+        flk_mistake(p->mistakes, (IS_SET(length) ? length : angle)->place,
+                    "'to' gives the length and the angle of the ground: remove '%s'",
+                    IS_SET(length) ? "length" : "angle");
+    if (!(size >= FOURLINK_LENGTH_MIN) && !flk_section_is_mistaken(p, SECTION_GROUND))
+        flk_mistake(p->mistakes, to->place, "D is at A: the ground has no length");
+    p->d->machine.mechanism.design.link[FOURLINK_GROUND].length = size;
+    return 1;
+}
+
+/* The direction of x of link 1 from the horizontal. */
+static double inclination_of(parser *p)
+{
+    const setting *to = flk_setting_find(p, KEY_GROUND_TO);
+
+    return p->d->pins.is_there ? p->d->pins.angle
+           : IS_SET(to)        ? flk_angle(to->si[1], to->si[0])
+                               : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+}
+
 static void build_link(parser *p, const flk_kind *kind, int number)
 {
     section_code section = flk_section_of_link(kind->kind, number);
     const setting *length = flk_setting_by_name(p, section, "length");
 
+    if (number == FOURLINK_GROUND && build_ground(p))
+        return;
     if (p->d->pins.length[number] > 0)
         p->d->machine.mechanism.design.link[number].length = p->d->pins.length[number];
     else if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
@@ -342,16 +342,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
 
 /* ---------------------------------------------------------------------------------------- assembly */
 
-/* A length in the unit in which a setting is written; the setting as it is written, with its unit. */
-static const char *length_in(parser *p, const setting *s, double length, char out[MESSAGE_SIZE])
-{
-    text written = flk_quantity_unit_text(s->value);
-
-    if (!written.length)
-        written = flk_text_of(p->d->bare[QUANTITY_LENGTH].name);
-    return flk_message(out, MESSAGE_SIZE, "%.6g %t", flk_unit_from_si(length, s->unit), written);
-}
-
+/* A setting as it is written, with its unit. */
 static const char *as_written(parser *p, const setting *s, char out[MESSAGE_SIZE])
 {
     int is_bare = !flk_quantity_unit_text(s->value).length;
@@ -406,14 +397,14 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
         flk_mistake(p->mistakes, angle->place,
                     "the slide passes D at %s, farther than %s and %s together, %s: the linkage "
                     "cannot be assembled",
-                    length_in(p, length, distance, at), kind->link[first], kind->link[first + 1],
-                    length_in(p, length, sum, most));
+                    flk_build_length_in(p, length, distance, at), kind->link[first],
+                    kind->link[first + 1], flk_build_length_in(p, length, sum, most));
     else if (!IS_SET(angle) && fabs(design->offset) > sum)
         flk_mistake(p->mistakes, offset->place,
                     "the offset, %s, is larger than %s and %s together, %s: the linkage cannot be "
                     "assembled",
                     as_written(p, offset, at), kind->link[first], kind->link[first + 1],
-                    length_in(p, offset, sum, most));
+                    flk_build_length_in(p, offset, sum, most));
 }
 
 /* A slot and one turned by half a turn are the same. */
@@ -459,11 +450,13 @@ static void check_reach(parser *p, const flk_kind *kind)
     sum -= link[longest].length;
     if (link[longest].length > sum * (1 + 1e-14)) {
         s = flk_setting_by_name(p, flk_section_of_link(kind->kind, longest), "length");
+        if (!IS_SET(s)) /* the ground, by its other end */
+            s = flk_setting_find(p, KEY_GROUND_TO);
         flk_mistake(
             p->mistakes, s->place,
             "the %s, %s, is longer than the other three together, %s: the linkage cannot be "
             "assembled",
-            kind->link[longest], as_written(p, s, own), length_in(p, s, sum, most));
+            kind->link[longest], as_written(p, s, own), flk_build_length_in(p, s, sum, most));
     }
 }
 
@@ -483,24 +476,6 @@ static void build_axes(parser *p, double inclination)
     flk_vector_direction(inclination, &axes->cosine, &axes->sine);
 }
 
-/* From the axes of the deck to those of link 1. */
-fourlink_vector flk_build_direction(const parser *p, fourlink_vector u)
-{
-    const deck_axes *axes = &p->d->axes;
-    fourlink_vector v;
-
-    v.x = axes->cosine * u.x + axes->sine * u.y;
-    v.y = axes->cosine * u.y - axes->sine * u.x;
-    return v;
-}
-
-fourlink_vector flk_build_on_ground(const parser *p, fourlink_vector place)
-{
-    place.x -= p->d->axes.A.x;
-    place.y -= p->d->axes.A.y;
-    return flk_build_direction(p, place);
-}
-
 void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->machine.mechanism.design;
@@ -517,7 +492,7 @@ void flk_build_mechanism(parser *p)
                    i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
-    inclination = p->d->pins.is_there ? p->d->pins.angle : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    inclination = inclination_of(p);
     build_axes(p, inclination);
     direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - inclination;
     flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);

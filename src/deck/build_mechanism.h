@@ -17,11 +17,4 @@ int flk_build_has(const parser *p, key_code key);
 /* Check the link of a load or a point; 0 and a mistake if the mechanism has no such link. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 
-/* A vector in the axes of the deck in those of link 1; a place. */
-fourlink_vector flk_build_direction(const parser *p, fourlink_vector u);
-fourlink_vector flk_build_on_ground(const parser *p, fourlink_vector place);
-
-/* A point of a link, in m. */
-void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at);
-
 #endif

@@ -10,6 +10,7 @@
 #include "mechanics/kind.h"
 #include "build.h"
 #include "build_mechanism.h"
+#include "build_place.h"
 #include "build_point.h"
 #include "parser.h"
 #include "settings.h"
@@ -46,7 +47,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
 
     new->link = flk_build_check_link(p, use, link) ? link->word : 0;
     flk_build_check_name(p, use, "NAME.x, NAME.y ...");
-    flk_build_place(p, at, new->link, &new->at);
+    flk_build_point(p, at, flk_setting_of(use, KEY_POINT_PLACE), new->link, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);

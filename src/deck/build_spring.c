@@ -7,6 +7,7 @@
 #include "mechanics/kind.h"
 #include "build.h"
 #include "build_mechanism.h"
+#include "build_place.h"
 #include "build_point.h"
 #include "parser.h"
 #include "settings.h"
@@ -46,20 +47,20 @@ static int read_spring_link(parser *p, const section_use *use, key_code key)
 }
 
 /* The point at an end of a spring. */
-static void read_spring_point(parser *p, const section_use *use, key_code key, int link,
-                              fourlink_vector *at)
+static void read_spring_point(parser *p, const section_use *use, key_code key, key_code place_key,
+                              int link, fourlink_vector *at)
 {
-    const setting *place = flk_setting_of(use, key);
+    const setting *on_link = flk_setting_of(use, key), *place = flk_setting_of(use, place_key);
     int kind = (int)p->d->machine.mechanism.design.kind;
 
     if (!link)
         return;
-    if (!IS_SET(place) && !use->is_mistaken &&
+    if (!IS_SET(on_link) && !IS_SET(place) && !use->is_mistaken &&
         !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
         (link == FOURLINK_GROUND || fourlink_slides(kind, link) == 0))
         flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
                     flk_key_table[key].name, fourlink_link_text(kind, link));
-    flk_build_place(p, place, link, at);
+    flk_build_point(p, on_link, place, link, at);
 }
 
 /* The links of a spring, and its ends on them. */
@@ -72,13 +73,15 @@ static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
     if (s->is_torsional) {
         check_sort(p, use, KEY_SPRING_AT, 1);
         check_sort(p, use, KEY_SPRING_TO_AT, 1);
+        check_sort(p, use, KEY_SPRING_PLACE, 1);
+        check_sort(p, use, KEY_SPRING_TO_PLACE, 1);
     }
     if (s->link && s->link == s->to) {
         flk_mistake(p->mistakes, to->place, "a spring from the %t to itself does nothing",
                     to->value);
     } else if (!s->is_torsional) {
-        read_spring_point(p, use, KEY_SPRING_AT, s->link, &s->at);
-        read_spring_point(p, use, KEY_SPRING_TO_AT, s->to, &s->to_at);
+        read_spring_point(p, use, KEY_SPRING_AT, KEY_SPRING_PLACE, s->link, &s->at);
+        read_spring_point(p, use, KEY_SPRING_TO_AT, KEY_SPRING_TO_PLACE, s->to, &s->to_at);
     }
 }
 

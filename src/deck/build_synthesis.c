@@ -6,6 +6,7 @@
 
 #include "mechanics/kind.h"
 #include "build_mechanism.h"
+#include "build_place.h"
 #include "build_synthesis.h"
 #include "curve_text.h"
 #include "parser.h"

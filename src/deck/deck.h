@@ -46,6 +46,7 @@ typedef struct deck_pins {
     double theta2;     /* rad, the crank as drawn, from x of link 1 */
     double side; /* 1, sine of the angle between the links that meet in line in a dead position */
     int branch;  /* as drawn; 0: not determined */
+    fourlink_vector origin[5], axis[5]; /* m, 1: of the links, as drawn on the page */
 } deck_pins;
 
 enum { AXES_GROUND = 1, AXES_PAGE = 2 };

@@ -7,6 +7,7 @@
 #include "inputs.h"
 #include "numbers.h"
 #include "settings.h"
+#include "vector.h"
 
 /* The link that a point in a section is on: the link that the section names, or its own. */
 static const fourlink_link *link_of(const deck *d, const section_use *use, key_code key)
@@ -48,6 +49,13 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
                        : "constant"; /* the torque of a motor that balances the loads */
     else
         x->number = flk_target_number(t);
+    if (s->of_pins) {
+        const fourlink_link *link = link_of(d, use, t->key);
+        double place[2];
+
+        flk_vector_by_distances(s->si[0], s->si[1], link->length, s->of_pins, &place[0], &place[1]);
+        x->place = place[t->part];
+    }
     if (s->of_length || s->of_centre) {
         const fourlink_link *link = link_of(d, use, t->key);
 

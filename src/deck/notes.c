@@ -61,8 +61,9 @@ static int is_bare(parser *p, const setting *s, quantity q)
     text name;
     unit u;
 
-    return IS_SET(s) && !s->curve && !s->of_length && !s->of_centre && !p->d->bare[q].is_given &&
-           flk_unit_of_value(p->d, s->value, q, &name, &u) && !name.length;
+    return IS_SET(s) && !s->curve && !s->of_length && !s->of_centre && !s->of_pins &&
+           !p->d->bare[q].is_given && flk_unit_of_value(p->d, s->value, q, &name, &u) &&
+           !name.length;
 }
 
 /* Note the first bare number of a quantity that is too large for its SI unit: a crank of 40 m. */

@@ -34,10 +34,12 @@ typedef struct setting {
     text value;       /* the value in effect */
     text line; /* that of the text or of a change, or of the first design where there is neither */
     value_source source;
-    double number;  /* as written */
-    unit unit;      /* its unit */
-    double si[2];   /* the value in SI units and radians, or the two components */
-    int of_length;  /* 1: a point given as a fraction of its link's length */
+    double number; /* as written */
+    unit unit;     /* its unit */
+    double si[2];  /* the value in SI units and radians, or the two components */
+    int of_length; /* 1: a point given as a fraction of its link's length */
+    int of_pins; /* 1 or -1: a point by its distances from both pins of its link, to the left or to
+                    the right of the line between them */
     int of_centre;  /* 1: a point given from the centre of mass of its link */
     int is_place;   /* 1: a place on the page, not a point of a link */
     int is_bare;    /* 1: a force or a place without a direction */

@@ -144,6 +144,16 @@ static int check_places(parser *p, const drawing *x)
 
 /* ------------------------------------------------------------------------------- what follows from them */
 
+/* Place a link on the page: its origin, and its axis along a vector. */
+static void place_link(deck_pins *pins, int link, fourlink_vector origin, fourlink_vector along)
+{
+    double length = length_of(along);
+
+    pins->origin[link] = origin;
+    pins->axis[link].x = along.x / length;
+    pins->axis[link].y = along.y / length;
+}
+
 /* Four-bar:
 **
 **    d = AD, a = AB, b = BC, c = DC;  x of link 1 is from A to D
@@ -161,6 +171,8 @@ static void find_four_bar(deck_pins *pins, const drawing *x)
     pins->length[FOURLINK_FOLLOWER] = length_of(rocker);
     pins->angle = direction_of(ground);
     pins->side = FLK_CROSS(coupler, rocker) / length_of(coupler) / length_of(rocker);
+    place_link(pins, FOURLINK_COUPLER, x->at[PIN_B], coupler);
+    place_link(pins, FOURLINK_FOLLOWER, x->at[PIN_D], rocker);
 }
 
 /* The line of a slide on the ground: a point of it, and its direction u.  With F the foot of A on it, x runs
@@ -200,6 +212,8 @@ static int find_slider_crank(parser *p, deck_pins *pins, const drawing *x)
     find_line(pins, x, along, &x->at[PIN_C]);
     flk_sine_cosine(pins->angle, &u.y, &u.x);
     pins->side = FLK_DOT(rod, u) / length_of(rod);
+    place_link(pins, FOURLINK_COUPLER, x->at[PIN_B], rod);
+    place_link(pins, FOURLINK_FOLLOWER, x->at[PIN_C], u);
     return 1;
 }
 
@@ -207,7 +221,7 @@ static int find_slider_crank(parser *p, deck_pins *pins, const drawing *x)
 ** angle gamma from the line D-C, of the length c; B is at s = (B - D) . u from the foot of D.  Without C the
 ** lever's own keys say where the slide passes D, at the distance h, and the open branch is meant:
 **
-**    s = sqrt(BD^2 - h^2)
+**    s = sqrt(BD^2 - h^2),   u = (s r - h J r) / BD^2,   r = B - D, J turns a vector left by 90 deg
 **
 ** The side is s / BD. */
 static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
@@ -217,6 +231,8 @@ static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
                    -flk_sine(flk_setting_find(p, KEY_LEVER_ANGLE)->si[0]) +
                offset->si[0];
     char far[MESSAGE_SIZE], near[MESSAGE_SIZE];
+    double s;
+    fourlink_vector turn;
     fourlink_vector ground = minus(x->at[PIN_D], x->at[PIN_A]),
                     r = minus(x->at[PIN_B], x->at[PIN_D]), u = minus(x->at[PIN_B], x->at[PIN_C]),
                     lever = minus(x->at[PIN_C], x->at[PIN_D]);
@@ -234,6 +250,14 @@ static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
                                "the slide passes D at %s, and B is nearer, at %s: the slide cannot "
                                "reach it",
                                in_words(p, fabs(h), far), in_words(p, length_of(r), near));
+        s = sqrt(GSL_MAX(FLK_DOT(r, r) - h * h, 0));
+        u.x = s * r.x + h * r.y;
+        u.y = s * r.y - h * r.x;
+        flk_sine_cosine(-flk_setting_find(p, KEY_LEVER_ANGLE)->si[0], &turn.y, &turn.x);
+        lever.x = turn.x * u.x - turn.y * u.y;
+        lever.y = turn.x * u.y + turn.y * u.x;
+        place_link(pins, FOURLINK_COUPLER, x->at[PIN_B], u);
+        place_link(pins, FOURLINK_FOLLOWER, x->at[PIN_D], lever);
         return 1;
     }
     if (length_of(u) <= SAME * x->size)
@@ -248,7 +272,28 @@ static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
     pins->slide =
         pins->length[FOURLINK_FOLLOWER] > 0 ? reduced(direction_of(u) - direction_of(lever)) : 0;
     pins->side = length_of(r) > 0 ? FLK_DOT(r, u) / length_of(r) / length_of(u) : 0;
+    place_link(pins, FOURLINK_COUPLER, x->at[PIN_B], u);
+    place_link(pins, FOURLINK_FOLLOWER, x->at[PIN_D],
+               pins->length[FOURLINK_FOLLOWER] > 0 ? lever : u);
     return 1;
+}
+
+/* Scotch yoke: the slot passes B, at its angle beta from the guide; with v the direction of the slot and n the
+** left normal of the guide, the origin C of the yoke is at B - v ((B - A) . n - e) / sin(beta). */
+static void find_yoke(parser *p, deck_pins *pins, const drawing *x)
+{
+    double beta = flk_setting_or(p, KEY_YOKE_ANGLE, M_PI_2), sine = flk_sine(beta), above;
+    fourlink_vector u, v, C = x->at[PIN_B], crank = minus(x->at[PIN_B], x->at[PIN_A]);
+
+    find_line(pins, x, direction_of(minus(x->on_guide[1], x->on_guide[0])), NULL);
+    pins->branch = FOURLINK_OPEN;
+    flk_sine_cosine(pins->angle, &u.y, &u.x);
+    flk_sine_cosine(pins->angle + beta, &v.y, &v.x);
+    above = sine != 0 ? (FLK_CROSS(u, crank) - pins->offset) / sine : 0;
+    C.x -= above * v.x;
+    C.y -= above * v.y;
+    place_link(pins, FOURLINK_COUPLER, x->at[PIN_B], v);
+    place_link(pins, FOURLINK_FOLLOWER, C, u);
 }
 
 static int find_lengths(parser *p, deck_pins *pins, const drawing *x)
@@ -268,11 +313,33 @@ static int find_lengths(parser *p, deck_pins *pins, const drawing *x)
         found = find_inverted(p, pins, x);
         break;
     default: /* of a yoke, which has one branch */
-        find_line(pins, x, direction_of(minus(x->on_guide[1], x->on_guide[0])), NULL);
-        pins->branch = FOURLINK_OPEN;
+        find_yoke(p, pins, x);
     }
+    place_link(pins, FOURLINK_CRANK, x->at[PIN_A], crank);
     pins->theta2 = reduced(direction_of(crank) - pins->angle);
     return found;
+}
+
+int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at)
+{
+    const deck_pins *pins = &p->d->pins;
+    fourlink_vector origin = pins->origin[link], axis = pins->axis[link], place;
+
+    if (!pins->is_there)
+        return flk_mistake(p->mistakes, s->place,
+                           "'%t' is a place as drawn, which needs [pins]: without them give the "
+                           "point of the link with 'at', or 'cg'",
+                           s->value);
+    if (link == FOURLINK_GROUND) {
+        origin = pins->A;
+        flk_sine_cosine(pins->angle, &axis.y, &axis.x);
+    }
+    place.x = s->si[0];
+    place.y = s->si[1];
+    place = minus(place, origin);
+    at->x = FLK_DOT(place, axis);
+    at->y = FLK_CROSS(axis, place);
+    return 1;
 }
 
 /* --------------------------------------------------------------------------------- what is given besides */

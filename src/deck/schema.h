@@ -81,6 +81,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND,                            \
       "inertia about the centre of mass")                                                          \
     X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND, "centre of mass: x along, y to the left")         \
+    X(S, CG_PLACE, "cg_place", PLACE, LENGTH, ANY, ANY_KIND, "centre of mass as drawn")            \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND, "period as a pendulum") \
     X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND, "where it hangs as a pendulum")
 
@@ -136,6 +137,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "length")                  \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, WITH_STROKE,                                \
       "offset of the line of stroke or guide")                                                     \
+    X(GROUND, TO, "to", PLACE, LENGTH, ANY, WITH_PIN_D, "D, seen from A")                          \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "direction of the ground link")      \
     LINK_KEYS(X, CRANK)                                                                            \
     X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, WITH_STROKE,                            \
@@ -195,6 +197,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, LINK, "link", LINK, NUMBER, ANY, ANY_KIND, "the link it acts on")                      \
     X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND, "force")                                 \
     X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "where it acts")                               \
+    X(LOAD, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "where it acts as drawn")                \
     X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND, "torque, counter-clockwise positive")  \
     X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND, "what the force turns with")              \
     X(LOAD, FROM, "from", CRANK, ANGLE, ANY, ANY_KIND, "first crank angle at which it acts")       \
@@ -206,8 +209,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "the speed at which it has its value")                                                       \
     X(SPRING, LINK, "link", BODY, NUMBER, ANY, ANY_KIND, "the link it acts on")                    \
     X(SPRING, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                             \
+    X(SPRING, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "its end there as drawn")              \
     X(SPRING, TO, "to", BODY, NUMBER, ANY, ANY_KIND, "the other link, or the ground")              \
     X(SPRING, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                       \
+    X(SPRING, TO_PLACE, "to_place", PLACE, LENGTH, ANY, ANY_KIND, "its end there as drawn")        \
     X(SPRING, STIFFNESS, "stiffness", EITHER, STIFFNESS, ANY, ANY_KIND, "stiffness")               \
     X(SPRING, FREE_LENGTH, "free_length", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                \
       "length without load")                                                                       \
@@ -253,6 +258,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "the counterweights are in the results")                                                     \
     X(POINT, LINK, "link", LINK, NUMBER, ANY, ANY_KIND, "the link it is on")                       \
     X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its place")                                  \
+    X(POINT, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "its place as drawn")                   \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly modes")                  \
     X(TABLE, COLUMNS, "columns", TEXT, NUMBER, ANY, ANY_KIND, "the columns")                       \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND, "significant digits")            \

@@ -168,12 +168,46 @@ static int has_outer_comma(text t)
     return 0;
 }
 
+/* 2 in, 6 in, left: a point by its distances from both pins of its link; 0 if it is another form. */
+static int read_distances(parser *p, setting *s, text rest)
+{
+    text first, second, side, more;
+    int is_left;
+
+    if (s->is_place || s->is_number || !flk_piece_item(&rest, &first) ||
+        !flk_piece_item(&rest, &second) || !flk_piece_item(&rest, &side) ||
+        flk_piece_item(&rest, &more))
+        return 0;
+    is_left = flk_text_equal(side, "left");
+    if (!is_left && !flk_text_equal(side, "right"))
+        return 0;
+    if (flk_piece_read(p, s, first, QUANTITY_LENGTH, &s->si[0]) &&
+        flk_piece_read(p, s, second, QUANTITY_LENGTH, &s->si[1]))
+        s->of_pins = is_left ? 1 : -1;
+    return 1;
+}
+
+int flk_vector_by_distances(double from_origin, double from_end, double length, int side, double *x,
+                            double *y)
+{
+    double r = from_origin / length, q = from_end / length;
+
+    *x = length * (1 + (r - q) * (r + q)) / 2;
+    *y = (from_origin - *x) * (from_origin + *x);
+    if (*y < 0 && *y > -1e-12 * length * length)
+        *y = 0;
+    *y = *y >= 0 ? side * sqrt(*y) : GSL_NAN;
+    return *y == *y;
+}
+
 int flk_vector_read(parser *p, setting *s, quantity q)
 {
     text t = s->value;
     point vector;
     double size;
 
+    if (q == QUANTITY_LENGTH && read_distances(p, s, t))
+        return s->of_pins != 0;
     if (has_outer_comma(t) && flk_number_read(&t, &size) != NUMBER_COMMA) /* 0,5 mm */
         return flk_mistake(p->mistakes, s->place,
                            "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
@@ -251,6 +285,11 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
             flk_mistake(p->mistakes, own->place,
                         "'%t' is from the centre of mass: give the point from the origin of the "
                         "link before you vary a part of it",
+                        s->value);
+        if (s->of_pins)
+            flk_mistake(p->mistakes, own->place,
+                        "'%t' is by distances from pins: give the point along the link and to its "
+                        "left before you vary a part of it",
                         s->value);
         if (s->of_length)
             flk_mistake(p->mistakes, own->place,
