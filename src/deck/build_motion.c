@@ -9,10 +9,10 @@
 #include "base/number.h"
 #include "build.h"
 #include "build_motor.h"
+#include "build_program.h"
 #include "parser.h"
 #include "settings.h"
 
-#define MOST_TIMES 1000000 /* rows by time */
 #define MOST_ROWS 10000000 /* rows by angle */
 
 static double angle_or(parser *p, key_code key, double otherwise)
@@ -258,14 +258,17 @@ void flk_build_motion(parser *p)
     double cycle;
 
     p->d->mode.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
-    check_mode_of_motion(p, p->d->mode.kind);
-    build_rows_by_time(p);
     motion->angle_unit = u->up / u->down;
     motion->x_at = p->d->axes.angle;
+    motion->interval = whole(flk_unit_from_si(M_PI / 18, *u));
+    if (flk_build_program(p))
+        return;
+    check_mode_of_motion(p, p->d->mode.kind);
+    build_rows_by_time(p);
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
     motion->hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;
-    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(flk_unit_from_si(M_PI / 18, *u)));
+    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, motion->interval);
     if (IS_SET(at)) {
         check_alone(p, at);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);

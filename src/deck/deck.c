@@ -116,8 +116,9 @@ int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over)
             range->stops ? range->stop_angle : flk_motion_angle(motion, range, range->n_rows - 1);
     } else if (status == FOURLINK_OK) {
         over->step = d->mode.time_step;
-        over->last = d->mode.duration;
-        range->n_rows = (unsigned long)ceil(over->last / over->step - 1e-9) + 1;
+        over->first = d->program ? d->program->segment[0].begin : 0;
+        over->last = d->program ? flk_program_end(d->program) : d->mode.duration;
+        range->n_rows = (unsigned long)ceil((over->last - over->first) / over->step - 1e-9) + 1;
     }
     return status;
 }

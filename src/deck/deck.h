@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "base/units.h"
 #include "mechanics/machine.h"
+#include "mechanics/program.h"
 
 #define DECK_NAME_SIZE 64
 
@@ -167,6 +168,7 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
+    const flk_program *program;    /* of the crank over time; null: the motion is another */
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */

@@ -246,6 +246,22 @@ static void check_motor(parser *p)
         flk_unit_from_si(motor->curve_torque[end], torque->unit), torque->name);
 }
 
+/* Note a program that jumps in speed. */
+static void check_program(parser *p)
+{
+    const flk_program *program = p->d->program;
+    unsigned long i;
+
+    for (i = 0; program && !program->is_of_speed && i < program->n; i++)
+        if (program->segment[i].law == FLK_LAW_LINEAR && program->segment[i].rise != 0) {
+            flk_mistake(
+                NOTES(p), flk_setting_find(p, KEY_MOTION_PROGRAM)->place,
+                "a linear law jumps in speed at its points: the rows have no force of these "
+                "jumps");
+            return;
+        }
+}
+
 #define MANY_TURNS 100
 
 /* Note a long run-up by a constant torque that nothing opposes. */
@@ -312,6 +328,7 @@ void flk_build_notes(parser *p)
     check_pressure(p, KEY_GAS_BACK_PRESSURE);
     check_above_one(p, flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION), "a fluctuation");
     check_motor(p);
+    check_program(p);
     check_run_up(p);
     check_instant(p);
 }
@@ -321,24 +338,42 @@ void flk_build_notes(parser *p)
 #define PLACES 180    /* of the motion, that are checked */
 #define ROUNDING 1e-9 /* of the curve */
 
+/* The crank at a share of the motion; 0 if it is not known. */
+static int crank_at(const deck *d, double share, fourlink_crank *crank)
+{
+    double end = d->one_instant ? d->motion.from : d->motion.to, begin, x[3];
+    fourlink_row row;
+    int status;
+
+    if (d->program) {
+        begin = d->program->segment[0].begin;
+        flk_program_at(d->program, begin + share * (flk_program_end(d->program) - begin), x);
+        crank->theta2 = x[0];
+        crank->omega2 = x[1];
+        crank->alpha2 = x[2];
+        return 1;
+    }
+    status = fourlink_motion_at(&d->motion, d->motion.from + (end - d->motion.from) * share, &row);
+    if (status == FOURLINK_OK)
+        *crank = row.crank;
+    return status == FOURLINK_OK;
+}
+
 /* The smallest and the largest argument of a load over the motion.  If the motion is not given, speeds are
 ** unknown. */
 static void find_range(const deck *d, flk_variable over, double *low, double *high)
 {
-    double end = d->one_instant ? d->motion.from : d->motion.to;
     fourlink_state state;
-    fourlink_row row;
+    fourlink_crank crank;
     int i, branch;
 
     *low = GSL_POSINF;
     *high = GSL_NEGINF;
     for (i = 0; i <= PLACES; i++)
         for (branch = FOURLINK_CROSSED; branch <= FOURLINK_OPEN; branch += 2) {
-            double angle = d->motion.from + (end - d->motion.from) * i / PLACES;
-
             if (!(branch == FOURLINK_OPEN ? d->open : d->crossed) ||
-                fourlink_motion_at(&d->motion, angle, &row) != FOURLINK_OK ||
-                flk_mechanism_move(&d->machine.mechanism, (fourlink_branch)branch, &row.crank, 0,
+                !crank_at(d, (double)i / PLACES, &crank) ||
+                flk_mechanism_move(&d->machine.mechanism, (fourlink_branch)branch, &crank, 0,
                                    &state) != FOURLINK_OK)
                 continue;
             *low = GSL_MIN(*low, flk_variable_value(&state, over));

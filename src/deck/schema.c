@@ -40,6 +40,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(MOTION_MODE, "free", MODE_FREE)                                         \
     X(MOTION_MODE, "run-up", MODE_RUN_UP)                                     \
     X(MOTION_MODE, "steady", MODE_STEADY)                                     \
+    X(MOTION_PROGRAM_OF, "angle", 0)                                          \
+    X(MOTION_PROGRAM_OF, "speed", 1)                                          \
     X(MOTION_ROWS, "angle", 0)                                                \
     X(MOTION_ROWS, "time", 1)                                                 \
     YES_WORDS(X, FLYWHEEL_EXACT)                                              \

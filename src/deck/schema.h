@@ -174,6 +174,11 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "angle of the run-up from rest")                                                             \
     X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND, "this speed and acceleration throughout") \
     X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND, "how the crank's speed is determined")    \
+    X(MOTION, PROGRAM, "program", TEXT, NUMBER, ANY, ANY_KIND, "the crank angle over time")        \
+    X(MOTION, LAW, "law", TEXT, NUMBER, ANY, ANY_KIND, "the law between the points of a program")  \
+    X(MOTION, ENDS, "ends", TEXT, NUMBER, ANY, ANY_KIND, "how the spline of a program ends")       \
+    X(MOTION, PROGRAM_OF, "program_of", WORD, NUMBER, ANY, ANY_KIND,                               \
+      "what the points of a program are")                                                          \
     X(MOTION, MEAN_SPEED, "mean_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "mean over time")  \
     X(MOTION, TURNS, "turns", QUANTITY, NUMBER, ANY, ANY_KIND, "turns of the crank")               \
     X(MOTION, ROWS, "rows", WORD, NUMBER, ANY, ANY_KIND, "rows by angle or by time")               \

@@ -6,12 +6,14 @@
 ** Over the crank angle a piece ends where a load's curve or window has a corner, at dead positions and change
 ** points, where links lie in one line or nearly so, where a run-up ends, and where the crank is at rest.
 */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "base/cycle.h"
+#include "base/solve.h"
 #include "course.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
@@ -160,7 +162,7 @@ static void next_over_angle(const flk_pieces *x, flk_piece *piece)
 
 static double place_of_time(const flk_course *c, unsigned long i)
 {
-    return GSL_MIN((double)i * c->over.step, c->over.last);
+    return GSL_MIN(c->over.first + (double)i * c->over.step, c->over.last);
 }
 
 static int at_time(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
@@ -172,7 +174,7 @@ static int at_time(const flk_course *c, fourlink_branch branch, double time, fou
 static int find_time(const flk_course *c, double time, double *at)
 {
     *at = time;
-    return time >= 0 && time <= c->over.last * (1 + 1e-12);
+    return time >= c->over.first && time <= c->over.last * (1 + 1e-12);
 }
 
 /* Its length is the angle through which the crank turns, forwards and backwards. */
@@ -191,18 +193,145 @@ static void next_over_time(const flk_pieces *x, flk_piece *piece)
     piece->to = piece->from + 2 * SHORT < x->length ? piece->from + SHORT : x->length;
 }
 
+/* ----------------------------------------------------------------------------------------- by a program */
+
+static int at_program(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
+                      flk_actual_row *actual)
+{
+    double x[3];
+
+    (void)branch;
+    (void)actual;
+    flk_program_at(c->d->program, time, x);
+    row->place = row->time = time;
+    row->angle = (x[0] + c->d->motion.x_at) / c->d->motion.angle_unit;
+    row->crank.theta2 = x[0];
+    row->crank.omega2 = x[1];
+    row->crank.alpha2 = x[2];
+    return FLK_WITHIN(x[0] + x[1] + x[2], DBL_MAX) ? FOURLINK_OK : FOURLINK_BAD_NUMBER;
+}
+
+/* A rad of the length is the time of a rad at the highest speed. */
+static void begin_program(const flk_course *c, flk_pieces *x)
+{
+    double speed = flk_program_highest(c->d->program), duration = c->over.last - c->over.first;
+
+    x->first = c->over.first;
+    x->end = c->over.last;
+    x->length = GSL_MAX(speed * duration, 1);
+    x->rate = duration / x->length;
+}
+
+/* What is sought along a program: an angle, or with `is_rest` where the speed is 0. */
+typedef struct program_search {
+    const flk_program *program;
+    double theta2;
+    int is_rest;
+} program_search;
+
+static double program_past(double time, void *data)
+{
+    const program_search *s = data;
+    double x[3];
+
+    flk_program_at(s->program, time, x);
+    return s->is_rest ? x[1] : x[0] - s->theta2;
+}
+
+static double find_between(program_search *s, double from, double to)
+{
+    flk_bracket b = flk_bracket_of(from, to, program_past(from, s), program_past(to, s));
+
+    return flk_find_zero(program_past, s, &b, 0);
+}
+
+#define PARTS 16 /* of the way to the next corner of a program, to see where the crank turns back */
+
+/* The end of the way on which the crank turns one way: a corner of the program, or where it turns back. */
+static double end_of_way(const flk_program *program, double from)
+{
+    double to = flk_program_corner(program, from), step = (to - from) / PARTS, low, high;
+    program_search s;
+    int i;
+
+    s.program = program;
+    s.theta2 = 0;
+    s.is_rest = 1;
+    for (i = 0; i < PARTS; i++) {
+        low = from + (i ? i : 1.0 / PARTS) * step; /* the ends may be at rest */
+        high = from + (i + 1 < PARTS ? i + 1 : PARTS - 1.0 / PARTS) * step;
+        if (program_past(low, &s) * program_past(high, &s) < 0)
+            return find_between(&s, low, high);
+    }
+    return to;
+}
+
+/* A piece ends with its way, and where the crank passes a corner of the angle. */
+static void next_by_program(const flk_pieces *x, flk_piece *piece)
+{
+    const flk_program *program = x->course->d->program;
+    double from = x->first + piece->from * x->rate, to = end_of_way(program, from), way, passed;
+    flk_direction p;
+    program_search s;
+
+    s.program = program;
+    s.theta2 = 0;
+    s.is_rest = 0;
+    p.from = program_past(from, &s);
+    way = program_past(to, &s) - p.from;
+    p.corners = x->course->corners;
+    p.branch = x->branch;
+    p.sense = way < 0 ? -1 : 1;
+    p.has_loads = x->has_loads;
+    if (!(piece->from > 0))
+        piece->begin = flk_corners_first(&p);
+    way = fabs(way);
+    passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
+    if (passed < way - FLK_CORNERS_CLOSE(way)) {
+        s.theta2 = p.from + p.sense * passed;
+        to = find_between(&s, from, to);
+    } else if (passed > way + FLK_CORNERS_CLOSE(way)) {
+        piece->end = FLK_END_PLAIN;
+    }
+    piece->to = to < x->end ? (to - x->first) / x->rate : x->length;
+}
+
+/* The first time at which a program passes a crank angle; 0 if there is none. */
+static int pass_program(const flk_course *c, double theta2, double *time)
+{
+    double from, to;
+    program_search s;
+
+    s.program = c->d->program;
+    s.theta2 = theta2;
+    s.is_rest = 0;
+    for (from = c->over.first; from < c->over.last; from = to) {
+        to = end_of_way(s.program, from);
+        if (program_past(from, &s) * program_past(to, &s) <= 0) {
+            *time = find_between(&s, from, to);
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static const struct flk_course_type given = {place_of_angle, at_given, find_angle, begin_angle,
                                              next_over_angle},
                                     by_angle = {place_of_angle, at_angle, find_angle, begin_angle,
                                                 next_over_angle},
                                     by_time = {place_of_time, at_time, find_time, begin_time,
-                                               next_over_time};
+                                               next_over_time},
+                                    by_program = {place_of_time, at_program, find_time,
+                                                  begin_program, next_by_program};
 
 /* --------------------------------------------------------------------------------------------- the course */
 
 static const struct flk_course_type *type_of(const deck *d)
 {
-    return d->mode.kind == MODE_GIVEN ? &given : d->over->is_crank_angle ? &by_angle : &by_time;
+    return d->program                   ? &by_program
+           : d->mode.kind == MODE_GIVEN ? &given
+           : d->over->is_crank_angle    ? &by_angle
+                                        : &by_time;
 }
 
 static double period_of(const flk_machine *machine)
@@ -252,7 +381,7 @@ int flk_course_repeats(const flk_course *c)
 {
     const fourlink_motion *motion = &c->d->motion;
 
-    if (c->actual)
+    if (c->actual || c->d->program)
         return c->d->mode.kind == MODE_STEADY;
     return !c->winds && motion->run_up <= 0 && !c->range.stops &&
            (motion->acceleration == 0 || motion->hold);
@@ -270,7 +399,14 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
                     fourlink_row *row, flk_actual_row *actual)
 {
     int is_by_angle = c->over.is_crank_angle;
+    double time;
 
+    if (c->d->program) {
+        if (!pass_program(c, flk_motion_theta2(&c->d->motion, angle), &time))
+            return 0;
+        *status = at_program(c, branch, time, row, actual);
+        return 1;
+    }
     if (is_by_angle ? !c->type->find(c, angle, &angle)
                     : !FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX))
         return 0;

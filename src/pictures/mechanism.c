@@ -119,9 +119,8 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
     fourlink_instant now;
     int k;
 
-    for (k = 1; k < p->n_angles; k++)
-        if (fourlink_results_at(p->v.results, branch, p->angles[k], NULL, &now, NULL) ==
-            FOURLINK_OK) {
+    for (k = 1; k < p->n_spots; k++)
+        if (view_find_spot(&p->v, branch, &p->spots[k], NULL, &now, NULL) == FOURLINK_OK) {
             figure_pins pins = figure_place(p, &now.state);
 
             figure_outline(s, p, &now.state, PEN_OTHER);
@@ -159,7 +158,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     figure_open(&s, p, branch);
-    if (p->n_angles == 0 && p->request->file != PLOT_TXT)
+    if (p->n_spots == 0 && p->request->file != PLOT_TXT)
         draw_ghosts(&s, p, branch);
     figure_paths(&s, p, branch);
     wanted_draw(&s, p);

@@ -177,10 +177,10 @@ int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
 int picture_position(picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads)
 {
-    int status = view_find_position(&p->v, branch, p->n_angles ? p->angles : NULL, now, loads);
+    int status = view_find_position(&p->v, branch, p->n_spots ? p->spots : NULL, now, loads);
 
     p->shown = now->row.angle;
-    if (status == FOURLINK_OK && !p->n_angles)
+    if (status == FOURLINK_OK && !p->n_spots)
         p->why = view_tell_position(&p->v, now, loads, p->why_words);
     return status;
 }

@@ -128,10 +128,10 @@ typedef struct picture {
     int has_instant;         /* 1: the deck asks for one instant, and the picture shows its cycle */
     double instant;          /* its crank angle, in the deck's unit */
     fourlink_load *loads;    /* room for the loads at one crank angle */
-    unsigned long n_lines, n_missing; /* of a sweep's outputs */
-    double from;                      /* the place where its curves begin */
-    double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
-    int n_angles;
+    unsigned long n_lines, n_missing;   /* of a sweep's outputs */
+    double from;                        /* the place where its curves begin */
+    view_spot spots[PICTURE_POSITIONS]; /* of --plot-at */
+    int n_spots;
     const char *why; /* the position is shown that nobody asked for; "": it was asked for */
     char why_words[VIEW_WHY];
     double shown;    /* its crank angle, in the deck's unit */

@@ -141,25 +141,27 @@ static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *
                 p->v.units[QUANTITY_ANGLE].name);
 }
 
-/* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */
-static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
+/* 1 if the motion goes to a spot and the links reach it on some branch; else 0 and the range. */
+static int is_in_range(const picture *p, const view_spot *spot, char message[MESSAGE_SIZE])
 {
     fourlink_reach reach;
     double turn;
     int i, status = FOURLINK_OK, is_over_angle = p->v.problem.over.is_crank_angle;
 
     for (i = 0; i < p->v.n_branches; i++) {
-        status = fourlink_results_at(p->v.results, p->v.branches[i], angle, NULL, NULL, NULL);
+        status = view_find_spot(&p->v, p->v.branches[i], spot, NULL, NULL, NULL);
         if (status == FOURLINK_OK)
             return 1;
     }
     fourlink_reach_of(p->v.mechanism, &reach);
-    flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle,
-                p->v.units[QUANTITY_ANGLE].name,
+    flk_message(message, MESSAGE_SIZE, "%s = %.6g %s: %s",
+                spot->is_place ? p->v.problem.over.name : "theta2", spot->at,
+                spot->is_place ? p->v.problem.over.unit : p->v.units[QUANTITY_ANGLE].name,
                 status != FOURLINK_NO_SUCH_ANGLE
                     ? reach.n_ranges ? "the links reach" : fourlink_status_text(status)
-                : is_over_angle ? "the motion goes"
-                                : "the crank does not pass it");
+                : spot->is_place ? "the motion does not go there"
+                : is_over_angle  ? "the motion goes"
+                                 : "the crank does not pass it");
     for (i = 0; i < reach.n_ranges && status != FOURLINK_NO_SUCH_ANGLE; i++) {
         turn = view_turn_of_range(&p->v, reach.from[i], reach.to[i]);
         add_range(p, message, i ? ", and" : "",
@@ -173,22 +175,22 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
     return 0;
 }
 
-/* The crank angles of --plot-at, separated by commas. */
-static int read_angles(picture *p, fourlink_mistake *mistake)
+/* The spots of --plot-at, separated by commas. */
+static int read_spots(picture *p, fourlink_mistake *mistake)
 {
     text rest = flk_text_of(p->request->at), item;
     char words[MESSAGE_SIZE];
-    double *angle;
+    view_spot *spot;
 
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
-        if (p->n_angles == PICTURE_POSITIONS)
+        if (p->n_spots == PICTURE_POSITIONS)
             return view_refuse(mistake, "--plot-at", "more than 24 positions", "");
-        if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
+        if (p->n_spots == 1 && p->request->kind != PLOT_MECHANISM)
             return view_refuse(mistake, "--plot-at", plot_names[p->request->kind],
                                " draws one position, not several");
-        angle = &p->angles[p->n_angles++];
-        if (!view_read_crank(&p->v, item, item, angle, words) || !is_in_range(p, *angle, words))
+        spot = &p->spots[p->n_spots++];
+        if (!view_read_spot(&p->v, item, item, spot, words) || !is_in_range(p, spot, words))
             return view_refuse(mistake, "--plot-at", words, "");
     }
     return 1;
@@ -279,7 +281,7 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
     } else if (info->needs & PLOT_OVER) {
         over = p->v.problem.over.words;
     }
-    if ((info->needs & PLOT_AT) && !p->n_angles)
+    if ((info->needs & PLOT_AT) && !p->n_spots)
         flk_text_join(at, sizeof at, ", at \316\270" SUB_2 " = ",
                       picture_mark(p, p->shown, 7, number), p->why[0] ? ", " : "", p->why,
                       (char *)NULL);
@@ -319,17 +321,17 @@ static int make(picture *p, fourlink_mistake *mistake)
         held = p->v.problem.motion.acceleration != 0 ? ", speed and acceleration held"
                                                      : ", speed held";
     if (!p->v.problem.over.is_crank_angle && !picture_has_outputs(p))
-        steps = view_set_step(&p->v, p->v.end / PICTURE_STEPS, step);
+        steps = view_set_step(&p->v, (p->v.end - p->v.problem.over.first) / PICTURE_STEPS, step);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
     if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))
         held = ", the last turn";
     lay_out(p);
     put_head(p, p->source->name, held);
-    if (p->request->at && !read_angles(p, mistake))
+    if (p->request->at && !read_spots(p, mistake))
         return 0;
     why = draw(p);
-    return why ? view_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
+    return why ? view_refuse(mistake, p->n_spots ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 
 /* 1 if the last frame comes before the first one again. */

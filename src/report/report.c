@@ -127,8 +127,8 @@ static void put_page(report *r)
     page_print(&r->page, "</body>\n</html>\n");
 }
 
-/* Read the crank angle of the request. */
-static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
+/* Read the place of the request. */
+static int read_spot(report *r, view_spot *spot, fourlink_mistake *mistake)
 {
     const char *list = r->request->at;
     char message[400];
@@ -139,7 +139,7 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
     if (item.column)
         return view_refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg",
                            "");
-    *angle = item.value;
+    *spot = item.spot;
     return !list ||
            view_refuse(mistake, "--plot-at", "a report shows one position, not several", "");
 }
@@ -149,14 +149,14 @@ static int find_sample(report *r, fourlink_mistake *mistake)
 {
     const char *at = r->request->at;
     char number[FORMAT_SIZE], typeset[NOTATION_SIZE], why[VIEW_WHY];
-    double angle;
+    view_spot spot;
 
-    if (at && !read_angle(r, &angle, mistake))
+    if (at && !read_spot(r, &spot, mistake))
         return 0;
-    view_find_position(&r->v, r->v.branches[0], at ? &angle : NULL, &r->now, r->loads);
+    view_find_position(&r->v, r->v.branches[0], at ? &spot : NULL, &r->now, r->loads);
     if (r->now.status == FOURLINK_OK)
-        fourlink_results_at(r->v.results, r->v.branches[0], r->now.row.angle, NULL, &r->now,
-                            r->loads);
+        fourlink_results_along(r->v.results, r->v.branches[0], r->now.row.place, NULL, &r->now,
+                               r->loads);
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number),
                   isalpha((unsigned char)*typeset) ? "\302\240" : "", typeset, (char *)NULL);
@@ -166,8 +166,8 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     r->drawn_at = r->request->at;
     if (!r->v.problem.over.is_crank_angle && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =
-            flk_text_join(r->exact, sizeof r->exact, format_general(r->now.row.angle, 17, number),
-                          " ", r->v.units[QUANTITY_ANGLE].name, (char *)NULL);
+            flk_text_join(r->exact, sizeof r->exact, format_general(r->now.row.place, 17, number),
+                          " ", r->v.problem.over.unit, (char *)NULL);
     return 1;
 }
 

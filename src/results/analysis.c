@@ -317,7 +317,7 @@ static int has_time(const deck *d)
 {
     const fourlink_motion *motion = &d->motion;
 
-    if (d->mode.kind != MODE_GIVEN)
+    if (d->mode.kind != MODE_GIVEN || d->program)
         return 1;
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
 }

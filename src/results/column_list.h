@@ -66,7 +66,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define TURNING (PINNED | SLIDER_CRANK) /* link 3 turns */
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
-#define USUAL_ACTUAL 0x200 /* the same, if the motion is not given */
+#define USUAL_ACTUAL 0x200 /* the same, if the motion is computed, or goes by a program */
 
 /* Places of numbers in a row. */
 #define ROW(member) offsetof(flk_row, at.row.member)

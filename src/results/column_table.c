@@ -34,7 +34,7 @@ static size_t count_table(const deck *d)
 
 static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
-    int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
+    int usual = a->possible & NEED_ACTUAL || a->d->program ? USUAL | USUAL_ACTUAL : USUAL;
 
     flk_column_start(a->d, &table[i], c);
     if (table[i].traits & FOURLINK_CRANK_ANGLE)

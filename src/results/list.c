@@ -233,6 +233,29 @@ static void derive_from_pins(listing *t, section_code section)
                     "angle of the slide from the line D-C");
 }
 
+static void add_words(listing *t, const char *name, const char *words, const char *meaning)
+{
+    fourlink_value *v = add_input(t, name, QUANTITY_NUMBER, meaning);
+
+    v->words = words;
+    v->unit = "";
+}
+
+/* The law of a program, and how it ends where it is a spline there. */
+static void derive_program(listing *t, const flk_program *program)
+{
+    static const char *const ends[] = {"natural", "speeds", "periodic"};
+    flk_law first = program->segment[0].law, last = program->segment[program->n - 1].law;
+    unsigned long i = 0;
+
+    while (i < program->n && program->segment[i].law == first)
+        i++;
+    add_words(t, "motion.law", i < program->n ? "several" : flk_law_names[first],
+              "the law between the points of a program");
+    if (first == FLK_LAW_SPLINE || last == FLK_LAW_SPLINE)
+        add_words(t, "motion.ends", ends[program->ends], "how the spline of a program ends");
+}
+
 /* What motion and rows have without being told. */
 static void derive_motion(listing *t)
 {
@@ -241,6 +264,12 @@ static void derive_motion(listing *t)
     if (t->d->one_instant)
         return;
     add_default(t, "motion", "from", QUANTITY_ANGLE, motion->from, "first crank angle");
+    if (t->d->program) {
+        derive_program(t, t->d->program);
+        add_default(t, "motion", "time_step", QUANTITY_TIME,
+                    flk_unit_from_si(t->d->mode.time_step, t->d->units[QUANTITY_TIME].unit),
+                    "interval of rows by time");
+    }
     if (motion->run_up <= 0 && t->d->over->is_crank_angle)
         add_default(t, "motion", "to", QUANTITY_ANGLE, motion->to, "last crank angle");
     if (t->d->over->is_crank_angle)
@@ -321,7 +350,7 @@ static int has_inputs(section_code section)
 }
 
 #define MOST_DERIVED \
-    44 /* links 20, pins 4, offset 1, gas 2, motion 4, gravity 2, friction 4, flywheel 1 */
+    47 /* links 20, pins 4, offset 1, gas 2, motion 7, gravity 2, friction 4, flywheel 1 */
 
 size_t flk_list_input_limit(const deck *d)
 {

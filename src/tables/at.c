@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** at.c - the crank angles of --at: '30 deg, theta4 = 120 deg'.
+** at.c - where --at points to: '30 deg, theta4 = 120 deg'.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -69,37 +69,36 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     *list = rest.start;
     item->words = flk_text_trim(item->words);
     item->column = NULL;
+    item->spot.is_place = 0;
     rest = item->words;
     flk_text_split(&rest, '=', &name);
-    if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2"))
+    if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2") &&
+        (v->problem.over.is_crank_angle ||
+         !flk_text_equal(flk_text_trim(name), v->problem.over.name)))
         return take_column(v, flk_text_trim(name), flk_text_trim(rest), item, message);
-    if (!view_read_crank(v, rest.start ? flk_text_trim(rest) : item->words, item->words,
-                         &item->value, message))
+    if (!view_read_spot(v, rest.start ? flk_text_trim(rest) : item->words, item->words, &item->spot,
+                        message))
         return -1;
-    if (fourlink_results_at(v->results, v->branches[0], item->value, NULL, NULL, NULL) !=
-        FOURLINK_NO_SUCH_ANGLE)
+    if (view_find_spot(v, v->branches[0], &item->spot, NULL, NULL, NULL) != FOURLINK_NO_SUCH_ANGLE)
         return 1;
     flk_message(message, 400,
                 v->problem.one_instant
                     ? "the motion does not reach theta2 = %t: it is one instant, "
                       "[motion] at = %g %s"
-                    : "the motion does not reach theta2 = %t",
+                : item->spot.is_place ? "the motion does not reach %t"
+                                      : "the motion does not reach theta2 = %t",
                 item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
     return -1;
 }
 
-int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch, double **angles,
-            unsigned long *n)
+/* Find the crank angles of a value of a column. */
+static int find_angles(fourlink_results *results, const at_item *item, fourlink_branch branch,
+                       double **angles, unsigned long *n)
 {
     unsigned long room = 16; /* of most */
     int status = FOURLINK_OK;
 
-    *n = 0;
     *angles = memory_get(room, sizeof **angles);
-    if (*angles && !item->column) {
-        (*angles)[(*n)++] = item->value;
-        return FOURLINK_OK;
-    }
     while (*angles && status == FOURLINK_OK) {
         status = fourlink_results_crossings(results, item->column, branch, item->value, room,
                                             *angles, n);
@@ -110,4 +109,28 @@ int at_find(fourlink_results *results, const at_item *item, fourlink_branch bran
         *angles = memory_get(room, sizeof **angles);
     }
     return FOURLINK_NO_MEMORY;
+}
+
+int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch,
+            view_spot **spots, unsigned long *n)
+{
+    double *angles = NULL;
+    unsigned long i;
+    int status = FOURLINK_OK;
+
+    *spots = NULL;
+    *n = item->column ? 0 : 1;
+    if (item->column)
+        status = find_angles(results, item, branch, &angles, n);
+    if (status == FOURLINK_OK) {
+        *spots = memory_get(*n + 1, sizeof **spots);
+        status = *spots ? FOURLINK_OK : FOURLINK_NO_MEMORY;
+    }
+    for (i = 0; status == FOURLINK_OK && i < *n; i++) {
+        (*spots)[i] = item->spot;
+        if (item->column)
+            (*spots)[i].at = angles[i];
+    }
+    free(angles);
+    return status;
 }

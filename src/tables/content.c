@@ -77,12 +77,12 @@ static void write_all_rows(sheet *s, fourlink_branch branch)
     sheet_write_stop(s, branch);
 }
 
-static void write_row_at(sheet *s, fourlink_branch branch, double angle)
+static void write_row_at(sheet *s, fourlink_branch branch, const view_spot *spot)
 {
     fourlink_instant at;
     sheet_row row;
 
-    sheet_find_at(s, branch, angle, &at);
+    sheet_find_at(s, branch, spot, &at);
     take_row(s, branch, &at, &row);
     s->format->row(s, &row);
 }

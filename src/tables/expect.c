@@ -88,12 +88,13 @@ static void put_section(sheet *s, fourlink_branch branch, double place, const ch
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
 }
 
-static void put_at(sheet *s, fourlink_branch branch, double angle)
+static void put_at(sheet *s, fourlink_branch branch, const view_spot *spot)
 {
     fourlink_instant at;
 
-    put_section(s, branch, angle, s->v.units[QUANTITY_ANGLE].name,
-                sheet_find_at(s, branch, angle, &at));
+    put_section(s, branch, spot->at,
+                spot->is_place ? s->v.problem.over.unit : s->v.units[QUANTITY_ANGLE].name,
+                sheet_find_at(s, branch, spot, &at));
 }
 
 /* A revolution at constant speed ends with its first row again. */

@@ -79,6 +79,8 @@ static void put_speed(sheet *s)
         put_value(s, "# free motion from %6g %s", motion->speed, QUANTITY_ANGULAR_SPEED);
     else if (mode != FOURLINK_MODE_GIVEN)
         line_put(&s->l, mode == FOURLINK_MODE_STEADY ? "# steady motion" : "# run-up from rest");
+    else if (!s->v.problem.over.is_crank_angle)
+        line_put(&s->l, "# crank by a program");
     else if (motion->run_up > 0)
         line_put(&s->l, "# crank from rest");
     else

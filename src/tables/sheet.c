@@ -70,9 +70,9 @@ static void write_missing(sheet *s, fourlink_branch branch, const at_item *item,
         s->format->row(s, &row);
 }
 
-int sheet_find_at(sheet *s, fourlink_branch branch, double angle, fourlink_instant *at)
+int sheet_find_at(sheet *s, fourlink_branch branch, const view_spot *spot, fourlink_instant *at)
 {
-    int status = fourlink_results_at(s->v.results, branch, angle, s->values, at, s->loads);
+    int status = view_find_spot(&s->v, branch, spot, s->values, at, s->loads);
 
     if (status == FOURLINK_OK)
         view_settle_row(&s->v, at, s->loads, s->values);
@@ -80,24 +80,24 @@ int sheet_find_at(sheet *s, fourlink_branch branch, double angle, fourlink_insta
 }
 
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
-                       void (*put)(sheet *s, fourlink_branch branch, double angle))
+                       void (*put)(sheet *s, fourlink_branch branch, const view_spot *spot))
 {
     const char *list = s->at;
     char message[400];
     unsigned long n, i;
-    double *angles;
+    view_spot *spots;
     at_item item;
     int status;
 
     while (at_next(&s->v, &list, &item, message) == 1) {
-        status = at_find(s->v.results, &item, branch, &angles, &n);
+        status = at_find(s->v.results, &item, branch, &spots, &n);
         if (status == FOURLINK_NO_MEMORY)
             return;
         if (status != FOURLINK_OK || n == 0)
             write_missing(s, branch, &item, status);
         for (i = 0; status == FOURLINK_OK && i < n; i++)
-            put(s, branch, angles[i]);
-        free(angles);
+            put(s, branch, &spots[i]);
+        free(spots);
     }
 }
 

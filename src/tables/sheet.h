@@ -180,12 +180,12 @@ const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
 /* Set the values of the row at a crank angle of s->at, 0 for rounding error; returns its status. */
-int sheet_find_at(sheet *s, fourlink_branch branch, double angle, fourlink_instant *at);
+int sheet_find_at(sheet *s, fourlink_branch branch, const view_spot *spot, fourlink_instant *at);
 
 /* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format
 ** is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
-                       void (*put)(sheet *s, fourlink_branch branch, double angle));
+                       void (*put)(sheet *s, fourlink_branch branch, const view_spot *spot));
 
 /* 1 if a value meets a condition of a yield; NaN meets none. */
 int sheet_meets(const fourlink_value *condition, const fourlink_value *v);

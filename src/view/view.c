@@ -218,6 +218,33 @@ double view_turn_of_range(const view *v, double from, double to)
     return to - from < 2 * M_PI - 1e-9 ? view_direction(v, from) - from : 0;
 }
 
+/* 1 if a value has a unit of what the rows go over, and that is no angle. */
+static int is_of_place(const view *v, text value)
+{
+    text name = flk_quantity_unit_text(value), bad;
+    unit u;
+
+    return !v->problem.over.is_crank_angle && name.length && flk_unit_read(name, &u, &bad) &&
+           flk_dimension_equal(u.dim, flk_quantities[v->over].dim);
+}
+
+int view_read_spot(const view *v, text value, text words, view_spot *spot,
+                   char message[MESSAGE_SIZE])
+{
+    spot->is_place = is_of_place(v, value);
+    return spot->is_place ? view_read(v, v->over, value, words, &spot->at, message)
+                          : view_read_crank(v, value, words, &spot->at, message);
+}
+
+int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
+                   fourlink_instant *now, fourlink_load *loads)
+{
+    if (!spot->is_place)
+        return fourlink_results_at(v->results, branch, spot->at, values, now, loads);
+    return fourlink_results_along(v->results, branch, view_si(v, v->over, spot->at), values, now,
+                                  loads);
+}
+
 /* rad: a position is clear if it is farther from a dead one. */
 #define CLEAR (20 * M_PI / 180)
 
@@ -297,7 +324,7 @@ static int is_drawn(const view *v)
     return v->problem.has_drawn && !v->problem.one_instant;
 }
 
-int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+int view_find_position(const view *v, fourlink_branch branch, const view_spot *spot,
                        fourlink_instant *now, fourlink_load *loads)
 {
     int first, status, most = 0, acting, of;
@@ -305,8 +332,8 @@ int view_find_position(const view *v, fourlink_branch branch, const double *angl
     unsigned long i;
     long row;
 
-    if (angle)
-        return fourlink_results_at(v->results, branch, *angle, NULL, now, loads);
+    if (spot)
+        return view_find_spot(v, branch, spot, NULL, now, loads);
     if (is_drawn(v) &&
         fourlink_results_at(v->results, branch, v->problem.drawn, NULL, now, loads) == FOURLINK_OK)
         return FOURLINK_OK;
@@ -412,6 +439,6 @@ int view_is_still(const view *v)
 {
     const fourlink_motion *motion = &v->problem.motion;
 
-    return v->problem.mode == FOURLINK_MODE_GIVEN && motion->speed == 0 &&
-           motion->acceleration == 0;
+    return v->problem.mode == FOURLINK_MODE_GIVEN && v->problem.over.is_crank_angle &&
+           motion->speed == 0 && motion->acceleration == 0;
 }

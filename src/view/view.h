@@ -79,11 +79,26 @@ double view_turn_of_range(const view *v, double from, double to);
 int view_read_crank(const view *v, text value, text words, double *angle,
                     char message[MESSAGE_SIZE]);
 
-/* The position to show on a branch: at a crank angle; if that is null, that of the drawing of [pins], unless the
-** deck is one instant; or a sixth of the way through the motion, or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
+/* Where --at and --plot-at point to: a crank angle in the deck's unit, where the motion first passes it, or
+** with `is_place` a place of what the rows go over, if that is another. */
+typedef struct view_spot {
+    double at;
+    int is_place;
+} view_spot;
+
+/* Read a spot; 0 and a message if it is none. */
+int view_read_spot(const view *v, text value, text words, view_spot *spot,
+                   char message[MESSAGE_SIZE]);
+
+/* The row there, as from fourlink_results_at. */
+int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
+                   fourlink_instant *now, fourlink_load *loads);
+
+/* The position to show on a branch: at a spot; if that is null, that of the drawing of [pins], unless the deck
+** is one instant; or a sixth of the way through the motion, or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
 ** the one nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be
 ** assembled.  Returns a status. */
-int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+int view_find_position(const view *v, fourlink_branch branch, const view_spot *spot,
                        fourlink_instant *now, fourlink_load *loads);
 
 #define VIEW_LOADS 128 /* a deck has fewer */

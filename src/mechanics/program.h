@@ -20,6 +20,9 @@
 #define FLK_LAW(code, name, function) FLK_LAW_##code,
 typedef enum flk_law { FLK_LAWS(FLK_LAW) FLK_LAW_COUNT } flk_law;
 
+/* The words of a deck, which end with a null pointer. */
+extern const char *const flk_law_names[];
+
 /* How splines end: without curvature; at a speed; as they begin. */
 typedef enum flk_program_ends {
     FLK_ENDS_NATURAL,
@@ -53,6 +56,9 @@ void flk_program_prepare(flk_program *p, double *room);
 /* The coordinate, its speed and acceleration at a time.  Where the acceleration jumps it is that of the segment
 ** that begins, at the end of the program that of the last one. */
 void flk_program_at(const flk_program *p, double time, double x[3]);
+
+/* The highest speed, or nearly so. */
+double flk_program_highest(const flk_program *p);
 
 double flk_program_end(const flk_program *p);
 

@@ -17,6 +17,8 @@
 #include "base/trig.h"
 #include "program.h"
 
+#define PARTS 8 /* of a segment, whose speeds are compared */
+
 /* S, s, s', s" */
 typedef struct shape {
     double integral, value, rate, second;
@@ -166,6 +168,9 @@ static void spline(const flk_program_segment *g, double u, shape *x)
     x->rate = g->rise + sixth * (M1 * (3 * u * u - 1) - M0 * (3 * v * v - 1));
     x->second = 6 * sixth * (M0 * v + M1 * u);
 }
+
+#define LAW_NAME(code, name, function) name,
+const char *const flk_law_names[] = {FLK_LAWS(LAW_NAME) NULL};
 
 #define LAW_FUNCTION(code, name, function) function,
 static law *const laws[] = {FLK_LAWS(LAW_FUNCTION)};
@@ -380,6 +385,20 @@ void flk_program_at(const flk_program *p, double time, double x[3])
         x[1] = s.rate / g->length;
         x[2] = s.second / (g->length * g->length);
     }
+}
+
+double flk_program_highest(const flk_program *p)
+{
+    double highest = 0, x[3];
+    unsigned long i;
+    int k;
+
+    for (i = 0; i < p->n; i++)
+        for (k = 0; k <= PARTS; k++) {
+            flk_program_at(p, p->segment[i].begin + k * p->segment[i].length / PARTS, x);
+            highest = GSL_MAX(highest, fabs(x[1]));
+        }
+    return highest;
 }
 
 double flk_program_corner(const flk_program *p, double time)

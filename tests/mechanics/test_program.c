@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion/program.h"
+#include "mechanics/program.h"
 
 #define MOST 12 /* segments */
 
