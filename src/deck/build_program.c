@@ -103,7 +103,7 @@ static int read_laws(parser *p, const setting *s, char *points, const flk_progra
     text rest = flk_text_of(points), item, law;
     size_t i;
 
-    for (i = 0; flk_curve_text_item(&rest, &item); i++) {
+    for (i = 0; flk_piece_item(&rest, &item); i++) {
         flk_program_segment *before = &g[GSL_MIN(GSL_MAX(i, 1), n) - 1];
 
         law = law_of(item);
@@ -148,11 +148,12 @@ static int read_speeds(parser *p, const setting *s, flk_program *x)
     x->ends = FLK_ENDS_SPEEDS;
     if (n == 2 && !flk_text_trim(rest).length)
         return 1;
-    return flk_mistake(p->mistakes, s->place,
-                       "expected natural, rest, periodic, or the %ss at both ends, such as 0 %s, 3 "
-                       "%s, not '%t'",
-                       flk_quantities[q].words, flk_quantities[q].unit, flk_quantities[q].unit,
-                       s->value);
+    return flk_mistake(
+        p->mistakes, s->place,
+        "expected natural, rest, periodic, or the %s at both ends, such as 0 %s, 3 %s, "
+        "not '%t'",
+        x->is_of_speed ? "accelerations" : "speeds", flk_quantities[q].unit, flk_quantities[q].unit,
+        s->value);
 }
 
 static int build_ends(parser *p, const setting *s, double first, double last, flk_program *x)

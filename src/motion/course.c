@@ -174,7 +174,7 @@ static int at_time(const flk_course *c, fourlink_branch branch, double time, fou
 static int find_time(const flk_course *c, double time, double *at)
 {
     *at = time;
-    return time >= c->over.first && time <= c->over.last * (1 + 1e-12);
+    return time >= c->over.first && time <= c->over.last + 1e-12 * (c->over.last - c->over.first);
 }
 
 /* Its length is the angle through which the crank turns, forwards and backwards. */
@@ -247,10 +247,13 @@ static double find_between(program_search *s, double from, double to)
 
 #define PARTS 16 /* of the way to the next corner of a program, to see where the crank turns back */
 
+#define CLOSE_TIMES 1e-12 /* of the time of a program: two that are closer count as one */
+
 /* The end of the way on which the crank turns one way: a corner of the program, or where it turns back. */
 static double end_of_way(const flk_program *program, double from)
 {
-    double to = flk_program_corner(program, from), step = (to - from) / PARTS, low, high;
+    double close = CLOSE_TIMES * (flk_program_end(program) - program->segment[0].begin);
+    double to = flk_program_corner(program, from + close), step = (to - from) / PARTS, low, high;
     program_search s;
     int i;
 
