@@ -260,10 +260,12 @@ static int is_there(unsigned long c, const fourlink_value *told)
     fourlink_instant now;
     int i, k;
 
-    for (i = 0; i < n_points; i++)
-        if (row_at(points[i], values, NULL) == FOURLINK_OK &&
-            fabs(values[c] - told->value) <= SMOOTH * size[c])
-            return 1;
+    for (i = 0; i < n_points; i++) /* and just before and behind, where the law is another */
+        for (k = -1; k <= 1; k++)
+            if (row_at(points[i] + k * 1e-13 * (times[ROWS] - times[0]), values, NULL) ==
+                    FOURLINK_OK &&
+                fabs(values[c] - told->value) <= SMOOTH * size[c])
+                return 1;
     for (i = 0; i < ROWS; i++) {
         if ((rows[i][theta2] - told->angle) * (rows[i + 1][theta2] - told->angle) > 0)
             continue;
@@ -277,8 +279,8 @@ static int is_there(unsigned long c, const fourlink_value *told)
             else
                 high = middle;
         }
-        for (k = 0; k < 2; k++)
-            if (row_at(k ? high : low, values, NULL) == FOURLINK_OK &&
+        for (k = -1; k <= 1; k++) /* at a corner of a law, just inside */
+            if (row_at(low + k * 1e-13 * (times[ROWS] - times[0]), values, NULL) == FOURLINK_OK &&
                 fabs(values[c] - told->value) <= SMOOTH * size[c])
                 return 1;
     }
