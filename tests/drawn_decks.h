@@ -70,7 +70,7 @@ static int find_drawn(const fourlink_mechanism *m, int has_own_slide, fourlink_s
             at->mu > CLEAR &&
             (m->design.kind != FOURLINK_SLIDER_CRANK ||
              at->link[4].origin.x > 0.01 * m->design.link[2].length) &&
-            (m->design.kind != FOURLINK_INVERTED_SLIDER_CRANK || has_own_slide ||
+            (m->design.kind != FOURLINK_INVERTED_SLIDER_CRANK ||
              at->slide > 0.01 * m->design.link[2].length))
             return 1;
     }

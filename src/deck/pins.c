@@ -446,6 +446,19 @@ void flk_pins_read(parser *p)
 
 /* -------------------------------------------------------------------------------------------- the branch */
 
+/* The open branch is drawn, but beyond a change point it is there a turn later. */
+static void find_turn(const deck *d, deck_pins *pins)
+{
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+
+    crank.theta2 = pins->theta2;
+    if (flk_mechanism_move(&d->machine.mechanism, FOURLINK_OPEN, &crank, 0, &state) ==
+            FOURLINK_OK &&
+        state.sine < 0)
+        pins->theta2 += 2 * M_PI;
+}
+
 /* The branch is the one on which `sine`, the side of the drawing, has its sign: beyond a change point the open
 ** branch has the other one (fourlink_branch). */
 void flk_pins_find_branch(parser *p)
@@ -457,6 +470,8 @@ void flk_pins_find_branch(parser *p)
     fourlink_state state;
     int side = pins->side < 0 ? -1 : 1;
 
+    if (pins->is_there && pins->branch)
+        find_turn(p->d, pins);
     if (!pins->is_there || pins->branch)
         return;
     if (fabs(pins->side) < IN_LINE) {
