@@ -370,14 +370,14 @@ static void other_unit(deck_number *n, const deck_line *line, const void *how)
     if (!n->unit_name[0] || flk_dimension_equal(n->dim, flk_quantities[QUANTITY_NUMBER].dim))
         return;
     for (i = 0; i < sizeof some_units / sizeof some_units[0]; i++)
-        if (flk_unit_read(flk_text_of(some_units[i]), &to, &bad) &&
+        if (flk_unit_read_as(flk_text_of(some_units[i]), n->dim, &to, &bad) &&
             flk_dimension_equal(to.dim, n->dim))
             fitting[count++] = some_units[i];
     if (count == 0)
         return;
-    flk_unit_read(flk_text_of(n->unit_name), &from, &bad);
+    flk_unit_read_as(flk_text_of(n->unit_name), n->dim, &from, &bad);
     snprintf(n->unit_name, sizeof n->unit_name, "%s", fitting[one_of(count)]);
-    flk_unit_read(flk_text_of(n->unit_name), &to, &bad);
+    flk_unit_read_as(flk_text_of(n->unit_name), n->dim, &to, &bad);
     n->value = flk_unit_in(n->value, from, to);
     factor_of_x = flk_unit_in(1, from, to);
 }

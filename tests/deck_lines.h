@@ -202,22 +202,39 @@ typedef struct deck_number {
 
 typedef void change_number(deck_number *number, const deck_line *line, const void *how);
 
+/* Read a unit as one of the key's quantity or else of any: lb is a force or a mass. */
+static inline int read_unit_of_key(text t, key_code key, unit *u)
+{
+    text bad;
+    int q;
+
+    if (!flk_unit_read(t, u, &bad))
+        return 0;
+    if (key < KEY_COUNT && flk_unit_read_as(t, flk_quantities[flk_key_table[key].q].dim, u, &bad) &&
+        flk_dimension_equal(u->dim, flk_quantities[flk_key_table[key].q].dim))
+        return 1;
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        if (flk_unit_read_as(t, flk_quantities[q].dim, u, &bad) &&
+            flk_dimension_equal(u->dim, flk_quantities[q].dim))
+            break;
+    return 1;
+}
+
 /* The unit at the begin of a text, without blanks at its end: as many words as are one.  Returns its
 ** length. */
-static inline size_t unit_length(const char *at, unit *u)
+static inline size_t unit_length(const char *at, key_code key, unit *u)
 {
     size_t n = strspn(at, " "), found = 0;
-    text bad;
 
     while (at[n] && (isalpha((unsigned char)at[n]) || at[n] == '%')) {
         n += strcspn(at + n, " ,;)&");
-        if (!flk_unit_read(bytes_of(at + strspn(at, " "), n - strspn(at, " ")), u, &bad))
+        if (!read_unit_of_key(bytes_of(at + strspn(at, " "), n - strspn(at, " ")), key, u))
             break;
         found = n;
         n += strspn(at + n, " ");
     }
     if (found)
-        flk_unit_read(bytes_of(at + strspn(at, " "), found - strspn(at, " ")), u, &bad);
+        read_unit_of_key(bytes_of(at + strspn(at, " "), found - strspn(at, " ")), key, u);
     return found;
 }
 
@@ -233,7 +250,7 @@ static inline const char *read_unit(const char *at, const deck_line *line, deck_
                                     int n)
 {
     unit u;
-    size_t size = unit_length(at, &u), blanks = strspn(at, " ");
+    size_t size = unit_length(at, line->key, &u), blanks = strspn(at, " ");
     int k;
 
     for (k = 0; k < n; k++) {

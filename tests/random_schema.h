@@ -28,13 +28,18 @@ static const double typical[QUANTITY_COUNT] = {
 
 /* Units of all quantities; those that fit are tried. */
 static const char *const some_units[] = {
-    "m",       "mm",         "cm",        "in",   "ft",    "kg",     "g",     "lb",     "slug",
-    "s",       "ms",         "rad",       "deg",  "rev",   "rpm",    "rad/s", "deg/s",  "rev/s",
-    "rad/s2",  "deg/s^2",    "N",         "kN",   "lbf",   "kgf",    "N m",   "N.mm",   "lbf.in",
-    "lbf ft",  "J",          "kJ",        "W",    "kW",    "hp",     "Pa",    "kPa",    "bar",
-    "psi",     "N/mm2",      "m/s",       "mm/s", "in/s",  "m/s2",   "mm/s2", "ft/s2",  "kg m2",
-    "kg.mm2",  "g cm2",      "lb in2",    "N/m",  "N/mm",  "lbf/in", "N s/m", "N s/mm", "N m/rad",
-    "N m/deg", "lbf in/rad", "N m s/rad", "kg m", "kg mm", "lb.in",  "%",     "m2",     "mm2"};
+    "m",         "mm",    "cm",     "in",      "ft",      "kg",      "g",         "lb",
+    "slug",      "s",     "ms",     "rad",     "deg",     "rev",     "rpm",       "rad/s",
+    "deg/s",     "rev/s", "rad/s2", "deg/s^2", "N",       "kN",      "lbf",       "kgf",
+    "N m",       "N.mm",  "lbf.in", "lbf ft",  "J",       "kJ",      "W",         "kW",
+    "hp",        "Pa",    "kPa",    "bar",     "psi",     "N/mm2",   "m/s",       "mm/s",
+    "in/s",      "m/s2",  "mm/s2",  "ft/s2",   "kg m2",   "kg.mm2",  "g cm2",     "lb in2",
+    "N/m",       "N/mm",  "lbf/in", "N s/m",   "N s/mm",  "N m/rad", "N m/deg",   "lbf in/rad",
+    "N m s/rad", "kg m",  "kg mm",  "lb.in",   "%",       "m2",      "mm2",       "lb-in",
+    "ft-lb",     "oz-in", "lbf-in", "lb/in",   "lb-s/in", "lb/in2",  "slug-ft^2", "lb-in2",
+    "lb-in-s^2", "lbm",   "blobs",  "pounds",  "kips",    "ounces",  "in/sec",    "sec",
+    "RPM",       "mph",   "fps",    "ips",     "gn",      "ft-lb/s", "lb-in/rad", "lb-in-s/rad",
+    "rad s-1",   "N-m"};
 
 static const char *unit_for(quantity q)
 {
@@ -45,7 +50,7 @@ static const char *unit_for(quantity q)
     text bad;
 
     for (i = 0; i < sizeof some_units / sizeof some_units[0]; i++)
-        if (flk_unit_read(flk_text_of(some_units[i]), &u, &bad) &&
+        if (flk_unit_read_as(flk_text_of(some_units[i]), flk_quantities[q].dim, &u, &bad) &&
             flk_dimension_equal(u.dim, flk_quantities[q].dim))
             fitting[n++] = some_units[i];
     return n ? fitting[one_of(n)] : flk_quantities[q].unit;
@@ -78,7 +83,7 @@ static void append_quantity(char *out, quantity q, value_sign sign)
     text bad;
     unit u;
 
-    flk_unit_read(flk_text_of(written), &u, &bad);
+    flk_unit_read_as(flk_text_of(written), flk_quantities[q].dim, &u, &bad);
     if (q == QUANTITY_NUMBER && seldom(0.7))
         append(out, "%.4g", si);
     else
@@ -91,7 +96,7 @@ static void append_pair(char *out, quantity q)
     unit u;
     text bad;
 
-    flk_unit_read(flk_text_of(written), &u, &bad);
+    flk_unit_read_as(flk_text_of(written), flk_quantities[q].dim, &u, &bad);
     append(out, "(%.5g, %.5g) %s", flk_unit_from_si(size_of(q, SIGN_ANY), u),
            flk_unit_from_si(size_of(q, SIGN_ANY), u), written);
 }
@@ -605,7 +610,10 @@ static const struct {
     {"--list", {""}, NULL, SECTION_TOP},
     {"--format", {"table", "csv", "json", "paper"}, NULL, SECTION_TOP},
     {"--output", {"out.txt"}, NULL, SECTION_TOP},
-    {"--units", {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s"}, NULL, SECTION_TOP},
+    {"--units",
+     {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s", "ft, lb-ft", "oz-in"},
+     NULL,
+     SECTION_TOP},
     {"--wide", {""}, NULL, SECTION_TOP},
     {"--color", {"always", "never"}, NULL, SECTION_TOP},
     {"--check", {"", "=answers.expect"}, NULL, SECTION_TOP},

@@ -135,6 +135,52 @@ static void refuse_unit(text t, text bad, text whole, quantity q, char message[M
                     whole, nearest);
 }
 
+/* Write a text with another unit in place of a word of it. */
+static text with_unit(text whole, text word, const char *other, char out[MESSAGE_SIZE])
+{
+    text before = whole, after = flk_text_from(whole, (size_t)(word.start - whole.start));
+
+    before.length -= after.length;
+    flk_message(out, MESSAGE_SIZE, "%t%s%t", before, other, flk_text_from(after, word.length));
+    return flk_text_of(out);
+}
+
+/* 1, and a message, if a mass is given for a force or the other way round. */
+static int explain_weight(text t, text whole, quantity q, char message[MESSAGE_SIZE])
+{
+    char other_text[MESSAGE_SIZE];
+    const char *other;
+    text word;
+
+    if (!flk_unit_weight(t, flk_quantities[q].dim, &word, &other) || word.start < whole.start ||
+        word.start >= whole.start + whole.length)
+        return 0;
+    if (q != QUANTITY_MASS && q != QUANTITY_FORCE)
+        flk_message(message, MESSAGE_SIZE, "'%t' is not %s: if %t is a weight, write %t", whole,
+                    flk_quantities[q].words, word, with_unit(whole, word, other, other_text));
+    else
+        flk_message(message, MESSAGE_SIZE,
+                    q == QUANTITY_MASS ? "'%t' is a force: if it is a weight, the mass is %t"
+                                       : "'%t' is a mass: its weight is %t",
+                    whole, with_unit(whole, word, other, other_text));
+    return 1;
+}
+
+int flk_quantity_weight(text t, text whole, char message[MESSAGE_SIZE])
+{
+    char other_text[MESSAGE_SIZE];
+    const char *other;
+    text word;
+
+    if (!flk_unit_is_weight(t) ||
+        !flk_unit_weight(t, flk_quantities[QUANTITY_FORCE].dim, &word, &other) ||
+        t.start <= whole.start || t.start + t.length > whole.start + whole.length)
+        return 0;
+    flk_message(message, MESSAGE_SIZE, "'%t' is read as a force, %t", whole,
+                with_unit(whole, word, other, other_text));
+    return 1;
+}
+
 int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                       char message[MESSAGE_SIZE])
 {
@@ -151,13 +197,15 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                     info->words, info->example);
         return 0;
     }
-    if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
+    if (flk_text_same(t, "1") || !flk_unit_read_as(t, info->dim, u, &bad)) {
         refuse_unit(t, flk_text_same(t, "1") ? t : bad, whole, q, message);
         return 0;
     }
     if (flk_dimension_equal(u->dim, info->dim))
         return 1;
     words = words_of(u->dim);
+    if (explain_weight(t, whole, q, message))
+        return 0;
     if (words)
         flk_message(message, MESSAGE_SIZE, "'%t' is %s; expected %s, such as %s", whole, words,
                     info->words, info->example);

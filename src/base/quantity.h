@@ -37,6 +37,9 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                       char message[MESSAGE_SIZE]);
 int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE]);
 
+/* 1, and a note, if the unit `t` of a force is a bare lb or oz; `whole` as above. */
+int flk_quantity_weight(text t, text whole, char message[MESSAGE_SIZE]);
+
 /* The text after the number of a quantity; empty if the number is bare. */
 text flk_quantity_unit_text(text t);
 

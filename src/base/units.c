@@ -48,6 +48,7 @@ static const named_unit units[] = {
     {"t", 1e3, 1, {0, 1, 0, 0}},
     {"lb", POUND, 1, {0, 1, 0, 0}},
     {"oz", OUNCE, 1, {0, 1, 0, 0}},
+    {"lbm", POUND, 1, {0, 1, 0, 0}},
     {"slug", POUND *G, FOOT, {0, 1, 0, 0}}, /* lbf s2/ft */
     {"blob", POUND *G, INCH, {0, 1, 0, 0}}, /* lbf s2/in */
     {"s", 1, 1, {0, 0, 1, 0}},
@@ -59,6 +60,10 @@ static const named_unit units[] = {
     {"deg", M_PI, 180, {0, 0, 0, 1}},
     {"rev", 2 * M_PI, 1, {0, 0, 0, 1}},
     {"rpm", 2 * M_PI, GSL_CONST_MKSA_MINUTE, {0, 0, -1, 1}},
+    {"mph", 5280 * FOOT, GSL_CONST_MKSA_HOUR, {1, 0, -1, 0}},
+    {"fps", FOOT, 1, {1, 0, -1, 0}},
+    {"ips", INCH, 1, {1, 0, -1, 0}},
+    {"gn", G, 1, {1, 0, -2, 0}},
     {"N", 1, 1, {1, 1, -2, 0}},
     {"kN", 1e3, 1, {1, 1, -2, 0}},
     {"MN", 1e6, 1, {1, 1, -2, 0}},
@@ -114,16 +119,38 @@ static const struct {
     {"grams", "g"},         {"lbs", "lb"},        {"newton", "N"},       {"newtons", "N"},
     {"pascal", "Pa"},       {"joule", "J"},       {"joules", "J"},       {"watt", "W"},
     {"watts", "W"},         {"bar", "bar"},       {"bars", "bar"},       {"psi", "psi"},
-    {"slugs", "slug"}};
+    {"slugs", "slug"},      {"pound", "lb"},      {"pounds", "lb"},      {"ounce", "oz"},
+    {"ounces", "oz"},       {"blobs", "blob"},    {"kips", "kip"}};
 
 /* Two units in one word; an exponent belongs to the second. */
 static const struct {
     const char *written, *first, *second;
-} pairs[] = {{"Nm", "N", "m"},      {"kNm", "kN", "m"},     {"MNm", "MN", "m"},
-             {"Nmm", "N", "mm"},    {"kNmm", "kN", "mm"},   {"Ncm", "N", "cm"},
-             {"kgm", "kg", "m"},    {"kgmm", "kg", "mm"},   {"kgcm", "kg", "cm"},
-             {"gmm", "g", "mm"},    {"gcm", "g", "cm"},     {"lbft", "lbf", "ft"},
-             {"lbin", "lbf", "in"}, {"lbfft", "lbf", "ft"}, {"lbfin", "lbf", "in"}};
+} pairs[] = {{"Nm", "N", "m"},       {"kNm", "kN", "m"},     {"MNm", "MN", "m"},
+             {"Nmm", "N", "mm"},     {"kNmm", "kN", "mm"},   {"Ncm", "N", "cm"},
+             {"kgm", "kg", "m"},     {"kgmm", "kg", "mm"},   {"kgcm", "kg", "cm"},
+             {"gmm", "g", "mm"},     {"gcm", "g", "cm"},     {"lbft", "lbf", "ft"},
+             {"lbin", "lbf", "in"},  {"lbfft", "lbf", "ft"}, {"lbfin", "lbf", "in"},
+             {"ftlb", "ft", "lbf"},  {"inlb", "in", "lbf"},  {"ftlbf", "ft", "lbf"},
+             {"inlbf", "in", "lbf"}, {"ozin", "ozf", "in"},  {"ozfin", "ozf", "in"}};
+
+/* Units of mass, and of their weights under standard gravity; lb and oz are written for either. */
+static const struct {
+    const char *mass, *force;
+    int is_either;
+} weights[] = {{"lb", "lbf", 1}, {"oz", "ozf", 1}, {"lbm", "lbf", 0}, {"kg", "kgf", 0}};
+
+#define WEIGHT_COUNT (sizeof weights / sizeof weights[0])
+
+/* The unit of force that has the name of one of mass; the unit itself if there is none. */
+static const named_unit *as_force(const named_unit *known)
+{
+    size_t i;
+
+    for (i = 0; known && i < WEIGHT_COUNT; i++)
+        if (weights[i].is_either && strcmp(known->name, weights[i].mass) == 0)
+            return find_named_unit(flk_text_of(weights[i].force));
+    return known;
+}
 
 /* The unit that a word names, or the second of two; null if there is none. */
 static const named_unit *find_word(text word, const named_unit **first)
@@ -157,19 +184,24 @@ static text as_rpm(text t)
 
 #define MOST_FACTORS 8
 
-/* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if no
-** unit has such an exponent. */
+static int is_digit_at(text t, size_t i)
+{
+    return i < t.length && '0' <= t.start[i] && t.start[i] <= '9';
+}
+
+/* Read an exponent, with or without ^, which may be negative; 1 if there is none.  Returns 0 if no unit has
+** such an exponent. */
 static int read_unit_exponent(text *t)
 {
     int marked = t->length && t->start[0] == '^', exponent, sign = 1;
 
     if (marked)
         *t = flk_text_from(*t, 1);
-    if (marked && t->length && t->start[0] == '-') {
+    if (t->length && t->start[0] == '-' && (marked || is_digit_at(*t, 1))) {
         *t = flk_text_from(*t, 1);
         sign = -1;
     }
-    if (!t->length || t->start[0] < '0' || t->start[0] > '9')
+    if (!is_digit_at(*t, 0))
         return marked ? 0 : 1;
     exponent = t->start[0] - '0';
     *t = flk_text_from(*t, 1);
@@ -218,7 +250,23 @@ static text up_to_blank(text t)
     return word;
 }
 
-int flk_unit_read(text t, unit *result, text *bad)
+/* Take the sign between two factors off the front of `t`; a hyphen is one between words: lb-in.  Returns 1;
+** -1 if the second divides; 0 if there is none but blanks. */
+static int take_sign(text *t)
+{
+    text rest = flk_text_trim(*t);
+    int is_hyphen = t->length > 1 && t->start[0] == '-' && flk_text_is_word(t->start[1]);
+    int c = rest.length ? rest.start[0] : 0;
+
+    *t = rest;
+    if (c != '.' && c != '*' && c != '/' && !is_hyphen)
+        return 0;
+    *t = flk_text_trim(flk_text_from(rest, 1));
+    return c == '/' ? -1 : 1;
+}
+
+/* Read a unit; `forces`: lb and oz are forces. */
+static int read_unit(text t, int forces, unit *result, text *bad)
 {
     unit u = {1, 1, {0, 0, 0, 0}};
     int sign = 1, factors = 0, exponent;
@@ -233,6 +281,7 @@ int flk_unit_read(text t, unit *result, text *bad)
         if (!name.length ||
             ((known = find_named_unit(name)) == NULL && (known = find_word(name, &first)) == NULL))
             return 0;
+        known = forces ? as_force(known) : known;
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
             return 0; /* 1/s, but not 1 mm */
@@ -250,17 +299,11 @@ int flk_unit_read(text t, unit *result, text *bad)
         multiply_unit(&u, known, sign * exponent);
         if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
             return 0;
-        sign = 1;
-        t = flk_text_trim(t);
-        if (!t.length)
-            break;
-        *bad = t;
-        if (t.start[0] == '.' || t.start[0] == '*' || t.start[0] == '/') {
-            sign = t.start[0] == '/' ? -1 : 1;
-            t = flk_text_trim(flk_text_from(t, 1));
-            if (!t.length)
-                return 0; /* nothing after the sign */
-        }
+        *bad = flk_text_trim(t);
+        sign = take_sign(&t);
+        if (sign && !t.length)
+            return 0; /* nothing after the sign */
+        sign = sign ? sign : 1;
     }
     if (!factors)
         return 0;
@@ -268,13 +311,29 @@ int flk_unit_read(text t, unit *result, text *bad)
     return 1;
 }
 
+int flk_unit_read(text t, unit *result, text *bad)
+{
+    return read_unit(t, 0, result, bad);
+}
+
+int flk_unit_read_as(text t, dimension dim, unit *result, text *bad)
+{
+    unit u;
+
+    if (!read_unit(t, 0, result, bad))
+        return 0;
+    if (!flk_dimension_equal(result->dim, dim) && read_unit(t, 1, &u, bad) &&
+        flk_dimension_equal(u.dim, dim))
+        *result = u;
+    return 1;
+}
+
 /* Words that are not units, and the units that may be meant. */
 static const struct {
     const char *written, *meant;
-} hints[] = {{"gm", "g"},      {"gms", "g"},      {"gr", "g"},      {"mtr", "m"},  {"nm", "N m"},
-             {"n", "N"},       {"pound", "lb"},   {"pound", "lbf"}, {"lb", "lbf"}, {"lbs", "lbf"},
-             {"pounds", "lb"}, {"pounds", "lbf"}, {"kg", "kgf"},    {"ton", "t"},  {"tonne", "t"},
-             {"rps", "rev/s"}, {"psig", "psi"},   {"bara", "bar"},  {"kilo", "kg"}};
+} hints[] = {{"gm", "g"},      {"gms", "g"},    {"gr", "g"},     {"mtr", "m"},
+             {"nm", "N m"},    {"n", "N"},      {"ton", "t"},    {"tonne", "t"},
+             {"rps", "rev/s"}, {"psig", "psi"}, {"bara", "bar"}, {"kilo", "kg"}};
 
 /* 1 if a unit has the dimension after a word in it is replaced. */
 static int fits(text t, text word, const char *replacement, dimension dim)
@@ -291,7 +350,7 @@ static int fits(text t, text word, const char *replacement, dimension dim)
     memcpy(trial + before + n, after.start, after.length);
     t.start = trial;
     t.length = before + n + after.length;
-    return flk_unit_read(t, &u, &bad) && flk_dimension_equal(u.dim, dim);
+    return flk_unit_read_as(t, dim, &u, &bad) && flk_dimension_equal(u.dim, dim);
 }
 
 const char *flk_unit_nearest(text t, text word, dimension dim)
@@ -308,6 +367,41 @@ const char *flk_unit_nearest(text t, text word, dimension dim)
         if (flk_text_equal(word, hints[i].written) && fits(t, word, hints[i].meant, dim))
             return hints[i].meant;
     return nearest;
+}
+
+int flk_unit_weight(text t, dimension dim, text *word, const char **other)
+{
+    const named_unit *known, *first;
+    text rest = t;
+    size_t i;
+
+    while (rest.length) {
+        *word = take_name(&rest);
+        if (!word->length) {
+            rest = flk_text_from(rest, 1);
+            continue;
+        }
+        known = find_named_unit(*word);
+        known = known ? known : find_word(*word, &first);
+        for (i = 0; known && i < 2 * WEIGHT_COUNT; i++) {
+            const char *mass = weights[i / 2].mass, *force = weights[i / 2].force;
+
+            *other = i % 2 ? mass : force;
+            if (strcmp(known->name, i % 2 ? force : mass) == 0 && fits(t, *word, *other, dim))
+                return 1;
+        }
+    }
+    return 0;
+}
+
+int flk_unit_is_weight(text t)
+{
+    const named_unit *known, *first = NULL;
+
+    t = flk_text_trim(t);
+    known = find_named_unit(t);
+    known = known ? known : find_word(t, &first);
+    return known && !first && as_force(known) != known;
 }
 
 unit flk_unit_of_quantity(quantity q)

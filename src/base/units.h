@@ -62,11 +62,14 @@ typedef struct unit {
     dimension dim;
 } unit;
 
-/* Read a unit, such as N/mm2, kg m2, lbf.in: factors separated by a blank, '.' or '*'; '/' divides by the
-** next factor only; an exponent is a digit, or follows '^', where it may be negative.  Common words, and the
-** spellings Nm and kgm2, are accepted.
+/* Read a unit, such as N/mm2, kg m2, lbf-in: factors separated by a blank, '.', '*' or '-'; '/' divides by
+** the next factor only; an exponent is a digit, may be negative, and may follow '^'.  Common words, and the
+** spellings Nm and kgm2, are accepted.  lb and oz are masses.
 ** Returns 1 if it is a unit; 0 if not, with the unknown part in `bad`. */
 int flk_unit_read(text t, unit *result, text *bad);
+
+/* The same where a dimension is wanted: lb and oz are forces if they give it so, and not as masses. */
+int flk_unit_read_as(text t, dimension dim, unit *result, text *bad);
 
 double flk_unit_to_si(double number, unit u);
 double flk_unit_from_si(double si, unit u);
@@ -82,5 +85,12 @@ int flk_dimension_equal(dimension x, dimension y);
 /* The unit that, in place of a word in the text of a unit, gives this dimension and is nearest to that word;
 ** or null. */
 const char *flk_unit_nearest(text t, text word, dimension dim);
+
+/* The unit of force or mass, `other`, that gives this dimension in place of a word of a text that is one of
+** mass or of force: kgf for kg.  Returns 1 if there is one. */
+int flk_unit_weight(text t, dimension dim, text *word, const char **other);
+
+/* 1 for a bare lb or oz, which as a force is a weight. */
+int flk_unit_is_weight(text t);
 
 #endif

@@ -141,7 +141,8 @@ static int is_unit_of(text t, quantity q)
     unit u;
     text bad;
 
-    return t.length && t.length < UNIT_SIZE && flk_unit_read(t, &u, &bad) &&
+    return t.length && t.length < UNIT_SIZE &&
+           flk_unit_read_as(t, flk_quantities[q].dim, &u, &bad) &&
            flk_dimension_equal(u.dim, flk_quantities[q].dim);
 }
 

@@ -78,13 +78,33 @@ static void check_bare(parser *p, quantity q, double most, const char *other)
              k++) {
             const setting *s = flk_setting_of(&p->uses[i], k);
 
-            if (flk_key_table[k].q != q || flk_key_table[k].form == FORM_UNIT ||
+            if (flk_quantity_of_key(&p->uses[i], k) != q || flk_key_table[k].form == FORM_UNIT ||
                 !is_bare(p, s, q) || flk_length(s->si[0], s->si[1]) <= most)
                 continue;
             flk_mistake(NOTES(p), s->place, "'%t' is read as %s: write %t %s or %t %s", s->value,
                         own, s->value, own, s->value, other);
             return;
         }
+}
+
+/* Note bare numbers that are probably not in SI units, as the lengths are in mm, or as results are in in and
+** lb. */
+static void check_all_bare(parser *p)
+{
+    const deck_unit *units = p->d->units;
+    int is_mass_checked = 0;
+    quantity q;
+    size_t i;
+
+    check_bare(p, QUANTITY_LENGTH, 10, "mm");
+    for (i = 0; flk_values_are_customary(p->d, i, &q); i++) {
+        is_mass_checked |= q == QUANTITY_MASS;
+        if (!units[q].is_given)
+            check_bare(p, q, 0, units[q].name);
+    }
+    if (!is_mass_checked)
+        check_bare(p, QUANTITY_MASS, 500, "g");
+    check_bare(p, QUANTITY_ANGULAR_SPEED, 0, "rpm"); /* most speeds are in rpm */
 }
 
 /* -------------------------------------------------------------------------------------- mass and size */
@@ -311,9 +331,7 @@ void flk_build_notes(parser *p)
 
     if (p->mistakes->count || p->out_of_memory)
         return;
-    check_bare(p, QUANTITY_LENGTH, 10, "mm");
-    check_bare(p, QUANTITY_MASS, 500, "g");
-    check_bare(p, QUANTITY_ANGULAR_SPEED, 0, "rpm"); /* most speeds are in rpm */
+    check_all_bare(p);
     check_thousands(p, KEY_MOTION_SPEED);
     check_thousands(p, KEY_MOTION_MEAN_SPEED);
     check_thousands(p, KEY_MOTOR_NO_LOAD_SPEED);

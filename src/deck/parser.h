@@ -122,7 +122,7 @@ typedef struct parser {
     int is_sound; /* 1: no mistakes before a design is set */
     int is_design; /* 1: built from the settings of another deck, whose notes say what is not meant */
     int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
-    int has_unknown_section;
+    int has_unknown_section, has_noted_weight;
     int not_text; /* 1: the reading ended at a byte that is not text */
     long last_line;
     size_t

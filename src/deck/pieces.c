@@ -13,6 +13,19 @@ static int refuse(parser *p, text_place place)
     return flk_mistake(p->mistakes, place, "%s", p->why);
 }
 
+/* Note the first force in lb or oz, whose names are those of masses; returns 1. */
+static int note_weight(parser *p, text_place place, text t, text whole, quantity q)
+{
+    char note[MESSAGE_SIZE];
+
+    if (q != QUANTITY_FORCE || p->has_noted_weight || p->is_design ||
+        !flk_quantity_weight(flk_text_trim(t), whole, note))
+        return 1;
+    p->has_noted_weight = 1;
+    flk_mistake(NOTES(p), place, "%s", note);
+    return 1;
+}
+
 int flk_piece_number(parser *p, const setting *s, text *rest, quantity q, double *number)
 {
     return flk_quantity_number(rest, s->value, q, number, p->why) || refuse(p, s->place);
@@ -20,7 +33,9 @@ int flk_piece_number(parser *p, const setting *s, text *rest, quantity q, double
 
 int flk_piece_unit(parser *p, const setting *s, text t, quantity q, unit *u)
 {
-    return flk_quantity_unit(t, s->value, q, p->d->bare[q].unit, u, p->why) || refuse(p, s->place);
+    return flk_quantity_unit(t, s->value, q, p->d->bare[q].unit, u, p->why)
+               ? note_weight(p, s->place, t, s->value, q)
+               : refuse(p, s->place);
 }
 
 int flk_piece_size(parser *p, const setting *s, quantity q, double si)
@@ -31,7 +46,9 @@ int flk_piece_size(parser *p, const setting *s, quantity q, double si)
 int flk_piece_quantity(parser *p, text_place place, text t, text whole, quantity q,
                        quantity_value *value)
 {
-    return flk_quantity_read(t, whole, q, p->d->bare[q].unit, value, p->why) || refuse(p, place);
+    return flk_quantity_read(t, whole, q, p->d->bare[q].unit, value, p->why)
+               ? note_weight(p, place, flk_quantity_unit_text(t), whole, q)
+               : refuse(p, place);
 }
 
 int flk_piece_read(parser *p, setting *s, text t, quantity q, double *si)

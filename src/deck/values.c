@@ -68,13 +68,32 @@ static void set_unit(deck_unit *units, quantity q, text name, unit u)
     units[q].is_given = 1;
 }
 
+/* Set the unit of the quantity that it fits, and of another one if lb and oz are forces there: lb-in.  Returns
+** 0 if there is none. */
+static int set_result_unit(parser *p, text name)
+{
+    key_code first = flk_first_key(SECTION_UNITS), end = flk_first_key(SECTION_UNITS + 1), k;
+    const quantity_info *before = NULL;
+    text bad;
+    unit u;
+
+    for (k = first; k < end; k++) {
+        const quantity_info *info = &flk_quantities[flk_key_table[k].q];
+
+        if (!flk_unit_read_as(name, info->dim, &u, &bad) ||
+            !flk_dimension_equal(u.dim, info->dim) ||
+            (before && (flk_dimension_equal(before->dim, info->dim) || flk_unit_is_weight(name))))
+            continue;
+        set_unit(p->d->units, flk_key_table[k].q, name, u);
+        before = info;
+    }
+    return before != NULL;
+}
+
 void flk_values_result_units(parser *p, const char *list)
 {
     text rest = flk_text_of(list), item;
     text_place place = {"--units", 0};
-    key_code k;
-    text bad;
-    unit u;
 
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
@@ -83,16 +102,7 @@ void flk_values_result_units(parser *p, const char *list)
             p->d->units[QUANTITY_LENGTH].is_given = 1; /* by which the others go */
             continue;
         }
-        k = flk_first_key(SECTION_UNITS);
-        if (flk_unit_read(item, &u, &bad))
-            while (k < flk_first_key(SECTION_UNITS + 1) &&
-                   !flk_dimension_equal(u.dim, flk_quantities[flk_key_table[k].q].dim))
-                k++;
-        else
-            k = KEY_COUNT;
-        if (k < flk_first_key(SECTION_UNITS + 1))
-            set_unit(p->d->units, flk_key_table[k].q, item, u);
-        else
+        if (!set_result_unit(p, item))
             flk_mistake(p->mistakes, place, "'%t' is not a unit of results, such as mm, kg or rpm",
                         item);
     }
@@ -122,10 +132,35 @@ static const struct {
                  {ALL_UNITS, QUANTITY_TORSIONAL_STIFFNESS, "lbf.%s/rad"},
                  {ALL_UNITS, QUANTITY_TORSIONAL_DAMPING, "lbf.%s.s/rad"}};
 
-/* Set those units that are not given. */
-static void set_by_length(deck_unit *units, int how_far)
+/* in or ft, if a unit is that of a length; null for others. */
+static const char *customary_length(const unit *length)
 {
-    const char *length = units[QUANTITY_LENGTH].name;
+    static const char *const customary[] = {"in", "ft"};
+    text bad;
+    unit u;
+    int i;
+
+    for (i = 0; i < 2; i++)
+        if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == length->up &&
+            u.down == length->down)
+            return customary[i];
+    return NULL;
+}
+
+int flk_values_are_customary(const deck *d, size_t i, quantity *q)
+{
+    const deck_unit *length = &d->units[QUANTITY_LENGTH], *bare = &d->bare[QUANTITY_LENGTH];
+
+    if (i >= sizeof by_length / sizeof *by_length || !customary_length(&length->unit) ||
+        (bare->is_given ? !customary_length(&bare->unit) : length->is_given))
+        return 0; /* also where only --units has in or ft */
+    *q = by_length[i].q;
+    return 1;
+}
+
+/* Set those units that are not given. */
+static void set_by_length(deck_unit *units, const char *length, int how_far)
+{
     char name[DECK_NAME_SIZE];
     text bad;
     size_t i;
@@ -162,7 +197,7 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
     else if (!flk_text_cut(value, " at ", &size, &rest))
         size = value;
     *name = flk_quantity_unit_text(size);
-    return !name->length || flk_unit_read(*name, u, &rest);
+    return !name->length || flk_unit_read_as(*name, flk_quantities[q].dim, u, &rest);
 }
 
 /* The unit in which the crank's length is written, or another length or pin; 0 if it is bare. */
@@ -182,11 +217,10 @@ static int written_length(parser *p, text *name, unit *u)
 
 void flk_values_follow_units(parser *p, int deck_units)
 {
-    static const char *const customary[] = {"in", "ft"};
     deck_unit *units = p->d->units, *length = &units[QUANTITY_LENGTH];
-    int how_far = length->is_given ? SPEEDS : AREAS, i;
-    text name, bad;
-    unit u, own;
+    const char *customary;
+    text name;
+    unit own;
 
     if (!length->is_given) {
         if (!deck_units || !written_length(p, &name, &own))
@@ -194,14 +228,13 @@ void flk_values_follow_units(parser *p, int deck_units)
         flk_value_name_unit(name, length->name);
         length->unit = own;
     }
-    for (i = 0; i < 2 && !length->is_given; i++)
-        if (flk_unit_read(flk_text_of(customary[i]), &u, &bad) && u.up == own.up &&
-            u.down == own.down) {
-            strcpy(length->name, customary[i]); /* for inches and the like */
-            how_far = ALL_UNITS;
-        }
-    if (is_one_word(length->name))
-        set_by_length(units, how_far);
+    customary = customary_length(&length->unit);
+    if (customary)
+        set_by_length(units, customary, ALL_UNITS);
+    else if (is_one_word(length->name))
+        set_by_length(units, length->name, length->is_given ? SPEEDS : AREAS);
+    if (customary && !length->is_given)
+        strcpy(length->name, customary); /* for inches and the like */
 }
 
 /* A whole number. */

@@ -11,9 +11,13 @@
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
-/* The units of results that follow from others: those of speeds from that of lengths; if this is not given
-** and the results are in the units of the deck, all from that of the crank's length. */
+/* The units of results that follow from others: those of speeds from that of lengths, all from in or ft; if
+** it is not given and the results are in the units of the deck, all from that of the crank's length. */
 void flk_values_follow_units(parser *p, int deck_units);
+
+/* Quantity i of those that are printed in customary units because the deck has its lengths in in or ft; 0 if
+** there are none, or no more. */
+int flk_values_are_customary(const deck *d, size_t i, quantity *q);
 
 /* The units of results that a host asks for, such as "mm, kg, rpm" or "SI", in place of the deck's. */
 void flk_values_result_units(parser *p, const char *list);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "base/quantity.h"
 #include "base/units.h"
 
 /* Values of NIST SP 811, appendix B; those of the inch-pound system are exact by definition (1 in =
@@ -205,7 +206,6 @@ TEST(test_refused)
         {"m0", NULL},
         {"m^0", NULL},
         {"m22", NULL},
-        {"m-1", NULL},
         {"m^-", NULL},
         {"m^-0", NULL},
         {"m^-5", NULL},
@@ -228,7 +228,15 @@ TEST(test_refused)
         {"N./m", NULL},
         {"N,m", NULL},
         {"(N)", NULL},
-        {"N-m", NULL},
+        {"N -m", NULL},
+        {"N- m", NULL},
+        {"N-", NULL},
+        {"-N", NULL},
+        {"N--m", NULL},
+        {"m-x", NULL},
+        {"m -1", NULL},
+        {"m-5", NULL},
+        {"m-0", NULL},
         {"m+m", NULL},
         {"2 m", NULL},
         {"2m", NULL},
@@ -345,8 +353,6 @@ TEST(test_nearest)
         {"nm", "nm", QUANTITY_TORQUE, "N m"},
         {"nm", "nm", QUANTITY_LENGTH, "mm"},
         {"gm", "gm", QUANTITY_MASS, "g"},
-        {"pound", "pound", QUANTITY_MASS, "lb"},
-        {"pound", "pound", QUANTITY_FORCE, "lbf"},
         {"kgg m2", "kgg", QUANTITY_INERTIA, "kg"},
         {"kg nm2", "nm", QUANTITY_INERTIA, "mm"},
         {"kg nm2", "nm", QUANTITY_TORQUE, NULL},
@@ -380,7 +386,9 @@ TEST(test_words)
         {"kgmm^2", "kg mm2"},   {"lbft", "lbf ft"},     {"RPM", "rpm"},        {"Deg", "deg"},
         {"degrees", "deg"},     {"DEGREES/s", "deg/s"}, {"inches", "in"},      {"feet", "ft"},
         {"lbs", "lb"},          {"newtons", "N"},       {"rad s^-1", "rad/s"}, {"W/Nm", "W/N/m"},
-        {"revs/minute", "rpm"}, {"N m^-2", "Pa"},
+        {"revs/minute", "rpm"}, {"N m^-2", "Pa"},       {"N-m", "N m"},        {"rad s-1", "rad/s"},
+        {"kg-m2", "kg m2"},     {"m-1", "m^-1"},        {"pounds", "lb"},      {"Ounces", "oz"},
+        {"blobs", "blob"},      {"kips", "kip"},        {"lbm", "lb"},         {"in-lbf", "lbf in"},
     };
     size_t i;
 
@@ -393,6 +401,195 @@ TEST(test_words)
         assert_true(flk_unit_read(flk_text_of(same[i][1]), &v, &bad));
         assert_true(flk_dimension_equal(u.dim, v.dim));
         assert_true(u.up / u.down == v.up / v.down);
+    }
+}
+
+/* What courses in the US write, and its value in each quantity that it is a unit of: by definition, 1 in =
+** 0.0254 m, 1 lb = 0.45359237 kg, and a force is this mass times 9.80665 m/s2. */
+#define IN 0.0254
+#define FT 0.3048
+#define LB 0.45359237
+#define OZ (LB / 16)
+#define LBF (LB * 9.80665)
+#define OZF (LBF / 16)
+
+static const struct {
+    const char *name;
+    struct {
+        quantity q;
+        double si;
+    } is[2];
+} customary[] = {
+    {"lb-in", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_MASS_MOMENT, LB *IN}}},
+    {"in-lb", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_MASS_MOMENT, LB *IN}}},
+    {"lb.in", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_MASS_MOMENT, LB *IN}}},
+    {"lb in", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_MASS_MOMENT, LB *IN}}},
+    {"lbs-in", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_MASS_MOMENT, LB *IN}}},
+    {"lb-ft", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_MASS_MOMENT, LB *FT}}},
+    {"ft-lb", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_MASS_MOMENT, LB *FT}}},
+    {"ft-lbs", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_MASS_MOMENT, LB *FT}}},
+    {"oz-in", {{QUANTITY_TORQUE, OZF *IN}, {QUANTITY_MASS_MOMENT, OZ *IN}}},
+    {"in-oz", {{QUANTITY_TORQUE, OZF *IN}, {QUANTITY_MASS_MOMENT, OZ *IN}}},
+    {"lbf-in", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_ENERGY, LBF *IN}}},
+    {"ft-lbf", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_ENERGY, LBF *FT}}},
+    {"lbf*ft", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_ENERGY, LBF *FT}}},
+    {"inlb", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_ENERGY, LBF *IN}}},
+    {"ftlb", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_ENERGY, LBF *FT}}},
+    {"ftlbf", {{QUANTITY_TORQUE, LBF *FT}, {QUANTITY_ENERGY, LBF *FT}}},
+    {"inlbf", {{QUANTITY_TORQUE, LBF *IN}, {QUANTITY_ENERGY, LBF *IN}}},
+    {"ozin", {{QUANTITY_TORQUE, OZF *IN}, {QUANTITY_ENERGY, OZF *IN}}},
+    {"ozfin", {{QUANTITY_TORQUE, OZF *IN}, {QUANTITY_ENERGY, OZF *IN}}},
+    {"lbm-in", {{QUANTITY_MASS_MOMENT, LB *IN}, {QUANTITY_COUNT, 0}}},
+    {"ft-lb/s", {{QUANTITY_POWER, LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"ft-lbf/s", {{QUANTITY_POWER, LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"in-lb/sec", {{QUANTITY_POWER, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb/in", {{QUANTITY_STIFFNESS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb/ft", {{QUANTITY_STIFFNESS, LBF / FT}, {QUANTITY_COUNT, 0}}},
+    {"lb in-1", {{QUANTITY_STIFFNESS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-in/rad", {{QUANTITY_TORSIONAL_STIFFNESS, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-in/deg", {{QUANTITY_TORSIONAL_STIFFNESS, LBF *IN * 180 / PI}, {QUANTITY_COUNT, 0}}},
+    {"lb-in-s/rad", {{QUANTITY_TORSIONAL_DAMPING, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-s/in", {{QUANTITY_DAMPING, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-sec/in", {{QUANTITY_DAMPING, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb/in2", {{QUANTITY_PRESSURE, LBF / IN / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb/ft^2", {{QUANTITY_PRESSURE, LBF / FT / FT}, {QUANTITY_COUNT, 0}}},
+    {"psi", {{QUANTITY_PRESSURE, LBF / IN / IN}, {QUANTITY_COUNT, 0}}},
+    {"slug-ft^2", {{QUANTITY_INERTIA, LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"slug-ft2", {{QUANTITY_INERTIA, LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"blob-in2", {{QUANTITY_INERTIA, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-in2", {{QUANTITY_INERTIA, LB *IN *IN}, {QUANTITY_COUNT, 0}}},
+    {"lbm-in2", {{QUANTITY_INERTIA, LB *IN *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-ft2", {{QUANTITY_INERTIA, LB *FT *FT}, {QUANTITY_COUNT, 0}}},
+    {"oz-in2", {{QUANTITY_INERTIA, OZ *IN *IN}, {QUANTITY_COUNT, 0}}},
+    {"oz-in-s2", {{QUANTITY_INERTIA, OZF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-in-s^2", {{QUANTITY_INERTIA, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-in-sec2", {{QUANTITY_INERTIA, LBF *IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-ft-s2", {{QUANTITY_INERTIA, LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"lbf s2/in", {{QUANTITY_MASS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-s2/in", {{QUANTITY_MASS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lb-s^2/ft", {{QUANTITY_MASS, LBF / FT}, {QUANTITY_COUNT, 0}}},
+    {"lb", {{QUANTITY_MASS, LB}, {QUANTITY_FORCE, LBF}}},
+    {"lbs", {{QUANTITY_MASS, LB}, {QUANTITY_FORCE, LBF}}},
+    {"pounds", {{QUANTITY_MASS, LB}, {QUANTITY_FORCE, LBF}}},
+    {"pound", {{QUANTITY_MASS, LB}, {QUANTITY_FORCE, LBF}}},
+    {"oz", {{QUANTITY_MASS, OZ}, {QUANTITY_FORCE, OZF}}},
+    {"ounces", {{QUANTITY_MASS, OZ}, {QUANTITY_FORCE, OZF}}},
+    {"lbm", {{QUANTITY_MASS, LB}, {QUANTITY_COUNT, 0}}},
+    {"slug", {{QUANTITY_MASS, LBF / FT}, {QUANTITY_COUNT, 0}}},
+    {"slugs", {{QUANTITY_MASS, LBF / FT}, {QUANTITY_COUNT, 0}}},
+    {"blob", {{QUANTITY_MASS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"blobs", {{QUANTITY_MASS, LBF / IN}, {QUANTITY_COUNT, 0}}},
+    {"lbf", {{QUANTITY_FORCE, LBF}, {QUANTITY_COUNT, 0}}},
+    {"ozf", {{QUANTITY_FORCE, OZF}, {QUANTITY_COUNT, 0}}},
+    {"kip", {{QUANTITY_FORCE, 1000 * LBF}, {QUANTITY_COUNT, 0}}},
+    {"kips", {{QUANTITY_FORCE, 1000 * LBF}, {QUANTITY_COUNT, 0}}},
+    {"kip-ft", {{QUANTITY_TORQUE, 1000 * LBF *FT}, {QUANTITY_ENERGY, 1000 * LBF *FT}}},
+    {"hp", {{QUANTITY_POWER, 550 * LBF *FT}, {QUANTITY_COUNT, 0}}},
+    {"in/sec", {{QUANTITY_SPEED, IN}, {QUANTITY_COUNT, 0}}},
+    {"ips", {{QUANTITY_SPEED, IN}, {QUANTITY_COUNT, 0}}},
+    {"fps", {{QUANTITY_SPEED, FT}, {QUANTITY_COUNT, 0}}},
+    {"ft/min", {{QUANTITY_SPEED, FT / 60}, {QUANTITY_COUNT, 0}}},
+    {"mph", {{QUANTITY_SPEED, 5280 * FT / 3600}, {QUANTITY_COUNT, 0}}},
+    {"km/h", {{QUANTITY_SPEED, 1 / 3.6}, {QUANTITY_COUNT, 0}}},
+    {"in/sec2", {{QUANTITY_ACCELERATION, IN}, {QUANTITY_COUNT, 0}}},
+    {"gn", {{QUANTITY_ACCELERATION, 9.80665}, {QUANTITY_COUNT, 0}}},
+    {"sec", {{QUANTITY_TIME, 1}, {QUANTITY_COUNT, 0}}},
+    {"RPM", {{QUANTITY_ANGULAR_SPEED, PI / 30}, {QUANTITY_COUNT, 0}}},
+    {"rad/sec2", {{QUANTITY_ANGULAR_ACCELERATION, 1}, {QUANTITY_COUNT, 0}}},
+    {"in", {{QUANTITY_LENGTH, IN}, {QUANTITY_COUNT, 0}}},
+    {"ft", {{QUANTITY_LENGTH, FT}, {QUANTITY_COUNT, 0}}},
+    {"in2", {{QUANTITY_AREA, IN *IN}, {QUANTITY_COUNT, 0}}},
+};
+
+/* The factor of a customary unit in a quantity; 0 if it is none of its units. */
+static double customary_factor(size_t i, quantity q)
+{
+    int k;
+
+    for (k = 0; k < 2; k++)
+        if (customary[i].is[k].q != QUANTITY_COUNT &&
+            flk_dimension_equal(flk_quantities[customary[i].is[k].q].dim, flk_quantities[q].dim))
+            return customary[i].is[k].si;
+    return 0;
+}
+
+/* In each of the quantities a quantity of this unit is read with this value, or refused with a reason. */
+TEST(test_customary)
+{
+    size_t i;
+    int q;
+
+    for (i = 0; i < COUNT(customary); i++)
+        for (q = 0; q < QUANTITY_COUNT; q++) {
+            char words[100], message[MESSAGE_SIZE] = "";
+            unit bare = flk_unit_of_quantity((quantity)q);
+            double si = customary_factor(i, (quantity)q);
+            quantity_value value;
+            text t;
+
+            sprintf(words, "2.5 %s", customary[i].name);
+            print_message("%s as %s\n", words, flk_quantities[q].words);
+            t = flk_text_of(words);
+            assert_int_equal(flk_quantity_read(t, t, (quantity)q, bare, &value, message), si > 0);
+            if (si > 0)
+                assert_close(value.si, 2.5 * si, 1e-15);
+            else
+                assert_non_null(strstr(message, words));
+        }
+}
+
+/* What is said where a mass is given for a force, or the other way round, and of a bare lb as a force. */
+TEST(test_weights)
+{
+    static const struct {
+        const char *words;
+        quantity q;
+        const char *message;
+    } refused[] = {
+        {"12 lbf", QUANTITY_MASS, "'12 lbf' is a force: if it is a weight, the mass is 12 lb"},
+        {"12 kgf", QUANTITY_MASS, "'12 kgf' is a force: if it is a weight, the mass is 12 kg"},
+        {"8 ozf", QUANTITY_MASS, "'8 ozf' is a force: if it is a weight, the mass is 8 oz"},
+        {"57 kg", QUANTITY_FORCE, "'57 kg' is a mass: its weight is 57 kgf"},
+        {"57 kilograms", QUANTITY_FORCE, "'57 kilograms' is a mass: its weight is 57 kgf"},
+        {"3 lbm", QUANTITY_FORCE, "'3 lbm' is a mass: its weight is 3 lbf"},
+        {"5 kg cm", QUANTITY_TORQUE,
+         "'5 kg cm' is not a torque: if kg is a weight, write 5 kgf cm"},
+        {"5 kg/cm2", QUANTITY_PRESSURE,
+         "'5 kg/cm2' is not a pressure: if kg is a weight, write 5 kgf/cm2"},
+        {"12 N", QUANTITY_MASS, "'12 N' is a force; expected a mass, such as 0.3 kg"},
+        {"12 lb", QUANTITY_LENGTH, "'12 lb' is a mass; expected a length, such as 80 mm"},
+    };
+    static const struct {
+        const char *words, *unit, *message;
+    } noted[] = {
+        {"12 lb", "lb", "'12 lb' is read as a force, 12 lbf"},
+        {"12 pounds", "pounds", "'12 pounds' is read as a force, 12 lbf"},
+        {"(3, 4) oz", "oz", "'(3, 4) oz' is read as a force, (3, 4) ozf"},
+        {"12 lbf", "lbf", ""},
+        {"12 kg", "kg", ""},
+        {"12 kgm", "kgm", ""},
+        {"12 lb ft", "lb ft", ""},
+        {"12", "", ""},
+    };
+    char message[MESSAGE_SIZE];
+    size_t i;
+
+    for (i = 0; i < COUNT(refused); i++) {
+        text t = flk_text_of(refused[i].words);
+        quantity_value value;
+
+        assert_false(flk_quantity_read(t, t, refused[i].q, flk_unit_of_quantity(refused[i].q),
+                                       &value, message));
+        assert_string_equal(message, refused[i].message);
+    }
+    for (i = 0; i < COUNT(noted); i++) {
+        text t = flk_text_of(noted[i].words), name = t;
+
+        name.length = strlen(noted[i].unit);
+        name.start += t.length - name.length;
+        message[0] = '\0';
+        assert_int_equal(flk_quantity_weight(name, t, message), noted[i].message[0] != '\0');
+        assert_string_equal(message, noted[i].message);
     }
 }
 

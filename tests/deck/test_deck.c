@@ -1208,7 +1208,7 @@ TEST(test_mistaken_changes)
         {"crank.length=-1 m", "the length must be positive, not -1 m"},
         {"load F9.torque=1 N m", "there is no [load F9] in the deck"},
         {"load F1.torque.x=1 N m", "'load F1.torque' has no parts that can be varied"},
-        {"load F1.force.x=1 kg", "'1 kg' is a mass; expected a force, such as 50 N"},
+        {"load F1.force.x=1 kg", "'1 kg' is a mass: its weight is 1 kgf"},
         {"load F1.force.angle=1 N", "'1 N' is a force; expected an angle, such as 40 deg"},
         {"load.torque=1 N m", "there are several [load] sections: name one of them"},
         {"rod.length=1 m", "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
