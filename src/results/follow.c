@@ -330,8 +330,9 @@ static int is_finite(const flk_limit_rows *e, values y)
 }
 
 /* A pole is the same on two scales and greater than the error.  On the larger scales, which show poles
-** that rounding hides on the small ones, it must be far greater. */
-#define POLE_SCALE 1 /* the smallest one used: closer to the end rows may be rounding error */
+** that rounding hides on the small ones, it must be far greater, and so on the smallest, where rows may be
+** rounding error: only that one shows a weak pole beside a narrow peak. */
+#define POLE_SCALE 1
 
 static int is_pole(const flk_limit_rows *e, values y, int scale, int order, double *strength)
 {
@@ -343,7 +344,7 @@ static int is_pole(const flk_limit_rows *e, values y, int scale, int order, doub
     other = extrapolate(e, y, order, scale + 1, &p, &error_of_other);
     return error < part * fabs(*strength) && error_of_other < part * fabs(other) &&
            fabs(*strength - other) < GSL_MAX_DBL(part, 0.01) * fabs(*strength) &&
-           (scale > POLE_SCALE || fabs(*strength) > 1e-3 * size);
+           (scale != POLE_SCALE || fabs(*strength) > 1e-3 * size);
 }
 
 /* Returns the order of a pole, 0 if there is none; *strength is p0. */
@@ -351,7 +352,7 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
 {
     int scale, order;
 
-    for (scale = POLE_SCALE; scale + 1 < SCALES && !is_finite(e, y); scale++)
+    for (scale = 0; scale + 1 < SCALES && !is_finite(e, y); scale++)
         for (order = e->pole_order; order > 0; order--)
             if (is_pole(e, y, scale, order, strength))
                 return order;
