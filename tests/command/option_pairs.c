@@ -443,7 +443,7 @@ static int asks_for(const command *all, const char *part)
 /* What is printed anyway, and what marks need not show: a wrong answer can be wrong in another branch too. */
 static int may_do_nothing(const command *c, const char *word)
 {
-    static const char *const of_marks[] = {"--branch", "--tolerance", "--units"};
+    static const char *const of_marks[] = {"--set", "--branch", "--tolerance", "--units"};
     size_t i;
 
     for (i = 0; i < sizeof of_marks / sizeof *of_marks; i++)
@@ -486,6 +486,8 @@ static int other_value_does(const command *without, const outcome *before, size_
 static void see(const sample *s, const command *without, const outcome *before, const command *c,
                 const outcome *after, size_t deck)
 {
+    if (after->status == 1 && !after->wrote)
+        return; /* there is no answer in which it could show */
     if (after->sum != before->sum || s->is_preference || asks_for(without, s->option) ||
         may_do_nothing(c, s->option))
         return;
