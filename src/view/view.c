@@ -364,7 +364,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 
     if (v->range.n_rows == 1)
         return "the deck's instant";
-    if (is_drawn(v) && now->row.angle == v->problem.drawn)
+    if (is_drawn(v) &&
+        fabs(now->row.angle - v->problem.drawn) <= 1e-9 * (1 + fabs(v->problem.drawn)))
         return "as drawn";
     off = now->row.place - sixth_of(v);
     if (fabs(off) <= 1e-9 * fabs(v->end))
