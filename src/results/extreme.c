@@ -323,6 +323,19 @@ static double bend_of(const sought *k, size_t i, double a, double b)
     return GSL_MAX_DBL(bend, 2 * signed_value(k->which, v[i]) - a - b);
 }
 
+/* How far the parabola through sample i and its neighbours rises above it: where these are close on one side
+** only, because another column needs them, the samples hardly bend beside a peak. */
+static double rise_of(const sought *k, size_t i)
+{
+    const double *s = k->x->s + i, *v = k->c->v + i;
+    double before = s[0] - s[-1], behind = s[1] - s[0];
+    double to = (v[0] - v[-1]) / before, from = (v[1] - v[0]) / behind;
+    double slope = (to * behind + from * before) / (before + behind);
+    double bend = (to - from) / (before + behind);
+
+    return bend != 0 ? fabs(slope * slope / (4 * bend)) : 0;
+}
+
 /* Offer the top of a peak at sample i.  It takes the place of a lower sample of the same peak, even if they
 ** are equal. */
 static void offer_top(const sought *k, size_t i, const flk_sample *top)
@@ -363,6 +376,8 @@ static void refine(sought *k, int which)
         if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)))
             continue;
         bend = bend_of(k, i, a, b);
+        if (!gsl_isnan(before + behind))
+            bend = GSL_MAX_DBL(bend, rise_of(k, i));
         if (!(here + MARGIN * bend >= best_so_far(k, which)) || is_flat(k, i) ||
             flk_follow_is_over(&x->f))
             continue;

@@ -329,22 +329,28 @@ static int is_finite(const flk_limit_rows *e, values y)
     return e->is_root && error <= FINITE * fabs(y[0][NODES - 1]);
 }
 
-/* A pole is the same on two scales and greater than the error.  On the larger scales, which show poles
-** that rounding hides on the small ones, it must be far greater, and so on the smallest, where rows may be
-** rounding error: only that one shows a weak pole beside a narrow peak. */
+/* A pole is the same on two scales, and far greater than the error: on the smallest scales that shows a weak one
+** beside a narrow peak.  On one scale it may be known less well if it is not weak. */
 #define POLE_SCALE 1
+#define WEAK 1e-3 /* of the column there, times x^order */
+
+static int agree(double strength, double error, double other, double error_of_other, double part)
+{
+    return error < part * fabs(strength) && error_of_other < part * fabs(other) &&
+           fabs(strength - other) < GSL_MAX_DBL(part, 0.01) * fabs(strength);
+}
 
 static int is_pole(const flk_limit_rows *e, values y, int scale, int order, double *strength)
 {
-    double part = scale == POLE_SCALE ? 0.1 : 1e-3, error, other, error_of_other;
     double size = fabs(gsl_pow_int(e->x[scale][NODES - 1], order) * y[scale][NODES - 1]);
+    double error, other, error_of_other;
     flk_polynomial p;
 
     *strength = extrapolate(e, y, order, scale, &p, &error);
     other = extrapolate(e, y, order, scale + 1, &p, &error_of_other);
-    return error < part * fabs(*strength) && error_of_other < part * fabs(other) &&
-           fabs(*strength - other) < GSL_MAX_DBL(part, 0.01) * fabs(*strength) &&
-           (scale != POLE_SCALE || fabs(*strength) > 1e-3 * size);
+    return agree(*strength, error, other, error_of_other, 1e-3) ||
+           (scale == POLE_SCALE && fabs(*strength) > WEAK * size &&
+            agree(*strength, error, other, error_of_other, 0.1));
 }
 
 /* Returns the order of a pole, 0 if there is none; *strength is p0. */
