@@ -104,7 +104,7 @@ static int read_laws(parser *p, const setting *s, char *points, const flk_progra
     size_t i;
 
     for (i = 0; flk_piece_item(&rest, &item); i++) {
-        flk_program_segment *before = &g[GSL_MIN(GSL_MAX(i, 1), n) - 1];
+        flk_program_segment *before = &g[i > 0 && i <= n ? i - 1 : 0];
 
         law = law_of(item);
         if (i > 0 && i <= n)
