@@ -123,6 +123,7 @@ module fourlink
     real(c_double) :: angle_unit = 0, from = 0, to = 0, interval = 0, run_up = 0, speed = 0
     real(c_double) :: acceleration = 0
     integer(c_int) :: hold = 0
+    real(c_double) :: x_at = 0
   end type fourlink_motion
 
   ! Decks.

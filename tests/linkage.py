@@ -443,4 +443,4 @@ def decks_of(program, folders):
             base, end = os.path.splitext(name)
             if end == '.deck' and (base in CHOSEN or os.environ.get('ALL') and base not in ('bad', 'mistakes')):
                 found.append(Deck(program, os.path.join(folder, name)))
-    return found
+    return [deck for deck in found if 'motion.law' not in deck.inputs]  # a program over time has no interval of angles

@@ -14,6 +14,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/arithmetic.h"
 #include "base/trig.h"
 #include "program.h"
 

@@ -126,7 +126,7 @@ def check_curves(deck, program, lines):
     k = sum(map(ord, os.path.basename(deck))) % max(len(names), 1)
     CURVES.at(deck)
     own = Deck(program, deck)
-    if own.is_single or 'motion.mode' in own.inputs or not names or not any(line[-1] == 'ok' for line in lines):
+    if own.is_single or 'motion.mode' in own.inputs or 'motion.law' in own.inputs or not names or not any(line[-1] == 'ok' for line in lines):
         return
     rows = own.table(*diagrams.both_of(own))
     for panel, name, branch, points in diagrams.columns_of(own, (names + names)[k:k + 3]):
