@@ -586,7 +586,7 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                 : is_one_of(facts[i].name, " mu_min mu_max gamma_min gamma_max ")
                     ? 1 / fmax(fabs(sin(expected)), 1e-9) /* an arc cosine */
                 : strcmp(facts[i].name, "motor_torque") == 0
-                    ? fmax(fabs(expected), 1e-9) /* of a cycle without work it is rounding error */
+                    ? fmax(fabs(expected), 1e-3) /* of a cycle without work it is rounding error */
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 100 /* of differences, over a cycle */
                                                             : fabs(expected);
         if (!present->is_exact && strcmp(facts[i].quantity, "angle") == 0) {
