@@ -158,7 +158,7 @@ static void check_rates(const fourlink_row *row)
     most = fabs(low.row.crank.alpha2 - high.row.crank.alpha2) > 1e-3 * (1 + fabs(row->crank.alpha2))
                ? 0
                : 1;
-    if (!most)
+    if (most == 0)
         return;
     worst_rate =
         fmax(worst_rate,
