@@ -180,6 +180,8 @@ static void check_instant(long number, double time)
     unsigned long c;
     int status = row_at(time, here, &now);
 
+    if (status != FOURLINK_OK)
+        return;
     if (now.row.crank.omega2 == 0 && problem.has_friction)
         return; /* at rest the way that it is about to turn can be another */
     if (status == FOURLINK_OK)
