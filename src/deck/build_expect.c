@@ -34,17 +34,23 @@ static void keep_one_branch(deck *d)
     d->n_expectations = kept;
 }
 
-/* The row that an angle of answers means: 1.0472 rad is the row at 60 deg. */
+/* The row that an angle of answers means: 1.0472 rad is the row at 60 deg.  The last row can be closer than the
+** others. */
 static double nearest_row(const deck *d, const setting *at, double angle)
 {
     double interval = fabs(d->motion.interval), row, digit;
     quantity_value read;
+    fourlink_range range;
+    fourlink_abscissa over;
     char why[MESSAGE_SIZE];
 
-    if (!(interval > 0) || !flk_quantity_read(at->value, at->value, QUANTITY_ANGLE,
-                                              d->bare[QUANTITY_ANGLE].unit, &read, why))
+    if (!(interval > 0) || flk_deck_rows(d, &range, &over) != FOURLINK_OK || !over.is_crank_angle ||
+        !flk_quantity_read(at->value, at->value, QUANTITY_ANGLE, d->bare[QUANTITY_ANGLE].unit,
+                           &read, why))
         return angle;
     row = d->motion.from + interval * floor((angle - d->motion.from) / interval + 0.5);
+    if (fabs(over.last - angle) < fabs(row - angle))
+        row = over.last;
     digit = flk_unit_from_si(read.digit, d->units[QUANTITY_ANGLE].unit);
     return fabs(row - angle) <= 0.5 * digit * (1 + 1e-9) ? row : angle;
 }
