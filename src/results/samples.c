@@ -282,6 +282,41 @@ static void halve_steps(flk_samples *x, double step)
             insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
+/* 1 if a column is more than PEAK times as large in a sample as in those beside it. */
+#define PEAK 1.5
+
+static int is_peak(const flk_samples *x, size_t i)
+{
+    size_t k;
+
+    for (k = 0; k < x->n_columns; k++) {
+        const double *v = x->columns[k].v + i;
+
+        if (fabs(v[0]) > PEAK * GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])) &&
+            fabs(v[0]) > SMOOTH * x->columns[k].largest)
+            return 1;
+    }
+    return 0;
+}
+
+/* More samples beside peaks until one is found in which friction locks the mechanism: beside it forces grow as
+** the inverse of the distance. */
+#define LOCK_HALVINGS 6
+
+static void resolve_locks(flk_samples *x, double step)
+{
+    double closest = step * gsl_pow_int(0.5, LOCK_HALVINGS);
+    size_t i;
+
+    for (i = 1; i + 1 < x->n && x->n + 2 < FLK_SAMPLES_MOST && !x->has_lock; i++) {
+        if (x->s[i + 1] - x->s[i - 1] < closest || !is_peak(x, i))
+            continue;
+        insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+        insert_sample(x, i, 0.5 * (x->s[i - 1] + x->s[i]));
+        i = i > 2 ? i - 2 : 0;
+    }
+}
+
 /* Samples of the piece in even steps, which are doubled where all columns are smooth, and closer beside
 ** some ends. */
 static void sample(flk_samples *x)
@@ -307,6 +342,8 @@ static void sample(flk_samples *x)
         insert_sample(x, x->n, 1);
     if (n)
         halve_steps(x, 2 * step);
+    if (n && x->is_reached && x->f.a->d->machine.has_friction)
+        resolve_locks(x, step);
     x->f.a->is_fast = 1;
 }
 
