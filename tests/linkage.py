@@ -65,6 +65,7 @@ def drawn_units(path):
     sections = dict(re.findall(r'^\[(\w+)\] *\n([^[]*)', text, re.M))
     own = re.search(r'^length *=', sections.get('units', ''), re.M)
     crank = re.search(r'^(?:length|stroke) *= *[-+\d.,e]+ *([a-z]+) *$', sections.get('crank', ''), re.M)
+    crank = crank or re.search(r'^B *= *(?:\([^)]*\)|[-+\d.e]+) *([a-z]+)', sections.get('pins', ''), re.M)
     if not crank or own:
         return []
     unit = crank.group(1)
