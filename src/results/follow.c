@@ -60,12 +60,18 @@ double flk_follow_skips(const flk_follower *f)
 
 int flk_follow_is_root(flk_piece_end end)
 {
-    return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_CHANGE_REST;
+    return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_LOCK ||
+           end == FLK_END_CHANGE_REST;
+}
+
+static int is_change(flk_piece_end end)
+{
+    return end == FLK_END_CHANGE || end == FLK_END_CHANGE_REST;
 }
 
 int flk_follow_has_limit(flk_piece_end end)
 {
-    return end == FLK_END_DEAD || end == FLK_END_CHANGE || end == FLK_END_CHANGE_REST;
+    return end == FLK_END_DEAD || end == FLK_END_LOCK || is_change(end);
 }
 
 double flk_follow_corner(const flk_follower *f, double s)
@@ -241,8 +247,10 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
 
     e->at_end = at_end;
     e->is_root = flk_follow_is_root(end);
-    e->is_change = end != FLK_END_DEAD;
-    e->pole_order = end == FLK_END_CHANGE_REST ? 6 : 4;
+    e->is_change = is_change(end);
+    e->least_order =
+        end == FLK_END_LOCK ? 2 : 1; /* there forces grow as the inverse of the distance */
+    e->greatest_order = end == FLK_END_CHANGE_REST ? 6 : end == FLK_END_LOCK ? 2 : 4;
     e->edge = at_end ? f->piece.to : f->piece.from;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
@@ -359,7 +367,7 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
     int scale, order;
 
     for (scale = 0; scale + 1 < SCALES && !is_finite(e, y); scale++)
-        for (order = e->pole_order; order > 0; order--)
+        for (order = e->greatest_order; order > 0; order--)
             if (is_pole(e, y, scale, order, strength))
                 return order;
     *strength = 0;
@@ -502,7 +510,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
             continue;
         has_pole |= strength != 0;
         l->order = GSL_MAX_INT(l->order, of_scale);
-        l->growth = GSL_MAX_DBL(l->growth, GSL_MAX_INT(order, 1) / (e->is_root ? 2.0 : 1.0));
+        l->growth =
+            GSL_MAX_DBL(l->growth, GSL_MAX_INT(order, e->least_order) / (e->is_root ? 2.0 : 1.0));
         if (t->turn <= 0)
             l->value = strength > 0 || is_vector ? GSL_POSINF : GSL_NEGINF;
     }

@@ -494,7 +494,7 @@ static double find_edge(flk_samples *x, double *lock)
 
 /* Sample the piece, or its part up to an edge at which friction begins or ceases to lock the mechanism.
 ** Towards such an edge friction grows as the inverse of the distance or, where two solutions meet, ends as
-** its root: the edge is treated as a dead position. */
+** its root. */
 #define MOST_PARTS 100
 
 static void sample_part(flk_samples *x)
@@ -512,10 +512,10 @@ static void sample_part(flk_samples *x)
         return;
     x->rest = *part;
     x->rest.from = GSL_MAX_DBL(edge, part->from + SHORT / 10); /* a first row can stand alone */
-    x->rest.begin = FLK_END_DEAD;
+    x->rest.begin = FLK_END_LOCK;
     x->n_parts++;
     part->to = edge;
-    part->end = lock < 0 ? FLK_END_PLAIN : FLK_END_DEAD;
+    part->end = lock < 0 ? FLK_END_PLAIN : FLK_END_LOCK;
     x->has_limit = 1;
     find_limits(x, 1);
     sample(x);
