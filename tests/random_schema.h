@@ -207,6 +207,12 @@ static void append_text(char *out, key_code key)
     append(out, "%s", fitting[one_of(n)]);
 }
 
+/* Other words for kinds of mechanism; those of the deck's kind stay. */
+static const char *const other_kinds[] = {"4-bar",     "Four bar", "crank-slider", "Shaper",
+                                          "whitworth", "boom",     "dump body",    "yoke"};
+
+#define COUNT_OF(list) ((int)(sizeof list / sizeof list[0]))
+
 static void append_value(char *out, const key_info *key, key_code code, const char *const *links)
 {
     const char *words[MOST_WORDS];
@@ -215,6 +221,11 @@ static void append_value(char *out, const key_info *key, key_code code, const ch
 
     switch (key->form) {
     case FORM_WORD:
+        if (code == KEY_TOP_MECHANISM && seldom(0.1)) {
+            append(out, "%s", other_kinds[one_of(COUNT_OF(other_kinds))]);
+            break;
+        }
+        /* fall through */
     case FORM_LINK:
     case FORM_BODY:
         flk_key_words(code, links, words);

@@ -2,7 +2,10 @@
 **
 ** quantity.c - quantities from text: a number with a unit, such as 40 deg.
 */
+#include <math.h>
 #include <string.h>
+
+#include <gsl/gsl_math.h>
 
 #include "fourlink.h"
 #include "number.h"
@@ -63,13 +66,72 @@ static void refuse_number(text rest, text whole, quantity q, char message[MESSAG
                 info->example, whole, why);
 }
 
-int flk_quantity_number(text *rest, text whole, quantity q, double *number,
-                        char message[MESSAGE_SIZE])
+/* Take pi off the front of a text, after a number perhaps with a blank or * between; 0 if it is not there. */
+static int take_pi(text *rest, int is_after_number)
+{
+    text t = *rest;
+
+    if (is_after_number) {
+        t = flk_text_trim(t);
+        if (t.length && t.start[0] == '*')
+            t = flk_text_trim(flk_text_from(t, 1));
+    }
+    if (t.length < 2 || (t.start[0] | 0x20) != 'p' || (t.start[1] | 0x20) != 'i' ||
+        (t.length > 2 && flk_text_is_word(t.start[2])))
+        return 0;
+    *rest = flk_text_from(t, 2);
+    return 1;
+}
+
+/* What a number may be besides a decimal number. */
+enum { IS_FRACTION = 1, IS_PI = 2 };
+
+/* Take a number off the front of `rest`: 2.5, 1/3, or, if it may be IS_PI, pi, -pi/6, 3 pi/4, 1/2 pi.  `form` is what it
+** is of these. */
+static number_status take_number(text *rest, int may_be, double *number, int *form)
+{
+    text t = *rest, after = t;
+    number_status status = flk_number_read(&t, number);
+    int is_signed = t.length && (t.start[0] == '-' || t.start[0] == '+');
+    double divisor;
+
+    *form = 0;
+    if (status == NUMBER_NONE && is_signed)
+        after = flk_text_from(t, 1);
+    if (status == NUMBER_NONE && (may_be & IS_PI) && take_pi(&after, 0)) {
+        *number = is_signed && t.start[0] == '-' ? -M_PI : M_PI;
+        *form = IS_PI;
+        t = after;
+    } else if (status != NUMBER_OK) {
+        return status;
+    } else if ((may_be & IS_PI) && take_pi(&t, 1)) {
+        *number *= M_PI;
+        *form = IS_PI;
+    }
+    if (t.length > 1 && t.start[0] == '/' && '0' <= t.start[1] && t.start[1] <= '9') {
+        t = flk_text_from(t, 1);
+        status = flk_number_read(&t, &divisor);
+        if (status != NUMBER_OK || divisor == 0)
+            return status != NUMBER_OK ? status : NUMBER_NOT_FINITE;
+        *number /= divisor;
+        *form |= IS_FRACTION;
+        if ((may_be & IS_PI) && !(*form & IS_PI) && take_pi(&t, 1)) {
+            *number *= M_PI;
+            *form |= IS_PI;
+        }
+    }
+    *rest = t;
+    return NUMBER_OK;
+}
+
+/* The same as flk_quantity_number, with the form of the number. */
+static int read_number(text *rest, text whole, quantity q, int may_be, double *number, int *form,
+                       char message[MESSAGE_SIZE])
 {
     number_status status;
 
     *rest = flk_text_trim(*rest);
-    status = flk_number_read(rest, number);
+    status = take_number(rest, may_be, number, form);
     if (status == NUMBER_NONE)
         refuse_number(*rest, whole, q, message);
     else if (status == NUMBER_COMMA)
@@ -81,6 +143,14 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
                                                 : "'%t' has too many digits",
                     whole);
     return status == NUMBER_OK;
+}
+
+int flk_quantity_number(text *rest, text whole, quantity q, double *number,
+                        char message[MESSAGE_SIZE])
+{
+    int form;
+
+    return read_number(rest, whole, q, 0, number, &form, message);
 }
 
 static int is_direction(text t)
@@ -215,13 +285,19 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     return 0;
 }
 
-text flk_quantity_unit_text(text t)
+text flk_quantity_after_number(text t)
 {
     double number;
+    int form;
 
     t = flk_text_trim(t);
-    flk_number_read(&t, &number);
-    return flk_text_trim(t);
+    take_number(&t, IS_PI, &number, &form);
+    return t;
+}
+
+text flk_quantity_unit_text(text t)
+{
+    return flk_text_trim(flk_quantity_after_number(t));
 }
 
 /* Above 1e9 rad an angle has too few digits left after its revolutions. */
@@ -270,6 +346,9 @@ static double last_digit(text t)
     return digit;
 }
 
+/* Of a fraction or a multiple of pi: its last digit. */
+#define EXACT 1e-9
+
 /* A longer text is not a quantity. */
 #define LONGEST 200
 
@@ -277,7 +356,7 @@ int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value 
                       char message[MESSAGE_SIZE])
 {
     char plain[SPELLING_SIZE(LONGEST)];
-    int is_whole = t.start == whole.start;
+    int is_whole = t.start == whole.start, form;
     text rest;
 
     if (t.length <= LONGEST && !flk_spelling_is_plain(t)) {
@@ -285,10 +364,15 @@ int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value 
         whole = is_whole ? t : whole;
     }
     rest = t;
-    if (!flk_quantity_number(&rest, whole, q, &value->number, message) ||
-        !flk_quantity_unit(rest, whole, q, bare, &value->unit, message))
+    if (!read_number(&rest, whole, q, flk_quantities[q].dim.rad > 0 ? IS_PI : 0, &value->number,
+                     &form, message))
+        return 0;
+    if (form & IS_PI)
+        bare.up = bare.down = 1;
+    if (!flk_quantity_unit(rest, whole, q, bare, &value->unit, message))
         return 0;
     value->si = flk_unit_to_si(value->number, value->unit);
-    value->digit = flk_unit_to_si(last_digit(flk_text_trim(t)), value->unit);
+    value->digit =
+        form ? EXACT * fabs(value->si) : flk_unit_to_si(last_digit(flk_text_trim(t)), value->unit);
     return flk_quantity_size(value->si, whole, q, message);
 }

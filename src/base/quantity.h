@@ -15,7 +15,8 @@ typedef struct quantity_value {
     double digit; /* also in SI, one unit of the last digit: 0.01 m for 2.50 m */
 } quantity_value;
 
-/* Read a quantity.
+/* Read a quantity.  Its number may be a fraction, 1/3; that of an angle or its rates also a multiple of pi, which
+** without a unit is in radians: pi/6, 2 pi/3.
 **
 ** Given:
 **    t          the text
@@ -40,7 +41,9 @@ int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SI
 /* 1, and a note, if the unit `t` of a force is a bare lb or oz; `whole` as above. */
 int flk_quantity_weight(text t, text whole, char message[MESSAGE_SIZE]);
 
-/* The text after the number of a quantity; empty if the number is bare. */
+/* The text after the number of a quantity; empty if the number is bare.  The same with the blanks before the
+** unit. */
 text flk_quantity_unit_text(text t);
+text flk_quantity_after_number(text t);
 
 #endif

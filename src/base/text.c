@@ -250,6 +250,11 @@ int flk_text_cut_last(text t, const char *separator, text *before, text *after)
     return cut(t, separator, 1, before, after);
 }
 
+int flk_text_range(text t, text *low, text *high)
+{
+    return flk_text_cut(t, " to ", low, high) || flk_text_cut(t, "..", low, high);
+}
+
 char *flk_text_copy(text t, char *out, size_t size)
 {
     size_t i, n = t.length < size ? t.length : size - 1;

@@ -72,6 +72,9 @@ int flk_text_line_end(text t);
 int flk_text_cut(text t, const char *separator, text *before, text *after);
 int flk_text_cut_last(text t, const char *separator, text *before, text *after);
 
+/* Cut a range, LOW to HIGH or LOW .. HIGH, in two; 0 if it is none. */
+int flk_text_range(text t, text *low, text *high);
+
 /* A null-terminated copy in `size` bytes; unprintable bytes are replaced, and "..." marks what did not
 ** fit. */
 char *flk_text_copy(text t, char *out, size_t size);

@@ -132,7 +132,7 @@ static int read_question(question *q)
     text left, right, key, range, low, high, name, value, at;
 
     if (!flk_text_cut(flk_text_of(q->in->o->solve), " where ", &left, &right) ||
-        !flk_text_cut(left, "=", &key, &range) || !flk_text_cut(range, "..", &low, &high) ||
+        !flk_text_cut(left, "=", &key, &range) || !flk_text_range(range, &low, &high) ||
         !flk_text_cut_last(right, "=", &name, &value))
         return refuse(FORM);
     at.start = NULL;

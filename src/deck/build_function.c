@@ -208,7 +208,7 @@ static int read_argument(parser *p)
     if (!flk_task_require(p, KEY_SYNTHESIS_ARGUMENT, "1 to 4"))
         return 0;
     if (is_angle &&
-        (!flk_text_cut(x->value, " to ", &first, &last) || !flk_quantity_unit_text(last).length))
+        (!flk_text_range(x->value, &first, &last) || !flk_quantity_unit_text(last).length))
         return flk_mistake(p->mistakes, x->place,
                            "the x of %s is an angle and needs a unit, such as 0 deg to 90 deg",
                            functions[w->f]);

@@ -33,7 +33,7 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     const section_use *use = &d->settings->uses[t->use];
     const key_info *key = &flk_key_table[t->key];
     const setting *s = flk_setting_of(use, t->key);
-    const word_info *word = flk_word_find(t->key, s->value);
+    const word_info *word = flk_word_find(t->key, (int)d->machine.mechanism.design.kind, s->value);
     int is_part = t->part != PART_NONE;
     char name[DECK_NAME_SIZE];
 

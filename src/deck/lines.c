@@ -46,7 +46,7 @@ static section_use *read_section(parser *p, text line, text_place place)
     word.length--;
     word = flk_text_trim(word);
     flk_section_split(&word, &name);
-    section = flk_find_section(word);
+    section = flk_section_meant(p, word);
     if (section == SECTION_COUNT ? !flk_section_unknown(p, place, word)
                                  : !check_section(p, place, section, name))
         return NULL;
@@ -169,7 +169,7 @@ static void refuse_line(parser *p, section_use *use, text line, text_place place
     if (use && word.length && rest.length && is_key(use, word, rest)) {
         use->is_mistaken = 1; /* the value is there */
         flk_message(meant, sizeof meant, "%t = %t", word, rest);
-    } else if (flk_find_section(word) != SECTION_COUNT) {
+    } else if (flk_section_meant(p, word) != SECTION_COUNT) {
         flk_message(meant, sizeof meant, "[%t%s%t]", word, rest.length ? " " : "", rest);
     }
     flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'%h", line,

@@ -101,6 +101,97 @@ static const word_info links[] = {
     {KEY_COUNT, "piston", FOURLINK_FOLLOWER}, {KEY_COUNT, "lever", FOURLINK_FOLLOWER},
     {KEY_COUNT, "yoke", FOURLINK_FOLLOWER},   {KEY_COUNT, NULL, 0}};
 
+/* Other names of links, which are those of their sections, too. */
+static const struct {
+    int kinds;
+    const char *written, *meant;
+} other_links[] = {{FOURLINK_SLIDER_CRANK, "slider", "piston"},
+                   {INVERTED, "boom", "crank"},
+                   {INVERTED, "hatch", "crank"},
+                   {INVERTED, "tailgate", "crank"},
+                   {INVERTED, "tower", "crank"},
+                   {INVERTED, "body", "crank"},
+                   {INVERTED, "cylinder", "lever"}};
+
+text flk_link_meant(int kind, text name)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof other_links / sizeof other_links[0]; i++)
+        if ((other_links[i].kinds & kind) && flk_text_equal(name, other_links[i].written))
+            return flk_text_of(other_links[i].meant);
+    return name;
+}
+
+/* Other words for those of a key, or, with a blank in it, what to write instead. */
+static const struct {
+    key_code key;
+    const char *written, *meant;
+} other_words[] = {
+    {KEY_TOP_MECHANISM, "fourbar", "four-bar"},
+    {KEY_TOP_MECHANISM, "4-bar", "four-bar"},
+    {KEY_TOP_MECHANISM, "4bar", "four-bar"},
+    {KEY_TOP_MECHANISM, "four-bar-linkage", "four-bar"},
+    {KEY_TOP_MECHANISM, "crank-rocker", "four-bar"},
+    {KEY_TOP_MECHANISM, "crank-slider", "slider-crank"},
+    {KEY_TOP_MECHANISM, "slidercrank", "slider-crank"},
+    {KEY_TOP_MECHANISM, "whitworth", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "quick-return", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "shaper", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "slotted-lever", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "crank-and-slotted-lever", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "oscillating-cylinder", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "boom", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "hatch", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "tailgate", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "dump-body", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "tower", "inverted-slider-crank"},
+    {KEY_TOP_MECHANISM, "yoke", "scotch-yoke"},
+    {KEY_TOP_MECHANISM, "toggle",
+     "a toggle is a four-bar or, if it presses along a line, a slider-crank: write which"},
+    {KEY_TOP_MECHANISM, "trammel",
+     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"},
+    {KEY_TOP_MECHANISM, "elliptic-trammel",
+     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"}};
+
+#define OTHER_WORDS (sizeof other_words / sizeof other_words[0])
+
+/* Equal whatever the case of letters, and where words are joined by a blank, - or _. */
+static int is_word(text t, const char *word)
+{
+    size_t i;
+
+    for (i = 0; i < t.length && word[i]; i++) {
+        text one = flk_text_from(t, i), blank = one;
+        char letter[2] = {0, 0};
+
+        one.length = 1;
+        letter[0] = word[i];
+        if (!flk_text_equal(one, letter) &&
+            !(letter[0] == '-' && (t.start[i] == '_' || flk_text_blank(blank) == 1)))
+            return 0;
+    }
+    return i == t.length && !word[i];
+}
+
+/* What another word for one of a key means; null if there is no such word. */
+static const char *other_meaning(key_code key, text t)
+{
+    size_t i;
+
+    for (i = 0; i < OTHER_WORDS; i++)
+        if (other_words[i].key == key && is_word(t, other_words[i].written))
+            return other_words[i].meant;
+    return NULL;
+}
+
+const char *flk_word_advice(key_code key, text t)
+{
+    const char *meant = other_meaning(key, t);
+
+    return meant && strchr(meant, ' ') ? meant : NULL;
+}
+
 /* The list that has the words of a key. */
 static const word_info *words_for(key_code key)
 {
@@ -125,11 +216,13 @@ static int is_of_key(const word_info *w, key_code key)
     return w->key == key || w->key == KEY_COUNT;
 }
 
-const word_info *flk_word_find(key_code key, text t)
+const word_info *flk_word_find(key_code key, int kind, text t)
 {
     const word_info *w = words_for(key);
+    const char *meant = other_meaning(key, t);
 
-    while (w->word && !(is_of_key(w, key) && flk_text_equal(t, w->word)))
+    t = meant ? flk_text_of(meant) : w->key == KEY_COUNT ? flk_link_meant(kind, t) : t;
+    while (w->word && !(is_of_key(w, key) && is_word(t, w->word)))
         w++;
     return w->word ? w : NULL;
 }

@@ -363,8 +363,15 @@ typedef struct word_info {
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
 
-/* The word of a key that a text is, whatever its case; null if the key does not accept it. */
-const word_info *flk_word_find(key_code key, text t);
+/* The word of a key that a text is, whatever its case and whether blanks, - or _ join its parts, or means, such
+** as 4-bar, or slider for the piston of a kind of mechanism; null if the key does not accept it. */
+const word_info *flk_word_find(key_code key, int kind, text t);
+
+/* What to write in place of a word that a key does not accept; null if nothing is known. */
+const char *flk_word_advice(key_code key, text t);
+
+/* The name of a link, and of its section, that another name means for a kind of mechanism, or this name. */
+text flk_link_meant(int kind, text name);
 
 /* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:
 ** other links are left out. */

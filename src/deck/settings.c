@@ -258,6 +258,20 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
     return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
 
+int flk_setting_kind(const parser *p)
+{
+    const section_use *top = flk_section_find(p, SECTION_TOP, NULL);
+    const setting *s = top ? flk_setting_of(top, KEY_TOP_MECHANISM) : NULL;
+    const word_info *word = s && IS_SET(s) ? flk_word_find(KEY_TOP_MECHANISM, 0, s->value) : NULL;
+
+    return word ? word->value : 0;
+}
+
+section_code flk_section_meant(const parser *p, text name)
+{
+    return flk_find_section(flk_link_meant(flk_setting_kind(p), name));
+}
+
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
@@ -449,7 +463,7 @@ typedef struct path {
     vector_part part;
 } path;
 
-static path path_of(text whole)
+static path path_of(const parser *p, text whole)
 {
     static const path top = {{"", 0}, {"", 0}, {"", 0}, {"", 0}, SECTION_TOP, PART_NONE};
     path a = top;
@@ -469,7 +483,7 @@ static path path_of(text whole)
             }
     if (flk_text_cut_last(a.whole, ".", &a.section, &a.key)) {
         flk_section_split(&a.section, &a.name);
-        a.code = flk_find_section(a.section);
+        a.code = flk_section_meant(p, a.section);
     }
     return a;
 }
@@ -524,7 +538,7 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
 
 int flk_setting_target(parser *p, text_place place, text whole, target *t)
 {
-    path a = path_of(whole);
+    path a = path_of(p, whole);
     section_use *use;
 
     if (a.code == SECTION_COUNT)
@@ -538,7 +552,7 @@ int flk_setting_target(parser *p, text_place place, text whole, target *t)
 
 int flk_setting_look(const parser *p, text whole, target *t)
 {
-    path a = path_of(whole);
+    path a = path_of(p, whole);
     const section_use *use;
 
     if (a.code == SECTION_COUNT || a.code == SECTION_TOP)

@@ -13,6 +13,12 @@
 section_use *flk_section_find(const parser *p, section_code section, const text *name);
 section_use *flk_section_next(const parser *p, section_code section, const section_use *after);
 
+/* The kind of mechanism that the deck has; 0 if it is not known. */
+int flk_setting_kind(const parser *p);
+
+/* The section that a name means in a deck of this kind, such as [slider] the piston; SECTION_COUNT if none. */
+section_code flk_section_meant(const parser *p, text name);
+
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
 

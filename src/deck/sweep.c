@@ -95,10 +95,7 @@ static double in_unit(const quantity_value *value, const unit *u)
 /* Read the first value of a range, or the nominal value. */
 static int read_first(parser *p, variation *v, text t)
 {
-    double number;
-
-    v->unit = t;
-    flk_number_read(&v->unit, &number);
+    v->unit = flk_quantity_after_number(t);
     return read(p, v, t, &v->first);
 }
 
@@ -138,7 +135,7 @@ static int read_range(parser *p, variation *v)
     double end, steps;
     int in_steps;
 
-    flk_text_cut(v->value, " to ", &first, &rest);
+    flk_text_range(v->value, &first, &rest);
     in_steps = !flk_text_cut(rest, " step ", &last, &step);
     if (in_steps &&
         !flk_text_cut_last(rest, " in ", &last, &number)) /* the last " in ": 1 in to 2 in in 3 */
@@ -186,8 +183,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
         v->is_normal = flk_text_equal(after, "normal");
         t = before;
     }
-    if (memchr(nominal.start, ',', nominal.length) ||
-        flk_text_cut(nominal, " to ", &before, &after))
+    if (memchr(nominal.start, ',', nominal.length) || flk_text_range(nominal, &before, &after))
         return flk_mistake(p->mistakes, v->place,
                            "a tolerance applies to one value, not to a list or a range");
     if (!read_first(p, v, nominal))
@@ -250,7 +246,7 @@ static int read_list(parser *p, variation *v)
 static int read_variation(parser *p, variation *v)
 {
     static const char *const signs[] = {"\302\261", "+/-", "+-"};
-    static const char *const others[] = {"..", ":", " - "}; /* of a range, elsewhere */
+    static const char *const others[] = {":", " - "}; /* of a range, elsewhere */
     text before, after;
     size_t i;
 
@@ -259,7 +255,7 @@ static int read_variation(parser *p, variation *v)
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
         if (flk_text_cut(v->value, signs[i], &before, &after))
             return read_tolerance(p, before, after, v);
-    if (flk_text_cut(v->value, " to ", &before, &after))
+    if (flk_text_range(v->value, &before, &after))
         return read_range(p, v);
     for (i = 0; i < sizeof others / sizeof others[0]; i++)
         if (flk_text_cut(v->value, others[i], &before, &after))

@@ -62,7 +62,7 @@ int flk_task_range(parser *p, key_code key, quantity q, double range[2])
     setting *s = flk_task_find(p, key);
     text first, last, name;
 
-    if (!flk_text_cut(s->value, " to ", &first, &last))
+    if (!flk_text_range(s->value, &first, &last))
         return flk_mistake(p->mistakes, s->place, "expected a range, such as %s, not '%t'",
                            q == QUANTITY_ANGLE    ? "30 deg to 120 deg"
                            : q == QUANTITY_LENGTH ? "100 mm to 30 mm"

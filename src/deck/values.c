@@ -17,12 +17,17 @@
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
-    const word_info *word = flk_word_find(key, s->value);
+    const word_info *word = flk_word_find(key, flk_setting_kind(p), s->value);
+    const char *advice = flk_word_advice(key, s->value);
     const char *known[MOST_WORDS], *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
     if (word) {
         s->word = word->value;
+        return;
+    }
+    if (advice) {
+        flk_mistake(p->mistakes, s->place, "'%t': %s", s->value, advice);
         return;
     }
     flk_key_words(key, NULL, known);
@@ -280,7 +285,7 @@ int flk_expects_at_time(const section_use *use)
 static int read_over(const section_use *use, int *over)
 {
     const setting *s = flk_setting_of(use, KEY_LOAD_OVER);
-    const word_info *word = IS_SET(s) ? flk_word_find(KEY_LOAD_OVER, s->value) : NULL;
+    const word_info *word = IS_SET(s) ? flk_word_find(KEY_LOAD_OVER, 0, s->value) : NULL;
 
     *over = word ? word->value : FLK_THETA2;
     return !IS_SET(s) || word;

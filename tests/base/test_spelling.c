@@ -36,6 +36,7 @@ static const struct {
     {"30" DEGREE "/s" TWO, "30 deg/s^2"},
     {"3 kg" DOT "m" TWO, "3 kg*m^2"},
     {"3 N" TIMES "m", "3 N*m"},
+    {MINUS "2\317\200/3", "-2pi/3"},
     {"3 N\342\213\205mm", "3 N*mm"},
     {"5 rad s" RAISED_MINUS "\302\271", "5 rad s^-1"},
     {"mm\342\201\264", "mm^4"},

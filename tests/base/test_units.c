@@ -593,6 +593,68 @@ TEST(test_weights)
     }
 }
 
+/* Numbers that are fractions, and of angles multiples of pi. */
+TEST(test_fractions)
+{
+    static const struct {
+        const char *words;
+        quantity q;
+        double si;
+    } read[] = {
+        {"1/3 rev", QUANTITY_ANGLE, 2 * PI / 3},
+        {"pi/6", QUANTITY_ANGLE, PI / 6},
+        {"pi", QUANTITY_ANGLE, PI},
+        {"Pi rad", QUANTITY_ANGLE, PI},
+        {"-pi/4", QUANTITY_ANGLE, -PI / 4},
+        {"+pi", QUANTITY_ANGLE, PI},
+        {"2pi/3", QUANTITY_ANGLE, 2 * PI / 3},
+        {"2 pi/3 rad", QUANTITY_ANGLE, 2 * PI / 3},
+        {"2*pi", QUANTITY_ANGLE, 2 * PI},
+        {"5/18 pi", QUANTITY_ANGLE, 5 * PI / 18},
+        {"-\317\200/2", QUANTITY_ANGLE, -PI / 2},
+        {"pi deg", QUANTITY_ANGLE, PI * PI / 180},
+        {"-30", QUANTITY_ANGLE, -PI / 6},
+        {"30 deg", QUANTITY_ANGLE, PI / 6},
+        {"2 pi", QUANTITY_ANGULAR_SPEED, 2 * PI},
+        {"2 pi rad/s", QUANTITY_ANGULAR_SPEED, 2 * PI},
+        {"100/3 rpm", QUANTITY_ANGULAR_SPEED, 10 * PI / 9},
+        {"3/8 in", QUANTITY_LENGTH, 0.375 * 0.0254},
+        {"-1.5/4", QUANTITY_NUMBER, -0.375},
+    };
+    static const struct {
+        const char *words;
+        quantity q;
+    } refused[] = {
+        {"1/0 rev", QUANTITY_ANGLE},  {"pi/0", QUANTITY_ANGLE},     {"1/2/3 rev", QUANTITY_ANGLE},
+        {"pint", QUANTITY_ANGLE},     {"pi pi", QUANTITY_ANGLE},    {"pi/", QUANTITY_ANGLE},
+        {"1 /3 rev", QUANTITY_ANGLE}, {"1/ 3 rev", QUANTITY_ANGLE}, {"3 1/2 in", QUANTITY_LENGTH},
+        {"pi mm", QUANTITY_LENGTH},   {"2 pi", QUANTITY_NUMBER},    {"1/x", QUANTITY_NUMBER},
+        {"--pi", QUANTITY_ANGLE},     {"1/-3", QUANTITY_NUMBER},    {"pi/6 mm", QUANTITY_ANGLE},
+    };
+    size_t i;
+
+    for (i = 0; i < COUNT(read); i++) {
+        char message[MESSAGE_SIZE];
+        text t = flk_text_of(read[i].words);
+        quantity_value value;
+
+        print_message("%s\n", read[i].words);
+        assert_true(
+            flk_quantity_read(t, t, read[i].q, flk_unit_of_quantity(read[i].q), &value, message));
+        assert_close(value.si, read[i].si, 1e-15);
+    }
+    for (i = 0; i < COUNT(refused); i++) {
+        char message[MESSAGE_SIZE] = "";
+        text t = flk_text_of(refused[i].words);
+        quantity_value value;
+
+        print_message("%s\n", refused[i].words);
+        assert_false(flk_quantity_read(t, t, refused[i].q, flk_unit_of_quantity(refused[i].q),
+                                       &value, message));
+        assert_true(message[0] != '\0');
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

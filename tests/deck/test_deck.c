@@ -199,12 +199,12 @@ static const mistaken all_mistaken[] = {
     {"", 1,
      "expected 'mechanism = four-bar', 'mechanism = slider-crank', 'mechanism = "
      "inverted-slider-crank' or 'mechanism = scotch-yoke' before the first section"},
-    {"title = x\nmechanism = fourbar\n", 2,
-     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'fourbar'; did "
+    {"title = x\nmechanism = fourbars\n", 2,
+     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'fourbars'; did "
      "you mean "
      "'four-bar'?"},
-    {"mechanism = scotch yoke\n", 1,
-     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'scotch yoke'; "
+    {"mechanism = scotch yokes\n", 1,
+     "expected four-bar, slider-crank, inverted-slider-crank or scotch-yoke, not 'scotch yokes'; "
      "did you mean 'scotch-yoke'?"},
     {YOKE "[table]\nbranch = crossed\n", 5, "a Scotch yoke has one assembly mode: open"},
     {YOKE "[table]\nbranch = both\n", 5, "a Scotch yoke has one assembly mode: open"},

@@ -65,7 +65,8 @@ function points() {
 function loads() {
     const text = editor.text();
     return web.text.sections(text).filter((name) => /^load\b/i.test(name)).map((name) => {
-        const on = web.text.value(text, name, "link"), link = data.links.find((x) => x.name === on && x.shape !== "block");
+        const on = web.text.linkMeant(web.text.value(text, name, "link") || "");
+        const link = data.links.find((x) => x.name === on && x.shape !== "block");
         const handle = {id: name, words: "where " + name + " acts", link, settings: [{section: name, key: "at"}]};
         handle.frame = () => axesOf(link);
         handle.where = () => {

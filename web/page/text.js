@@ -11,7 +11,7 @@ const web = {};
 web.text = (function () {
 
 const NUMBER = "[-+\u2212]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?";
-const scalar = new RegExp("^(" + NUMBER + ")(.*)$");
+const scalar = new RegExp("^(" + NUMBER + ")(?!\\s*[*/\u03c0\\d.]|\\s*pi\\b)(.*)$", "i");
 const pair = new RegExp("^(\\(\\s*)(" + NUMBER + ")(\\s*,\\s*)(" + NUMBER + ")(\\s*\\))(.*)$");
 
 /* A line less its comment, which begins at the start or after a blank. */
@@ -19,6 +19,11 @@ function bare(line) {
     const comment = line.search(/(^|\s)[#;]/);
     return comment < 0 ? line : line.slice(0, comment);
 }
+
+/* Other names of links, as the program reads them. */
+const links = {slider: "piston", boom: "crank", hatch: "crank", tailgate: "crank", tower: "crank", body: "crank", cylinder: "lever"};
+
+const linkMeant = (name) => links[name.toLowerCase()] || name.toLowerCase();
 
 /* Where the value of a key stands, {from, to}; null if the section does not have it. */
 function find(text, section, key) {
@@ -29,7 +34,7 @@ function find(text, section, key) {
         const setting = /^(\s*([^=\s]+)\s*=\s*)(.*?)\s*$/.exec(words);
         if (head)
             now = head[1].toLowerCase().replace(/\s+/g, " ").trim();
-        else if (now === wanted && setting && setting[2].toLowerCase() === key && setting[3])
+        else if ((now === wanted || links[now] === wanted) && setting && setting[2].toLowerCase() === key && setting[3])
             return {from: at + setting[1].length, to: at + setting[1].length + setting[3].length};
         at += line.length + 1;
     }
@@ -107,5 +112,5 @@ function replace(text, changes) {
     return text;
 }
 
-return {bare, find, value, titleOf, numbers, pairs, sections, read, rounded, replace};
+return {bare, linkMeant, find, value, titleOf, numbers, pairs, sections, read, rounded, replace};
 }());
