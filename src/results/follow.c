@@ -11,7 +11,8 @@
 #include "base/trig.h"
 #include "follow.h"
 
-#define INSIDE 1e-11  /* rad, from an end into the piece; */
+/* rad, from an end into the piece: more than cycle.c rounds, which is 1e-12 of a cycle, here of three turns. */
+#define INSIDE 2e-11
 #define ROUNDED 1e-15 /* ... more by this part of the angle passed, whose last digits are rounded */
 #define CLOSE 1e-6    /* rad, of the end of a piece and that of a period */
 #define MOST_ROWS 4e6 /* of a walk without loads: a second or two */
