@@ -13,6 +13,7 @@
 #define FARTHEST 1.0 /* times the size of the drawing, that it is moved */
 
 static double drawn_at, turned;
+static int is_rough; /* 1: the lengths stay, and the places are near those of the pins */
 static fourlink_branch drawn_branch;
 
 /* A point of the ground's frame on the page. */
@@ -52,6 +53,20 @@ static void set_guide(deck_lines *d, double offset)
     snprintf(value, sizeof value, "(%.17g, %.17g), (%.17g, %.17g) mm", 1e3 * u[0].x, 1e3 * u[0].y,
              1e3 * u[1].x, 1e3 * u[1].y);
     set_line(d, KEY_PINS_GUIDE, value);
+}
+
+/* A place of a pin: where it is or, drawn roughly, anywhere near it; along a line if it is to be on it. */
+#define ROUGH 0.05 /* of the shortest link */
+
+static fourlink_vector near_place(fourlink_vector u, const fourlink_vector *along, double shortest)
+{
+    double by = ROUGH * shortest * between(-1, 1);
+
+    if (!is_rough)
+        return u;
+    u.x += along ? by * along->x : by;
+    u.y += along ? by * along->y : ROUGH * shortest * between(-1, 1);
+    return u;
 }
 
 /* A position that is clear of dead ones; a piston is on the side of x, and B beyond C on
@@ -118,7 +133,9 @@ static void set_drawn_points(deck_lines *d, const fourlink_deck *deck, const fou
             set_drawn(b, KEY_SPRING_AT, KEY_SPRING_PLACE, drawn, spring.link, spring.at);
             set_drawn(b, KEY_SPRING_TO_AT, KEY_SPRING_TO_PLACE, drawn, spring.to, spring.to_at);
         } else if (b->section == SECTION_LOAD && problem.n_loads <= 200) {
-            set_drawn(b, KEY_LOAD_AT, KEY_LOAD_PLACE, drawn, loads[n[2]].link, loads[n[2]].at);
+            if (loads[n[2]].force.x != 0 ||
+                loads[n[2]].force.y != 0) /* one that is off has no place */
+                set_drawn(b, KEY_LOAD_AT, KEY_LOAD_PLACE, drawn, loads[n[2]].link, loads[n[2]].at);
             n[2]++;
         }
         for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
@@ -140,12 +157,13 @@ static int draw_pins(deck_lines *d)
                                        KEY_ROCKER_LENGTH, KEY_ROD_LENGTH,   KEY_GROUND_LENGTH,
                                        KEY_GROUND_OFFSET, KEY_GROUND_ANGLE};
     fourlink_results *r;
-    fourlink_vector tip = {0, 0};
+    fourlink_vector tip = {0, 0}, ground = {1, 0};
     fourlink_problem problem;
     const fourlink_link *link;
     fourlink_state drawn;
     char value[100];
     int i, k, has_own_slide, is_line;
+    double shortest;
 
     write_lines(&base, base_text, sizeof base_text);
     r = is_task(d) || has_pins(d) ? NULL : opened(base_text, NULL);
@@ -159,7 +177,11 @@ static int draw_pins(deck_lines *d)
         return 0;
     }
     drawn_size = fmax(fmax(link[1].length, link[2].length), fmax(link[3].length, link[4].length));
+    shortest = link[2].length;
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        shortest = link[i].length > 0 ? fmin(shortest, link[i].length) : shortest;
     drawn_size = fmax(drawn_size, fabs(problem.mechanism.design.offset));
+    is_rough = seldom(0.3);
     turned = seldom(0.5) ? turns[one_of(4)] : between(-PI, PI);
     moved.x = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
     moved.y = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
@@ -169,26 +191,37 @@ static int draw_pins(deck_lines *d)
     *d = base;
     for (i = 0; i < d->n; i++)
         for (k = 0; k < (int)(sizeof lengths / sizeof *lengths); k++)
-            if (flk_key_table[lengths[k]].section == d->block[i].section)
+            if (flk_key_table[lengths[k]].section == d->block[i].section &&
+                (!is_rough || lengths[k] == KEY_GROUND_ANGLE))
                 drop_key(&d->block[i], lengths[k]);
     set_drawn_points(d, fourlink_results_deck(r), &drawn);
     fourlink_results_free(r);
     drop_key(find_block(d, SECTION_TABLE), KEY_TABLE_BRANCH);
-    if (kind == FOURLINK_INVERTED_SLIDER_CRANK && !has_own_slide) {
+    if (kind == FOURLINK_INVERTED_SLIDER_CRANK && !has_own_slide && !is_rough) {
         drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_LENGTH);
         drop_key(find_block(d, SECTION_LEVER), KEY_LEVER_ANGLE);
     }
     drop_key(find_block(d, SECTION_TOP), KEY_TOP_AXES);
     set_place(d, KEY_PINS_A, on_page(tip));
-    set_place(d, KEY_PINS_B, on_page(drawn.link[3].origin));
+    set_place(d, KEY_PINS_B,
+              on_page(near_place(drawn.link[3].origin, &drawn.link[2].axis, shortest)));
     tip = drawn.link[4].origin;
     if (kind != FOURLINK_SLIDER_CRANK && kind != FOURLINK_SCOTCH_YOKE) {
-        set_place(d, KEY_PINS_D, on_page(tip));
+        set_place(d, KEY_PINS_D, on_page(near_place(tip, &ground, shortest)));
         tip.x += link[4].length * drawn.link[4].axis.x;
         tip.y += link[4].length * drawn.link[4].axis.y;
     }
     if (kind != FOURLINK_SCOTCH_YOKE && !has_own_slide)
-        set_place(d, KEY_PINS_C, on_page(tip));
+        set_place(
+            d, KEY_PINS_C,
+            on_page(near_place(tip, kind == FOURLINK_SLIDER_CRANK ? &ground : NULL, shortest)));
+    if (is_rough)
+        set_line(d, KEY_PINS_ROUGH, "yes");
+    if (is_rough && kind == FOURLINK_SLIDER_CRANK) {
+        snprintf(value, sizeof value, "%.17g m", problem.mechanism.design.offset);
+        set_line(d, KEY_GROUND_OFFSET, value);
+        snprintf(value, sizeof value, "%.17g rad", turned);
+    }
     is_line = kind == FOURLINK_SCOTCH_YOKE || seldom(0.5);
     if ((kind == FOURLINK_SLIDER_CRANK || kind == FOURLINK_SCOTCH_YOKE) && is_line)
         set_guide(d, problem.mechanism.design.offset);

@@ -95,7 +95,8 @@ static void require_length(parser *p, section_code section)
     const section_use *use = flk_section_find(p, section, NULL);
     const char *link = flk_section_table[section].name;
 
-    if (p->d->pins.is_there || (use ? use->is_mistaken : p->has_unknown_section))
+    if ((p->d->pins.is_there && (!p->d->pins.is_rough || section == SECTION_GROUND)) ||
+        (use ? use->is_mistaken : p->has_unknown_section))
         return;
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,

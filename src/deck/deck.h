@@ -38,6 +38,7 @@ typedef struct deck_balance {
 /* The pins of a deck with [pins], as drawn, and what follows from their places.  Without [pins] all is 0. */
 typedef struct deck_pins {
     int is_there, has_guide;
+    int is_rough;      /* 1: the lengths are given, the places only say how it is drawn */
     fourlink_vector A; /* m, on the page */
     double angle;      /* rad, direction of x of link 1 on the page */
     double length[5];  /* m, by link; 0: does not follow */

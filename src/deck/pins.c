@@ -342,6 +342,136 @@ int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at)
     return 1;
 }
 
+/* ------------------------------------------------------------------------------------------ rough places */
+
+#define FAR 0.1 /* of the crank: a pin that is moved so far gets a note */
+
+/* The lengths that a deck gives; 0 if it lacks one, which is reported elsewhere. */
+static int take_lengths(parser *p, deck_pins *pins, const drawing *x, fourlink_design *design)
+{
+    const flk_kind *kind = flk_kind_of(design->kind);
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        design->link[i].length =
+            flk_setting_by_name(p, flk_section_of_link(design->kind, i), "length")->si[0];
+        if (i == FOURLINK_CRANK && !(design->link[i].length > 0))
+            design->link[i].length = 0.5 * flk_setting_or(p, KEY_CRANK_STROKE, 0);
+        if (i == FOURLINK_GROUND && kind->has_length[i] == FLK_LENGTH &&
+            !(design->link[i].length > 0))
+            design->link[i].length = pins->length[i] = length_of(minus(x->at[PIN_D], x->at[PIN_A]));
+        if (kind->has_length[i] == FLK_LENGTH && !(design->link[i].length > 0))
+            return 0;
+    }
+    design->angle = design->kind == FOURLINK_SCOTCH_YOKE
+                        ? flk_setting_or(p, KEY_YOKE_ANGLE, M_PI_2)
+                        : flk_setting_find(p, KEY_LEVER_ANGLE)->si[0];
+    design->offset = design->kind == FOURLINK_INVERTED_SLIDER_CRANK
+                         ? flk_setting_find(p, KEY_LEVER_OFFSET)->si[0]
+                         : pins->offset;
+    return 1;
+}
+
+/* A place or a direction of the ground's frame on the page. */
+static fourlink_vector on_page(const deck_pins *pins, fourlink_vector u, int is_place)
+{
+    fourlink_vector axis, v;
+
+    flk_sine_cosine(pins->angle, &axis.y, &axis.x);
+    v.x = axis.x * u.x - axis.y * u.y + (is_place ? pins->A.x : 0);
+    v.y = axis.y * u.x + axis.x * u.y + (is_place ? pins->A.y : 0);
+    return v;
+}
+
+/* The end of link 3 at C, or C on a lever, as assembled. */
+static fourlink_vector assembled_C(const deck_pins *pins, const fourlink_design *design,
+                                   const fourlink_state *state)
+{
+    const fourlink_link_state *link = &state->link[FOURLINK_FOLLOWER];
+    fourlink_vector C = link->origin;
+
+    C.x += design->link[FOURLINK_FOLLOWER].length * link->axis.x;
+    C.y += design->link[FOURLINK_FOLLOWER].length * link->axis.y;
+    return on_page(pins, C, 1);
+}
+
+static void note_moved(parser *p, const drawing *x, int pin, fourlink_vector to, double crank)
+{
+    double by = length_of(minus(to, x->at[pin]));
+    char far[MESSAGE_SIZE];
+
+    if (IS_SET(x->pin[pin]) && by > FAR * crank)
+        flk_mistake(NOTES(p), x->pin[pin]->place,
+                    "with the lengths that are given %s is %s from this place",
+                    flk_key_table[KEY_PINS_A + pin].name, in_words(p, by, far));
+}
+
+/* The direction of x of link 1, and the line of a slide on the ground: at the offset that is given, or as
+** drawn. */
+static void find_rough_ground(parser *p, deck_pins *pins, const drawing *x)
+{
+    const setting *offset = flk_setting_find(p, KEY_GROUND_OFFSET);
+    double along = pins->has_guide ? direction_of(minus(x->on_guide[1], x->on_guide[0]))
+                                   : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    fourlink_kind kind = p->d->machine.mechanism.design.kind;
+
+    if (WITH_PIN_D & (int)kind) {
+        pins->angle = direction_of(minus(x->at[PIN_D], x->at[PIN_A]));
+        return;
+    }
+    find_line(pins, x, along, kind == FOURLINK_SLIDER_CRANK ? &x->at[PIN_C] : NULL);
+    if (IS_SET(offset))
+        pins->offset = offset->si[0];
+}
+
+/* A stays, B lies in the drawn direction, D too; of the two assemblies that is meant whose C is nearer to the drawn
+** one, or the open one where there is none. */
+static void find_rough(parser *p, deck_pins *pins, const drawing *x)
+{
+    fourlink_vector crank = minus(x->at[PIN_B], x->at[PIN_A]), C;
+    fourlink_mechanism mechanism;
+    fourlink_design design;
+    fourlink_state state, best;
+    int branch, status, why = FOURLINK_OK, i;
+    double nearest = GSL_POSINF, away;
+
+    find_rough_ground(p, pins, x);
+    pins->theta2 = reduced(direction_of(crank) - pins->angle);
+    memset(&design, 0, sizeof design);
+    design.kind = p->d->machine.mechanism.design.kind;
+    if (!take_lengths(p, pins, x, &design) || fourlink_prepare(&design, &mechanism) != FOURLINK_OK)
+        return;
+    for (branch = FOURLINK_OPEN; branch >= FOURLINK_CROSSED; branch -= 2) {
+        if (branch != FOURLINK_OPEN && flk_kind_of(design.kind)->has_one_branch)
+            continue;
+        status = fourlink_position(&mechanism, (fourlink_branch)branch, pins->theta2, &state);
+        if (status != FOURLINK_OK) {
+            why = status;
+            continue;
+        }
+        C = assembled_C(pins, &design, &state);
+        away = IS_SET(x->pin[PIN_C]) ? length_of(minus(C, x->at[PIN_C])) : branch < 0;
+        if (away < nearest) {
+            nearest = away;
+            best = state;
+            pins->branch = branch;
+        }
+    }
+    if (!pins->branch) {
+        flk_mistake(p->mistakes, flk_setting_find(p, KEY_PINS_ROUGH)->place,
+                    "as drawn, the lengths that are given do not fit: %s",
+                    fourlink_status_text(why));
+        return;
+    }
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+        pins->origin[i] = on_page(pins, best.link[i].origin, 1);
+        pins->axis[i] = on_page(pins, best.link[i].axis, 0);
+    }
+    note_moved(p, x, PIN_B, pins->origin[FOURLINK_COUPLER], design.link[2].length);
+    note_moved(p, x, PIN_C, assembled_C(pins, &design, &best), design.link[2].length);
+    note_moved(p, x, PIN_D, pins->origin[FOURLINK_FOLLOWER], design.link[2].length);
+}
+
 /* --------------------------------------------------------------------------------- what is given besides */
 
 /* A key whose value follows from the pins, and that value; 0 if it does not. */
@@ -354,6 +484,9 @@ static int value_by_pins(const deck *d, key_code key, double *value)
 
     if (!pins->is_there)
         return 0;
+    *value = pins->angle;
+    if (pins->is_rough)
+        return key == KEY_GROUND_ANGLE && ((WITH_PIN_D & (int)kind) || pins->has_guide);
     *value = 0;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         if (info->section == flk_section_of_link(kind, i) && strcmp(info->name, "length") == 0) {
@@ -435,7 +568,12 @@ void flk_pins_read(parser *p)
     take_places(p, &x);
     pins->has_guide = x.guide->curve != NULL;
     pins->A = x.at[PIN_A];
-    if (!has_places(p, use, &x) || !check_places(p, &x) || !find_lengths(p, pins, &x))
+    pins->is_rough = flk_setting_find(p, KEY_PINS_ROUGH)->word;
+    if (!has_places(p, use, &x) || !check_places(p, &x))
+        return;
+    if (pins->is_rough)
+        find_rough(p, pins, &x);
+    else if (!find_lengths(p, pins, &x))
         return;
     for (k = flk_first_key(SECTION_GROUND); k < flk_first_key(SECTION_GAS); k++)
         if ((flk_section_table[flk_key_table[k].section].kinds & flk_key_table[k].kinds &

@@ -35,6 +35,7 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_AXES, "page", AXES_PAGE)                                            \
     X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                                    \
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
+    YES_WORDS(X, PINS_ROUGH)                                                  \
     YES_WORDS(X, MOTION_HOLD)                                                 \
     X(MOTION_MODE, "given", MODE_GIVEN)                                       \
     X(MOTION_MODE, "free", MODE_FREE)                                         \

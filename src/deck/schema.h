@@ -134,6 +134,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(PINS, D, "D", PLACE, LENGTH, ANY, WITH_PIN_D, "place of pin D")                              \
     X(PINS, GUIDE, "guide", LINE, LENGTH, ANY, WITH_STROKE,                                        \
       "two points of the line of stroke or guide")                                                 \
+    X(PINS, ROUGH, "rough", WORD, NUMBER, ANY, ANY_KIND, "the lengths hold, not the places")       \
     X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, WITH_PIN_D, "length")                  \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, WITH_STROKE,                                \
       "offset of the line of stroke or guide")                                                     \
