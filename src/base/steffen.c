@@ -54,7 +54,7 @@ static double secant(const double *x, const double *y, size_t i)
     return (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
 }
 
-static double slope_at(const double *x, const double *y, size_t n, size_t i)
+static double slope_of_node(const double *x, const double *y, size_t n, size_t i)
 {
     if (i == 0)
         return secant(x, y, 0);
@@ -71,6 +71,6 @@ double flk_steffen_on(const double *x, const double *y, size_t n, double at, dou
     if (!(within > x[0]) || within >= x[n - 1])
         return within >= x[n - 1] ? y[n - 1] : y[0];
     i = flk_steffen_find(x, n, within);
-    return flk_steffen_value(at - x[i], x[i + 1] - x[i], y[i], y[i + 1], slope_at(x, y, n, i),
-                             slope_at(x, y, n, i + 1));
+    return flk_steffen_value(at - x[i], x[i + 1] - x[i], y[i], y[i + 1], slope_of_node(x, y, n, i),
+                             slope_of_node(x, y, n, i + 1));
 }

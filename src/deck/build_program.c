@@ -156,7 +156,8 @@ static int read_speeds(parser *p, const setting *s, flk_program *x)
         s->value);
 }
 
-static int build_ends(parser *p, const setting *s, double first, double last, flk_program *x)
+static int build_program_ends(parser *p, const setting *s, double first, double last,
+                              flk_program *x)
 {
     int repeats = comes_back(x, first, last);
 
@@ -264,7 +265,7 @@ static int read_program(parser *p, const setting *s, flk_program *x)
         to->value = read.curve[i].y[0] - (x->is_of_speed ? 0 : p->d->axes.angle);
         to->rise = read.curve[i + 1].y[0] - read.curve[i].y[0];
     }
-    return x->segment && build_ends(p, ends, read.curve[0].y[0], read.curve[x->n].y[0], x);
+    return x->segment && build_program_ends(p, ends, read.curve[0].y[0], read.curve[x->n].y[0], x);
 }
 
 /* The way of the first point that is not where it begins: 1 or -1. */

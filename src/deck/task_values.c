@@ -133,7 +133,7 @@ int flk_task_point(parser *p, setting *s, text t, fourlink_vector *at, text *res
 
 /* ---------------------------------------------------------------------------- the rest of the deck */
 
-static const setting *length_of(parser *p, int link)
+static const setting *length_setting(parser *p, int link)
 {
     return flk_setting_by_name(p, flk_section_of_link(p->d->machine.mechanism.design.kind, link),
                                "length");
@@ -144,7 +144,7 @@ int flk_task_lengths(parser *p, double length[5])
     int i, n = 0;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        const setting *s = length_of(p, i);
+        const setting *s = length_setting(p, i);
 
         length[i] = s->si[0];
         n += IS_SET(s);
@@ -164,7 +164,7 @@ void flk_task_check_lengths(parser *p, int most, const char *takes)
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER + n_others; i++) {
         int is_link = i <= FOURLINK_FOLLOWER;
         const setting *s =
-            is_link ? length_of(p, i) : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
+            is_link ? length_setting(p, i) : flk_setting_find(p, others[i - FOURLINK_FOLLOWER - 1]);
 
         if (IS_SET(s) && (!is_link || most-- <= 0))
             flk_mistake(p->mistakes, s->place,

@@ -50,7 +50,7 @@ static const flk_node *step_to(const flk_path *p, double s)
 }
 
 /* The state after s within the step that begins at a node. */
-static void at_angle(const flk_node *node, double s, flk_node *at)
+static void node_at_angle(const flk_node *node, double s, flk_node *at)
 {
     double change = s - node->y[FLK_PASSED], whole, part, most;
 
@@ -96,7 +96,7 @@ int flk_path_node_at(const flk_path *p, double s, flk_node *at)
 
     if (!node)
         return p->status != FOURLINK_OK ? p->status : FOURLINK_NO_SUCH_ANGLE;
-    at_angle(node, s, at);
+    node_at_angle(node, s, at);
     at->y[FLK_PASSED] = s;
     return FOURLINK_OK;
 }

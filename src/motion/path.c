@@ -240,7 +240,7 @@ static double passed_by(double part, void *data)
     return flk_step_change(x->within, x->i, part, &slope) - x->change;
 }
 
-static double slope_at(double part, void *data)
+static double slope_of_speed(double part, void *data)
 {
     const passing *x = data;
     double slope;
@@ -267,8 +267,8 @@ double flk_node_peak(const flk_node *node, double from, double to)
     passing x;
 
     x.within = &node->within;
-    b = flk_bracket_of(from, to, slope_at(from, &x), slope_at(to, &x));
-    return b.f_low * b.f_high < 0 ? flk_find_zero(slope_at, &x, &b, 0) : to;
+    b = flk_bracket_of(from, to, slope_of_speed(from, &x), slope_of_speed(to, &x));
+    return b.f_low * b.f_high < 0 ? flk_find_zero(slope_of_speed, &x, &b, 0) : to;
 }
 
 void flk_node_within(const flk_node *node, double part, flk_node *at)

@@ -411,7 +411,7 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
 #define LEAST_POLE 1e-11 /* of the column's size elsewhere, at 1 rad: less is rounding error */
 
 /* The values in the rows, in the column's unit; the components of a direction in SI. */
-static void take_values(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
+static void take_column(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
 {
     double factor = t->turn > 0 ? 1 : t->c->scale, last = GSL_NAN;
     int scale, k;
@@ -501,7 +501,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     values y[2];
     best b;
 
-    take_values(e, t, is_vector, y);
+    take_column(e, t, is_vector, y);
     flk_limit_of_crank(e, l);
     l->n = is_vector ? 2 : 1;
     l->reach = 0;

@@ -351,7 +351,7 @@ static void sample(flk_samples *x)
 #define JUMP (1.0 / 6)
 #define CLOSEST_SAMPLES 1e-7
 
-static int jumps(const flk_samples *x, size_t i)
+static int angle_jumps(const flk_samples *x, size_t i)
 {
     size_t k;
 
@@ -369,7 +369,8 @@ static void resolve_jumps(flk_samples *x)
     size_t i;
 
     for (i = 0; i + 1 < x->n; i++)
-        while (x->n < FLK_SAMPLES_MOST && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && jumps(x, i))
+        while (x->n < FLK_SAMPLES_MOST && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES &&
+               angle_jumps(x, i))
             insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
@@ -424,7 +425,7 @@ double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_r
 }
 
 /* The size of columns, in the middle of the piece. */
-static void measure(flk_samples *x)
+static void find_sizes(flk_samples *x)
 {
     const flk_piece *p = &x->f.piece;
     flk_row row;
@@ -528,7 +529,7 @@ static int go_on(flk_samples *x)
     if (flk_follow_is_over(&x->f) || (!flk_follow_next(&x->f) && (x->n || x->f.motion.length > 0)))
         return 0;
     x->is_reached = x->f.motion.length <= 0 || flk_follow_is_reached(&x->f);
-    measure(x);
+    find_sizes(x);
     return 1;
 }
 

@@ -4,11 +4,9 @@
 **
 **    laws DECKS [FIRST [LAW]]
 **
-** The text of a deck is changed by a law, through the schema (changed_decks.h), and its results must
-** follow: all columns of
-** each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
-** in turn, with
-** `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
+** The text of a deck is changed by a law, through the schema (changed_decks.h), and its results must follow: all
+** columns of each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
+** in turn, with `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
 #include "drawn_decks.h"
 
