@@ -181,7 +181,7 @@ static int draw_pins(deck_lines *d)
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         shortest = link[i].length > 0 ? fmin(shortest, link[i].length) : shortest;
     drawn_size = fmax(drawn_size, fabs(problem.mechanism.design.offset));
-    is_rough = seldom(0.3);
+    is_rough = fmod(fabs(drawn_at), 0.1) < 0.03; /* three in ten, by what is drawn already */
     turned = seldom(0.5) ? turns[one_of(4)] : between(-PI, PI);
     moved.x = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
     moved.y = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;

@@ -57,6 +57,7 @@ int main(int argc, char **argv)
     int o, is_any;
     FILE *out;
 
+    has_other_words = 1;
     if (argc == 2 && strcmp(argv[1], "options") == 0) {
         for (o = 0; o < N_OPTIONS; o++)
             printf("%s\n", known_options[o].name);

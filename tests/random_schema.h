@@ -207,7 +207,8 @@ static void append_text(char *out, key_code key)
     append(out, "%s", fitting[one_of(n)]);
 }
 
-/* Other words for kinds of mechanism; those of the deck's kind stay. */
+/* Other words for kinds of mechanism, one in ten if a trial wants them. */
+static int has_other_words;
 static const char *const other_kinds[] = {"4-bar",     "Four bar", "crank-slider", "Shaper",
                                           "whitworth", "boom",     "dump body",    "yoke"};
 
@@ -221,7 +222,7 @@ static void append_value(char *out, const key_info *key, key_code code, const ch
 
     switch (key->form) {
     case FORM_WORD:
-        if (code == KEY_TOP_MECHANISM && seldom(0.1)) {
+        if (code == KEY_TOP_MECHANISM && has_other_words && seldom(0.1)) {
             append(out, "%s", other_kinds[one_of(COUNT_OF(other_kinds))]);
             break;
         }

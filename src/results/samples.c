@@ -11,6 +11,7 @@
 
 #include "base/scale.h"
 #include "base/solve.h"
+#include "base/trig.h"
 #include "samples.h"
 
 #define STEP (M_PI / 48) /* rad, */
@@ -23,7 +24,7 @@ int flk_samples_open(flk_samples_room *room, size_t most)
 {
     room->columns = malloc(most * sizeof *room->columns);
     room->near = malloc(sizeof *room->near);
-    room->values = malloc(FLK_SAMPLES_MOST * (most + 1) * sizeof *room->values);
+    room->values = malloc(FLK_SAMPLES_MOST * (most + 2) * sizeof *room->values);
     return room->columns && room->near && room->values;
 }
 
@@ -42,7 +43,9 @@ void flk_samples_begin(flk_samples *x, const flk_samples_room *room, flk_analysi
     x->columns = room->columns;
     x->near = room->near;
     x->s = room->values;
+    x->force = x->s + FLK_SAMPLES_MOST;
     x->is_whole = 1;
+    x->needs = a->d->machine.has_friction ? NEED_FORCES : 0; /* friction may lock */
 }
 
 void flk_samples_add(flk_samples *x, const flk_column *column)
@@ -52,7 +55,7 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
     memset(c, 0, sizeof *c);
     flk_follow_column(&x->f, &c->of, column);
     c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) != 0;
-    c->v = x->s + FLK_SAMPLES_MOST * x->n_columns;
+    c->v = x->force + FLK_SAMPLES_MOST * x->n_columns;
     x->needs |= flk_column_need(column);
     x->has_noise |= c->of.is_noise;
 }
@@ -185,6 +188,15 @@ static double *make_room(double *list, size_t n, size_t i)
     return list + i;
 }
 
+static double largest_force(const flk_row *row)
+{
+    const fourlink_forces *f = &row->at.forces;
+    double crank = GSL_MAX_DBL(flk_length(f->F12x, f->F12y), flk_length(f->F23x, f->F23y));
+    double follower = GSL_MAX_DBL(flk_length(f->F34x, f->F34y), flk_length(f->F14x, f->F14y));
+
+    return row->at.status == FOURLINK_OK ? GSL_MAX_DBL(crank, follower) : GSL_NAN;
+}
+
 /* Insert a sample before number i. */
 static void insert_sample(flk_samples *x, size_t i, double s)
 {
@@ -193,6 +205,7 @@ static void insert_sample(flk_samples *x, size_t i, double s)
     size_t k;
 
     *make_room(x->s, x->n, i) = s;
+    *make_room(x->force, x->n, i) = GSL_NAN;
     for (k = 0; k < x->n_columns; k++)
         make_room(x->columns[k].v, x->n, i);
     if (s <= 0 || s >= 1) {
@@ -200,6 +213,7 @@ static void insert_sample(flk_samples *x, size_t i, double s)
     } else {
         flk_follow_row(&x->f, x->needs, passed, &row);
         x->has_lock |= row.at.status == FOURLINK_LOCKED;
+        x->force[i] = largest_force(&row);
         for (k = 0; k < x->n_columns; k++)
             x->columns[k].v[i] = value_of(x, &x->columns[k], s, passed, &row);
     }
@@ -282,26 +296,15 @@ static void halve_steps(flk_samples *x, double step)
             insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
-/* 1 if a column is more than PEAK times as large in a sample as in those beside it. */
+/* More samples beside peaks of the pin forces until one is found in which friction locks the mechanism: beside it forces
+** grow as the inverse of the distance.  A peak is more than PEAK times as large as the samples beside it. */
+#define LOCK_HALVINGS 6
 #define PEAK 1.5
 
-static int is_peak(const flk_samples *x, size_t i)
+static int is_peak(const double *force)
 {
-    size_t k;
-
-    for (k = 0; k < x->n_columns; k++) {
-        const double *v = x->columns[k].v + i;
-
-        if (fabs(v[0]) > PEAK * GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])) &&
-            fabs(v[0]) > SMOOTH * x->columns[k].largest)
-            return 1;
-    }
-    return 0;
+    return force[0] > PEAK * force[-1] && force[0] > PEAK * force[1];
 }
-
-/* More samples beside peaks until one is found in which friction locks the mechanism: beside it forces grow as
-** the inverse of the distance. */
-#define LOCK_HALVINGS 6
 
 static void resolve_locks(flk_samples *x, double step)
 {
@@ -309,7 +312,7 @@ static void resolve_locks(flk_samples *x, double step)
     size_t i;
 
     for (i = 1; i + 1 < x->n && x->n + 2 < FLK_SAMPLES_MOST && !x->has_lock; i++) {
-        if (x->s[i + 1] - x->s[i - 1] < closest || !is_peak(x, i))
+        if (x->s[i + 1] - x->s[i - 1] < closest || !is_peak(x->force + i))
             continue;
         insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
         insert_sample(x, i, 0.5 * (x->s[i - 1] + x->s[i]));

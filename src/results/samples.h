@@ -51,6 +51,7 @@ typedef struct flk_samples {
     flk_limit_rows *near;
     size_t n;       /* samples of the present piece */
     double *s;      /* their parameters */
+    double *force;  /* with friction, their largest pin force, N; NaN at the ends of the piece */
     int has_limit;  /* 1: at an end of it there is no row */
     int is_reached; /* 1: the linkage can be assembled in it */
     int is_whole;   /* 1: it is not a part that ends at an edge of a locked range */

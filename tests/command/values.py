@@ -17,19 +17,19 @@ def run(*arguments):
     return done.returncode, list(csv.DictReader(io.StringIO(done.stdout))), done.stderr
 
 
-def is_near(found, wanted):
-    """The search of one extreme and that of all together agree to 12 digits."""
+def is_near(found, wanted, part):
+    """The search of one extreme and that of all together agree to 12 digits; with friction, where rows beside a lock scatter, to 7."""
     try:
         x, y = float(found[0]), float(wanted[0])
-        return found[1] == wanted[1] and abs(x - y) <= 1e-11 * max(abs(x), abs(y)) + 1e-9 * (wanted[1] == 'deg') + 1e-15
+        return found[1] == wanted[1] and abs(x - y) <= part * max(abs(x), abs(y)) + 1e-9 * (wanted[1] == 'deg') + 1e-15
     except ValueError:
         return found[0] == wanted[0]  # words
 
 
-def expect(what, found, wanted):
+def expect(what, found, wanted, part=1e-11):
     global compared, failed
     compared += 1
-    if found != wanted and not (isinstance(found, tuple) and is_near(found, wanted)):
+    if found != wanted and not (isinstance(found, tuple) and is_near(found, wanted, part)):
         failed += 1
         print('FAILED: %s: %s, not %s' % (what, found, wanted))
 
@@ -42,15 +42,14 @@ def summary(deck):
         name = row['name']
         if not set(name) & set(' ,') and row['value']:
             found.setdefault((name, row['branch']), (row['value'], row['unit']))
-    # where friction jams the linkage near a dead position, an extreme is that of the rows that have forces, if these are asked for
-    jams = any(name.startswith('friction.') for name, _ in found) and any(name == 'theta2_from' and float(value[0]) for (name, _), value in found.items())
-    return {key: value for key, value in found.items() if key[0] != 'end' and not (jams and '(' in key[0])}
+    return {key: value for key, value in found.items() if key[0] != 'end'}
 
 
 everywhere = {}
 for deck in decks:
     wanted = summary(deck)
     names = sorted({name for name, _ in wanted})
+    part = 1e-7 if any(name.startswith('friction.') for name in names) else 1e-11
     for k in range(0, len(names), MOST):
         status, rows, told = run('-f', 'csv', '--columns=' + ','.join(names[k:k + MOST]), deck)
         if not rows:
@@ -60,7 +59,7 @@ for deck in decks:
                 found = [(row[head], head[len(name) + 2:-1]) for head in row if head.rpartition(' (')[0] == name]
                 value = wanted.get((name, row['branch'])) or wanted.get((name, ''))
                 if value:
-                    expect('%s, %s, %s' % (deck, row['branch'], name), found[0] if len(found) == 1 else found, value)
+                    expect('%s, %s, %s' % (deck, row['branch'], name), found[0] if len(found) == 1 else found, value, part)
     everywhere[deck] = wanted
 
 # the same of all decks in one call

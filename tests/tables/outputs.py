@@ -140,7 +140,8 @@ def check_curves(deck, program, lines):
     for panel, name, branch, points in diagrams.columns_of(own, (names + names)[k:k + 3]):
         inner = without_spikes(rows[branch], name)  # at an end a joint may stand still
         missing, worst, at = diagrams.off_curve(own, diagrams.Pixels(panel), points, inner, name)
-        turns = abs(rows[branch][-1]['theta2'] - rows[branch][0]['theta2']) * si_of(own.unit('angle')) / (2 * math.pi)
+        angles = [row['theta2'] for row in rows[branch] if row.values['theta2']] or [0]
+        turns = abs(angles[-1] - angles[0]) * si_of(own.unit('angle')) / (2 * math.pi)
         CURVES.that(missing <= 2 * max(math.ceil(turns - 1e-9), 1) and worst <= LINE_WIDTH, name, branch, missing, 'rows without a curve', worst, 'pixels off it at', at)
         CURVES.passed += len(rows[branch]) - 1
 
