@@ -11,8 +11,8 @@
 #include "base/trig.h"
 #include "follow.h"
 
-/* rad, from an end into the piece: more than cycle.c rounds, which is 1e-12 of a cycle, here of three turns. */
-#define INSIDE 2e-11
+/* From an end into the piece, rad for each turn of the cycle: cycle.c rounds by 1e-12 of it. */
+#define INSIDE 1e-11
 #define ROUNDED 1e-15 /* ... more by this part of the angle passed, whose last digits are rounded */
 #define CLOSE 1e-6    /* rad, of the end of a piece and that of a period */
 #define MOST_ROWS 4e6 /* of a walk without loads: a second or two */
@@ -87,7 +87,9 @@ double flk_follow_corner(const flk_follower *f, double s)
 
 double flk_follow_inside(const flk_follower *f, double s)
 {
-    double inside = GSL_MIN_DBL(INSIDE + ROUNDED * f->piece.to, (f->piece.to - f->piece.from) / 4);
+    double turns = f->a->course.period / (2 * M_PI);
+    double inside =
+        GSL_MIN_DBL(INSIDE * turns + ROUNDED * f->piece.to, (f->piece.to - f->piece.from) / 4);
 
     return s <= 0   ? f->piece.from + inside
            : s >= 1 ? f->piece.to - inside

@@ -45,7 +45,8 @@ void flk_samples_begin(flk_samples *x, const flk_samples_room *room, flk_analysi
     x->s = room->values;
     x->force = x->s + FLK_SAMPLES_MOST;
     x->is_whole = 1;
-    x->needs = a->d->machine.has_friction ? NEED_FORCES : 0; /* friction may lock */
+    x->may_lock = a->d->machine.has_friction && a->d->has_forces;
+    x->needs = x->may_lock ? NEED_FORCES : 0;
 }
 
 void flk_samples_add(flk_samples *x, const flk_column *column)
@@ -213,7 +214,8 @@ static void insert_sample(flk_samples *x, size_t i, double s)
     } else {
         flk_follow_row(&x->f, x->needs, passed, &row);
         x->has_lock |= row.at.status == FOURLINK_LOCKED;
-        x->force[i] = largest_force(&row);
+        if (x->may_lock)
+            x->force[i] = largest_force(&row);
         for (k = 0; k < x->n_columns; k++)
             x->columns[k].v[i] = value_of(x, &x->columns[k], s, passed, &row);
     }
@@ -345,7 +347,7 @@ static void sample(flk_samples *x)
         insert_sample(x, x->n, 1);
     if (n)
         halve_steps(x, 2 * step);
-    if (n && x->is_reached && x->f.a->d->machine.has_friction)
+    if (n && x->is_reached && x->may_lock)
         resolve_locks(x, step);
     x->f.a->is_fast = 1;
 }

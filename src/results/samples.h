@@ -46,12 +46,13 @@ void flk_samples_close(flk_samples_room *room);
 typedef struct flk_samples {
     flk_follower f;
     int needs, has_noise;
+    int may_lock; /* 1: friction can lock the mechanism */
     size_t n_columns;
     flk_sampled *columns;
     flk_limit_rows *near;
     size_t n;       /* samples of the present piece */
     double *s;      /* their parameters */
-    double *force;  /* with friction, their largest pin force, N; NaN at the ends of the piece */
+    double *force;  /* their largest pin force, N, if it may_lock; NaN at the ends of the piece */
     int has_limit;  /* 1: at an end of it there is no row */
     int is_reached; /* 1: the linkage can be assembled in it */
     int is_whole;   /* 1: it is not a part that ends at an edge of a locked range */

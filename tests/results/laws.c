@@ -94,6 +94,15 @@ static int cut_range(deck_lines *d)
     return 1;
 }
 
+/* 1 if friction locks the machine somewhere, so that a mean is over less than the whole angle. */
+static int locks_between_rows(const side *s, fourlink_branch branch)
+{
+    int F23 = find_column(&s->c, "F23"), status;
+
+    return strstr(base_text, "[friction]") && F23 >= 0 &&
+           isinf(statistic(s, F23, branch, FOURLINK_MAX, &status));
+}
+
 /* The rows of a part are those of the whole, an extreme of the whole is that of a part, means add up. */
 static void compare_parts(void)
 {
@@ -126,7 +135,9 @@ static void compare_parts(void)
             int j = one_of(whole.c.n);
 
             for (which = FOURLINK_MAX;
-                 which <= FOURLINK_RMS && has_statistics(&whole.c.list[j], which); which++) {
+                 which <= (locks_between_rows(&whole, one) ? FOURLINK_MIN : FOURLINK_RMS) &&
+                 has_statistics(&whole.c.list[j], which);
+                 which++) {
                 double value = statistic(&whole, j, one, which, &status),
                        x = statistic(&part[0], j, one, which, &status),
                        y = statistic(&part[1], j, one, which, &status),
