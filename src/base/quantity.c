@@ -83,12 +83,12 @@ static int take_pi(text *rest, int is_after_number)
     return 1;
 }
 
-/* What a number may be besides a decimal number. */
+/* What a number is besides a decimal number. */
 enum { IS_FRACTION = 1, IS_PI = 2 };
 
-/* Take a number off the front of `rest`: 2.5, 1/3, or, if it may be IS_PI, pi, -pi/6, 3 pi/4, 1/2 pi.  `form` is what it
-** is of these. */
-static number_status take_number(text *rest, int may_be, double *number, int *form)
+/* Take a number off the front of `rest`: 2.5, 1/3 and, if pi is allowed, pi, -pi/6, 3 pi/4, 1/2 pi.  `form` says which
+** of these it is. */
+static number_status take_number(text *rest, int allows_pi, double *number, int *form)
 {
     text t = *rest, after = t;
     number_status status = flk_number_read(&t, number);
@@ -98,13 +98,13 @@ static number_status take_number(text *rest, int may_be, double *number, int *fo
     *form = 0;
     if (status == NUMBER_NONE && is_signed)
         after = flk_text_from(t, 1);
-    if (status == NUMBER_NONE && (may_be & IS_PI) && take_pi(&after, 0)) {
+    if (status == NUMBER_NONE && allows_pi && take_pi(&after, 0)) {
         *number = is_signed && t.start[0] == '-' ? -M_PI : M_PI;
         *form = IS_PI;
         t = after;
     } else if (status != NUMBER_OK) {
         return status;
-    } else if ((may_be & IS_PI) && take_pi(&t, 1)) {
+    } else if (allows_pi && take_pi(&t, 1)) {
         *number *= M_PI;
         *form = IS_PI;
     }
@@ -115,7 +115,7 @@ static number_status take_number(text *rest, int may_be, double *number, int *fo
             return status != NUMBER_OK ? status : NUMBER_NOT_FINITE;
         *number /= divisor;
         *form |= IS_FRACTION;
-        if ((may_be & IS_PI) && !(*form & IS_PI) && take_pi(&t, 1)) {
+        if (allows_pi && !(*form & IS_PI) && take_pi(&t, 1)) {
             *number *= M_PI;
             *form |= IS_PI;
         }
@@ -125,13 +125,13 @@ static number_status take_number(text *rest, int may_be, double *number, int *fo
 }
 
 /* The same as flk_quantity_number, with the form of the number. */
-static int read_number(text *rest, text whole, quantity q, int may_be, double *number, int *form,
+static int read_number(text *rest, text whole, quantity q, int allows_pi, double *number, int *form,
                        char message[MESSAGE_SIZE])
 {
     number_status status;
 
     *rest = flk_text_trim(*rest);
-    status = take_number(rest, may_be, number, form);
+    status = take_number(rest, allows_pi, number, form);
     if (status == NUMBER_NONE)
         refuse_number(*rest, whole, q, message);
     else if (status == NUMBER_COMMA)
@@ -291,7 +291,7 @@ text flk_quantity_after_number(text t)
     int form;
 
     t = flk_text_trim(t);
-    take_number(&t, IS_PI, &number, &form);
+    take_number(&t, 1, &number, &form);
     return t;
 }
 
@@ -364,8 +364,8 @@ int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value 
         whole = is_whole ? t : whole;
     }
     rest = t;
-    if (!read_number(&rest, whole, q, flk_quantities[q].dim.rad > 0 ? IS_PI : 0, &value->number,
-                     &form, message))
+    if (!read_number(&rest, whole, q, flk_quantities[q].dim.rad > 0, &value->number, &form,
+                     message))
         return 0;
     if (form & IS_PI)
         bare.up = bare.down = 1;

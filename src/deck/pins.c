@@ -463,10 +463,9 @@ static void find_rough(parser *p, deck_pins *pins, const drawing *x)
                     fourlink_status_text(why));
         return;
     }
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        pins->origin[i] = on_page(pins, best.link[i].origin, 1);
-        pins->axis[i] = on_page(pins, best.link[i].axis, 0);
-    }
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        place_link(pins, i, on_page(pins, best.link[i].origin, 1),
+                   on_page(pins, best.link[i].axis, 0));
     note_moved(p, x, PIN_B, pins->origin[FOURLINK_COUPLER], design.link[2].length);
     note_moved(p, x, PIN_C, assembled_C(pins, &design, &best), design.link[2].length);
     note_moved(p, x, PIN_D, pins->origin[FOURLINK_FOLLOWER], design.link[2].length);

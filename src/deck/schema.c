@@ -124,73 +124,69 @@ text flk_link_meant(int kind, text name)
     return name;
 }
 
-/* Other words for those of a key, or, with a blank in it, what to write instead. */
-static const struct {
-    key_code key;
-    const char *written, *meant;
-} other_words[] = {
-    {KEY_TOP_MECHANISM, "fourbar", "four-bar"},
-    {KEY_TOP_MECHANISM, "4-bar", "four-bar"},
-    {KEY_TOP_MECHANISM, "4bar", "four-bar"},
-    {KEY_TOP_MECHANISM, "four-bar-linkage", "four-bar"},
-    {KEY_TOP_MECHANISM, "crank-rocker", "four-bar"},
-    {KEY_TOP_MECHANISM, "crank-slider", "slider-crank"},
-    {KEY_TOP_MECHANISM, "slidercrank", "slider-crank"},
-    {KEY_TOP_MECHANISM, "whitworth", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "quick-return", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "shaper", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "slotted-lever", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "crank-and-slotted-lever", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "oscillating-cylinder", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "boom", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "hatch", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "tailgate", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "dump-body", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "tower", "inverted-slider-crank"},
-    {KEY_TOP_MECHANISM, "yoke", "scotch-yoke"},
-    {KEY_TOP_MECHANISM, "toggle",
+/* Other words for kinds of mechanism; without the kind that is meant, what to write instead. */
+typedef struct other_kind {
+    const char *written, *meant, *advice;
+} other_kind;
+
+static const other_kind other_kinds[] = {
+    {"fourbar", "four-bar", NULL},
+    {"4-bar", "four-bar", NULL},
+    {"4bar", "four-bar", NULL},
+    {"four-bar-linkage", "four-bar", NULL},
+    {"crank-rocker", "four-bar", NULL},
+    {"crank-slider", "slider-crank", NULL},
+    {"slidercrank", "slider-crank", NULL},
+    {"whitworth", "inverted-slider-crank", NULL},
+    {"quick-return", "inverted-slider-crank", NULL},
+    {"shaper", "inverted-slider-crank", NULL},
+    {"slotted-lever", "inverted-slider-crank", NULL},
+    {"crank-and-slotted-lever", "inverted-slider-crank", NULL},
+    {"oscillating-cylinder", "inverted-slider-crank", NULL},
+    {"boom", "inverted-slider-crank", NULL},
+    {"hatch", "inverted-slider-crank", NULL},
+    {"tailgate", "inverted-slider-crank", NULL},
+    {"dump-body", "inverted-slider-crank", NULL},
+    {"tower", "inverted-slider-crank", NULL},
+    {"yoke", "scotch-yoke", NULL},
+    {"toggle", NULL,
      "a toggle is a four-bar or, if it presses along a line, a slider-crank: write which"},
-    {KEY_TOP_MECHANISM, "trammel",
+    {"trammel", NULL,
      "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"},
-    {KEY_TOP_MECHANISM, "elliptic-trammel",
+    {"elliptic-trammel", NULL,
      "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"}};
 
-#define OTHER_WORDS (sizeof other_words / sizeof other_words[0])
+#define OTHER_KINDS (sizeof other_kinds / sizeof other_kinds[0])
 
-/* Equal whatever the case of letters, and where words are joined by a blank, - or _. */
+/* Equal whatever the case of letters, and whether a blank, - or _ joins the words. */
 static int is_word(text t, const char *word)
 {
-    size_t i;
+    char joined[MESSAGE_SIZE], *c;
 
-    for (i = 0; i < t.length && word[i]; i++) {
-        text one = flk_text_from(t, i), blank = one;
-        char letter[2] = {0, 0};
-
-        one.length = 1;
-        letter[0] = word[i];
-        if (!flk_text_equal(one, letter) &&
-            !(letter[0] == '-' && (t.start[i] == '_' || flk_text_blank(blank) == 1)))
-            return 0;
-    }
-    return i == t.length && !word[i];
+    if (t.length >= sizeof joined)
+        return 0;
+    for (c = flk_text_copy(t, joined, sizeof joined); *c; c++)
+        if (*c == '_' || *c == ' ')
+            *c = '-';
+    return flk_text_equal(t, word) || flk_text_equal(flk_text_of(joined), word);
 }
 
-/* What another word for one of a key means; null if there is no such word. */
-static const char *other_meaning(key_code key, text t)
+/* The row of other_kinds that a text is; null if the key has none. */
+static const other_kind *other_kind_of(key_code key, text t)
 {
     size_t i;
 
-    for (i = 0; i < OTHER_WORDS; i++)
-        if (other_words[i].key == key && is_word(t, other_words[i].written))
-            return other_words[i].meant;
+    for (i = 0; i < OTHER_KINDS && key == KEY_TOP_MECHANISM; i++)
+        if (is_word(t, other_kinds[i].written))
+            return &other_kinds[i];
     return NULL;
 }
 
 const char *flk_word_advice(key_code key, text t)
 {
-    const char *meant = other_meaning(key, t);
+    const other_kind *other = other_kind_of(key, t);
 
-    return meant && strchr(meant, ' ') ? meant : NULL;
+    return other ? other->advice : NULL;
 }
 
 /* The list that has the words of a key. */
@@ -220,9 +216,12 @@ static int is_of_key(const word_info *w, key_code key)
 const word_info *flk_word_find(key_code key, int kind, text t)
 {
     const word_info *w = words_for(key);
-    const char *meant = other_meaning(key, t);
+    const other_kind *other = other_kind_of(key, t);
 
-    t = meant ? flk_text_of(meant) : w->key == KEY_COUNT ? flk_link_meant(kind, t) : t;
+    if (other && other->meant)
+        t = flk_text_of(other->meant);
+    else if (w->key == KEY_COUNT)
+        t = flk_link_meant(kind, t);
     while (w->word && !(is_of_key(w, key) && is_word(t, w->word)))
         w++;
     return w->word ? w : NULL;

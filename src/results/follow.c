@@ -370,7 +370,7 @@ static int find_pole(const flk_limit_rows *e, values y, double *strength)
     int scale, order;
 
     for (scale = 0; scale + 1 < SCALES && !is_finite(e, y); scale++)
-        for (order = e->greatest_order; order > 0; order--)
+        for (order = e->greatest_order; order >= e->least_order; order--)
             if (is_pole(e, y, scale, order, strength))
                 return order;
     *strength = 0;

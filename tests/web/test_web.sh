@@ -15,6 +15,12 @@ for name in generator fourlink-sources; do
     check "no $name" grep -q "^<meta name=\"$name\" content=\"[a-z0-9]*[ :][0-9a-f.]*\">$" "$page"
 done
 check "it asks for other files" none -E '<(link|script|img|iframe)[^>]* (src|href)=' "$page"
+
+# the page knows the other names of links that the program reads
+sed -n '/other_links\[\]/,/};/p' "$top/src/deck/schema.c" | tr -d '\n' | grep -o '"[a-z]*", "[a-z]*"' | tr -d '",' | sort >names
+sed -n '/^const links = /,/;/p' "$top/web/page/text.js" | grep -o '[a-z]*: "[a-z]*"' | tr -d '":' | sort >page.names
+check "$(wc -l <names) names of links" test -s names
+same page.names names
 TRY=tables node "$top/tests/web/drive.js" "$page" "$fourlink" "$top" >out 2>&1
 check "$(cat out)" grep -q ' 0 failed$' out
 finish
