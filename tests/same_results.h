@@ -198,10 +198,11 @@ static double named(const columns *c, const double *row, const char *name)
     return j < 0 || !isfinite(row[j]) ? 0 : row[j];
 }
 
-/* Of a row in SI units, the scale of each quantity, and 1 / sin(mu). */
-static double find_scales(const columns *c, const double *row, double crank, double *scale)
+/* Of a row in SI units, the scale of each quantity, and 1 / sin(mu); `w` is the speed of the crank, or what counts as it. */
+static double find_scales(const columns *c, const double *row, double crank, double w,
+                          double *scale)
 {
-    double w = fabs(named(c, row, "omega2")), a = fabs(named(c, row, "alpha2")), condition, arm;
+    double a = fabs(named(c, row, "alpha2")), condition, arm;
     int j;
 
     for (j = 0; j < QUANTITY_COUNT; j++)
@@ -341,6 +342,7 @@ static int is_fitted(void)
 
 /* The largest values of the columns, and of each quantity, in the rows of a branch. */
 static double sizes[MOST_COLUMNS], size_of_quantity[QUANTITY_COUNT];
+static double quickest; /* rad/s, of the crank in those so far */
 static int was_locked;
 
 /* Compare two rows, the expected one first, in the units of their columns.  Returns 1 / sin(mu). */
@@ -356,8 +358,9 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
         to_si(&a->c, expected);
         to_si(&b->c, row);
     }
-    condition =
-        find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length, scale);
+    quickest = fmax(sort == COMPUTED_ROW ? quickest : 0, fabs(named(&a->c, expected, "omega2")));
+    condition = find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length,
+                            quickest, scale);
     turns = sort == COMPUTED_ROW ? 1 + fabs(named(&a->c, expected, "theta2")) / (2 * PI) : 1;
     for (j = 0; j < a->c.n; j++) {
         double size = turns * scale_of(&a->c, j, expected, scale, condition);
@@ -406,6 +409,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
     int is_near = 0;
 
     was_locked = 0;
+    quickest = 0;
     memset(sizes, 0, sizeof sizes);
     memset(size_of_quantity, 0, sizeof size_of_quantity);
     for (i = 0; i < b->rows && !has_failed; i += step) {
