@@ -459,8 +459,9 @@ typedef struct fourlink_check {
     char words[100];                     /* a fact in words, as computed; "": a number */
     int has_angle;                       /* 1: a column, at the crank angle `angle` */
     double angle;                        /* in the deck's unit of angle */
-    int has_time; /* 1: of rows by time, at the time `time`, when the crank is at `angle` */
-    double time;  /* s */
+    int has_place; /* 1: at a place of what the rows go over, such as a time, when the crank is at `angle`; */
+    double place; /* ... in this unit */
+    const char *place_unit;
     fourlink_branch branch;
     long message_line;  /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400];  /* FOURLINK_NO_VALUE: why */
@@ -745,6 +746,8 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_OVERFLOW, 17, "a speed or a torque grows beyond all numbers")                      \
     X(FOURLINK_LONG_SEARCH, 18,                                                                   \
       "the search takes too many rows: give fewer turns, less time or fewer columns")             \
+    X(FOURLINK_INPUT_DEAD_CENTRE, 19,                                                             \
+      "dead centre of the input: the speed of the crank is unbounded")                            \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \

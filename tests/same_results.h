@@ -342,7 +342,8 @@ static int is_fitted(void)
 
 /* The largest values of the columns, and of each quantity, in the rows of a branch. */
 static double sizes[MOST_COLUMNS], size_of_quantity[QUANTITY_COUNT];
-static double quickest; /* rad/s, of the crank in those so far */
+static double quickest;  /* rad/s, of the crank in those so far */
+static double doubt = 1; /* of rows: by how much more the law may be wrong */
 static int was_locked;
 
 /* Compare two rows, the expected one first, in the units of their columns.  Returns 1 / sin(mu). */
@@ -363,7 +364,7 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
                             quickest, scale);
     turns = sort == COMPUTED_ROW ? 1 + fabs(named(&a->c, expected, "theta2")) / (2 * PI) : 1;
     for (j = 0; j < a->c.n; j++) {
-        double size = turns * scale_of(&a->c, j, expected, scale, condition);
+        double size = doubt * turns * scale_of(&a->c, j, expected, scale, condition);
 
         if (!present->is_exact && (!isfinite(size) || a->c.list[j].sort == OF_ROUNDING ||
                                    (present->has_own_time && a->c.list[j].q == QUANTITY_TIME))) {

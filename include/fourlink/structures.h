@@ -549,12 +549,15 @@ typedef struct fourlink_problem {
     int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
     fourlink_abscissa over; /* what its rows go over */
-    int axes_on_page;       /* 1: results by name are in the axes of a page, structures never; */
-    fourlink_vector A;      /* m, the place of A there */
-    double x_angle;         /* rad, and the direction of x of link 1; else 0 */
-    int has_drawn;          /* 1: the deck has [pins] */
-    double drawn;           /* the crank angle as drawn, in the deck's unit */
-    int drawn_branch;       /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the drawing does not tell it */
+    int is_prescribed; /* 1: another coordinate than the crank angle is prescribed, over which they go; */
+    fourlink_motion
+        prescribed;    /* its motion, in rad or m, and `motion` is the crank's only at `from` */
+    int axes_on_page;  /* 1: results by name are in the axes of a page, structures never; */
+    fourlink_vector A; /* m, the place of A there */
+    double x_angle;    /* rad, and the direction of x of link 1; else 0 */
+    int has_drawn;     /* 1: the deck has [pins] */
+    double drawn;      /* the crank angle as drawn, in the deck's unit */
+    int drawn_branch;  /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the drawing does not tell it */
 } fourlink_problem;
 
 /* All results at one crank angle. */

@@ -36,8 +36,8 @@ typedef struct question {
 static int is_asked(const fourlink_check *q, const fourlink_check *c)
 {
     return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
-           q->has_angle == c->has_angle && q->has_time == c->has_time &&
-           fabs(q->time - c->time) <= 1e-9 * (1 + fabs(q->time)) &&
+           q->has_angle == c->has_angle && q->has_place == c->has_place &&
+           fabs(q->place - c->place) <= 1e-9 * (1 + fabs(q->place)) &&
            (!q->has_angle || fabs(q->angle - c->angle) <= 1e-9 * (1 + fabs(q->angle)));
 }
 
@@ -97,8 +97,8 @@ static void put_name(char *note, size_t size, const char *title, int *n, const f
 {
     char words[200], angle[80] = "";
 
-    if (q->has_time)
-        flk_message(angle, sizeof angle, " at %g s", q->time);
+    if (q->has_place)
+        flk_message(angle, sizeof angle, " at %g %s", q->place, q->place_unit);
     else if (q->has_angle)
         flk_message(angle, sizeof angle, " at %g", q->angle);
     put(note, size, (*n)++ ? ", " : *note ? "; " : "");
@@ -272,7 +272,7 @@ static void note_wrong(const input *in, sheet_mark *mark)
                 strcmp(other.hint, c.hint) == 0)
                 put(mark->note, size,
                     flk_message(words, sizeof words, k == i ? " at %g" : ", %g",
-                                other.has_time ? other.time : other.angle));
+                                other.has_place ? other.place : other.angle));
         }
         if (c.hint[0])
             put(mark->note, size, flk_message(words, sizeof words, " (%s)", c.hint));

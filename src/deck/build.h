@@ -26,6 +26,8 @@ int flk_build_kind(parser *p);
 #define BUILD_DECLARATION(name) void flk_build_##name(parser *p);
 BUILD_LIST(BUILD_DECLARATION)
 
+#define MOST_ROWS 10000000 /* of a given motion */
+
 void flk_build_points(parser *p);
 
 /* The keys of the pins A, B, C, D: the coefficient of friction, the radius. */
@@ -36,6 +38,9 @@ void flk_build_series(parser *p);
 
 void flk_build_flywheel(parser *p);
 void flk_build_table(parser *p);
+
+/* `input`: what is prescribed in place of the crank angle, on the branches of the table. */
+void flk_build_prescribed(parser *p);
 
 /* Note the curves over positions and speeds whose ends the motion exceeds. */
 void flk_build_curve_ends(parser *p);

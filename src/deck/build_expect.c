@@ -55,6 +55,32 @@ static double nearest_row(const deck *d, const setting *at, double angle)
     return fabs(row - angle) <= 0.5 * digit * (1 + 1e-9) ? row : angle;
 }
 
+/* Where the values of a section are: at a crank angle, or at a place of what the rows go over.  Where an angle is
+** prescribed, an angle is that. */
+static void read_at(parser *p, const section_use *use, key_code key, deck_expectation *e)
+{
+    const deck *d = p->d;
+    const setting *at = flk_setting_of(use, key);
+    quantity q = flk_quantity_of_key(use, key), of_rows = flk_deck_over(d);
+
+    if (!IS_SET(at)) {
+        e->at_is_place = d->prescribed && !d->prescribed->is_at_crank;
+        e->at = e->at_is_place ? d->prescribed->motion.from : d->motion.from;
+        return;
+    }
+    e->at_is_place = q == of_rows && !at->word && !d->over->is_crank_angle;
+    e->at = e->at_is_place || q != QUANTITY_ANGLE ? at->si[0]
+                                                  : flk_setting_in_unit(p, at, QUANTITY_ANGLE);
+    if (p->is_answers && q == QUANTITY_ANGLE && !e->at_is_place)
+        e->at = nearest_row(d, at, e->at);
+    if (q != of_rows && q != QUANTITY_ANGLE)
+        flk_mistake(p->mistakes, at->place,
+                    q == QUANTITY_TIME
+                        ? "a time is for rows by time: expected a crank angle, such as 40 deg"
+                        : "a length is for a motion whose input is a length: expected a crank "
+                          "angle, such as 40 deg");
+}
+
 /* Add the printed values of the deck, in line order. */
 void flk_build_expectations(parser *p)
 {
@@ -90,16 +116,7 @@ void flk_build_expectations(parser *p)
         e->tolerance_place = tolerance->place;
         e->misprint = is_misprint;
         e->has_at = IS_SET(at) || d->one_instant;
-        e->at_is_time =
-            IS_SET(at) && flk_dimension_equal(at->unit.dim, flk_quantities[QUANTITY_TIME].dim);
-        e->at = e->at_is_time ? at->si[0]
-                : IS_SET(at)  ? flk_setting_in_unit(p, at, QUANTITY_ANGLE)
-                              : d->motion.from;
-        if (p->is_answers && IS_SET(at) && !e->at_is_time)
-            e->at = nearest_row(d, at, e->at);
-        if (e->at_is_time && d->over->is_crank_angle)
-            flk_mistake(p->mistakes, at->place,
-                        "a time is for rows by time: expected a crank angle, such as 40 deg");
+        read_at(p, use, is_misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT, e);
         flk_build_check_branch(p, branch);
         e->has_branch = IS_SET(branch);
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)

@@ -54,7 +54,7 @@ static int build_direction(parser *p)
 
     if (IS_SET(direction) && p->d->mode.kind == MODE_GIVEN)
         return direction->word;
-    if (motion->to != motion->from)
+    if (motion->to != motion->from && !flk_setting_find(p, KEY_MOTION_INPUT)->word)
         return motion->to < motion->from ? -1 : 1;
     return flk_build_sense(p);
 }

@@ -9,11 +9,10 @@
 #include "base/number.h"
 #include "build.h"
 #include "build_motor.h"
+#include "build_prescribed.h"
 #include "build_program.h"
 #include "parser.h"
 #include "settings.h"
-
-#define MOST_ROWS 10000000 /* rows by angle */
 
 static double angle_or(parser *p, key_code key, double otherwise)
 {
@@ -261,7 +260,7 @@ void flk_build_motion(parser *p)
     motion->angle_unit = u->up / u->down;
     motion->x_at = p->d->axes.angle;
     motion->interval = whole(flk_unit_from_si(M_PI / 18, *u));
-    if (flk_build_program(p))
+    if (flk_build_is_prescribed(p) || flk_build_program(p))
         return;
     check_mode_of_motion(p, p->d->mode.kind);
     build_rows_by_time(p);

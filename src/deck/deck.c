@@ -97,19 +97,31 @@ double flk_deck_drawn(const deck *d)
     return flk_deck_direction(d, d->pins.theta2);
 }
 
-const fourlink_abscissa flk_abscissas[2] = {
+const fourlink_abscissa flk_abscissas[2 + FLK_COORDINATES] = {
     {"theta2", "\316\270\342\202\202", "angle", "angle", "the crank angle", "interval", 1, "rad", 0,
      0, 0},
-    {"time", "t", "time", "time", "time", "time_step", 0, "s", 0, 0, 0}};
+    {"time", "t", "time", "time", "time", "time_step", 0, "s", 0, 0, 0},
+    {"theta4", "\316\270\342\202\204", "angle", "theta4", "theta4", "interval", 0, "rad", 0, 0, 0},
+    {"x", "x", "length", "x", "x", "interval", 0, "m", 0, 0, 0},
+    {"C.x", "C.x", "length", "C.x", "C.x", "interval", 0, "m", 0, 0, 0},
+    {"slide", "slide", "length", "slide", "the slide", "interval", 0, "m", 0, 0, 0}};
+
+quantity flk_deck_over(const deck *d)
+{
+    if (d->prescribed)
+        return d->prescribed->q->is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;
+    return d->over->is_crank_angle ? QUANTITY_ANGLE : QUANTITY_TIME;
+}
 
 int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over)
 {
-    const fourlink_motion *motion = &d->motion;
+    const fourlink_motion *motion = d->prescribed ? &d->prescribed->motion : &d->motion;
     int status = fourlink_motion_range(motion, range);
 
     *over = *d->over;
-    if (status == FOURLINK_OK && over->is_crank_angle) {
-        over->unit = d->units[QUANTITY_ANGLE].name;
+    if (status == FOURLINK_OK && (over->is_crank_angle || d->prescribed)) {
+        if (over->is_crank_angle)
+            over->unit = d->units[QUANTITY_ANGLE].name;
         over->first = motion->from;
         over->step = motion->interval;
         over->last =
@@ -160,6 +172,9 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
+    problem->is_prescribed = d->prescribed != NULL;
+    if (d->prescribed)
+        problem->prescribed = d->prescribed->motion;
     problem->axes_on_page = d->axes.is_page;
     problem->A = d->axes.A;
     problem->x_angle = d->axes.angle;

@@ -8,6 +8,7 @@
 #include "fourlink.h"
 #include "base/message.h"
 #include "base/units.h"
+#include "mechanics/coordinate.h"
 #include "mechanics/machine.h"
 #include "mechanics/program.h"
 
@@ -81,8 +82,8 @@ typedef struct deck_expectation {
     text_place tolerance_place;
     int misprint; /* 1: known to be wrong */
     int has_at;
-    double at;      /* crank angle in the deck's unit, or s */
-    int at_is_time; /* of rows by time */
+    double at;       /* crank angle in the deck's unit; */
+    int at_is_place; /* 1: a place of what the rows go over, s, m or rad */
     int has_branch;
     fourlink_branch branch;
 } deck_expectation;
@@ -142,6 +143,19 @@ typedef struct deck_mode {
     double fluctuation;         /* 1, exact: find the flywheel with this fluctuation; 0: none */
 } deck_mode;
 
+/* What is prescribed in place of the crank angle: [motion] input. */
+typedef struct deck_prescribed {
+    const flk_coordinate *q;
+    int side;               /* FLK_RISING, FLK_FALLING */
+    fourlink_motion motion; /* of the coordinate, rad or m, in the deck's axes */
+    int is_at_crank;        /* 1: one instant at a crank angle, */
+    double theta2;          /* rad */
+    flk_stretch stretch[2]; /* over which the rows go, on the open and on the crossed branch */
+} deck_prescribed;
+
+/* The stretch of a branch. */
+#define DECK_STRETCH(prescribed, branch) (&(prescribed)->stretch[(branch) == FOURLINK_CROSSED])
+
 /* A deck; programs that use the library see an opaque fourlink_deck. */
 typedef struct fourlink_deck deck;
 
@@ -169,7 +183,9 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
-    const flk_program *program;    /* of the crank over time; null: the motion is another */
+    const flk_program *program; /* of the crank over time; null: the motion is another */
+    const deck_prescribed
+        *prescribed;               /* in place of the crank angle; null: it is the crank angle */
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
@@ -204,12 +220,16 @@ void flk_deck_set_si(deck_unit *units);
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
-/* What rows can go over, by the word of [motion] rows. */
-extern const fourlink_abscissa flk_abscissas[2];
+/* What rows can go over: by the word of [motion] rows; by that of `input`, after these. */
+#define DECK_OVER_INPUT 1 /* added to the word */
+extern const fourlink_abscissa flk_abscissas[2 + FLK_COORDINATES];
 
 /* The rows of a deck: the crank angles of its motion, as from fourlink_motion_range, with the number of the
 ** rows; what they go over. */
 int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over);
+
+/* The quantity of what the rows go over. */
+quantity flk_deck_over(const deck *d);
 
 /* The crank angle as drawn, rad, in the axes of the deck: (-pi, pi]. */
 double flk_deck_drawn(const deck *d);

@@ -27,6 +27,27 @@ static const fourlink_link *link_of(const deck *d, const section_use *use, key_c
     return &d->machine.mechanism.design.link[link];
 }
 
+/* The meaning of a key where another coordinate than the crank angle is prescribed. */
+static const char *meaning_of(key_code key)
+{
+    switch (key) {
+    case KEY_MOTION_SPEED:
+        return "speed of the input";
+    case KEY_MOTION_ACCELERATION:
+        return "acceleration of the input";
+    case KEY_MOTION_FROM:
+        return "first value of the input";
+    case KEY_MOTION_TO:
+        return "last value of the input";
+    case KEY_MOTION_INTERVAL:
+        return "interval of the input";
+    case KEY_MOTION_AT:
+        return "value of the input, or crank angle";
+    default:
+        return flk_key_table[key].meaning;
+    }
+}
+
 /* Describe the value of a target, which is set; 0 if it is not an input. */
 static int describe_input(const deck *d, const target *t, deck_input *x)
 {
@@ -38,7 +59,7 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     char name[DECK_NAME_SIZE];
 
     memset(x, 0, sizeof *x);
-    x->meaning = key->meaning;
+    x->meaning = d->prescribed ? meaning_of(t->key) : key->meaning;
     if (s->curve)
         x->words = key->form == FORM_LINE ? "two points" : "a curve";
     else if (word)

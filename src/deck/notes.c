@@ -311,7 +311,8 @@ static void check_instant(parser *p)
     char row[MESSAGE_SIZE] = "there is none here, as the crank comes to rest before";
 
     turned -= 2 * M_PI * floor(turned / (2 * M_PI));
-    if (!p->d->one_instant || motion->acceleration == 0 || motion->hold || turned == 0)
+    if (!p->d->one_instant || p->d->prescribed || motion->acceleration == 0 || motion->hold ||
+        turned == 0)
         return;
     square = motion->speed * motion->speed + 2 * motion->acceleration * sense * turned;
     if (square >= 0)
@@ -363,6 +364,8 @@ static int crank_at(const deck *d, double share, fourlink_crank *crank)
     fourlink_row row;
     int status;
 
+    if (d->prescribed)
+        return 0;
     if (d->program) {
         begin = d->program->segment[0].begin;
         flk_program_at(d->program, begin + share * (flk_program_end(d->program) - begin), x);

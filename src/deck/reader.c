@@ -105,6 +105,7 @@ static void build_all(parser *p)
     flk_build_series(p);
     flk_build_flywheel(p);
     flk_build_table(p);
+    flk_build_prescribed(p);
     flk_build_curve_ends(p);
     if (!p->is_design)
         flk_build_notes(p);

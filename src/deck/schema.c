@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "deck.h"
+#include "mechanics/coordinate.h"
 #include "mechanics/kind.h"
 #include "schema.h"
 
@@ -37,6 +38,13 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
     YES_WORDS(X, PINS_ROUGH)                                                  \
     YES_WORDS(X, MOTION_HOLD)                                                 \
+    X(MOTION_INPUT, "theta2", 0)                                              \
+    X(MOTION_INPUT, "theta4", 1)                                              \
+    X(MOTION_INPUT, "x", 2)                                                   \
+    X(MOTION_INPUT, "C.x", 3)                                                 \
+    X(MOTION_INPUT, "slide", 4)                                               \
+    X(MOTION_SIDE, "rising", FLK_RISING)                                      \
+    X(MOTION_SIDE, "falling", FLK_FALLING)                                    \
     X(MOTION_MODE, "given", MODE_GIVEN)                                       \
     X(MOTION_MODE, "free", MODE_FREE)                                         \
     X(MOTION_MODE, "run-up", MODE_RUN_UP)                                     \

@@ -174,6 +174,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                               \
       "angle of the run-up from rest")                                                             \
     X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND, "this speed and acceleration throughout") \
+    X(MOTION, INPUT, "input", WORD, NUMBER, ANY, ANY_KIND, "what is prescribed")                   \
+    X(MOTION, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND,                                           \
+      "whether the input rises or falls as the crank turns counter-clockwise")                     \
+    X(MOTION, NEAR, "near", CRANK, ANGLE, ANY, ANY_KIND, "a crank angle of the stretch meant")     \
     X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND, "how the crank's speed is determined")    \
     X(MOTION, PROGRAM, "program", TEXT, NUMBER, ANY, ANY_KIND, "the crank angle over time")        \
     X(MOTION, LAW, "law", TEXT, NUMBER, ANY, ANY_KIND, "the law between the points of a program")  \

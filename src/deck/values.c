@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "mechanics/coordinate.h"
 #include "mechanics/kind.h"
 #include "curve_text.h"
 #include "parser.h"
@@ -271,16 +272,6 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of_text(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
-int flk_expects_at_time(const section_use *use)
-{
-    unit u;
-
-    key_code at = use->section == SECTION_MISPRINT ? KEY_MISPRINT_AT : KEY_EXPECT_AT;
-
-    return unit_of_text(flk_setting_of(use, at)->value, &u) &&
-           flk_dimension_equal(u.dim, flk_quantities[QUANTITY_TIME].dim);
-}
-
 /* Read the argument of a load; 0 if 'over' is not one of the words. */
 static int read_over(const section_use *use, int *over)
 {
@@ -312,6 +303,46 @@ static quantity quantity_of_argument(const section_use *use)
     return flk_values_quantity_over(over);
 }
 
+/* The quantity of a place of the motion: by its unit, if it has one. */
+static quantity quantity_of_place(const section_use *use, key_code key, quantity bare)
+{
+    static const quantity places[] = {QUANTITY_TIME, QUANTITY_LENGTH, QUANTITY_ANGLE};
+    const setting *s = flk_setting_of(use, key);
+    unit u;
+    size_t i;
+
+    if (flk_text_equal(s->value, "drawn"))
+        return QUANTITY_ANGLE;
+    for (i = 0; unit_of_text(s->value, &u) && i < sizeof places / sizeof *places; i++)
+        if (flk_dimension_equal(u.dim, flk_quantities[places[i]].dim))
+            return places[i];
+    return bare;
+}
+
+/* Motions of a coordinate that is a length are in its units. */
+static quantity quantity_of_motion(const section_use *use, key_code key)
+{
+    const setting *s = flk_setting_of(use, KEY_MOTION_INPUT);
+    const word_info *word = IS_SET(s) ? flk_word_find(KEY_MOTION_INPUT, 0, s->value) : NULL;
+
+    if (!word || !word->value || flk_coordinates[word->value - 1].is_angle)
+        return flk_key_table[key].q;
+    switch (key) {
+    case KEY_MOTION_FROM:
+    case KEY_MOTION_TO:
+    case KEY_MOTION_INTERVAL:
+        return QUANTITY_LENGTH;
+    case KEY_MOTION_AT:
+        return quantity_of_place(use, key, QUANTITY_LENGTH);
+    case KEY_MOTION_SPEED:
+        return QUANTITY_SPEED;
+    case KEY_MOTION_ACCELERATION:
+        return QUANTITY_ACCELERATION;
+    default:
+        return flk_key_table[key].q;
+    }
+}
+
 quantity flk_quantity_of_key(const section_use *use, key_code key)
 {
     if (key == KEY_LOAD_AT_SPEED)
@@ -320,7 +351,9 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
     if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
         return QUANTITY_FORCE;
     if (key == KEY_EXPECT_AT || key == KEY_MISPRINT_AT)
-        return flk_expects_at_time(use) ? QUANTITY_TIME : QUANTITY_ANGLE;
+        return quantity_of_place(use, key, QUANTITY_ANGLE);
+    if (use->section == SECTION_MOTION)
+        return quantity_of_motion(use, key);
     if (flk_key_table[key].form != FORM_EITHER || !flk_spring_is_torsional(use))
         return flk_key_table[key].q;
     return key == KEY_SPRING_STIFFNESS ? QUANTITY_TORSIONAL_STIFFNESS

@@ -32,11 +32,9 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 
-/* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin. */
+/* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin; a place of a
+** motion has that of its unit, and a prescribed coordinate its own. */
 quantity flk_quantity_of_key(const section_use *use, key_code key);
-
-/* 1 if the values of an [expect] or [misprint] are at a time, not at a crank angle. */
-int flk_expects_at_time(const section_use *use);
 
 /* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
 int flk_spring_is_torsional(const section_use *use);

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/trig.h"
+#include "coordinate.h"
 #include "kind.h"
 #include "turns.h"
 
@@ -372,6 +373,23 @@ static void four_bar_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + m * c * z->y / b);
 }
 
+/* The crank from the rocker.  With C = D + c (cos(theta4), sin(theta4)), f = AC and gamma the angle of the triangle ABC
+** at A, theta2 = angle of AC +- gamma; theta4 rises with + gamma on the open branch, - gamma on the crossed one. */
+static double four_bar_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
+                                 fourlink_branch branch, int side, double value)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, b = link[3].length, sine, cosine, f;
+    fourlink_vector C;
+
+    (void)coordinate;
+    flk_sine_cosine(value, &sine, &cosine);
+    C.x = link[1].length + link[4].length * cosine;
+    C.y = link[4].length * sine;
+    f = flk_length(C.x, C.y);
+    return flk_angle(C.y, C.x) + (double)branch * side * flk_kind_angle(b, a, f, a + b - f);
+}
+
 const flk_kind flk_four_bar = {
     FOURLINK_FOUR_BAR,
     "four-bar",
@@ -402,4 +420,5 @@ const flk_kind flk_four_bar = {
     four_bar_limits,
     four_bar_turns,
     four_bar_balance,
+    four_bar_theta2_of,
 };

@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/trig.h"
+#include "coordinate.h"
 #include "kind.h"
 #include "turns.h"
 
@@ -290,6 +291,29 @@ static void inverted_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + link[3].mass * FLK_CROSS(*lever, *z));
 }
 
+/* The crank from the slide, or from the lever:
+**
+**    s      theta2 = +-gamma, in the triangle ABD at A, with f^2 = s^2 + h^2; s rises with + gamma where s > 0
+**    theta4 sin(theta2 - theta3) = (h - d sin(theta3)) / a; theta3 rises where cos(theta2 - theta3) has the sign of s
+*/
+static double inverted_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
+                                 fourlink_branch branch, int side, double value)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, d = link[1].length, h = mechanism->h;
+    double s = value + link[4].length * mechanism->lever.x, theta3, sine, f;
+
+    if (coordinate == FLK_OF_SLIDE) {
+        f = flk_length(s, h);
+        if ((s > 0) != (branch == FOURLINK_OPEN))
+            return FLK_UNDEFINED;
+        return (double)branch * side * flk_kind_angle(f, a, d, f + a - d);
+    }
+    theta3 = value + flk_angle(-mechanism->lever.y, mechanism->lever.x);
+    sine = flk_arc_sine((h - d * flk_sine(theta3)) / a);
+    return (double)branch * side > 0 ? theta3 + sine : theta3 + M_PI - sine;
+}
+
 const flk_kind flk_inverted = {
     FOURLINK_INVERTED_SLIDER_CRANK,
     "inverted-slider-crank",
@@ -320,4 +344,5 @@ const flk_kind flk_inverted = {
     inverted_limits,
     inverted_turns,
     inverted_balance,
+    inverted_theta2_of,
 };

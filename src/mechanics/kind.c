@@ -7,7 +7,10 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "kind.h"
+
+#define CLOSES 1e-13 /* of the square of a sine: rounding of a triangle that is a line */
 
 static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank, &flk_inverted,
                                         &flk_scotch_yoke};
@@ -228,6 +231,21 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
         add_range(reach, lowest, highest);
         add_range(reach, mirror - highest, mirror - lowest);
     }
+}
+
+/* Half angles keep the digits where the triangle is nearly a line: with sides l opposite to the angle, a and f,
+**
+**    sin^2(gamma/2) = (l - f + a) (l + f - a) / (4 a f)
+**    cos^2(gamma/2) = (f + a - l) (f + a + l) / (4 a f)
+*/
+double flk_kind_angle(double l, double a, double f, double slack)
+{
+    double sine2 = slack * (l + f - a) / (4 * a * f),
+           cosine2 = (f + a - l) * (f + a + l) / (4 * a * f);
+
+    if (!(sine2 >= -CLOSES && cosine2 >= -CLOSES))
+        return FLK_UNDEFINED;
+    return 2 * flk_angle(sqrt(GSL_MAX(sine2, 0)), sqrt(GSL_MAX(cosine2, 0)));
 }
 
 double flk_kind_clamp(double x)

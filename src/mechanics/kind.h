@@ -57,6 +57,8 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 **               of the mechanism as a whole; ranges and limits are set to 0 before
 ** turns         the angle of link 3 or 4, continuous in theta2 (turns.c)
 ** balance       the counterweights; `fraction` of a reciprocating mass (balance.c)
+** theta2_of     the crank angle, rad, less whole turns, at which a coordinate (coordinate.h) has a value, with links 3
+**               and 4 on the side of this branch, where it rises (1) or falls (-1); NaN if there is none
 */
 typedef struct flk_kind {
     fourlink_kind kind;
@@ -87,7 +89,13 @@ typedef struct flk_kind {
     double (*turns)(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
     void (*balance)(const fourlink_mechanism *mechanism, double fraction,
                     fourlink_balance *balance);
+    double (*theta2_of)(const fourlink_mechanism *mechanism, int coordinate, fourlink_branch branch,
+                        int side, double value);
 } flk_kind;
+
+/* The angle, rad, opposite the first of three sides of a triangle; `slack` is the sum of the first two less the third.
+** NaN if they do not close. */
+double flk_kind_angle(double opposite, double p, double q, double slack);
 
 extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted, flk_scotch_yoke;
 

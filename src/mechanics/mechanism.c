@@ -298,6 +298,21 @@ int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch bran
     return status;
 }
 
+void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                         fourlink_state *state)
+{
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    half_angle at;
+
+    flk_sine_cosine(0.5 * theta2, &at.half_sine, &at.half_cosine);
+    at.sine = 0;
+    if (kind->reach(mechanism, at.half_sine, at.half_cosine, &at.sine) != FOURLINK_OK)
+        at.sine = 0;
+    if (branch == FOURLINK_CROSSED)
+        at.sine = -at.sine;
+    place(kind, mechanism, branch, theta2, &at, state);
+}
+
 /* The matrix may be singular, so the state is written only after the solution. */
 int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,

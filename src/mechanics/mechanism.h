@@ -13,4 +13,8 @@
 int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
                        const fourlink_crank *crank, int angles, fourlink_state *state);
 
+/* The places of links 3 and 4 also in a dead position, and beyond it those in line (mechanism.c). */
+void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                         fourlink_state *state);
+
 #endif

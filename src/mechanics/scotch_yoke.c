@@ -12,7 +12,10 @@
 
 #include "base/cycle.h"
 #include "base/trig.h"
+#include "coordinate.h"
 #include "kind.h"
+
+#define ROUNDED 1e-13 /* of the stroke */
 
 /* With beta the angle of the slot, u = (cos(beta), sin(beta)) its direction, n = u turned left by 90 deg, s
 ** along the slot from C, X along the guide from A:
@@ -191,6 +194,29 @@ static void yoke_balance(const fourlink_mechanism *mechanism, double fraction, f
     u->rocker.x = u->rocker.y = 0;
 }
 
+/* The crank from the yoke.  With beta the angle of the slot and w = (X - e cot(beta)) sin(beta) / a,
+**
+**    sin(beta - theta2) = w,   theta2 = beta - asin(w), where X falls if sin(beta) > 0, or beta + 180 deg + asin(w)
+**    |w| = 1 - 2 u,            u = x |sin(beta)| / 2a, which keeps the digits near the inner dead centre
+**    asin |w| = 90 deg - 2 asin(sqrt(u))
+*/
+static double yoke_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
+                             fourlink_branch branch, int side, double value)
+{
+    double sine = mechanism->slot.y, beta = flk_angle(sine, mechanism->slot.x);
+    double x = coordinate == FLK_OF_PIN ? mechanism->dead_centre - value : value;
+    double u = x * fabs(sine) / (2 * mechanism->design.link[2].length), arc;
+
+    (void)branch;
+    if (!(u >= -ROUNDED && u <= 1 + ROUNDED))
+        return FLK_UNDEFINED;
+    arc = M_PI_2 - 2 * flk_angle(sqrt(GSL_MAX(u, 0)), sqrt(GSL_MAX(1 - u, 0)));
+    arc = sine > 0 ? arc : -arc;
+    if (coordinate == FLK_OF_DISPLACEMENT)
+        side = -side; /* x falls where X rises */
+    return (side > 0) == (sine > 0) ? beta + M_PI + arc : beta - arc;
+}
+
 const flk_kind flk_scotch_yoke = {
     FOURLINK_SCOTCH_YOKE,
     "scotch-yoke",
@@ -221,4 +247,5 @@ const flk_kind flk_scotch_yoke = {
     yoke_limits,
     yoke_turns,
     yoke_balance,
+    yoke_theta2_of,
 };

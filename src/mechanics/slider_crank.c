@@ -11,6 +11,7 @@
 #include "base/cycle.h"
 #include "base/trig.h"
 #include "balance.h"
+#include "coordinate.h"
 #include "kind.h"
 
 /* Reach.  The rod spans the height r sin(theta2) - e of the crank pin above the line of stroke.  With X the
@@ -265,6 +266,26 @@ static void slider_crank_balance(const fourlink_mechanism *mechanism, double fra
     u->rocker.x = u->rocker.y = 0;
 }
 
+/* The crank from the piston.  With C = (X, e), f = AC and gamma the angle of the triangle at A,
+**
+**    theta2 = angle of AC -+ gamma, rod opposite:   X rises with - gamma on the open branch, + gamma on the crossed one,
+**                                                   x with + gamma on both
+**    r + l - f = x (2 x_dc - x) / (r + l + f),      which keeps the digits near the inner dead centre
+*/
+static double slider_crank_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
+                                     fourlink_branch branch, int side, double value)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    double e = mechanism->design.offset, centre = mechanism->dead_centre;
+    double X = coordinate == FLK_OF_PIN ? value : (double)branch * (centre - value);
+    double f = flk_length(X, e), slack = r + l - f;
+    double sense = coordinate == FLK_OF_PIN ? -(double)branch : 1;
+
+    if (coordinate == FLK_OF_DISPLACEMENT && centre > 0)
+        slack = value * (2 * centre - value) / (r + l + f);
+    return flk_angle(e, X) + sense * side * flk_kind_angle(l, r, f, slack);
+}
+
 const flk_kind flk_slider_crank = {
     FOURLINK_SLIDER_CRANK,
     "slider-crank",
@@ -295,4 +316,5 @@ const flk_kind flk_slider_crank = {
     slider_crank_limits,
     slider_crank_turns,
     slider_crank_balance,
+    slider_crank_theta2_of,
 };

@@ -34,7 +34,8 @@ static int index_of(fourlink_branch branch)
 /* 1 if the crank has a single, given speed. */
 static int has_one_speed(const deck *d)
 {
-    return d->mode.kind == MODE_GIVEN && !d->program && d->motion.acceleration == 0;
+    return d->mode.kind == MODE_GIVEN && !d->program && !d->prescribed &&
+           d->motion.acceleration == 0;
 }
 
 /* ------------------------------------------------------------------------------------ crossings of levels */

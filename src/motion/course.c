@@ -19,7 +19,16 @@
 #include "mechanics/mechanics.h"
 #include "mechanics/spring.h"
 
-#define SHORT 0.5 /* rad, of a piece of rows by time */
+#define SHORT 0.5            /* rad, of a piece of rows by time */
+#define INSIDE_STRETCH 1e-12 /* rad, or of the length of a stretch: what counts as its end */
+
+/* rad: positions repeat after this. */
+static double position_period(const flk_course *c)
+{
+    const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
+
+    return mechanism->change_stretched != mechanism->change_folded ? 4 * M_PI : 2 * M_PI;
+}
 
 /* ----------------------------------------------------------------------------------------- over the angle */
 
@@ -318,20 +327,199 @@ static int pass_program(const flk_course *c, double theta2, double *time)
     return 0;
 }
 
-static const struct flk_course_type given = {place_of_angle, at_given, find_angle, begin_angle,
-                                             next_over_angle},
-                                    by_angle = {place_of_angle, at_angle, find_angle, begin_angle,
-                                                next_over_angle},
-                                    by_time = {place_of_time, at_time, find_time, begin_time,
-                                               next_over_time},
-                                    by_program = {place_of_time, at_program, find_time,
-                                                  begin_program, next_by_program};
+/* ------------------------------------------------------------------------------------------ by a coordinate */
+
+/* A row without a crank: its speeds are NaN. */
+static int without_crank(int status, fourlink_row *row)
+{
+    if (status != FOURLINK_OK)
+        row->crank.omega2 = row->crank.alpha2 = FLK_UNDEFINED;
+    return status;
+}
+
+/* The motion of the coordinate at a place, and the row's place and time. */
+static void prescribed_at(const deck_prescribed *x, double place, flk_prescribed *at,
+                          fourlink_row *row)
+{
+    fourlink_motion_at(&x->motion, place, row);
+    at->value = row->crank.theta2;
+    at->rate = row->crank.omega2;
+    at->second = row->crank.alpha2;
+}
+
+/* The crank angle in the stretch of a branch that differs by whole turns. */
+static double in_stretch(const flk_stretch *s, double theta2, double period)
+{
+    return flk_cycle_place(theta2, s->theta2_from - INSIDE_STRETCH, period);
+}
+
+static double place_of_coordinate(const flk_course *c, unsigned long i)
+{
+    return flk_motion_angle(&c->d->prescribed->motion, &c->range, i);
+}
+
+static int at_coordinate(const flk_course *c, fourlink_branch branch, double place,
+                         fourlink_row *row, flk_actual_row *actual)
+{
+    const deck *d = c->d;
+    const deck_prescribed *x = d->prescribed;
+    flk_prescribed at;
+    int status;
+
+    (void)actual;
+    prescribed_at(x, place, &at, row);
+    row->crank.theta2 = x->theta2;
+    if (x->is_at_crank) {
+        status = flk_coordinate_crank_at(x->q, &d->machine.mechanism, branch, &at, &row->crank);
+        row->place = at.value;
+    } else {
+        status =
+            flk_coordinate_crank(x->q, &d->machine.mechanism, branch, x->side, &at, &row->crank);
+        row->crank.theta2 =
+            in_stretch(DECK_STRETCH(x, branch), row->crank.theta2, position_period(c));
+    }
+    row->angle = (row->crank.theta2 + d->motion.x_at) / d->motion.angle_unit;
+    return without_crank(status, row);
+}
+
+static int find_coordinate(const flk_course *c, double place, double *at)
+{
+    double first = GSL_MIN(c->over.first, c->over.last),
+           last = GSL_MAX(c->over.first, c->over.last);
+    double tiny = 1e-9 * (last - first);
+
+    *at = place;
+    if (c->d->prescribed->q->is_angle)
+        *at = flk_cycle_place(place, first - tiny, 2 * M_PI);
+    return first - tiny <= *at && *at <= last + tiny && !c->d->prescribed->is_at_crank;
+}
+
+/* theta2 at a place of a branch. */
+static double theta2_at(const flk_course *c, fourlink_branch branch, double place)
+{
+    const deck_prescribed *x = c->d->prescribed;
+    const flk_stretch *s = DECK_STRETCH(x, branch);
+    double value = place - x->motion.x_at;
+    flk_prescribed at = {0, 0, 0};
+    fourlink_crank crank;
+
+    at.value = value;
+    if (fabs(value - s->from) <= INSIDE_STRETCH * fabs(s->to - s->from))
+        return s->theta2_from;
+    if (fabs(value - s->to) <= INSIDE_STRETCH * fabs(s->to - s->from))
+        return s->theta2_to;
+    if (flk_coordinate_crank(x->q, &c->d->machine.mechanism, branch, x->side, &at, &crank) !=
+        FOURLINK_OK)
+        return fabs(value - s->from) < fabs(value - s->to) ? s->theta2_from : s->theta2_to;
+    return in_stretch(s, crank.theta2, position_period(c));
+}
+
+/* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average. */
+static void begin_coordinate(const flk_course *c, flk_pieces *x)
+{
+    x->first = c->over.first;
+    x->end = c->over.last;
+    x->length = fabs(theta2_at(c, x->branch, x->end) - theta2_at(c, x->branch, x->first));
+    x->rate = x->length > 0 ? (x->end - x->first) / x->length : 0;
+}
+
+/* How the motion begins or ends at a place: at a dead centre of the coordinate, at which the crank is infinitely quick or
+** comes to rest. */
+static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, double place,
+                                  flk_piece_end of_position)
+{
+    const deck_prescribed *x = c->d->prescribed;
+    const flk_stretch *s = DECK_STRETCH(x, branch);
+    double value = place - x->motion.x_at, close = INSIDE_STRETCH * fabs(s->to - s->from);
+    flk_prescribed at;
+    fourlink_row row;
+
+    prescribed_at(x, place, &at, &row);
+    if (fabs(value - s->from) <= close || fabs(value - s->to) <= close)
+        return FLK_END_DEAD;
+    return join(at.rate == 0 && at.second != 0 && !x->motion.hold ? FLK_END_ROOT : FLK_END_PLAIN,
+                of_position);
+}
+
+/* A piece ends where the crank passes a corner of the angle. */
+static void next_over_coordinate(const flk_pieces *x, flk_piece *piece)
+{
+    const flk_course *c = x->course;
+    const deck_prescribed *of = c->d->prescribed;
+    double from = x->first + piece->from * x->rate, way, passed;
+    flk_prescribed at = {0, 0, 0};
+    fourlink_crank crank = {0, 0, 0};
+    flk_direction p;
+
+    p.corners = c->corners;
+    p.branch = x->branch;
+    p.from = theta2_at(c, x->branch, from);
+    way = theta2_at(c, x->branch, x->end) - p.from;
+    p.sense = way < 0 ? -1 : 1;
+    p.has_loads = x->has_loads;
+    way = fabs(way);
+    if (!(piece->from > 0))
+        piece->begin = end_at_place(c, x->branch, from, flk_corners_first(&p));
+    passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
+    crank.theta2 = p.from + p.sense * passed;
+    if (passed < way - FLK_CORNERS_CLOSE(way) &&
+        flk_coordinate_crank_at(of->q, &c->d->machine.mechanism, x->branch, &at, &crank) ==
+            FOURLINK_OK) {
+        find_coordinate(c, at.value + of->motion.x_at, &at.value);
+        piece->to = (at.value - x->first) / x->rate;
+        if (piece->to > piece->from && piece->to < x->length)
+            return;
+    }
+    piece->end = end_at_place(c, x->branch, x->end,
+                              passed > way + FLK_CORNERS_CLOSE(way) ? FLK_END_PLAIN : piece->end);
+    piece->to = x->length;
+}
+
+/* The crank at an angle, if the motion has it: what is prescribed follows from the angle. */
+static int pass_coordinate(const flk_course *c, fourlink_branch branch, double theta2, int *status,
+                           fourlink_row *row)
+{
+    const deck_prescribed *x = c->d->prescribed;
+    const flk_stretch *s = DECK_STRETCH(x, branch);
+    flk_prescribed at = {0, 0, 0};
+    double place;
+
+    if (x->is_at_crank) {
+        if (fabs(flk_cycle_beside(theta2 - x->theta2, 2 * M_PI)) > INSIDE_STRETCH)
+            return 0;
+        *status = at_coordinate(c, branch, 0, row, NULL);
+        return 1;
+    }
+    row->crank.theta2 = in_stretch(s, theta2, position_period(c));
+    if (row->crank.theta2 > s->theta2_to + INSIDE_STRETCH ||
+        flk_coordinate_crank_at(x->q, &c->d->machine.mechanism, branch, &at, &row->crank) !=
+            FOURLINK_OK ||
+        !find_coordinate(c, at.value + x->motion.x_at, &place))
+        return 0;
+    theta2 = row->crank.theta2;
+    prescribed_at(x, place, &at, row);
+    row->crank.theta2 = theta2;
+    *status = without_crank(
+        flk_coordinate_crank_at(x->q, &c->d->machine.mechanism, branch, &at, &row->crank), row);
+    row->angle = (theta2 + c->d->motion.x_at) / c->d->motion.angle_unit;
+    row->place = place;
+    return 1;
+}
+
+static const struct flk_course_type
+    given = {place_of_angle, at_given, find_angle, begin_angle, next_over_angle},
+    by_angle = {place_of_angle, at_angle, find_angle, begin_angle, next_over_angle},
+    by_time = {place_of_time, at_time, find_time, begin_time, next_over_time},
+    by_program = {place_of_time, at_program, find_time, begin_program, next_by_program},
+    by_coordinate = {place_of_coordinate, at_coordinate, find_coordinate, begin_coordinate,
+                     next_over_coordinate};
 
 /* --------------------------------------------------------------------------------------------- the course */
 
 static const struct flk_course_type *type_of(const deck *d)
 {
-    return d->program                   ? &by_program
+    return d->prescribed                ? &by_coordinate
+           : d->program                 ? &by_program
            : d->mode.kind == MODE_GIVEN ? &given
            : d->over->is_crank_angle    ? &by_angle
                                         : &by_time;
@@ -384,7 +572,7 @@ int flk_course_repeats(const flk_course *c)
 {
     const fourlink_motion *motion = &c->d->motion;
 
-    if (c->actual || c->d->program)
+    if (c->actual || c->d->program || c->d->prescribed)
         return c->d->mode.kind == MODE_STEADY;
     return !c->winds && motion->run_up <= 0 && !c->range.stops &&
            (motion->acceleration == 0 || motion->hold);
@@ -404,6 +592,8 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
     int is_by_angle = c->over.is_crank_angle;
     double time;
 
+    if (c->d->prescribed)
+        return pass_coordinate(c, branch, flk_motion_theta2(&c->d->motion, angle), status, row);
     if (c->d->program) {
         if (!pass_program(c, flk_motion_theta2(&c->d->motion, angle), &time))
             return 0;
@@ -416,6 +606,18 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
     *status = (c->actual ? at_angle : at_given)(c, branch, angle, row, actual);
     row->place = is_by_angle ? angle : row->time;
     return 1;
+}
+
+void flk_course_set_prescribed(const flk_course *c, double place, fourlink_state *state)
+{
+    const deck_prescribed *x = c->d->prescribed;
+    flk_prescribed at;
+    fourlink_row row;
+
+    prescribed_at(x, place, &at, &row);
+    if (x->is_at_crank)
+        at.value = place - x->motion.x_at;
+    flk_coordinate_set(x->q, &at, state);
 }
 
 int flk_pieces_next(const flk_pieces *x, flk_piece *piece)

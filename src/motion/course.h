@@ -46,6 +46,10 @@ int flk_course_is_periodic(const flk_course *course);
 int flk_course_pass(const flk_course *course, fourlink_branch branch, double angle, int *status,
                     fourlink_row *row, flk_actual_row *actual);
 
+/* Set a prescribed coordinate, its rate and its second rate in the state of a row to what they are, which rounding error
+** of the crank hides: an acceleration that is 0. */
+void flk_course_set_prescribed(const flk_course *course, double place, fourlink_state *state);
+
 /* ---------------------------------------------------------------------------------------------- pieces */
 
 /* A piece, in rad of the length. */

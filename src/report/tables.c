@@ -124,8 +124,8 @@ static void put_check(sheet *s, const fourlink_check *c)
     s->list = "checks";
     page_print(p, "<tr class=\"%s\"><th scope=\"row\">%s</th><td>", agrees ? "agrees" : "differs",
                c->name);
-    if (c->has_time)
-        page_print(p, "%.9g%U", c->time, "s");
+    if (c->has_place)
+        page_print(p, "%.9g%U", c->place, c->place_unit);
     else if (c->has_angle)
         page_print(p, "%.9g%U", c->angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),

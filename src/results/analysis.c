@@ -315,7 +315,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
 /* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const deck *d)
 {
-    const fourlink_motion *motion = &d->motion;
+    const fourlink_motion *motion = d->prescribed ? &d->prescribed->motion : &d->motion;
 
     if (d->mode.kind != MODE_GIVEN || d->program)
         return 1;
@@ -434,8 +434,11 @@ static void complete(flk_analysis *a, int needs, fourlink_branch branch, int sta
 {
     row->at.branch = branch;
     row->at.status = status;
-    if (status == FOURLINK_OK)
-        flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    if (status != FOURLINK_OK)
+        return;
+    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    if (a->d->prescribed && row->at.status == FOURLINK_OK)
+        flk_course_set_prescribed(&a->course, row->at.row.place, &row->at.state);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,

@@ -147,7 +147,7 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     double turn;
     int is_opposite, is_other, status;
 
-    if (c->hint[0] || c->has_time ||
+    if (c->hint[0] || c->has_place ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return FOURLINK_OK;
     status = flk_name_prepare(o, n, other);
@@ -306,6 +306,8 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
                        fourlink_check *c, fourlink_value *v)
 {
     const char *name = o->d.units[QUANTITY_ANGLE].name;
+    static const deck_unit seconds = {"s", {1, 1, {0, 0, 1, 0}}, 1};
+    const deck_unit *place = o->d.prescribed ? &o->d.units[flk_deck_over(&o->d)] : &seconds;
     int is_column = n->kind == FLK_NAME_COLUMN, status;
 
     if (is_column && !e->has_at) {
@@ -313,7 +315,7 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    if (!is_column || !e->at_is_time)
+    if (!is_column || !e->at_is_place)
         status = flk_name_value(o, n, e->branch, e->at, v);
     else
         status = o->d.over->is_crank_angle ? FOURLINK_NO_SUCH_ANGLE
@@ -322,8 +324,9 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
         return 1;
     if (!is_column)
         flk_message(c->message, sizeof c->message, "%s", fourlink_status_text(status));
-    else if (e->at_is_time)
-        flk_message(c->message, sizeof c->message, "no value at %g s, %s: %s", e->at,
+    else if (e->at_is_place)
+        flk_message(c->message, sizeof c->message, "no value at %g %s, %s: %s",
+                    flk_unit_from_si(e->at, place->unit), place->name,
                     fourlink_branch_text((int)e->branch),
                     o->d.over->is_crank_angle          ? "the rows are by angle"
                     : status == FOURLINK_NO_SUCH_ANGLE ? "the motion ends before"
@@ -506,8 +509,11 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     if (!find_values(o, e, is_hinted, c, n, &n_facts))
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN;
-    c->has_time = c->has_angle && e->at_is_time;
-    c->time = c->has_time ? e->at : 0;
+    c->has_place = c->has_angle && e->at_is_place;
+    c->place_unit = o->d.prescribed ? o->d.units[flk_deck_over(&o->d)].name : "s";
+    c->place = !c->has_place     ? 0
+               : o->d.prescribed ? flk_unit_from_si(e->at, o->d.units[flk_deck_over(&o->d)].unit)
+                                 : e->at;
     if (n_facts && facts[0].words) {
         flk_text_copy(flk_text_of(facts[0].words), c->words, sizeof c->words);
         return are_words(e->value, facts[0].words);
@@ -541,7 +547,7 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
             fabs(difference(found.value, c->printed, turn)))
             found = facts[i];
     c->computed = found.value;
-    if (c->has_time)
+    if (c->has_place)
         c->angle = found.angle;
     if (g.tolerance >= 0)
         tolerance = g.tolerance;

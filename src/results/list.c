@@ -256,6 +256,23 @@ static void derive_program(listing *t, const flk_program *program)
         add_words(t, "motion.ends", ends[program->ends], "how the spline of a program ends");
 }
 
+/* The range of a prescribed coordinate, and its side. */
+static void derive_prescribed(listing *t, const deck_prescribed *x)
+{
+    quantity q = flk_deck_over(t->d);
+    const unit *u = &t->d->units[q].unit;
+
+    add_default(t, "motion", "from", q, flk_unit_from_si(x->motion.from, *u),
+                "first value of the input");
+    add_default(t, "motion", "to", q, flk_unit_from_si(x->motion.to, *u),
+                "last value of the input");
+    add_default(t, "motion", "interval", q, flk_unit_from_si(x->motion.interval, *u),
+                "interval of the input");
+    if (!find_input(t, "motion.side"))
+        add_words(t, "motion.side", x->side == FLK_RISING ? "rising" : "falling",
+                  "whether the input rises or falls as the crank turns counter-clockwise");
+}
+
 /* What motion and rows have without being told. */
 static void derive_motion(listing *t)
 {
@@ -263,6 +280,10 @@ static void derive_motion(listing *t)
 
     if (t->d->one_instant)
         return;
+    if (t->d->prescribed) {
+        derive_prescribed(t, t->d->prescribed);
+        return;
+    }
     add_default(t, "motion", "from", QUANTITY_ANGLE, motion->from, "first crank angle");
     if (t->d->program) {
         derive_program(t, t->d->program);

@@ -55,7 +55,7 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
 
     memset(c, 0, sizeof *c);
     flk_follow_column(&x->f, &c->of, column);
-    c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) != 0;
+    c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) && !x->f.a->d->prescribed;
     c->v = x->force + FLK_SAMPLES_MOST * x->n_columns;
     x->needs |= flk_column_need(column);
     x->has_noise |= c->of.is_noise;

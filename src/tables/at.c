@@ -61,6 +61,7 @@ static int take_column(const view *v, text name, text value, at_item *item, char
 int at_next(const view *v, const char **list, at_item *item, char message[400])
 {
     text rest, name;
+    int i;
 
     if (!*list)
         return 0;
@@ -79,8 +80,10 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     if (!view_read_spot(v, rest.start ? flk_text_trim(rest) : item->words, item->words, &item->spot,
                         message))
         return -1;
-    if (view_find_spot(v, v->branches[0], &item->spot, NULL, NULL, NULL) != FOURLINK_NO_SUCH_ANGLE)
-        return 1;
+    for (i = 0; i < v->n_branches; i++)
+        if (view_find_spot(v, v->branches[i], &item->spot, NULL, NULL, NULL) !=
+            FOURLINK_NO_SUCH_ANGLE)
+            return 1;
     flk_message(message, 400,
                 v->problem.one_instant
                     ? "the motion does not reach theta2 = %t: it is one instant, "

@@ -92,8 +92,7 @@ static void put_at(sheet *s, fourlink_branch branch, const view_spot *spot)
 {
     fourlink_instant at;
 
-    put_section(s, branch, spot->at,
-                spot->is_place ? s->v.problem.over.unit : s->v.units[QUANTITY_ANGLE].name,
+    put_section(s, branch, spot->at, s->v.units[spot->is_place ? s->v.over : QUANTITY_ANGLE].name,
                 sheet_find_at(s, branch, spot, &at));
 }
 
@@ -119,12 +118,13 @@ static void write_rows(sheet *s, fourlink_branch branch)
 /* --------------------------------------------------------------------------------------------- a form */
 
 /* Begin a section of a form. */
-static void put_form_place(sheet *s, int has_at, double at, int is_time, fourlink_branch branch)
+static void put_form_place(sheet *s, const fourlink_check *c)
 {
     line_put(&s->l, "\n[expect]\n");
-    if (has_at)
-        line_put(&s->l, "at = %15g %s\n", at, is_time ? "s" : s->v.units[QUANTITY_ANGLE].name);
-    line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
+    if (c->has_angle)
+        line_put(&s->l, "at = %15g %s\n", c->has_place ? c->place : c->angle,
+                 c->has_place ? c->place_unit : s->v.units[QUANTITY_ANGLE].name);
+    line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)c->branch));
 }
 
 /* What the deck's own [expect] asks. */
@@ -140,8 +140,8 @@ static void write_asked(sheet *s)
         if (c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
             continue; /* not asked for */
         if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||
-            c.has_time != before.has_time || c.time != before.time || c.branch != before.branch)
-            put_form_place(s, c.has_angle, c.has_time ? c.time : c.angle, c.has_time, c.branch);
+            c.has_place != before.has_place || c.place != before.place || c.branch != before.branch)
+            put_form_place(s, &c);
         put_form_name(s, c.name, c.unit);
         before = c;
     }

@@ -70,6 +70,20 @@ static void put_lengths(sheet *s)
     line_put(&s->l, "\n");
 }
 
+/* The motion of a prescribed coordinate. */
+static void put_prescribed(sheet *s)
+{
+    const fourlink_motion *motion = &s->v.problem.prescribed;
+    quantity q = s->v.over;
+
+    line_put(&s->l, "# %s", s->v.problem.over.words);
+    put_value(s, " at %6g %s", motion->speed,
+              q == QUANTITY_ANGLE ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED);
+    if (motion->acceleration != 0)
+        put_value(s, ", acceleration %6g %s", motion->acceleration,
+                  q == QUANTITY_ANGLE ? QUANTITY_ANGULAR_ACCELERATION : QUANTITY_ACCELERATION);
+}
+
 static void put_speed(sheet *s)
 {
     const fourlink_motion *motion = &s->v.problem.motion;
@@ -141,7 +155,10 @@ void head_put_properties(sheet *s)
     head_put_title(s);
     put_type(s);
     put_lengths(s);
-    put_speed(s);
+    if (s->v.problem.is_prescribed)
+        put_prescribed(s);
+    else
+        put_speed(s);
     put_masses(s);
     put_loads(s);
     line_put(&s->l, "\n");

@@ -79,6 +79,13 @@ int sheet_find_at(sheet *s, fourlink_branch branch, const view_spot *spot, fourl
     return status;
 }
 
+/* A crank angle of one branch may be none of the other's, unless the rows go over it. */
+static int is_reached(const sheet *s, fourlink_branch branch, const view_spot *spot)
+{
+    return s->v.problem.over.is_crank_angle ||
+           view_find_spot(&s->v, branch, spot, NULL, NULL, NULL) != FOURLINK_NO_SUCH_ANGLE;
+}
+
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
                        void (*put)(sheet *s, fourlink_branch branch, const view_spot *spot))
 {
@@ -96,7 +103,10 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
         if (status != FOURLINK_OK || n == 0)
             write_missing(s, branch, &item, status);
         for (i = 0; status == FOURLINK_OK && i < n; i++)
-            put(s, branch, &spots[i]);
+            if (is_reached(s, branch, &spots[i]))
+                put(s, branch, &spots[i]);
+            else
+                write_missing(s, branch, &item, FOURLINK_NO_SUCH_ANGLE);
         free(spots);
     }
 }
@@ -113,6 +123,10 @@ const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_
         return NULL;
     if (!is_given && status != FOURLINK_STALLS)
         return fourlink_status_text(status);
+    if (s->v.problem.is_prescribed)
+        return flk_text_join(words, SHEET_STOP_SIZE, s->v.problem.over.words, " comes to rest at ",
+                             format_general(view_over(&s->v, angle), 12, number), " ",
+                             s->v.units[s->v.over].name, (char *)NULL);
     return flk_text_join(words, SHEET_STOP_SIZE,
                          is_given ? "the crank comes to rest at " : "stalls at ",
                          format_general(angle, is_given ? 12 : 6, number), " ",

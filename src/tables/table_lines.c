@@ -71,8 +71,8 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, ", computed %s", c->words);
     else if (c->verdict != FOURLINK_NO_VALUE)
         line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
-    if (c->has_time)
-        line_put(&s->l, " at %9g s", c->time);
+    if (c->has_place)
+        line_put(&s->l, " at %9g %s", c->place, c->place_unit);
     else if (c->has_angle)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, c->hint[0] ? ", %s; hint: %s" : ", %s", fourlink_branch_text((int)c->branch),

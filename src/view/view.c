@@ -81,7 +81,8 @@ void view_take_design(view *v, fourlink_results *results)
         v->branches[v->n_branches++] = FOURLINK_OPEN;
     if (v->problem.crossed)
         v->branches[v->n_branches++] = FOURLINK_CROSSED;
-    fourlink_motion_range(&v->problem.motion, &v->range);
+    fourlink_motion_range(v->problem.is_prescribed ? &v->problem.prescribed : &v->problem.motion,
+                          &v->range);
     v->over = flk_quantity_find(v->problem.over.quantity);
     v->end = v->problem.over.last;
     v->range.n_rows = v->problem.n_rows;
@@ -378,6 +379,11 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
                          format_general(of, 9, last), " loads act", (char *)NULL);
 }
 
+int view_goes_to(const view *v, int status)
+{
+    return status == FOURLINK_INPUT_DEAD_CENTRE && !v->problem.one_instant;
+}
+
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why)
 {
     unsigned long missing = 0, k;
@@ -388,6 +394,8 @@ unsigned long view_count_missing(const view *v, unsigned long *of, const char **
     for (i = 0; i < v->n_branches; i++)
         for (k = 0; k < v->range.n_rows; k++) {
             status = fourlink_results_row(v->results, v->branches[i], k, NULL, &now, NULL);
+            if (view_goes_to(v, status))
+                continue;
             missing += status != FOURLINK_OK;
             *why = status != FOURLINK_OK && !**why ? fourlink_status_text(status) : *why;
         }

@@ -111,6 +111,9 @@ int view_find_position(const view *v, fourlink_branch branch, const view_spot *s
 const char *view_tell_position(const view *v, const fourlink_instant *now,
                                const fourlink_load *loads, char out[VIEW_WHY]);
 
+/* 1 for a row at an end of the range, which goes to a dead centre of what is prescribed: nothing is missing there. */
+int view_goes_to(const view *v, int status);
+
 /* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why);
 

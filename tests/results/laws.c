@@ -8,7 +8,7 @@
 ** columns of each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
 ** in turn, with `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
-#include "drawn_decks.h"
+#include "prescribed_decks.h"
 
 static int turns_fully(fourlink_results *r)
 {
@@ -465,6 +465,10 @@ static law laws[] = {
      .change = draw_in_own_axes,
      .factor = factor_one,
      .check = compare_drawn},
+    {.name = "by its input",
+     .change = move_at_an_instant,
+     .factor = factor_one,
+     .check = compare_prescribed},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 

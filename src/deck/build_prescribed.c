@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_prescribed.c - builds `input` of [motion]: what is prescribed in place of the crank angle.
+**
+** Rows go over the coordinate, from `from` to `to`, both within one stretch on which it only rises or only falls.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/cycle.h"
+#include "build.h"
+#include "build_motor.h"
+#include "build_prescribed.h"
+#include "parser.h"
+#include "settings.h"
+#include "values.h"
+
+#define STEPS 36   /* intervals of a range, without an interval */
+#define CLOSE 1e-9 /* of a stretch: an end that is written with fewer digits */
+
+/* The stretches of a branch that can be meant. */
+typedef struct reach {
+    flk_stretch list[FLK_STRETCHES];
+    int n;
+} reach;
+
+int flk_build_is_prescribed(parser *p)
+{
+    static const key_code own[] = {KEY_MOTION_SIDE, KEY_MOTION_NEAR},
+                          others[] = {KEY_MOTION_TURNS,     KEY_MOTION_RUN_UP,
+                                      KEY_MOTION_PROGRAM,   KEY_MOTION_ROWS,
+                                      KEY_MOTION_TIME_STEP, KEY_MOTION_DURATION,
+                                      KEY_MOTION_MEAN_SPEED};
+    const setting *input = flk_setting_find(p, KEY_MOTION_INPUT),
+                  *mode = flk_setting_find(p, KEY_MOTION_MODE);
+    const flk_coordinate *q;
+    size_t i;
+
+    for (i = 0; !input->word && i < sizeof own / sizeof own[0]; i++)
+        if (IS_SET(flk_setting_find(p, own[i])))
+            flk_mistake(p->mistakes, flk_setting_find(p, own[i])->place,
+                        "'%s' needs an input, such as input = x", flk_key_table[own[i]].name);
+    if (!input->word)
+        return 0;
+    q = &flk_coordinates[input->word - 1];
+    if (!(q->kinds & (int)p->d->machine.mechanism.design.kind))
+        flk_mistake(p->mistakes, input->place, "%s %s has no %s",
+                    flk_text_article(fourlink_kind_text((int)p->d->machine.mechanism.design.kind)),
+                    fourlink_kind_text((int)p->d->machine.mechanism.design.kind), q->name);
+    for (i = 0; i < sizeof others / sizeof others[0]; i++) {
+        const setting *s = flk_setting_find(p, others[i]);
+
+        if (IS_SET(s))
+            flk_mistake(p->mistakes, s->place, "'%s' cannot be used with input = %s",
+                        flk_key_table[others[i]].name, q->name);
+    }
+    if (mode->word != MODE_GIVEN)
+        flk_mistake(p->mistakes, mode->place,
+                    "'input' gives the motion, and mode = %t computes it: leave out one",
+                    mode->value);
+    p->d->over = &flk_abscissas[input->word + DECK_OVER_INPUT];
+    return 1;
+}
+
+/* ------------------------------------------------------------------------------------------------------ reach */
+
+/* Whether a crank angle is in a stretch, less whole turns. */
+static int has_angle(const flk_stretch *x, double theta2)
+{
+    double close = CLOSE * (x->theta2_to - x->theta2_from);
+
+    return flk_cycle_place(theta2, x->theta2_from - close, 2 * M_PI) <= x->theta2_to + close;
+}
+
+/* Keep the stretches of a side and, if given, near a crank angle. */
+static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch branch, reach *r)
+{
+    const setting *near = flk_setting_find(p, KEY_MOTION_NEAR);
+    flk_stretch all[FLK_STRETCHES];
+    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i;
+
+    r->n = 0;
+    for (i = 0; i < n; i++)
+        if (all[i].side == x->side &&
+            (!IS_SET(near) ||
+             has_angle(&all[i], flk_setting_crank_angle(p, near) - p->d->axes.angle)))
+            r->list[r->n++] = all[i];
+}
+
+/* A value of the coordinate moved by whole turns, if it is an angle, to where a stretch has it; 0 if it is not
+** there. */
+static int move_into(const deck_prescribed *x, const flk_stretch *s, double *value)
+{
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    double close = CLOSE * (high - low), at = *value - x->motion.x_at;
+
+    if (x->q->is_angle)
+        at = flk_cycle_place(at, low - close, 2 * M_PI);
+    *value = GSL_MIN(GSL_MAX(at, low), high) + x->motion.x_at;
+    return low - close <= at && at <= high + close;
+}
+
+/* List the ranges that can be reached, in the deck's unit. */
+static const char *list_reach(parser *p, const deck_prescribed *x, const reach *r, char *out)
+{
+    const deck_unit *u = &p->d->units[flk_deck_over(p->d)];
+    size_t length;
+    int i;
+
+    strcpy(out, r->n ? "" : "no value");
+    for (i = 0; i < r->n && i < 4; i++) {
+        const flk_stretch *s = &r->list[i];
+
+        length = strlen(out);
+        flk_message(out + length, MESSAGE_SIZE - length, "%sfrom %.5g to %.5g %s", i ? ", " : "",
+                    flk_unit_from_si(GSL_MIN(s->from, s->to) + x->motion.x_at, u->unit),
+                    flk_unit_from_si(GSL_MAX(s->from, s->to) + x->motion.x_at, u->unit), u->name);
+    }
+    return out;
+}
+
+/* The stretch in which both ends of a range are; null if there is none. */
+static const flk_stretch *find_stretch(const deck_prescribed *x, const reach *r, const double *from,
+                                       const double *to)
+{
+    double at[2];
+    int i;
+
+    for (i = 0; i < r->n; i++) {
+        at[0] = from ? *from : r->list[i].from + x->motion.x_at;
+        at[1] = to ? *to : r->list[i].to + x->motion.x_at;
+        if (move_into(x, &r->list[i], &at[0]) && move_into(x, &r->list[i], &at[1]))
+            return &r->list[i];
+    }
+    return NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------------ range */
+
+/* The value of a place of the motion, null if it is not given. */
+static const double *place_of(parser *p, key_code key)
+{
+    const setting *s = flk_setting_find(p, key);
+
+    return IS_SET(s) ? s->si : NULL;
+}
+
+static text_place place_or(parser *p, const setting *s)
+{
+    return IS_SET(s) ? s->place : flk_setting_find(p, KEY_MOTION_INPUT)->place;
+}
+
+/* Choose the stretch of a branch, and tell why there is none, or more than one. */
+static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
+{
+    const double *from = place_of(p, KEY_MOTION_FROM), *to = place_of(p, KEY_MOTION_TO);
+    const flk_stretch *found;
+    char ranges[MESSAGE_SIZE];
+    reach r;
+
+    find_reach(p, x, branch, &r);
+    if (IS_SET(flk_setting_find(p, KEY_MOTION_AT)))
+        from = to = place_of(p, KEY_MOTION_AT);
+    if (!from && !to && r.n > 1) {
+        flk_message(
+            why, MESSAGE_SIZE,
+            "on the %s branch, %s has several ranges, %s: give 'from' and 'to', or 'near', a "
+            "crank angle in one of them",
+            fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges));
+        return 0;
+    }
+    found = find_stretch(x, &r, from, to);
+    if (found)
+        *DECK_STRETCH(x, branch) = *found;
+    else
+        flk_message(why, MESSAGE_SIZE, "on the %s branch, %s reaches %s where it is %s",
+                    fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges),
+                    x->side == FLK_RISING ? "rising" : "falling");
+    return found != NULL;
+}
+
+/* The branches of the table that reach the range; those that do not are left out, unless the deck names them. */
+static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
+{
+    const setting *at = flk_setting_find(p, KEY_MOTION_AT),
+                  *to = flk_setting_find(p, KEY_MOTION_TO),
+                  *from = flk_setting_find(p, KEY_MOTION_FROM);
+    text_place place = place_or(p, IS_SET(at) ? at : IS_SET(from) ? from : to);
+    int is_named = IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH));
+    char why[2][MESSAGE_SIZE];
+    int open = p->d->open && choose(p, x, FOURLINK_OPEN, why[0]);
+    int crossed = p->d->crossed && choose(p, x, FOURLINK_CROSSED, why[1]);
+
+    if (p->d->open && !open && (is_named || !crossed))
+        flk_mistake(p->mistakes, place, "%s", why[0]);
+    if (p->d->crossed && !crossed && (is_named || (!open && !p->d->open)))
+        flk_mistake(p->mistakes, place, "%s", why[1]);
+    p->d->open = open;
+    p->d->crossed = crossed;
+    return open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+}
+
+/* The rows: without `from` and `to`, from end to end of the stretch, in the sense of the speed. */
+static void build_range(parser *p, deck_prescribed *x, fourlink_branch branch)
+{
+    const setting *from = flk_setting_find(p, KEY_MOTION_FROM),
+                  *to = flk_setting_find(p, KEY_MOTION_TO),
+                  *interval = flk_setting_find(p, KEY_MOTION_INTERVAL);
+    const flk_stretch *s = DECK_STRETCH(x, branch), *other = DECK_STRETCH(x, -(int)branch);
+    fourlink_motion *motion = &x->motion;
+    double turning = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    fourlink_range range;
+    int status;
+
+    if (p->d->open && p->d->crossed && !(IS_SET(from) && IS_SET(to)) &&
+        (fabs(other->from - s->from) > CLOSE * (high - low) ||
+         fabs(other->to - s->to) > CLOSE * (high - low))) {
+        if (IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH)))
+            flk_mistake(p->mistakes, flk_setting_find(p, KEY_TABLE_BRANCH)->place,
+                        "the branches reach different ranges of %s: give 'from' and 'to', or one "
+                        "branch",
+                        x->q->words);
+        p->d->crossed = 0;
+    }
+    motion->from = IS_SET(from) ? from->si[0] : (turning < 0 ? high : low) + motion->x_at;
+    motion->to = IS_SET(to) ? to->si[0] : (turning < 0 ? low : high) + motion->x_at;
+    move_into(x, s, &motion->from);
+    move_into(x, s, &motion->to);
+    motion->interval = IS_SET(interval) ? interval->si[0] : fabs(motion->to - motion->from) / STEPS;
+    if (!(motion->interval > 0))
+        motion->interval = 1;
+    status = fourlink_motion_range(motion, &range);
+    if (status == FOURLINK_BAD_RANGE)
+        flk_mistake(p->mistakes, place_or(p, to),
+                    "the range runs against the motion of an accelerated input: swap 'from' and "
+                    "'to', or set 'hold = yes'");
+    else if (status != FOURLINK_OK || range.n_rows > MOST_ROWS)
+        flk_mistake(p->mistakes, place_or(p, interval), "%s",
+                    fourlink_status_text(status != FOURLINK_OK ? status : FOURLINK_TOO_MANY_ROWS));
+}
+
+/* One instant: at a value of the coordinate or at a crank angle. */
+static void build_instant(parser *p, deck_prescribed *x, const setting *at)
+{
+    const section_use *use = flk_section_find(p, SECTION_MOTION, NULL);
+
+    p->d->one_instant = 1;
+    x->motion.interval = 1; /* any value */
+    x->is_at_crank = !x->q->is_angle && flk_quantity_of_key(use, KEY_MOTION_AT) == QUANTITY_ANGLE;
+    x->motion.from = x->motion.to = x->is_at_crank ? 0 : at->si[0];
+    x->theta2 = flk_setting_crank_angle(p, at) - p->d->axes.angle;
+}
+
+void flk_build_prescribed(parser *p)
+{
+    const setting *input = flk_setting_find(p, KEY_MOTION_INPUT),
+                  *side = flk_setting_find(p, KEY_MOTION_SIDE),
+                  *at = flk_setting_find(p, KEY_MOTION_AT);
+    fourlink_motion *crank = &p->d->motion;
+    fourlink_branch branch;
+    deck_prescribed *x;
+
+    if (!input->word || flk_mistakes_count(p->mistakes))
+        return;
+    x = flk_reader_keep(p, sizeof *x);
+    if (!x)
+        return;
+    x->q = &flk_coordinates[input->word - 1];
+    x->side = IS_SET(side) ? side->word : FLK_RISING;
+    x->motion.angle_unit = 1;
+    x->motion.x_at = x->q->is_angle ? p->d->axes.angle : 0;
+    x->motion.speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
+    x->motion.acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
+    x->motion.hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;
+    p->d->prescribed = x;
+    if (IS_SET(at))
+        build_instant(p, x, at);
+    if (!x->is_at_crank) {
+        branch = choose_branches(p, x);
+        if (flk_mistakes_count(p->mistakes))
+            return;
+        if (!IS_SET(at))
+            build_range(p, x, branch);
+        else
+            move_into(x, DECK_STRETCH(x, branch), &x->motion.from);
+        x->motion.to = IS_SET(at) ? x->motion.from : x->motion.to;
+        x->theta2 = DECK_STRETCH(x, branch)->theta2_from;
+    }
+    crank->from = (x->theta2 + crank->x_at) / crank->angle_unit;
+    crank->to = crank->from + flk_build_sense(p) * p->d->machine.cycle / crank->angle_unit;
+}

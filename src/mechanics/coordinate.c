@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** coordinate.c - the coordinates that can be prescribed in place of the crank angle.
+**
+** The crank angle that belongs to a value follows in closed form from the kind's record; the rates from the very row
+** at unit speed, so that near a dead position of the crank all errors are those of one position.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/cycle.h"
+#include "base/solve.h"
+#include "base/trig.h"
+#include "coordinate.h"
+#include "mechanism.h"
+
+#define DEAD 1e-7      /* of the crank's length, or of 1: K below it is 0 */
+#define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
+#define ON_BRANCH 1e-9 /* of the crank's length, or rad: a value found again */
+#define LEAST 1e-12    /* of the same: the length of a stretch */
+
+const flk_coordinate flk_coordinates[FLK_COORDINATES] = {
+    {"theta4", "\316\270\342\202\204", "theta4", 1,
+     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_FOLLOWER},
+    {"x", "x", "x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_DISPLACEMENT},
+    {"C.x", "C.x", "C.x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_PIN},
+    {"slide", "slide", "the slide", 0, FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_SLIDE}};
+
+void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk_prescribed *at)
+{
+    const fourlink_link_state *follower = &state->link[FOURLINK_FOLLOWER];
+
+    switch (q->what) {
+    case FLK_OF_FOLLOWER:
+        at->value = flk_angle(follower->axis.y, follower->axis.x);
+        at->rate = follower->omega;
+        at->second = follower->alpha;
+        break;
+    case FLK_OF_PIN:
+        at->value = follower->origin.x;
+        at->rate = follower->velocity.x;
+        at->second = follower->acceleration.x;
+        break;
+    case FLK_OF_DISPLACEMENT:
+        at->value = state->x;
+        at->rate = state->v;
+        at->second = state->a;
+        break;
+    default:
+        at->value = state->slide;
+        at->rate = state->slide_v;
+        at->second = state->slide_a;
+        break;
+    }
+}
+
+void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourlink_state *state)
+{
+    fourlink_link_state *follower = &state->link[FOURLINK_FOLLOWER];
+    double sense =
+        -(double)state->branch; /* x rises where the pin goes back, but on a crossed branch */
+
+    switch (q->what) {
+    case FLK_OF_FOLLOWER:
+        follower->theta = -flk_cycle_place(-at->value, -M_PI, 2 * M_PI); /* -pi < theta <= pi */
+        follower->omega = at->rate;
+        follower->alpha = at->second;
+        break;
+    case FLK_OF_PIN:
+        follower->origin.x = at->value;
+        follower->velocity.x = at->rate;
+        follower->acceleration.x = at->second;
+        state->v = sense * at->rate;
+        state->a = sense * at->second;
+        break;
+    case FLK_OF_DISPLACEMENT:
+        state->x = at->value;
+        state->v = at->rate;
+        state->a = at->second;
+        follower->velocity.x = sense * at->rate;
+        follower->acceleration.x = sense * at->second;
+        break;
+    default:
+        state->slide = at->value;
+        state->slide_v = at->rate;
+        state->slide_a = at->second;
+        break;
+    }
+}
+
+/* What counts as 1 of a coordinate or of its rate at unit speed. */
+static double scale_of(const flk_coordinate *q, const fourlink_mechanism *mechanism)
+{
+    return q->is_angle ? 1 : mechanism->design.link[FOURLINK_CRANK].length;
+}
+
+/* The state at unit crank speed, and with it the value, K and L of a coordinate. */
+static int at_unit_speed(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, double theta2, flk_prescribed *unit)
+{
+    fourlink_state state;
+    fourlink_crank crank = {0, 1, 0};
+    int status;
+
+    crank.theta2 = theta2;
+    status = flk_mechanism_move(mechanism, branch, &crank, 0, &state);
+    if (status == FOURLINK_OK)
+        flk_coordinate_of(q, &state, unit);
+    return status;
+}
+
+/* 1 if two values are the same, to rounding. */
+static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism, double x, double y)
+{
+    double apart = q->is_angle ? flk_cycle_beside(x - y, 2 * M_PI) : x - y;
+
+    return fabs(apart) <= ON_BRANCH * scale_of(q, mechanism);
+}
+
+/* The crank angle of a value on a branch and a side.  Beyond a change point links 3 and 4 are on the side of the other
+** branch, for half a turn or for a whole one. */
+static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                      fourlink_branch branch, int side, double value, double *theta2,
+                      flk_prescribed *unit)
+{
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    int can_change = mechanism->change_stretched || mechanism->change_folded;
+    int turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1, i;
+    int status = FOURLINK_NO_SUCH_ANGLE, tried;
+
+    for (i = 0; i < (can_change ? 2 * turns : 1); i++) {
+        *theta2 =
+            kind->theta2_of(mechanism, q->what,
+                            (fourlink_branch)(i % 2 ? -(int)branch : (int)branch), side, value) +
+            (i / 2) * 2 * M_PI;
+        if (gsl_isnan(*theta2))
+            continue;
+        tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
+        if (tried != FOURLINK_OK)
+            status = tried;
+        else if (is_same(q, mechanism, unit->value, value))
+            return FOURLINK_OK;
+    }
+    return status;
+}
+
+/* The crank's speed and acceleration,
+**
+**    omega2 = (dq/dt) / K,   alpha2 = (d2q/dt2 - L omega2^2) / K
+*/
+static int set_rates(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                     const flk_prescribed *unit, const flk_prescribed *at, fourlink_crank *crank)
+{
+    crank->omega2 = crank->alpha2 = 0;
+    if (at->rate == 0 && at->second == 0)
+        return FOURLINK_OK;
+    if (fabs(unit->rate) < DEAD * scale_of(q, mechanism))
+        return FOURLINK_INPUT_DEAD_CENTRE;
+    crank->omega2 = at->rate / unit->rate;
+    crank->alpha2 = (at->second - unit->second * crank->omega2 * crank->omega2) / unit->rate;
+    return FOURLINK_OK;
+}
+
+int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, int side, const flk_prescribed *at,
+                         fourlink_crank *crank)
+{
+    flk_prescribed unit;
+    int status = find_crank(q, mechanism, branch, side, at->value, &crank->theta2, &unit);
+
+    return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
+}
+
+int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank)
+{
+    flk_prescribed unit;
+    int status = at_unit_speed(q, mechanism, branch, crank->theta2, &unit);
+
+    if (status != FOURLINK_OK)
+        return status;
+    at->value = unit.value;
+    return set_rates(q, mechanism, &unit, at, crank);
+}
+
+/* ------------------------------------------------------------------------------------------------- stretches */
+
+/* K as a function of theta2. */
+typedef struct rate_search {
+    const flk_coordinate *q;
+    const fourlink_mechanism *mechanism;
+    fourlink_branch branch;
+} rate_search;
+
+static double rate_at(double theta2, void *data)
+{
+    const rate_search *s = data;
+    flk_prescribed unit;
+
+    return at_unit_speed(s->q, s->mechanism, s->branch, theta2, &unit) == FOURLINK_OK ? unit.rate
+                                                                                      : GSL_NAN;
+}
+
+/* The value at an end of a stretch, where the position may be dead: links 3 and 4 are in line then. */
+static double value_at(const rate_search *s, double theta2)
+{
+    fourlink_state state;
+    flk_prescribed at;
+
+    flk_mechanism_place(s->mechanism, s->branch, theta2, &state);
+    state.link[FOURLINK_FOLLOWER].omega = state.link[FOURLINK_FOLLOWER].alpha = 0;
+    memset(&state.link[FOURLINK_FOLLOWER].velocity, 0, sizeof(fourlink_vector));
+    memset(&state.link[FOURLINK_FOLLOWER].acceleration, 0, sizeof(fourlink_vector));
+    state.v = state.a = state.slide_v = state.slide_a = 0;
+    flk_coordinate_of(s->q, &state, &at);
+    return at.value;
+}
+
+/* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length. */
+static int add_stretch(const rate_search *s, double from, double to, double way, flk_stretch *list,
+                       int n)
+{
+    flk_stretch *x = &list[n];
+
+    if (n == FLK_STRETCHES || !(to > from) || way == 0)
+        return n;
+    x->theta2_from = from;
+    x->theta2_to = to;
+    x->side = way > 0 ? FLK_RISING : FLK_FALLING;
+    x->from = value_at(s, from);
+    x->to = value_at(s, to);
+    if (s->q->is_angle)
+        x->to += 2 * M_PI * flk_cycle_nearest(way - (x->to - x->from), 2 * M_PI);
+    return fabs(x->to - x->from) > LEAST * scale_of(s->q, s->mechanism) ? n + 1 : n;
+}
+
+/* The stretches of a range of crank angles, sampled where cosines of equal steps are. */
+static int add_range(const rate_search *s, double from, double to, flk_stretch *list, int n)
+{
+    double begin = from, last = 0, before = from, way = 0, x, rate;
+    int i;
+
+    for (i = 0; i < SAMPLES; i++) {
+        x = from + 0.5 * (to - from) * (1 - flk_cosine(M_PI * (i + 0.5) / SAMPLES));
+        rate = rate_at(x, (void *)s);
+        if (gsl_isnan(rate))
+            continue;
+        if (last * rate < 0) {
+            flk_bracket b = flk_bracket_of(before, x, last, rate);
+            double zero = flk_find_zero(rate_at, (void *)s, &b, 0);
+
+            n = add_stretch(s, begin, zero, way, list, n);
+            begin = zero;
+            way = 0;
+        }
+        way += rate * (x - before);
+        last = rate == 0 ? last : rate;
+        before = x;
+    }
+    return add_stretch(s, begin, to, way, list, n);
+}
+
+/* Join the last stretch of a turn to the first, which it continues. */
+static int join_ends(const flk_coordinate *q, double turn, flk_stretch *list, int n)
+{
+    flk_stretch *first = &list[0], *last = &list[n - 1];
+
+    if (n < 2 || first->side != last->side)
+        return n;
+    first->theta2_from = last->theta2_from - turn;
+    first->from = q->is_angle ? first->to - first->side * (fabs(first->to - first->from) +
+                                                           fabs(last->to - last->from))
+                              : last->from;
+    return n - 1;
+}
+
+int flk_coordinate_stretches(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                             fourlink_branch branch, flk_stretch list[FLK_STRETCHES])
+{
+    double turn = mechanism->change_stretched != mechanism->change_folded ? 4 * M_PI : 2 * M_PI;
+    fourlink_reach reach;
+    rate_search s;
+    int i, n = 0;
+
+    s.q = q;
+    s.mechanism = mechanism;
+    s.branch = branch;
+    if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
+        return 0;
+    for (i = 0; i < reach.n_ranges; i++) {
+        int is_full = reach.to[i] - reach.from[i] >= 2 * M_PI * (1 - 1e-15);
+
+        n = add_range(&s, reach.from[i], is_full ? reach.from[i] + turn : reach.to[i], list, n);
+        if (is_full)
+            n = join_ends(q, turn, list, n);
+    }
+    return n;
+}

@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** prescribed_decks.h - a deck at one instant of its crank, and the same with another coordinate prescribed.
+**
+** A row in which a coordinate has a value, a rate and a second rate is the row of the crank that has the angle, speed and
+** acceleration from which these came.  The range of the coordinate is that of a dense walk of the crank, which shares only
+** the positions with the program; extremes over it are values of rows, and no dense row is beyond them.
+*/
+#ifndef PRESCRIBED_DECKS_H
+#define PRESCRIBED_DECKS_H
+
+#include "drawn_decks.h"
+
+typedef struct coordinate {
+    const char *name, *value, *rate, *second; /* columns */
+    int is_angle, is_pin, kinds;
+} coordinate;
+
+static const coordinate coordinates[] = {
+    {"theta4", "theta4", "omega4", "alpha4", 1, 0,
+     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK},
+    {"x", "x", "v", "a", 0, 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE},
+    {"C.x", "x", "v", "a", 0, 1, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE},
+    {"slide", "slide", "slide_v", "slide_a", 0, 0, FOURLINK_INVERTED_SLIDER_CRANK}};
+
+#define N_COORDINATES (int)(sizeof coordinates / sizeof coordinates[0])
+
+static double instant; /* deg, of the crank */
+
+/* One instant of a moving crank; wild ones are close to where the coordinate or the crank is dead. */
+static int move_at_an_instant(deck_lines *d)
+{
+    char value[100];
+
+    if (is_task(d) || find_line(d, KEY_MOTION_CYCLE))
+        return 0;
+    drop_what_knows_time();
+    drop_sections(&base, SECTION_MOTION);
+    instant = seldom(0.3) ? 90.0 * one_of(8) + (seldom(0.5) ? -1 : 1) * power_of_ten(-4, 0.5)
+                          : between(0, 720);
+    snprintf(value, sizeof value, "%.17g deg", instant);
+    set_line(&base, KEY_MOTION_AT, value);
+    snprintf(value, sizeof value, "%.17g rad/s", (seldom(0.5) ? -1 : 1) * power_of_ten(-0.5, 2));
+    set_line(&base, KEY_MOTION_SPEED, value);
+    snprintf(value, sizeof value, "%.17g rad/s2", seldom(0.3) ? 0 : between(-1e3, 1e3));
+    set_line(&base, KEY_MOTION_ACCELERATION, value);
+    *d = base;
+    return 1;
+}
+
+/* X of the pin C along the line of stroke, where x is 0. */
+static double dead_centre_of(const fourlink_design *design)
+{
+    double r = design->link[2].length, e = design->offset, beta = design->angle;
+
+    if (kind == FOURLINK_SCOTCH_YOKE)
+        return r / fabs(sin(beta)) + e * cos(beta) / sin(beta);
+    return sqrt(pow(r + design->link[3].length, 2) - e * e);
+}
+
+/* The deck with the coordinate at the values of a row, in the deck's axes. */
+static void prescribe(const coordinate *q, const fourlink_problem *problem, const columns *c,
+                      const double *row, fourlink_branch branch, double *K)
+{
+    double x = named(c, row, q->value), v = named(c, row, q->rate), a = named(c, row, q->second);
+    double way = q->is_pin ? -(double)branch : 1, w = named(c, row, "omega2");
+    const char *units[3] = {"m", "m/s", "m/s2"};
+    char value[100];
+
+    if (q->is_pin)
+        x = (double)branch * (dead_centre_of(&problem->mechanism.design) - x);
+    if (q->is_angle) {
+        units[0] = "rad";
+        units[1] = "rad/s";
+        units[2] = "rad/s2";
+    }
+    *K = way * v / w;
+    read_lines(&changed, base_text);
+    drop_sections(&changed, SECTION_MOTION);
+    set_line(&changed, KEY_MOTION_INPUT, q->name);
+    set_line(&changed, KEY_MOTION_SIDE, *K > 0 ? "rising" : "falling");
+    snprintf(value, sizeof value, "%.17g %s", x, units[0]);
+    set_line(&changed, KEY_MOTION_AT, value);
+    snprintf(value, sizeof value, "%.17g %s", way * v, units[1]);
+    set_line(&changed, KEY_MOTION_SPEED, value);
+    snprintf(value, sizeof value, "%.17g %s", way * a, units[2]);
+    set_line(&changed, KEY_MOTION_ACCELERATION, value);
+    set_line(&changed, KEY_TABLE_BRANCH, branch == FOURLINK_OPEN ? "open" : "crossed");
+    write_lines(&changed, changed_text, sizeof changed_text);
+}
+
+/* ------------------------------------------------------------------------------------- a walk of the crank */
+
+/* The coordinate at a crank angle, and its rate at unit speed; 0 where there is no position. */
+static int walk_at(const coordinate *q, const fourlink_problem *p, fourlink_branch branch,
+                   double theta2, double *x, double *K)
+{
+    fourlink_crank crank = {0, 1, 0};
+    fourlink_state at;
+
+    crank.theta2 = theta2;
+    if (fourlink_analyse_dyad(&p->mechanism, branch, &crank, NULL, 0, &at, NULL) != FOURLINK_OK)
+        return 0;
+    *x = q->is_angle                              ? at.link[4].theta + p->x_angle
+         : q->is_pin                              ? at.link[4].origin.x
+         : kind == FOURLINK_INVERTED_SLIDER_CRANK ? at.slide
+                                                  : at.x;
+    *K = q->is_angle                              ? at.link[4].omega
+         : q->is_pin                              ? at.link[4].velocity.x
+         : kind == FOURLINK_INVERTED_SLIDER_CRANK ? at.slide_v
+                                                  : at.v;
+    return 1;
+}
+
+#define STEP 1e-3 /* rad, of the walk */
+
+/* The last value before K changes its sign or the position ends, walking from a crank angle; the walk ends with ever
+** smaller steps. */
+static double walk(const coordinate *q, const fourlink_problem *p, fourlink_branch branch,
+                   double theta2, int way, double *travel)
+{
+    double x, K, before, first, step = STEP, last;
+
+    if (!walk_at(q, p, branch, theta2, &x, &first))
+        return NAN;
+    last = x;
+    for (*travel = 0; step > 1e-14 && fabs(*travel) < 4 * PI;) {
+        before = x;
+        if (walk_at(q, p, branch, theta2 + *travel + way * step, &x, &K) && K * first > 0) {
+            *travel += way * step;
+            last += q->is_angle ? difference_of_angles(before, x) - before : x - before;
+        } else {
+            x = before;
+            step /= 2;
+        }
+    }
+    return last;
+}
+
+/* ------------------------------------------------------------------------------------------------- compare */
+
+static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch branch,
+                                   const double *crank_row)
+{
+    static side b;
+    static double expected[MOST_COLUMNS], row[MOST_COLUMNS];
+    fourlink_problem problem = problem_of(a->r);
+    double K, size = q->is_angle ? 1 : problem.mechanism.design.link[2].length, near;
+    char where[100];
+    int status;
+
+    memcpy(expected, crank_row, sizeof expected);
+    to_si(&a->c, expected);
+    prescribe(q, &problem, &a->c, expected, branch, &K);
+    near = size / fabs(K);
+    if (!(near < 1e4))
+        return;
+    prepare(&b, opened(changed_text, NULL));
+    if (!b.r) {
+        fail("%s is refused", q->name);
+        return;
+    }
+    present->cases++;
+    status = fourlink_results_row(b.r, branch, 0, row, NULL, NULL);
+    snprintf(where, sizeof where, "%s by %s", fourlink_branch_text((int)branch), q->name);
+    if (status != FOURLINK_OK)
+        fail("%s: status %d", where, status);
+    doubt = 5 * (near > 1 ? near * near : 1); /* the theory says 0.2 to 5 */
+    memcpy(expected, crank_row, sizeof expected);
+    if (!has_failed && strstr(base_text, "[spring") &&
+        fabs(named(&b.c, row, "theta2") - named(&a->c, expected, "theta2")) > 1e-3)
+        present->undecided++; /* the other turn of a spring that winds up */
+    else if (!has_failed)
+        compare_rows(a, &b, expected, row, where);
+    doubt = 1;
+    fourlink_results_free(b.r);
+}
+
+/* The rows without from and to go over the stretch in which the instant is. */
+static void compare_range(const coordinate *q, const fourlink_problem *problem,
+                          fourlink_branch branch, double theta2)
+{
+    double x, K, low, high, before, after, size, told[2], turn;
+    fourlink_problem of;
+    fourlink_results *r;
+    char value[100];
+
+    if (!walk_at(q, problem, branch, theta2, &x, &K))
+        return;
+    low = walk(q, problem, branch, theta2, -1, &before);
+    high = walk(q, problem, branch, theta2, 1, &after);
+    size = q->is_angle ? 1 : problem->mechanism.design.link[2].length;
+    if (fabs(after - before) >= 2 * PI || fabs(high - low) < 1e-3 * size)
+        return; /* no end within a turn, or hardly any way */
+    drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_AT);
+    set_line(&changed, KEY_MOTION_ACCELERATION, "0 rad/s2");
+    drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_ACCELERATION);
+    snprintf(value, sizeof value, "%.17g rad", theta2 + problem->x_angle);
+    set_line(&changed, KEY_MOTION_NEAR, value);
+    write_lines(&changed, changed_text, sizeof changed_text);
+    r = opened(changed_text, NULL);
+    if (!r) {
+        fail("the range of %s is refused", q->name);
+        return;
+    }
+    of = problem_of(r);
+    told[0] = fmin(of.over.first, of.over.last);
+    told[1] = fmax(of.over.first, of.over.last);
+    x = fmin(low, high);
+    turn = q->is_angle ? 2 * PI * floor((told[0] - x) / (2 * PI) + 0.5) : 0;
+    compare(NEAR_EXTREME, x + turn, told[0], size, "%s from, %s", q->name,
+            fourlink_branch_text((int)branch));
+    compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], size, "%s to, %s", q->name,
+            fourlink_branch_text((int)branch));
+    fourlink_results_free(r);
+}
+
+static void compare_prescribed(void)
+{
+    static side a;
+    static double row[MOST_COLUMNS];
+    fourlink_problem problem;
+    int i, k;
+
+    prepare(&a, opened(base_text, NULL));
+    if (!a.r)
+        return;
+    problem = problem_of(a.r);
+    for (k = 0; k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2); k++) {
+        fourlink_branch branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+
+        if (fourlink_results_row(a.r, branch, 0, row, NULL, NULL) != FOURLINK_OK)
+            continue;
+        for (i = 0; i < N_COORDINATES && !has_failed; i++)
+            if (coordinates[i].kinds & kind) {
+                compare_prescribed_row(&a, &coordinates[i], branch, row);
+                if (!has_failed)
+                    compare_range(&coordinates[i], &problem, branch,
+                                  instant * PI / 180 - problem.x_angle);
+            }
+    }
+    fourlink_results_free(a.r);
+}
+
+#endif
