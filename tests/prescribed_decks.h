@@ -32,10 +32,12 @@ static int move_at_an_instant(deck_lines *d)
 {
     char value[100];
 
-    if (is_task(d) || find_line(d, KEY_MOTION_CYCLE))
+    write_lines(d, changed_text, sizeof changed_text);
+    if (is_task(d) || find_line(d, KEY_MOTION_CYCLE) || strstr(changed_text, "= drawn\n"))
         return 0;
     drop_what_knows_time();
     drop_sections(&base, SECTION_MOTION);
+    drop_sections(&base, SECTION_FLYWHEEL);
     instant = seldom(0.3) ? 90.0 * one_of(8) + (seldom(0.5) ? -1 : 1) * power_of_ten(-4, 0.5)
                           : between(0, 720);
     snprintf(value, sizeof value, "%.17g deg", instant);
@@ -78,6 +80,7 @@ static void prescribe(const coordinate *q, const fourlink_problem *problem, cons
     read_lines(&changed, base_text);
     drop_sections(&changed, SECTION_MOTION);
     set_line(&changed, KEY_MOTION_INPUT, q->name);
+    set_line(&changed, KEY_MOTION_DRIVE, "crank");
     set_line(&changed, KEY_MOTION_SIDE, *K > 0 ? "rising" : "falling");
     snprintf(value, sizeof value, "%.17g %s", x, units[0]);
     set_line(&changed, KEY_MOTION_AT, value);

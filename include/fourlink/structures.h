@@ -111,6 +111,9 @@ typedef struct fourlink_mechanism {
     double h;             /* m, inverted: distance at which the slide passes D on its left */
     fourlink_vector lever; /* 1, inverted: axis of the lever in the slider's own axes */
     fourlink_vector slot;  /* 1, Scotch yoke: direction of the slot */
+    const struct flk_drive
+        *drive; /* of a deck whose drive is not the crank, for the solvers; null after
+                                      fourlink_prepare */
 } fourlink_mechanism;
 
 /* ---------------------------------------------------------------------------------------------
@@ -199,10 +202,13 @@ typedef struct fourlink_forces {
     double F34x, F34y; /* N, coupler on link 4, at C; slider on lever, at B, including friction */
     double F14x,
         F14y; /* N, ground on link 4: at D, or the guide on piston or yoke (then F14x is its friction) */
-    double M14;      /* N m, slider-crank, Scotch yoke: couple of the guide on link 4; others: 0 */
-    double Ts;       /* N m, ground on crank: the driving torque */
+    double M14;   /* N m, slider-crank, Scotch yoke: couple of the guide on link 4; others: 0 */
+    double Ts;    /* N m, ground on crank: the driving torque; 0 if something else drives */
+    double drive; /* N or N m, the effort of what drives: Ts, or that of the deck's drive */
+    double
+        at_crank; /* N m, the torque on the crank that has the same power: Ts, if the crank drives */
     double Ts_work;  /* N m, the same from virtual work, without the nine equations */
-    double residual; /* 1, power balance for unit crank speed: Ts - Ts_work relative to the
+    double residual; /* 1, power balance for unit crank speed: at_crank - Ts_work relative to the
                           largest term of the balance, including the products of components in
                           F23.v_B and F34.v_B; 0 if every term is 0 */
     double N34; /* N, inverted, Scotch yoke: normal force of the slider on link 4, at B, to the left

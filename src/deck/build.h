@@ -28,6 +28,9 @@ BUILD_LIST(BUILD_DECLARATION)
 
 #define MOST_ROWS 10000000 /* of a given motion */
 
+/* [actuator] and `drive`. */
+void flk_build_drive(parser *p);
+
 void flk_build_points(parser *p);
 
 /* The keys of the pins A, B, C, D: the coefficient of friction, the radius. */

@@ -185,6 +185,30 @@ static void build_law(parser *p, const section_use *use, flk_given_load *given)
                     IS_SET(from) ? "from" : "to");
 }
 
+/* A load whose size is unknown drives: it has a direction, and acts throughout. */
+static void build_unknown(parser *p, const section_use *use, flk_given_load *given)
+{
+    static const key_code others[] = {KEY_LOAD_OVER, KEY_LOAD_BACK,     KEY_LOAD_FROM,
+                                      KEY_LOAD_TO,   KEY_LOAD_EXPONENT, KEY_LOAD_AT_SPEED};
+    const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE);
+    size_t i;
+
+    given->is_unknown = force->word || torque->word;
+    if (!given->is_unknown)
+        return;
+    if (IS_SET(force) && IS_SET(torque))
+        flk_mistake(p->mistakes, force->word ? force->place : torque->place,
+                    "an unknown load has either a force or a torque");
+    for (i = 0; i < sizeof others / sizeof others[0]; i++) {
+        const setting *s = flk_setting_of(use, others[i]);
+
+        if (IS_SET(s))
+            flk_mistake(p->mistakes, s->place, "'%s' is for a load that is given, not unknown",
+                        flk_key_table[others[i]].name);
+    }
+}
+
 static void build_load(parser *p, const section_use *use, flk_given_load *given)
 {
     const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
@@ -202,6 +226,7 @@ static void build_load(parser *p, const section_use *use, flk_given_load *given)
     flk_build_curves(p, torque, 1, over_of(use), &p->d->axes, &given->values.torque_curve);
     build_window(p, use, given);
     build_law(p, use, given);
+    build_unknown(p, use, given);
 }
 
 void flk_build_loads(parser *p)

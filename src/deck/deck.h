@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "base/units.h"
 #include "mechanics/coordinate.h"
+#include "mechanics/drive.h"
 #include "mechanics/machine.h"
 #include "mechanics/program.h"
 
@@ -170,7 +171,9 @@ struct fourlink_deck {
     deck_balance balance;
     deck_point *points;
     size_t n_points;
-    int has_forces; /* 1: the deck has masses, loads or gas */
+    flk_actuator *actuators;
+    size_t n_actuators;
+    int has_forces; /* 1: the deck has masses, loads or gas, or a drive that is not the crank */
     fourlink_approximation approximation;
     deck_expectation *expectations;
     size_t n_expectations;

@@ -100,6 +100,7 @@ static void build_all(parser *p)
     p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     p->d->mode.kind = flk_setting_find(p, KEY_MOTION_MODE)->word;
     BUILD_LIST(BUILD)
+    flk_build_drive(p);
     flk_machine_finish(&p->d->machine);
     flk_build_points(p);
     flk_build_series(p);

@@ -38,6 +38,7 @@
     X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)    \
     X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                     \
     X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)               \
+    X(ACTUATOR, "actuator", 1, ANY_KIND, KEY_ACTUATOR_LINK)         \
     X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_MU)           \
     X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)           \
     X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
@@ -175,6 +176,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "angle of the run-up from rest")                                                             \
     X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND, "this speed and acceleration throughout") \
     X(MOTION, INPUT, "input", WORD, NUMBER, ANY, ANY_KIND, "what is prescribed")                   \
+    X(MOTION, DRIVE, "drive", TEXT, NUMBER, ANY, ANY_KIND, "what drives")                          \
     X(MOTION, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND,                                           \
       "whether the input rises or falls as the crank turns counter-clockwise")                     \
     X(MOTION, NEAR, "near", CRANK, ANGLE, ANY, ANY_KIND, "a crank angle of the stretch meant")     \
@@ -232,6 +234,15 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND, "damping")              \
     X(SPRING, ONLY, "only", WORD, NUMBER, ANY, ANY_KIND,                                           \
       "when it acts: below its free length or angle, or above it")                                 \
+    X(ACTUATOR, LINK, "link", BODY, NUMBER, ANY, ANY_KIND, "the link of one end")                  \
+    X(ACTUATOR, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                           \
+    X(ACTUATOR, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "its end there as drawn")            \
+    X(ACTUATOR, TO, "to", BODY, NUMBER, ANY, ANY_KIND, "the other link, or the ground")            \
+    X(ACTUATOR, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "its end there")                     \
+    X(ACTUATOR, TO_PLACE, "to_place", PLACE, LENGTH, ANY, ANY_KIND, "its end there as drawn")      \
+    X(ACTUATOR, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of its piston")      \
+    X(ACTUATOR, ROD_DIAMETER, "rod_diameter", QUANTITY, LENGTH, POSITIVE, ANY_KIND,                \
+      "diameter of its rod")                                                                       \
     X(FRICTION, MU, "mu", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND,                                \
       "coefficient of friction of all pins")                                                       \
     X(FRICTION, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "radius of all pins")      \

@@ -407,6 +407,26 @@ static int check_drawn(parser *p, const setting *s)
                        "'drawn' needs [pins], the places of the pins as drawn");
 }
 
+/* Read `unknown at 30 deg` as a force of 1 N, and `unknown` as a torque of 1 N m, of a load that drives. */
+static int read_unknown(parser *p, key_code code, setting *s)
+{
+    static const char unknown[] = "unknown";
+    text front = s->value, rest = flk_text_from(s->value, sizeof unknown - 1), value = s->value;
+
+    s->word = 0;
+    if ((code != KEY_LOAD_FORCE && code != KEY_LOAD_TORQUE) || value.length < sizeof unknown - 1)
+        return 0;
+    front.length = sizeof unknown - 1;
+    if (!flk_text_equal(front, unknown) || (rest.length && !flk_text_blank(rest)))
+        return 0;
+    s->word = 1;
+    s->value = flk_text_of(flk_reader_copy(p, flk_text_of(code == KEY_LOAD_FORCE ? "1 N" : "1 N m"),
+                                           rest.length ? flk_reader_copy(p, rest, "") : ""));
+    flk_curve_text_read(p, s, code == KEY_LOAD_FORCE ? QUANTITY_FORCE : QUANTITY_TORQUE);
+    s->value = value;
+    return 1;
+}
+
 static void read_setting(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
@@ -457,13 +477,14 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         s->is_place = key->form == FORM_PLACE;
         if (key->form != FORM_VECTOR)
             flk_vector_read(p, s, key->q);
-        else
+        else if (!read_unknown(p, code, s))
             flk_curve_text_read(p, s, key->q);
         if (s->parts)
             flk_vector_read_parts(p, s, key->q);
         break;
     case FORM_CURVE:
-        flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
+        if (!read_unknown(p, code, s))
+            flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
         break;
     }
 }

@@ -9,8 +9,7 @@
 #include "kind.h"
 
 /* The forces of a position that is not singular, with valid loads (closed_form.c). */
-void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
-              const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
-              fourlink_forces *forces);
+int flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism, const fourlink_state *state,
+             const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces);
 
 #endif

@@ -79,8 +79,9 @@ typedef struct flk_given_load {
     fourlink_load load; /* its link, point and axes; the values are 0 */
     flk_load_values values, back;
     flk_variable over;
-    double exponent;  /* 1 */
-    double at_speed;  /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
+    double exponent; /* 1 */
+    double at_speed; /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
+    int is_unknown; /* 1: its size is unknown, and drives: `values` are of size 1, and are not exerted */
     int has_back;     /* 1: `back` has the values for where the variable falls */
     int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double window[2]; /* rad, from and to */

@@ -95,7 +95,7 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
 static void flk_virtual_work(const fourlink_state *state, const flk_body body[3],
                              fourlink_forces *forces)
 {
-    double largest = fabs(forces->Ts);
+    double largest = fabs(forces->at_crank);
     const fourlink_vector *k_B = &state->link[3].k_origin;
     fourlink_vector F23, F34;
     int i;
@@ -108,13 +108,13 @@ static void flk_virtual_work(const fourlink_state *state, const flk_body body[3]
     forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
     for (i = 0; i < 3; i++)
         largest = flk_larger(body[i].largest, largest);
-    forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
+    forces->residual = largest > 0 ? (forces->at_crank - forces->Ts_work) / largest : 0;
 }
 
 /* 0 for a state with NaN or infinite speeds or accelerations: they enter every term of the balance. */
 static int flk_is_finite(const fourlink_forces *forces)
 {
-    return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);
+    return FLK_WITHIN(forces->at_crank - forces->Ts_work, DBL_MAX);
 }
 
 #endif

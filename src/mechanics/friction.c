@@ -13,7 +13,7 @@
 **
 ** All forces x are linear in the four sizes y: x(y) = x0 + S y, where x0 are the forces without friction and
 ** column k of S those of a unit load in joint k alone.  The moment at A changes only Ts, so y = phi(x0 + S y)
-** are at most three equations for B, C and D.  They are solved by Newton's method, and A follows:
+** are at most three equations for B, C and D; where another drive takes the place of Ts, it changes all, and they are four.  They are solved by Newton's method, and A follows:
 **
 **    (I - Phi S) dy = phi(x0 + S y) - y,   Phi = dphi/dx
 **
@@ -28,7 +28,7 @@
 #include "friction.h"
 
 #define JOINTS 4
-#define COUPLED 3 /* all but A */
+#define COUPLED 4 /* at most: all but A, unless something else than the crank drives */
 #define MOST_STEPS 50
 #define CONTINUATION_STEPS 20
 #define EXACT 1e-13   /* relative to the largest y: Newton's method has converged */
@@ -54,6 +54,7 @@ typedef struct joint {
 typedef struct equations {
     joint joint[JOINTS]; /* A is the last */
     int n, n_coupled;
+    int order;            /* of the matrix: 3, or 4 with A */
     double x0[JOINTS][2]; /* Fx, Fy of a pin; M, N of a guide: without friction */
     double S[JOINTS][2][COUPLED];
     double y[JOINTS];
@@ -164,6 +165,7 @@ static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *
     int k;
 
     e->n = e->n_coupled = 0;
+    e->order = mechanism->drive ? COUPLED : COUPLED - 1;
     for (k = 1; k <= JOINTS; k++) {
         int i = k % JOINTS;
         const fourlink_joint *at = &kind->joint[i];
@@ -182,7 +184,7 @@ static void list_rubbing_joints(const flk_kind *kind, const fourlink_mechanism *
             load_guide(state, at, length, j);
         else
             load_pin(at, j);
-        e->n_coupled += i != 0;
+        e->n_coupled += i != 0 || mechanism->drive;
         e->n++;
     }
 }
@@ -236,7 +238,7 @@ static void add_columns(const equations *e, int i, double x[2])
 
     x[0] = e->x0[i][0];
     x[1] = e->x0[i][1];
-    for (k = 0; k < COUPLED; k++) {
+    for (k = 0; k < e->order; k++) {
         x[0] += e->S[i][0][k] * e->y[k];
         x[1] += e->S[i][1][k] * e->y[k];
     }
@@ -267,7 +269,7 @@ static void evaluate(equations *e, double share)
             d[1] = 0;
         }
         e->phi[i] = factor * size;
-        for (k = 0; k < COUPLED; k++)
+        for (k = 0; k < e->order; k++)
             e->matrix[i][k] = d[0] * e->S[i][0][k] + d[1] * e->S[i][1][k];
     }
 }
@@ -288,16 +290,16 @@ static double newton_step(const equations *e, double d[COUPLED])
     double A[COUPLED][COUPLED + 1], inverse[COUPLED], determinant = 1;
     int i, j, k;
 
-    for (i = 0; i < COUPLED; i++) {
-        for (k = 0; k < COUPLED; k++)
+    for (i = 0; i < e->order; i++) {
+        for (k = 0; k < e->order; k++)
             A[i][k] = -e->matrix[i][k];
         A[i][i] += 1;
-        A[i][COUPLED] = e->phi[i] - e->y[i];
+        A[i][e->order] = e->phi[i] - e->y[i];
     }
-    for (k = 0; k < COUPLED; k++) {
+    for (k = 0; k < e->order; k++) {
         int largest = k;
 
-        for (i = k + 1; i < COUPLED; i++)
+        for (i = k + 1; i < e->order; i++)
             if (fabs(A[i][k]) > fabs(A[largest][k]))
                 largest = i;
         if (A[largest][k] == 0)
@@ -308,16 +310,16 @@ static double newton_step(const equations *e, double d[COUPLED])
         }
         determinant *= A[k][k];
         inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < COUPLED; i++) {
+        for (i = k + 1; i < e->order; i++) {
             double share = A[i][k] * inverse[k];
 
-            for (j = k + 1; j <= COUPLED; j++)
+            for (j = k + 1; j <= e->order; j++)
                 A[i][j] -= share * A[k][j];
         }
     }
-    for (i = COUPLED - 1; i >= 0; i--) {
-        d[i] = A[i][COUPLED];
-        for (k = i + 1; k < COUPLED; k++)
+    for (i = e->order - 1; i >= 0; i--) {
+        d[i] = A[i][e->order];
+        for (k = i + 1; k < e->order; k++)
             d[i] -= A[i][k] * d[k];
         d[i] *= inverse[i];
     }
@@ -551,7 +553,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
     solver->solve(kind, mechanism, state, &factors, body, &found);
-    Ts0 = found.Ts;
+    Ts0 = found.at_crank;
     list_rubbing_joints(kind, mechanism, state, held, friction, &e);
     find_columns(kind, mechanism, state, solver, &factors, &found, &e);
     status = find_sizes(&e);
@@ -565,7 +567,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return FOURLINK_BAD_NUMBER;
     list_losses(kind, &e, length, omega2, losses);
     losses->Ts0 = Ts0;
-    losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(omega2, friction));
+    losses->efficiency = efficiency_of(found.at_crank, Ts0, flk_friction_sense(omega2, friction));
     add_guide(kind, &e, &found);
     *forces = found;
     return FOURLINK_OK;

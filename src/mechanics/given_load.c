@@ -54,6 +54,8 @@ static int apply_given_load(const flk_element *element, const flk_machine *machi
     double x_held = flk_variable_value(cell, given->over);
 
     *load = given->load;
+    if (given->is_unknown)
+        return FOURLINK_OK;
     if (given->at_speed > 0) {
         factor = follow_speed(given, x, x_held);
         load->torque = given->values.torque * factor;

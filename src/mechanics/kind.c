@@ -152,7 +152,7 @@ void flk_list_forces(const fourlink_forces *forces, double list[FLK_FORCES])
         list[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]);
     list[8] = forces->M14;
     list[9] = forces->M34;
-    list[10] = forces->Ts;
+    list[10] = forces->drive;
 }
 
 const char *fourlink_type_text(int type)

@@ -121,21 +121,29 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 ** assembled. */
 double flk_kind_clamp(double x);
 
-/* A position whose forces are to be found, for any loads: flk_factors is the matrix of the nine equations,
-** factored (nine_equations.c); the closed form has none. */
+/* A position whose forces are to be found, for any loads.  The nine equations have their matrix, factored
+** (nine_equations.c): banded, and with a drive that is not the crank with a wider band.  The closed form has the forces
+** of such a drive with the effort 1. */
 #define FLK_BELOW 3 /* the band of the matrix, beside its diagonal */
 #define FLK_ABOVE 2
 #define FLK_BAND (2 * FLK_BELOW + FLK_ABOVE + 1)
+#define FLK_WIDE 4 /* below and above */
+#define FLK_WIDE_BAND (2 * FLK_WIDE + FLK_WIDE + 1)
+
+typedef struct flk_drive flk_drive;
 
 typedef struct flk_factors {
-    double A[9 * FLK_BAND];
+    double A[9 * FLK_WIDE_BAND];
     unsigned int pivot[9];
     double moment[5]; /* factors of the moment equations, by link number */
+    double K,
+        scale; /* of a drive: its power at unit crank speed; its effort, for an unknown of 1 */
+    fourlink_forces unit; /* of a drive with the effort 1 */
 } flk_factors;
 
 /* How the nine unknowns are found from the free bodies, without checking them.
 **
-** factor    FOURLINK_OK, FOURLINK_SINGULAR
+** factor    FOURLINK_OK, FOURLINK_SINGULAR; of a drive FOURLINK_INPUT_DEAD_CENTRE, FOURLINK_NO_DIRECTION
 ** solve     for the bodies of this position, as often as there are loads
 */
 typedef struct flk_solver {

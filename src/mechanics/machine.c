@@ -16,6 +16,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/solve.h"
+#include "drive.h"
 #include "inertia.h"
 #include "kind.h"
 #include "friction.h"
@@ -127,6 +128,20 @@ static void take_friction(const flk_machine *m, const fourlink_losses *losses, f
     acting->ground_moment -= losses->load[ON_D].torque;
 }
 
+/* A drive on the ground also acts on the ground, opposite to its load. */
+static void take_drive(const flk_machine *m, const fourlink_state *state,
+                       const fourlink_forces *forces, flk_acting *acting)
+{
+    flk_unit_drive drive;
+
+    if (!m->mechanism.drive ||
+        flk_drive_unit(m->mechanism.drive, &m->mechanism, state, &drive) != FOURLINK_OK)
+        return;
+    acting->ground.x += forces->drive * drive.ground.x;
+    acting->ground.y += forces->drive * drive.ground.y;
+    acting->ground_moment += forces->drive * drive.ground_moment;
+}
+
 int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int closed_form,
                        flk_acting *acting, fourlink_forces *forces, fourlink_losses *losses)
 {
@@ -138,14 +153,18 @@ int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int cl
     if (m->has_friction) {
         status = flk_friction_solve(mechanism, state, acting->held, acting->load, m->n_loads,
                                     &m->friction, closed_form, forces, losses);
-        if (status == FOURLINK_OK)
-            take_friction(m, losses, acting);
-        return status;
+        if (status != FOURLINK_OK)
+            return status;
+        take_friction(m, losses, acting);
+        take_drive(m, state, forces, acting);
+        return FOURLINK_OK;
     }
     status = closed_form ? fourlink_solve_dyad(mechanism, state, acting->load, m->n_loads, forces)
                          : fourlink_solve(mechanism, state, acting->load, m->n_loads, forces);
     memset(losses, 0, sizeof *losses);
-    losses->Ts0 = forces->Ts;
+    if (status == FOURLINK_OK)
+        take_drive(m, state, forces, acting);
+    losses->Ts0 = forces->at_crank;
     losses->efficiency = 1;
     return status;
 }

@@ -336,7 +336,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
     return FOURLINK_OK;
 }
 
-/* Nothing can fail once the position is found: its sine is not 0. */
+/* Once the position is found, its sine is not 0: only a drive can fail. */
 int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
                           const fourlink_crank *crank, const fourlink_load *loads,
                           unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
@@ -349,9 +349,9 @@ int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch b
     if (status != FOURLINK_OK)
         return status;
     if (forces)
-        flk_dyad(kind, mechanism, state, loads, n_loads, forces);
+        status = flk_dyad(kind, mechanism, state, loads, n_loads, forces);
     measure_angles(kind, mechanism, state);
-    return FOURLINK_OK;
+    return status;
 }
 
 int fourlink_analyse_design(const fourlink_design *design, fourlink_branch branch,

@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_linalg.h>
 
+#include "drive.h"
 #include "free_body.h"
 
 static int check_load(const fourlink_load *load)
@@ -93,14 +94,14 @@ typedef struct scaling {
 **
 ** `about` has the points about which moments are taken, from the origins of the links 2, 3, 4.  The equations
 ** are multiplied by `scale`.  The unknown couples are scaled like the moments of the link on which they act:
-** Ts like those of the crank. */
+** Ts like those of the crank.  The array has `size` places. */
 static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
                        const fourlink_state *state, const fourlink_vector about[3],
-                       const scaling *scale, const layout *at, double *A)
+                       const scaling *scale, const layout *at, size_t size, double *A)
 {
     int k, side;
 
-    memset(A, 0, 81 * sizeof A[0]);
+    memset(A, 0, size * sizeof A[0]);
     for (k = 0; k < 4; k++) {
         const fourlink_joint *joint = &kind->joint[k];
         int first = at->column[2 * k], second = at->column[2 * k + 1];
@@ -130,6 +131,34 @@ static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism
     A[at->row[2] + at->column[8]] = 1;
 }
 
+/* With a drive that is not the crank the ninth unknown is its effort: the column has its loads for the effort 1, on the
+** side of the unknowns.  It is divided by its largest coefficient, which is returned. */
+static double put_drive(const flk_unit_drive *drive, const fourlink_state *state,
+                        const fourlink_vector about[3], const scaling *scale, const layout *at,
+                        double *A)
+{
+    flk_body body[3];
+    double column[9], largest = 0;
+    int i;
+
+    memset(body, 0, sizeof body);
+    for (i = 0; i < 3; i++)
+        body[i].arm = about[i];
+    for (i = 0; i < drive->n_loads; i++)
+        flk_apply_load(&drive->load[i], &state->link[drive->load[i].link],
+                       &body[drive->load[i].link - FOURLINK_CRANK]);
+    for (i = 0; i < 3; i++) {
+        column[3 * i] = -scale->force[i + 2] * body[i].force.x;
+        column[3 * i + 1] = -scale->force[i + 2] * body[i].force.y;
+        column[3 * i + 2] = -scale->moment[i + 2] * body[i].moment;
+    }
+    for (i = 0; i < 9; i++)
+        largest = flk_larger(largest, fabs(column[i]));
+    for (i = 0; i < 9; i++)
+        A[at->row[i] + at->column[8]] = column[i] / largest;
+    return largest;
+}
+
 /* Solve A x = b.  With the unknowns in the order F14, F34, F23, Ts, F12 and the equations in the order
 **
 **    x 4, y 4, moment 4, moment 3, x 3, y 3, moment 2, x 2, y 2
@@ -146,7 +175,6 @@ static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism
 */
 #define LATER (1.0 / 32)
 #define COLUMN(j) ((FLK_BAND - 1) * (j) + FLK_BELOW + FLK_ABOVE)
-#define DIAGONAL(j) (COLUMN(j) + (j))
 
 /* Moments are divided by lengths besides. */
 static const scaling banded_scale = {{0, 0, LATER *LATER, LATER, 1}, {0, 0, LATER *LATER, 1, 1}};
@@ -166,38 +194,69 @@ static const scaling banded_scale = {{0, 0, LATER *LATER, LATER, 1}, {0, 0, LATE
 static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
 static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
+/* With the effort of a drive between F34 and F23, whose loads can be on any link, the band is 4 below and 4 above. */
+#define WIDE_COLUMN(j) ((FLK_WIDE_BAND - 1) * (j) + FLK_WIDE + FLK_WIDE)
+#define WIDE_PLACES(X, x34, y34)                                 \
+    {                                                            \
+        X(7), X(8), X(5), X(6), X(x34), X(y34), X(0), X(1), X(4) \
+    }
+static const layout wide[2] = {{ROWS, WIDE_PLACES(WIDE_COLUMN, 2, 3)},
+                               {ROWS, WIDE_PLACES(WIDE_COLUMN, 3, 2)}};
+static const int wide_places[2][9] = {WIDE_PLACES(PLACE, 2, 3), WIDE_PLACES(PLACE, 3, 2)};
+
+/* The band of the matrix: crank-driven or with another drive. */
+typedef struct band {
+    size_t below, above, size;
+    const layout *layouts;
+    const int (*places)[9];
+} band;
+
+static const band bands[2] = {{FLK_BELOW, FLK_ABOVE, FLK_BAND, banded, places},
+                              {FLK_WIDE, FLK_WIDE, FLK_WIDE_BAND, wide, wide_places}};
+
 static int factor_matrix(const flk_kind *kind, const fourlink_mechanism *mechanism,
                          const fourlink_state *state, flk_factors *factors)
 {
     static const fourlink_vector origins[3] = {{0, 0}, {0, 0}, {0, 0}};
     const fourlink_link *link = mechanism->design.link;
     double length = 0;
-    const layout *at = &banded[kind->joint[2].slider != 0];
+    const band *b = &bands[mechanism->drive != NULL];
+    const layout *at = &b->layouts[kind->joint[2].slider != 0];
     scaling scale = banded_scale;
-    gsl_matrix_view A_view = gsl_matrix_view_array(factors->A, 9, FLK_BAND);
+    gsl_matrix_view A_view = gsl_matrix_view_array(factors->A, 9, b->size);
     gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(factors->pivot, 9);
-    int i;
+    flk_unit_drive drive;
+    size_t k;
+    int i, status;
 
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
         length = kind->has_length[i] == FLK_LENGTH ? link[i].length : length;
         scale.moment[i] /= length;
     }
     memcpy(factors->moment, scale.moment, sizeof factors->moment);
-    put_joints(kind, mechanism, state, origins, &scale, at, factors->A);
-    gsl_linalg_LU_band_decomp(9, FLK_BELOW, FLK_ABOVE, &A_view.matrix, &pivot_view.vector);
-    for (i = 0; i < 9; i++)
-        if (!(fabs(factors->A[DIAGONAL(i)]) > FLK_SINGULAR))
+    put_joints(kind, mechanism, state, origins, &scale, at, 9 * b->size, factors->A);
+    if (mechanism->drive) {
+        status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
+        if (status != FOURLINK_OK)
+            return status;
+        factors->K = drive.K;
+        factors->scale = put_drive(&drive, state, origins, &scale, at, factors->A);
+    }
+    gsl_linalg_LU_band_decomp(9, b->below, b->above, &A_view.matrix, &pivot_view.vector);
+    for (k = 0; k < 9; k++)
+        if (!(fabs(factors->A[(b->size - 1) * k + b->below + b->above + k]) > FLK_SINGULAR))
             return FOURLINK_SINGULAR;
     return FOURLINK_OK;
 }
 
-static void find_unknowns(const flk_kind *kind, const flk_factors *factors, const flk_body body[3],
-                          double x[9])
+static void find_unknowns(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                          const flk_factors *factors, const flk_body body[3], double x[9])
 {
     double ordered[9];
-    const layout *at = &banded[kind->joint[2].slider != 0];
-    const int *place = places[kind->joint[2].slider != 0];
-    gsl_matrix_const_view A_view = gsl_matrix_const_view_array(factors->A, 9, FLK_BAND);
+    const band *b = &bands[mechanism->drive != NULL];
+    const layout *at = &b->layouts[kind->joint[2].slider != 0];
+    const int *place = b->places[kind->joint[2].slider != 0];
+    gsl_matrix_const_view A_view = gsl_matrix_const_view_array(factors->A, 9, b->size);
     gsl_vector_uint_const_view pivot_view = gsl_vector_uint_const_view_array(factors->pivot, 9);
     gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
     int i;
@@ -209,14 +268,13 @@ static void find_unknowns(const flk_kind *kind, const flk_factors *factors, cons
         ordered[at->row[3 * i + 1]] = scale * body[i].force.y;
         ordered[at->row[3 * i + 2]] = factors->moment[i + 2] * FLK_MOMENT_ABOUT_ORIGIN(&body[i]);
     }
-    gsl_linalg_LU_band_svx(FLK_BELOW, FLK_ABOVE, &A_view.matrix, &pivot_view.vector,
-                           &x_view.vector);
+    gsl_linalg_LU_band_svx(b->below, b->above, &A_view.matrix, &pivot_view.vector, &x_view.vector);
     for (i = 0; i < 9; i++)
         x[i] = ordered[place[i]];
     for (i = 0; i < 4; i++)
         if (kind->joint[i].slider)
             x[2 * i] /= factors->moment[kind->joint[i].on];
-    x[8] /= factors->moment[FOURLINK_CRANK];
+    x[8] /= mechanism->drive ? factors->scale : factors->moment[FOURLINK_CRANK];
 }
 
 int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -227,6 +285,7 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     const flk_kind *kind;
     flk_body body[3];
     fourlink_vector centre[3];
+    flk_unit_drive drive;
     int i, status;
 
     status = flk_kind_find(mechanism, A, &kind);
@@ -241,7 +300,14 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
         b[3 * i + 1] = body[i].force.y;
         b[3 * i + 2] = body[i].moment;
     }
-    put_joints(kind, mechanism, state, centre, &none, &dense, A[0]);
+    put_joints(kind, mechanism, state, centre, &none, &dense, 81, A[0]);
+    if (mechanism->drive) {
+        status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
+        if (status != FOURLINK_OK)
+            return status;
+        A[2][8] = 0;
+        put_drive(&drive, state, centre, &none, &dense, A[0]);
+    }
     return FOURLINK_OK;
 }
 
@@ -269,8 +335,13 @@ static void solve_matrix(const flk_kind *kind, const fourlink_mechanism *mechani
     double x[9];
 
     (void)mechanism;
-    find_unknowns(kind, factors, body, x);
+    find_unknowns(kind, mechanism, factors, body, x);
     list_forces(kind, state, x, forces);
+    forces->drive = forces->at_crank = x[8];
+    if (mechanism->drive) {
+        forces->Ts = 0;
+        forces->at_crank *= factors->K;
+    }
 }
 
 const flk_solver flk_nine_equations = {factor_matrix, solve_matrix};

@@ -18,7 +18,9 @@
 #include "base/cycle.h"
 #include "base/solve.h"
 #include "corners.h"
+#include "mechanics/drive.h"
 #include "mechanics/kind.h"
+#include "mechanics/mechanism.h"
 
 #define SAMPLES 720 /* of a turn */
 #define PASSES 8    /* of a level in a turn, at most, are kept */
@@ -125,6 +127,49 @@ static void find_crossings(flk_corners *c, fourlink_branch branch)
     c->is_known[index_of(branch)] = 1;
 }
 
+/* ------------------------------------------------------------------------------- dead centres of the drive */
+
+/* K of the drive as a function of theta2. */
+static double drive_at(double theta2, void *data)
+{
+    const sought *x = data;
+    const deck *d = x->corners->d;
+    fourlink_crank crank = {0, 1, 0};
+    fourlink_state state;
+    flk_unit_drive drive;
+
+    crank.theta2 = theta2;
+    if (flk_mechanism_move(&d->machine.mechanism, x->branch, &crank, 0, &state) != FOURLINK_OK ||
+        flk_drive_unit(d->machine.mechanism.drive, &d->machine.mechanism, &state, &drive) ==
+            FOURLINK_NO_DIRECTION)
+        return GSL_NAN;
+    return drive.K;
+}
+
+/* Find where the drive stands still while the crank turns: there is no row, and its effort has a pole or a limit. */
+static void find_dead(flk_corners *c, fourlink_branch branch)
+{
+    size_t n = (size_t)floor(SAMPLES * c->period / (2 * M_PI) + 0.5), i;
+    double step = c->period / (double)n, last = GSL_NAN, now;
+    size_t *found = &c->n_dead[index_of(branch)];
+    sought x;
+
+    x.corners = c;
+    x.branch = branch;
+    for (i = 0; i <= n && *found < FLK_DRIVE_DEAD; i++) {
+        double theta2 = step * ((double)i - 0.37);
+
+        now = drive_at(theta2, &x);
+        if (last * now < 0) {
+            flk_bracket b = flk_bracket_of(theta2 - step, theta2, last, now);
+
+            c->dead[index_of(branch)][(*found)++] = flk_find_zero(drive_at, &x, &b, 0);
+        }
+        last = now;
+    }
+    c->knows_dead[index_of(branch)] = 1;
+}
+
 /* ----------------------------------------------------------------------------------------------- the next */
 
 typedef struct search {
@@ -177,6 +222,20 @@ static void offer_levels(search *s, const double *level, size_t n, double period
     }
 }
 
+static void offer_drive(search *s)
+{
+    flk_corners *c = s->p->corners;
+    int i = index_of(s->p->branch);
+    size_t k;
+
+    if (!c->d->machine.mechanism.drive)
+        return;
+    if (!c->knows_dead[i])
+        find_dead(c, s->p->branch);
+    for (k = 0; k < c->n_dead[i]; k++)
+        offer_angle(s, c->dead[i][k], c->period, FLK_END_CHANGE);
+}
+
 static void offer_loads(search *s)
 {
     flk_corners *c = s->p->corners;
@@ -221,6 +280,8 @@ double flk_corners_next(const flk_direction *direction, double after, const doub
     s.at = GSL_POSINF;
     s.end = FLK_END_NOWHERE;
     offer_positions(&s);
+    if (direction->has_loads)
+        offer_drive(&s);
     for (i = 0; i < n; i++)
         offer(&s, more[i], FLK_END_PLAIN);
     if (direction->has_loads)
@@ -238,6 +299,7 @@ flk_piece_end flk_corners_first(const flk_direction *direction)
     s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;
     offer_positions(&s);
+    offer_drive(&s);
     return s.at > CLOSEST ? FLK_END_PLAIN : s.end;
 }
 

@@ -19,6 +19,8 @@ typedef enum flk_piece_end {
     FLK_END_NOWHERE      /* after the last piece */
 } flk_piece_end;
 
+#define FLK_DRIVE_DEAD 32 /* dead centres of a drive in a period, at most */
+
 /* The switches of a deck's machine, and the crank angles at which each branch crosses their levels.  They are
 ** found when first needed, so that columns of the motion alone never pay for them. */
 typedef struct flk_corners {
@@ -30,6 +32,9 @@ typedef struct flk_corners {
     size_t n[2], most;
     int is_known[2];
     double *work; /* values of the switches */
+    double dead[2][FLK_DRIVE_DEAD]; /* rad, within a period: where the drive stands still */
+    size_t n_dead[2];
+    int knows_dead[2];
 } flk_corners;
 
 /* A motion that passes corners. */

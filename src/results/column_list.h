@@ -67,6 +67,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
 #define USUAL_ACTUAL 0x200 /* the same, if the motion is computed, or goes by a program */
+#define USUAL_CRANK 0x400  /* the same, if the crank drives */
 
 /* Places of numbers in a row. */
 #define ROW(member) offsetof(flk_row, at.row.member)
@@ -88,7 +89,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define OF_RESIDUAL NEED_FORCES, FOURLINK_OF_ROUNDING, NULL, VALUE, FORCE(residual), 0
 #define SIZE_OF(F) NEED_FORCES, 0, NULL, SIZE, FORCE(F##x), FORCE(F##y)
 #define DIRECTION_OF(F) NEED_FORCES, 0, NULL, DIRECTION, FORCE(F##x), FORCE(F##y)
-#define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(Ts), ROW(crank.omega2)
+#define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(at_crank), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_POLES(member, denominator) NEED_DERIVED, 0, denominator, VALUE, DERIVED(member), 0
 #define X_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_X, DERIVED(I.x), DERIVED(I.y)
@@ -222,7 +223,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "guide on piston or yoke, along +y; unlike side_thrust exact", "")                           \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(M14, TORQUE, YOKE | USUAL, OF_FORCES(M14), "couple of the guide on the yoke", "")            \
-    X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
+    X(Ts, TORQUE, ALL | USUAL_CRANK, OF_FORCES(Ts), "driving torque, ground on crank",                   \
       "X(9), Ts (ME3491)")                                                                         \
     RESULTANT(X, F12, ALL)                                                                         \
     RESULTANT(X, F23, ALL)                                                                         \

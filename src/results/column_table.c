@@ -34,7 +34,8 @@ static size_t count_table(const deck *d)
 
 static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
-    int usual = a->possible & NEED_ACTUAL || a->d->program ? USUAL | USUAL_ACTUAL : USUAL;
+    int usual = USUAL | (a->possible & NEED_ACTUAL || a->d->program ? USUAL_ACTUAL : 0) |
+                (a->d->machine.mechanism.drive ? 0 : USUAL_CRANK);
 
     flk_column_start(a->d, &table[i], c);
     if (table[i].traits & FOURLINK_CRANK_ANGLE)

@@ -395,7 +395,8 @@ static size_t turning_pieces(const deck *d)
 {
     double degrees = floor(d->machine.cycle / DEGREE + 0.5);
 
-    return !d->has_forces || !has_speed(d) || degrees < 1 || degrees > MOST_DEGREES
+    return !d->has_forces || d->machine.mechanism.drive || !has_speed(d) || degrees < 1 ||
+                   degrees > MOST_DEGREES
                ? 0
                : (size_t)ceil(degrees / PIECE);
 }

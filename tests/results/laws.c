@@ -8,7 +8,7 @@
 ** columns of each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
 ** in turn, with `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
-#include "prescribed_decks.h"
+#include "driven_decks.h"
 
 static int turns_fully(fourlink_results *r)
 {
@@ -469,6 +469,10 @@ static law laws[] = {
      .change = move_at_an_instant,
      .factor = factor_one,
      .check = compare_prescribed},
+    {.name = "driven elsewhere",
+     .change = move_at_an_instant,
+     .factor = factor_one,
+     .check = compare_driven},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column_drive.c - the columns of what drives, if not the crank, and of actuators.
+*/
+#include <gsl/gsl_math.h>
+
+#include "column_list.h"
+#include "column_source.h"
+#include "mechanics/drive.h"
+
+#define INFO(name, q, need, meaning)                                     \
+    {                                                                    \
+        name, QUANTITY_##q, ALL, need, 0, NULL, VALUE, 0, 0, meaning, "" \
+    }
+
+/* The effort, a force or a torque. */
+static const flk_column_info effort[2] = {
+    INFO("drive", FORCE, NEED_FORCES, "force of what drives"),
+    INFO("drive", TORQUE, NEED_FORCES, "torque of what drives, counter-clockwise positive")};
+
+/* Those of an actuator; the last three if it drives, the last if it has a bore. */
+enum { LENGTH_OF, SPEED_OF, ACCELERATION_OF, FORCE_OF, POWER_OF, PRESSURE_OF };
+static const flk_column_info of_actuator[FLK_ACTUATOR_COLUMNS] = {
+    INFO("", LENGTH, 0, "length of the actuator"),
+    INFO("", SPEED, 0, "speed at which the actuator grows"),
+    INFO("", ACCELERATION, 0, "acceleration of its length"),
+    INFO("", FORCE, NEED_FORCES, "push of the actuator, negative where it pulls"),
+    INFO("", POWER, NEED_FORCES, "power of the actuator"),
+    INFO("", PRESSURE, NEED_FORCES, "pressure on the side of its piston that works")};
+
+static size_t count_drives(const deck *d)
+{
+    return 1 + FLK_ACTUATOR_COLUMNS * d->n_actuators;
+}
+
+static int make_of_drive(const flk_analysis *a, size_t i, flk_column *c)
+{
+    const flk_drive *drive = a->d->machine.mechanism.drive;
+    const flk_actuator *actuator;
+    int component;
+
+    if (i == 0) {
+        flk_column_start(a->d, &effort[drive && flk_drive_is_torque(drive)], c);
+        c->of.actuator = NULL;
+        c->is_usual = 1;
+        return drive != NULL;
+    }
+    actuator = &a->d->actuators[(i - 1) / FLK_ACTUATOR_COLUMNS];
+    component = (int)((i - 1) % FLK_ACTUATOR_COLUMNS);
+    flk_column_start(a->d, &of_actuator[component], c);
+    c->name = actuator->column_names[component];
+    c->of.actuator = actuator;
+    c->component = component;
+    c->is_usual = component < FORCE_OF;
+    return component < FORCE_OF || (drive && drive->actuator == actuator &&
+                                    (component != PRESSURE_OF || actuator->bore > 0));
+}
+
+/* Where the actuator pushes, its whole piston works, where it pulls, that less its rod. */
+static double pressure_of(const flk_actuator *actuator, double force)
+{
+    double rod = force < 0 ? actuator->rod_diameter : 0;
+
+    return fabs(force) / (M_PI_4 * (actuator->bore * actuator->bore - rod * rod));
+}
+
+static double value_of_drive(const flk_column *c, const flk_row *row)
+{
+    double force = row->at.forces.drive;
+    flk_actuator_state at;
+
+    if (!c->of.actuator || c->component == FORCE_OF)
+        return force;
+    if (c->component == POWER_OF)
+        return row->at.forces.at_crank * row->at.row.crank.omega2;
+    if (c->component == PRESSURE_OF)
+        return pressure_of(c->of.actuator, force);
+    if (flk_actuator_at(c->of.actuator, &row->at.state, &at) != FOURLINK_OK)
+        return GSL_NAN;
+    return c->component == LENGTH_OF  ? at.length
+           : c->component == SPEED_OF ? at.speed
+                                      : at.acceleration;
+}
+
+static const char *drive_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
+{
+    (void)d;
+    (void)i;
+    (void)words;
+    return "needs an [actuator], or [motion] input or drive; the crank drives";
+}
+
+const flk_column_source flk_drive_columns = {
+    effort, 1, count_drives, make_of_drive, drive_lacks, value_of_drive, NULL};
