@@ -747,7 +747,7 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_LONG_SEARCH, 18,                                                                   \
       "the search takes too many rows: give fewer turns, less time or fewer columns")             \
     X(FOURLINK_INPUT_DEAD_CENTRE, 19,                                                             \
-      "dead centre of the input: the speed of the crank is unbounded")                            \
+      "dead centre: the input or the drive stands still while the crank turns")                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \

@@ -211,9 +211,9 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     told[1] = fmax(of.over.first, of.over.last);
     x = fmin(low, high);
     turn = q->is_angle ? 2 * PI * floor((told[0] - x) / (2 * PI) + 0.5) : 0;
-    compare(NEAR_EXTREME, x + turn, told[0], size, "%s from, %s", q->name,
+    compare(NEAR_EXTREME, x + turn, told[0], 10 * size, "%s from, %s", q->name,
             fourlink_branch_text((int)branch));
-    compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], size, "%s to, %s", q->name,
+    compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], 10 * size, "%s to, %s", q->name,
             fourlink_branch_text((int)branch));
     fourlink_results_free(r);
 }

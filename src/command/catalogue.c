@@ -32,10 +32,14 @@ static const char run_up[] = "[motor]\nstall_torque = 50 N m\nno_load_speed = 10
                              "[load]\nlink = crank\ntorque = -10 N m\n"
                              "[motion]\nmode = run-up\nto = 720 deg\n[flywheel]\ninertia = 0.1\n";
 
+static const char driven[] =
+    "[actuator A]\nlink = crank\nat = 20 mm\nto = ground\nto_at = (0, 100) mm\n"
+    "bore = 20 mm\n[motion]\nspeed = 10 rad/s\n";
+
 #define DECK 2000
 
-/* How the crank moves of itself: what one deck cannot have, another one has. */
-static const char *const actual[] = {steady, run_up};
+/* How the crank moves of itself, and what else drives it: what one deck cannot have, another one has. */
+static const char *const actual[] = {steady, run_up, driven};
 
 static char *put_friction(char *deck, const fourlink_kind_facts *k)
 {

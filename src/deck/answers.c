@@ -82,17 +82,20 @@ static void put(rewriting *r, text t, int has_commas)
                         : t.start[i];
 }
 
-/* 1 if a value says where the values below it are: an angle, a time, a branch. */
+/* 1 if a value says where the values below it are: an angle, a time, a length, a branch. */
 static int is_place(const deck *d, int is_branch, text value)
 {
+    static const quantity places[] = {QUANTITY_ANGLE, QUANTITY_TIME, QUANTITY_LENGTH};
     char why[MESSAGE_SIZE];
     quantity_value read;
+    size_t i;
 
     if (is_branch)
         return flk_text_equal(value, "open") || flk_text_equal(value, "crossed");
-    return flk_quantity_read(value, value, QUANTITY_ANGLE, d->bare[QUANTITY_ANGLE].unit, &read,
-                             why) ||
-           flk_quantity_read(value, value, QUANTITY_TIME, d->bare[QUANTITY_TIME].unit, &read, why);
+    for (i = 0; i < sizeof places / sizeof places[0]; i++)
+        if (flk_quantity_read(value, value, places[i], d->bare[places[i]].unit, &read, why))
+            return 1;
+    return 0;
 }
 
 /* Write a line of answers. */

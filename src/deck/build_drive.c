@@ -153,7 +153,7 @@ static int usual_drive(parser *p, flk_drive *drive)
         drive->name = d->actuators[0].name;
         return 1;
     }
-    if (!input->word)
+    if (!input->word || input->word == FLK_ACTUATOR_INPUT)
         return 0;
     drive->name = flk_coordinates[input->word - 1].what == FLK_OF_SLIDE
                       ? "slide"

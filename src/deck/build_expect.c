@@ -68,17 +68,16 @@ static void read_at(parser *p, const section_use *use, key_code key, deck_expect
         e->at = e->at_is_place ? d->prescribed->motion.from : d->motion.from;
         return;
     }
-    e->at_is_place = q == of_rows && !at->word && !d->over->is_crank_angle;
-    e->at = e->at_is_place || q != QUANTITY_ANGLE ? at->si[0]
-                                                  : flk_setting_in_unit(p, at, QUANTITY_ANGLE);
+    e->at_is_place = q != QUANTITY_ANGLE || (q == of_rows && !at->word && !d->over->is_crank_angle);
+    e->at = e->at_is_place ? at->si[0] : flk_setting_in_unit(p, at, QUANTITY_ANGLE);
     if (p->is_answers && q == QUANTITY_ANGLE && !e->at_is_place)
         e->at = nearest_row(d, at, e->at);
-    if (q != of_rows && q != QUANTITY_ANGLE)
+    if (q == QUANTITY_TIME && q != of_rows)
         flk_mistake(p->mistakes, at->place,
-                    q == QUANTITY_TIME
-                        ? "a time is for rows by time: expected a crank angle, such as 40 deg"
-                        : "a length is for a motion whose input is a length: expected a crank "
-                          "angle, such as 40 deg");
+                    "a time is for rows by time: expected a crank angle, such as 40 deg");
+    else if (q == QUANTITY_LENGTH && q != of_rows)
+        flk_mistake(p->mistakes, at->place, "'%t' is a length; expected an angle, such as 40 deg",
+                    at->value);
 }
 
 /* Add the printed values of the deck, in line order. */

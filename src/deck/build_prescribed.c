@@ -35,7 +35,7 @@ int flk_build_is_prescribed(parser *p)
                                       KEY_MOTION_MEAN_SPEED};
     const setting *input = flk_setting_find(p, KEY_MOTION_INPUT),
                   *mode = flk_setting_find(p, KEY_MOTION_MODE);
-    const flk_coordinate *q;
+    const char *kind = fourlink_kind_text((int)p->d->machine.mechanism.design.kind);
     size_t i;
 
     for (i = 0; !input->word && i < sizeof own / sizeof own[0]; i++)
@@ -44,24 +44,78 @@ int flk_build_is_prescribed(parser *p)
                         "'%s' needs an input, such as input = x", flk_key_table[own[i]].name);
     if (!input->word)
         return 0;
-    q = &flk_coordinates[input->word - 1];
-    if (!(q->kinds & (int)p->d->machine.mechanism.design.kind))
-        flk_mistake(p->mistakes, input->place, "%s %s has no %s",
-                    flk_text_article(fourlink_kind_text((int)p->d->machine.mechanism.design.kind)),
-                    fourlink_kind_text((int)p->d->machine.mechanism.design.kind), q->name);
+    if (input->word != FLK_ACTUATOR_INPUT &&
+        !(flk_coordinates[input->word - 1].kinds & (int)p->d->machine.mechanism.design.kind))
+        flk_mistake(p->mistakes, input->place, "%s %s has no %t", flk_text_article(kind), kind,
+                    input->value);
     for (i = 0; i < sizeof others / sizeof others[0]; i++) {
         const setting *s = flk_setting_find(p, others[i]);
 
         if (IS_SET(s))
-            flk_mistake(p->mistakes, s->place, "'%s' cannot be used with input = %s",
-                        flk_key_table[others[i]].name, q->name);
+            flk_mistake(p->mistakes, s->place, "'%s' cannot be used with input = %t",
+                        flk_key_table[others[i]].name, input->value);
     }
     if (mode->word != MODE_GIVEN)
         flk_mistake(p->mistakes, mode->place,
                     "'input' gives the motion, and mode = %t computes it: leave out one",
                     mode->value);
-    p->d->over = &flk_abscissas[input->word + DECK_OVER_INPUT];
+    if (input->word != FLK_ACTUATOR_INPUT)
+        p->d->over = &flk_abscissas[input->word + DECK_OVER_INPUT];
     return 1;
+}
+
+/* The actuator whose length is prescribed: it joins the ground to the crank, or to a link 4 that turns. */
+static const flk_actuator *find_actuator(parser *p, const setting *input)
+{
+    int kind = (int)p->d->machine.mechanism.design.kind, link;
+    const flk_actuator *x;
+    text name, of;
+    size_t i;
+
+    flk_text_cut_last(input->value, ".", &name, &of);
+    for (i = 0; i < p->d->n_actuators && !flk_text_same(name, p->d->actuators[i].name); i++)
+        ;
+    if (i == p->d->n_actuators) {
+        flk_mistake(p->mistakes, input->place, "there is no [actuator %t]", name);
+        return NULL;
+    }
+    x = &p->d->actuators[i];
+    link = x->link == FOURLINK_GROUND ? x->to : x->link;
+    if ((x->link != FOURLINK_GROUND && x->to != FOURLINK_GROUND) || link == FOURLINK_COUPLER)
+        flk_mistake(
+            p->mistakes, input->place,
+            "the crank does not follow in one way from the length of an actuator that joins "
+            "two moving links, or is on the %s: --at='%t = ...' finds the places of a length",
+            fourlink_link_text(kind, FOURLINK_COUPLER), input->value);
+    else if (fourlink_slides(kind, link))
+        flk_mistake(p->mistakes, input->place,
+                    "an actuator on the %s, which slides: input = x prescribes its place",
+                    fourlink_link_text(kind, link));
+    else
+        return x;
+    return NULL;
+}
+
+/* The coordinate that is prescribed; null after a mistake. */
+static const flk_coordinate *find_coordinate(parser *p, const setting *input)
+{
+    flk_coordinate *q;
+    fourlink_abscissa *over;
+
+    if (input->word != FLK_ACTUATOR_INPUT)
+        return &flk_coordinates[input->word - 1];
+    q = flk_reader_keep(p, sizeof *q);
+    over = flk_reader_keep(p, sizeof *over);
+    if (!q || !over)
+        return NULL;
+    q->name = q->symbol = q->words = flk_reader_copy(p, input->value, "");
+    q->kinds = ANY_KIND;
+    q->what = FLK_OF_ACTUATOR;
+    q->actuator = find_actuator(p, input);
+    *over = flk_abscissas[FLK_OF_DISPLACEMENT + 1 + DECK_OVER_INPUT];
+    over->name = over->symbol = over->rows = over->words = q->name;
+    p->d->over = over;
+    return q->actuator ? q : NULL;
 }
 
 /* ------------------------------------------------------------------------------------------------------ reach */
@@ -268,7 +322,9 @@ void flk_build_prescribed(parser *p)
     x = flk_reader_keep(p, sizeof *x);
     if (!x)
         return;
-    x->q = &flk_coordinates[input->word - 1];
+    x->q = find_coordinate(p, input);
+    if (!x->q)
+        return;
     x->side = IS_SET(side) ? side->word : FLK_RISING;
     x->motion.angle_unit = 1;
     x->motion.x_at = x->q->is_angle ? p->d->axes.angle : 0;

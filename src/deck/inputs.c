@@ -64,6 +64,8 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
         x->words = key->form == FORM_LINE ? "two points" : "a curve";
     else if (word)
         x->words = word->word;
+    else if (t->key == KEY_MOTION_INPUT)
+        x->words = d->over->name; /* NAME.length */
     else if (s->word)
         x->words = key->form == FORM_CRANK
                        ? "drawn"

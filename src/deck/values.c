@@ -15,6 +15,14 @@
 #include "values.h"
 #include "vector.h"
 
+/* NAME.length, which [motion] input can be. */
+static int is_length_of_actuator(text value)
+{
+    text name, of;
+
+    return flk_text_cut_last(value, ".", &name, &of) && name.length && flk_text_equal(of, "length");
+}
+
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
@@ -23,8 +31,8 @@ static void read_word(parser *p, key_code key, setting *s)
     const char *known[MOST_WORDS], *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
-    if (word) {
-        s->word = word->value;
+    if (word || (key == KEY_MOTION_INPUT && is_length_of_actuator(s->value))) {
+        s->word = word ? word->value : FLK_ACTUATOR_INPUT;
         return;
     }
     if (advice) {
@@ -324,8 +332,10 @@ static quantity quantity_of_motion(const section_use *use, key_code key)
 {
     const setting *s = flk_setting_of(use, KEY_MOTION_INPUT);
     const word_info *word = IS_SET(s) ? flk_word_find(KEY_MOTION_INPUT, 0, s->value) : NULL;
+    int is_length = word ? word->value && !flk_coordinates[word->value - 1].is_angle
+                         : IS_SET(s) && is_length_of_actuator(s->value);
 
-    if (!word || !word->value || flk_coordinates[word->value - 1].is_angle)
+    if (!is_length)
         return flk_key_table[key].q;
     switch (key) {
     case KEY_MOTION_FROM:

@@ -19,18 +19,20 @@
 #define DEAD 1e-7      /* of the crank's length, or of 1: K below it is 0 */
 #define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
 #define ON_BRANCH 1e-9 /* of the crank's length, or rad: a value found again */
+#define INSIDE 1e-6    /* rad: what rounding puts beside a stretch, near its ends */
 #define LEAST 1e-12    /* of the same: the length of a stretch */
 
 const flk_coordinate flk_coordinates[FLK_COORDINATES] = {
     {"theta4", "\316\270\342\202\204", "theta4", 1,
-     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_FOLLOWER},
-    {"x", "x", "x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_DISPLACEMENT},
-    {"C.x", "C.x", "C.x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_PIN},
-    {"slide", "slide", "the slide", 0, FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_SLIDE}};
+     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_FOLLOWER, NULL},
+    {"x", "x", "x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_DISPLACEMENT, NULL},
+    {"C.x", "C.x", "C.x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_PIN, NULL},
+    {"slide", "slide", "the slide", 0, FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_SLIDE, NULL}};
 
 void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk_prescribed *at)
 {
     const fourlink_link_state *follower = &state->link[FOURLINK_FOLLOWER];
+    flk_actuator_state length = {0, 0, 0, {0, 0}};
 
     switch (q->what) {
     case FLK_OF_FOLLOWER:
@@ -48,10 +50,16 @@ void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk
         at->rate = state->v;
         at->second = state->a;
         break;
-    default:
+    case FLK_OF_SLIDE:
         at->value = state->slide;
         at->rate = state->slide_v;
         at->second = state->slide_a;
+        break;
+    default:
+        flk_actuator_at(q->actuator, state, &length);
+        at->value = length.length;
+        at->rate = length.speed;
+        at->second = length.acceleration;
         break;
     }
 }
@@ -82,10 +90,12 @@ void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourl
         follower->velocity.x = sense * at->rate;
         follower->acceleration.x = sense * at->second;
         break;
-    default:
+    case FLK_OF_SLIDE:
         state->slide = at->value;
         state->slide_v = at->rate;
         state->slide_a = at->second;
+        break;
+    default: /* an actuator's length is no part of a state */
         break;
     }
 }
@@ -119,29 +129,75 @@ static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism,
     return fabs(apart) <= ON_BRANCH * scale_of(q, mechanism);
 }
 
-/* The crank angle of a value on a branch and a side.  Beyond a change point links 3 and 4 are on the side of the other
-** branch, for half a turn or for a whole one. */
-static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                      fourlink_branch branch, int side, double value, double *theta2,
-                      flk_prescribed *unit)
+/* The crank angles of a value on a side, with links 3 and 4 on the side of a branch; NaN where there is none.  Of an
+** actuator of length n from the ground point G to a point P of the crank, gamma is the angle at A of the triangle APG, and
+** of one to link 4 that at D:
+**
+**    theta2 = angle of AG - angle of P in the crank's axes +- gamma,   n rises with + gamma
+**    theta4 alike about D;                                             it rises with + gamma where theta4 does
+*/
+static int list_cranks(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                       fourlink_branch branch, int side, double value, double theta2[2])
 {
     const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    const flk_actuator *x = q->actuator;
+    fourlink_vector G, P;
+    double p1, p2, gamma, middle;
+    int link, k;
+
+    if (!x) {
+        theta2[0] = kind->theta2_of(mechanism, q->what, branch, side, value);
+        return 1;
+    }
+    link = x->link == FOURLINK_GROUND ? x->to : x->link;
+    P = x->link == FOURLINK_GROUND ? x->to_at : x->at;
+    G = x->link == FOURLINK_GROUND ? x->at : x->to_at;
+    G.x -= link == FOURLINK_CRANK ? 0 : mechanism->design.link[FOURLINK_GROUND].length;
+    p1 = flk_length(P.x, P.y);
+    p2 = flk_length(G.x, G.y);
+    gamma = flk_kind_angle(value, p1, p2, value + p1 - p2);
+    middle = flk_angle(G.y, G.x) - flk_angle(P.y, P.x);
+    if (link == FOURLINK_CRANK) {
+        theta2[0] = middle + side * gamma;
+        return 1;
+    }
+    for (k = 0; k < 2; k++)
+        theta2[k] = kind->theta2_of(mechanism, FLK_OF_FOLLOWER, branch, k ? -side : side,
+                                    middle + (k ? -gamma : gamma));
+    return 2;
+}
+
+/* Move a crank angle by whole periods to where a stretch has it; 0 if that does not. */
+static int move_into(const flk_stretch *stretch, double period, double *theta2)
+{
+    *theta2 = flk_cycle_place(*theta2, stretch->theta2_from - INSIDE, period);
+    return *theta2 <= stretch->theta2_to + INSIDE;
+}
+
+/* The crank angle of a value in a stretch of a branch.  Beyond a change point links 3 and 4 are on the side of the other
+** branch, for half a turn or for a whole one. */
+static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                      fourlink_branch branch, const flk_stretch *stretch, double value,
+                      double *theta2, flk_prescribed *unit)
+{
     int can_change = mechanism->change_stretched || mechanism->change_folded;
-    int turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1, i;
+    int turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1, i, k, n;
     int status = FOURLINK_NO_SUCH_ANGLE, tried;
+    double list[2];
 
     for (i = 0; i < (can_change ? 2 * turns : 1); i++) {
-        *theta2 =
-            kind->theta2_of(mechanism, q->what,
-                            (fourlink_branch)(i % 2 ? -(int)branch : (int)branch), side, value) +
-            (i / 2) * 2 * M_PI;
-        if (gsl_isnan(*theta2))
-            continue;
-        tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
-        if (tried != FOURLINK_OK)
-            status = tried;
-        else if (is_same(q, mechanism, unit->value, value))
-            return FOURLINK_OK;
+        n = list_cranks(q, mechanism, (fourlink_branch)(i % 2 ? -(int)branch : (int)branch),
+                        stretch->side, value, list);
+        for (k = 0; k < n; k++) {
+            *theta2 = list[k] + (i / 2) * 2 * M_PI;
+            if (gsl_isnan(*theta2) || !move_into(stretch, turns * 2 * M_PI, theta2))
+                continue;
+            tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
+            if (tried != FOURLINK_OK)
+                status = tried;
+            else if (is_same(q, mechanism, unit->value, value))
+                return FOURLINK_OK;
+        }
     }
     return status;
 }
@@ -164,11 +220,11 @@ static int set_rates(const flk_coordinate *q, const fourlink_mechanism *mechanis
 }
 
 int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                         fourlink_branch branch, int side, const flk_prescribed *at,
-                         fourlink_crank *crank)
+                         fourlink_branch branch, const flk_stretch *stretch,
+                         const flk_prescribed *at, fourlink_crank *crank)
 {
     flk_prescribed unit;
-    int status = find_crank(q, mechanism, branch, side, at->value, &crank->theta2, &unit);
+    int status = find_crank(q, mechanism, branch, stretch, at->value, &crank->theta2, &unit);
 
     return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
 }
@@ -270,6 +326,10 @@ static int join_ends(const flk_coordinate *q, double turn, flk_stretch *list, in
     if (n < 2 || first->side != last->side)
         return n;
     first->theta2_from = last->theta2_from - turn;
+    if (first->theta2_from + first->theta2_to < 0) { /* its middle is in the first turn */
+        first->theta2_from += turn;
+        first->theta2_to += turn;
+    }
     first->from = q->is_angle ? first->to - first->side * (fabs(first->to - first->from) +
                                                            fabs(last->to - last->from))
                               : last->from;

@@ -12,12 +12,12 @@
 #ifndef FOURLINK_COORDINATE_H
 #define FOURLINK_COORDINATE_H
 
-#include "kind.h"
+#include "drive.h"
 
 enum { FLK_RISING = 1, FLK_FALLING = -1 };
 
 /* What kinds ask of a coordinate: kind.h, theta2_of. */
-enum { FLK_OF_FOLLOWER, FLK_OF_DISPLACEMENT, FLK_OF_PIN, FLK_OF_SLIDE };
+enum { FLK_OF_FOLLOWER, FLK_OF_DISPLACEMENT, FLK_OF_PIN, FLK_OF_SLIDE, FLK_OF_ACTUATOR };
 
 typedef struct flk_coordinate {
     const char *name, *symbol; /* in a deck; in UTF-8 */
@@ -25,10 +25,14 @@ typedef struct flk_coordinate {
     int is_angle;              /* 1: rad; 0: m */
     int kinds;                 /* that have it */
     int what;                  /* FLK_OF_FOLLOWER ... */
+    const flk_actuator *
+        actuator; /* FLK_OF_ACTUATOR: its length; it joins the ground to the crank, or to a link 4 that
+                                     turns */
 } flk_coordinate;
 
-/* By the word of [motion] input, from 1; 0 is the crank angle. */
+/* By the word of [motion] input, from 1; 0 is the crank angle, and the word after these the length of an actuator. */
 #define FLK_COORDINATES 4
+#define FLK_ACTUATOR_INPUT (FLK_COORDINATES + 1)
 extern const flk_coordinate flk_coordinates[FLK_COORDINATES];
 
 /* A value, its rate and its second rate, rad or m. */
@@ -42,16 +46,6 @@ void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk
 /* Set a coordinate of a state, an angle less whole turns.  Nothing else of the state changes. */
 void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourlink_state *state);
 
-/* The crank where a coordinate is as prescribed, on a branch and a side.  FOURLINK_OK; FOURLINK_NO_SUCH_ANGLE;
-** FOURLINK_INPUT_DEAD_CENTRE, with theta2 set; or the status of the position. */
-int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                         fourlink_branch branch, int side, const flk_prescribed *at,
-                         fourlink_crank *crank);
-
-/* The same where theta2 of the crank is given, on any side; the value of `at` is set. */
-int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                            fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);
-
 /* A stretch between two neighbouring dead centres of the coordinate, or dead positions of the mechanism, or a
 ** whole turn without any. */
 typedef struct flk_stretch {
@@ -59,6 +53,16 @@ typedef struct flk_stretch {
     double from, to; /* of the coordinate; continuous, so that an angle may pass 180 deg */
     int side;
 } flk_stretch;
+
+/* The crank where a coordinate is as prescribed, on a branch and in a stretch.  FOURLINK_OK; FOURLINK_NO_SUCH_ANGLE;
+** FOURLINK_INPUT_DEAD_CENTRE, with theta2 set; or the status of the position. */
+int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, const flk_stretch *stretch,
+                         const flk_prescribed *at, fourlink_crank *crank);
+
+/* The same where theta2 of the crank is given, on any side; the value of `at` is set. */
+int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);
 
 #define FLK_STRETCHES 16 /* at most */
 

@@ -31,7 +31,7 @@ typedef struct flk_corners {
     double *theta2[2]; /* rad, increasing, of the open and the crossed branch */
     size_t n[2], most;
     int is_known[2];
-    double *work; /* values of the switches */
+    double *work;                   /* values of the switches */
     double dead[2][FLK_DRIVE_DEAD]; /* rad, within a period: where the drive stands still */
     size_t n_dead[2];
     int knows_dead[2];

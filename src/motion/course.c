@@ -373,10 +373,8 @@ static int at_coordinate(const flk_course *c, fourlink_branch branch, double pla
         status = flk_coordinate_crank_at(x->q, &d->machine.mechanism, branch, &at, &row->crank);
         row->place = at.value;
     } else {
-        status =
-            flk_coordinate_crank(x->q, &d->machine.mechanism, branch, x->side, &at, &row->crank);
-        row->crank.theta2 =
-            in_stretch(DECK_STRETCH(x, branch), row->crank.theta2, position_period(c));
+        status = flk_coordinate_crank(x->q, &d->machine.mechanism, branch, DECK_STRETCH(x, branch),
+                                      &at, &row->crank);
     }
     row->angle = (row->crank.theta2 + d->motion.x_at) / d->motion.angle_unit;
     return without_crank(status, row);
@@ -386,7 +384,10 @@ static int find_coordinate(const flk_course *c, double place, double *at)
 {
     double first = GSL_MIN(c->over.first, c->over.last),
            last = GSL_MAX(c->over.first, c->over.last);
-    double tiny = 1e-9 * (last - first);
+    double size = c->d->prescribed->q->is_angle
+                      ? 2 * M_PI
+                      : c->d->machine.mechanism.design.link[FOURLINK_CRANK].length;
+    double tiny = 1e-9 * GSL_MAX(last - first, size);
 
     *at = place;
     if (c->d->prescribed->q->is_angle)
@@ -408,10 +409,9 @@ static double theta2_at(const flk_course *c, fourlink_branch branch, double plac
         return s->theta2_from;
     if (fabs(value - s->to) <= INSIDE_STRETCH * fabs(s->to - s->from))
         return s->theta2_to;
-    if (flk_coordinate_crank(x->q, &c->d->machine.mechanism, branch, x->side, &at, &crank) !=
-        FOURLINK_OK)
+    if (flk_coordinate_crank(x->q, &c->d->machine.mechanism, branch, s, &at, &crank) != FOURLINK_OK)
         return fabs(value - s->from) < fabs(value - s->to) ? s->theta2_from : s->theta2_to;
-    return in_stretch(s, crank.theta2, position_period(c));
+    return crank.theta2;
 }
 
 /* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average. */

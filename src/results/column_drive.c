@@ -67,7 +67,9 @@ static double pressure_of(const flk_actuator *actuator, double force)
 static double value_of_drive(const flk_column *c, const flk_row *row)
 {
     double force = row->at.forces.drive;
+    const deck_prescribed *prescribed = c->d->prescribed;
     flk_actuator_state at;
+    fourlink_row of;
 
     if (!c->of.actuator || c->component == FORCE_OF)
         return force;
@@ -75,8 +77,14 @@ static double value_of_drive(const flk_column *c, const flk_row *row)
         return row->at.forces.at_crank * row->at.row.crank.omega2;
     if (c->component == PRESSURE_OF)
         return pressure_of(c->of.actuator, force);
-    if (flk_actuator_at(c->of.actuator, &row->at.state, &at) != FOURLINK_OK)
+    if (prescribed && prescribed->q->actuator == c->of.actuator) {
+        fourlink_motion_at(&prescribed->motion, row->at.row.place, &of);
+        at.length = of.crank.theta2;
+        at.speed = of.crank.omega2;
+        at.acceleration = of.crank.alpha2;
+    } else if (flk_actuator_at(c->of.actuator, &row->at.state, &at) != FOURLINK_OK) {
         return GSL_NAN;
+    }
     return c->component == LENGTH_OF  ? at.length
            : c->component == SPEED_OF ? at.speed
                                       : at.acceleration;

@@ -223,7 +223,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "guide on piston or yoke, along +y; unlike side_thrust exact", "")                           \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(M14, TORQUE, YOKE | USUAL, OF_FORCES(M14), "couple of the guide on the yoke", "")            \
-    X(Ts, TORQUE, ALL | USUAL_CRANK, OF_FORCES(Ts), "driving torque, ground on crank",                   \
+    X(Ts, TORQUE, ALL | USUAL_CRANK, OF_FORCES(Ts), "driving torque, ground on crank",             \
       "X(9), Ts (ME3491)")                                                                         \
     RESULTANT(X, F12, ALL)                                                                         \
     RESULTANT(X, F23, ALL)                                                                         \

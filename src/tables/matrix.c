@@ -57,7 +57,7 @@ void matrix_write(sheet *s)
             put_title(s, &at);
             if (status == FOURLINK_OK)
                 put_system(s, &at);
-            s->failed += status != FOURLINK_OK;
+            s->failed += status != FOURLINK_OK && !view_goes_to(&s->v, status);
         }
         sheet_write_stop(s, s->v.branches[i]);
     }

@@ -381,7 +381,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 
 int view_goes_to(const view *v, int status)
 {
-    return status == FOURLINK_INPUT_DEAD_CENTRE && !v->problem.one_instant;
+    return status == FOURLINK_INPUT_DEAD_CENTRE && v->problem.is_prescribed &&
+           !v->problem.one_instant;
 }
 
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why)
