@@ -155,7 +155,7 @@ static int is_other_solution(const side *b, const side *c, const double *driven,
         return 0;
     for (pin = 0; pin < 4; pin++)
         if (circle_of(&b->c, driven, pin) > 0 && circle_of(&c->c, row, pin) > 0)
-            compare(ROW, circle_of(&c->c, row, pin), circle_of(&b->c, driven, pin),
+            compare(EXTREME, circle_of(&c->c, row, pin), circle_of(&b->c, driven, pin),
                     1e3 * circle_of(&c->c, row, pin), "the friction circle of pin %d by %s", pin,
                     drive_name);
     return fabs(named(&c->c, row, "Ts")) > 1e-9 * size &&
