@@ -281,7 +281,7 @@ completion() {
     }
     check 'an option completes' completes --format= --forma
     check 'its value completes' completes paper --format = p
-    check 'another' completes json --format = j
+    check 'others' completes 'json jsonl' --format = j
     check 'a kind of picture completes' completes polar --plot-kind = pol
     : >x.deck
     check 'a deck completes' completes x.deck x

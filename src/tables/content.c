@@ -415,13 +415,13 @@ static const char *why_incomplete(const sheet_output *x)
 /* Write the values of a deck, a line for each branch. */
 static void write_values(sheet *s)
 {
-    sheet_output outputs[SHEET_OUTPUTS];
+    sheet_output *outputs = memory_get(s->n_header, sizeof *outputs);
     const fourlink_value *own;
     unsigned long n, k;
     int i;
 
     fourlink_results_list(s->v.results, FOURLINK_OUTPUTS, &own, &n);
-    for (i = 0; i < s->v.n_branches; i++) {
+    for (i = 0; outputs && i < s->v.n_branches; i++) {
         const char *why = NULL, *reason;
 
         for (k = 0; k < s->n_header; k++) {
@@ -438,6 +438,7 @@ static void write_values(sheet *s)
         s->failed += why != NULL;
         s->format->values(s, s->v.branches[i], outputs, why);
     }
+    free(outputs);
 }
 
 static void write_content(sheet *s)
@@ -480,9 +481,15 @@ static void write_content(sheet *s)
         tell(s, frame_of(s)->close);
 }
 
+/* The deck's name, if it is shown. */
+static void name_deck(sheet *s, const char *name)
+{
+    s->deck_name = s->n_decks > 1 || s->format->is_lines ? name : NULL;
+}
+
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
 {
-    s->deck_name = s->n_decks > 1 ? deck_name : NULL;
+    name_deck(s, deck_name);
     if (!results) {
         if (s->content == SHEET_VALUES || (s->content == SHEET_CHECK && (s->deck_name || s->mark)))
             frame_of(s)->refuse(s, why);
@@ -492,6 +499,29 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     if (open_results(s, results))
         write_content(s);
     close_results(s);
+}
+
+void content_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
+                        fourlink_branch branch, const fourlink_value *values, unsigned long n)
+{
+    sheet_output *outputs = memory_get(s->n_header, sizeof *outputs);
+    unsigned long i, k;
+
+    name_deck(s, deck_name);
+    fourlink_deck_problem(fourlink_results_deck(results), &s->v.problem);
+    for (k = 0; outputs && k < s->n_header; k++) {
+        outputs[k].is_other = 1;
+        for (i = 0; i < n && outputs[k].is_other; i++) {
+            outputs[k].v = values[i];
+            outputs[k].has_value = strcmp(s->header[k].name, values[i].name) == 0 &&
+                                   strcmp(s->header[k].unit, values[i].unit) == 0;
+            outputs[k].is_other = !outputs[k].has_value;
+        }
+    }
+    if (outputs)
+        s->format->values(s, branch, outputs, NULL);
+    free(outputs);
+    line_end(&s->l);
 }
 
 void content_write_list(sheet *s, fourlink_results *const *results, size_t n)

@@ -144,10 +144,11 @@ typedef struct sheet_format {
     /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */
     void (*extremes)(sheet *s, const fourlink_value *column, const fourlink_value *least,
                      const fourlink_value *most, int branch);
+    int is_lines; /* 1: one deck is a line with its name, as one of several */
 } sheet_format;
 
 /* The formats, each in its own file. */
-#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(paper)
+#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(jsonl) X(paper)
 
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
