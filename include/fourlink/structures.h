@@ -1232,9 +1232,8 @@ FOURLINK_API int fourlink_extreme(const fourlink_mechanism *mechanism,
 ** Notes:
 ** 1) If the status is not FOURLINK_OK, there is nothing to free.
 ** 2) Numbers are read the same way in every locale.
-** 3) A deck does not change after it is read, so several threads may use it.
-** 4) A deck with a [sweep] gives its first design.  Columns and expected values are checked but not returned.
-** 5) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
+** 3) A deck with a [sweep] gives its first design.  Columns and expected values are checked but not returned.
+** 4) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
 ** Reference:
 **    the manual page fourlink-deck(5)
 */
