@@ -107,16 +107,18 @@ def version() -> str:
     return str(_lib.fourlink_version().decode())
 
 
-def open(deck: str | os.PathLike[str], *, units: str | None = None, changes: dict[str, str | float] | None = None) -> Results:
+def open(deck: str | os.PathLike[str], *, units: str | None = None, changes: dict[str, str | float] | None = None,
+         allow_files: bool = False) -> Results:
     """Open a deck: the path of a file, or its text.
 
     units    of the results, such as "mm, kg, rpm", or "SI"; otherwise the deck's
     changes  as by --set: {"crank.length": "45 mm", "load P.force": "20 N at 30 deg"}; a bare number is in the
              unit of the deck's [units], SI and degrees without it
+    allow_files  let the deck name files outside its folder, or for its text outside the present one
     """
     if isinstance(deck, str) and ("\n" in deck or "=" in deck):
-        return Results(deck.encode(), "deck", Path(), units, changes or {})
-    return Results(Path(deck).read_bytes(), str(deck), Path(deck).parent, units, changes or {})
+        return Results(deck.encode(), "deck", Path(), units, changes or {}, allow_files)
+    return Results(Path(deck).read_bytes(), str(deck), Path(deck).parent, units, changes or {}, allow_files)
 
 
 class _Fork:
@@ -167,16 +169,20 @@ class Results:
 
     _r = c.c_void_p()
 
-    def __init__(self, text: bytes, name: str, folder: Path, units: str | None, changes: dict[str, str | float]) -> None:
-        self.name, self._folder, self._units = name, folder, units
+    def __init__(self, text: bytes, name: str, folder: Path, units: str | None, changes: dict[str, str | float],
+                 allow_files: bool) -> None:
+        self.name, self._folder, self._units, self._allow_files = name, folder, units, allow_files
         self._lock = threading.RLock()
         self._r = c.c_void_p()
         _fork.add(self)
         kept: list[bytes] = []  # what a loader has returned, until the deck is read
 
         def load(host: object, file_name: bytes, length: Any) -> int | None:
+            path = folder / os.fsdecode(file_name)
             try:
-                kept.append((folder / file_name.decode()).read_bytes())
+                if not allow_files and not path.resolve().is_relative_to(folder.resolve()):
+                    return None
+                kept.append(path.read_bytes())
             except OSError:
                 return None
             length[0] = len(kept[-1])
@@ -233,8 +239,8 @@ class Results:
             return f"<fourlink.Results of {self.name}: {self['type']}; {' and '.join(self.branches)}, {self._n_rows()} rows>"
 
     @_alone
-    def __reduce__(self) -> tuple[type[Results], tuple[bytes, str, Path, str | None, dict[str, str | float]]]:
-        return Results, (self._text(), self.name, self._folder, self._units, {})
+    def __reduce__(self) -> tuple[type[Results], tuple[bytes, str, Path, str | None, dict[str, str | float], bool]]:
+        return Results, (self._text(), self.name, self._folder, self._units, {}, self._allow_files)
 
     @_alone
     def __enter__(self) -> Results:

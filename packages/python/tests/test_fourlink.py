@@ -192,6 +192,19 @@ def test_a_file_that_the_deck_names(tmp_path):
         fourlink.open(tmp_path / "a.deck")
 
 
+def test_files_of_other_folders(tmp_path):
+    """Not those outside the deck's folder, nor links that lead there, unless they are allowed; also in a copy."""
+    (tmp_path / "decks").mkdir()
+    (tmp_path / "torque.txt").write_text("0 1\n180 2\n360 1\n")
+    (tmp_path / "decks" / "link.txt").symlink_to(tmp_path / "torque.txt")
+    deck = tmp_path / "decks" / "a.deck"
+    for name in "../torque.txt", str(tmp_path / "torque.txt"), "link.txt":
+        deck.write_text(TEXT + f"[load T]\nlink = rocker\ntorque = file {name}\n")
+        with pytest.raises(fourlink.Mistake, match="cannot read the file"):
+            fourlink.open(deck)
+        assert copy.copy(fourlink.open(deck, allow_files=True))["max(Ts)"] > 0
+
+
 def test_frame():
     pytest.importorskip("pandas")
     frame = fourlink.open(MATRIX).frame("theta2, Ts")
