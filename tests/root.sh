@@ -21,9 +21,9 @@ for entry in $(git ls-files --cached | cut -d/ -f1 | sort -u); do
     ;;
   esac
 done
-# the examples of CONTRIBUTING.md are commits, and the files that it and SECURITY.md name are there
-for commit in $(grep -o '`[0-9a-f]\{8\}`' CONTRIBUTING.md | tr -d '`'); do
-  git cat-file -e "$commit^{commit}" 2>/dev/null && passed=$((passed + 1)) || { echo "CONTRIBUTING.md: no commit $commit" && failed=$((failed + 1)); }
+# the examples of CONTRIBUTING.md and the evidence of decisions.md are commits, and the files that it and SECURITY.md name are there
+for commit in $(grep -o '`[0-9a-f]\{8\}`' CONTRIBUTING.md doc/decisions.md | sed 's/.*://' | tr -d '`'); do
+  git cat-file -e "$commit^{commit}" 2>/dev/null && passed=$((passed + 1)) || { echo "there is no commit $commit" && failed=$((failed + 1)); }
 done
 for file in $(grep -oh '](\([^)#]*\)' CONTRIBUTING.md SECURITY.md | sed 's/](//') $(grep -o '`\(src\|include\|tests\|doc\)/[^ `*]*`' CONTRIBUTING.md | tr -d '`'); do
   [ -e "$file" ] && passed=$((passed + 1)) || { echo "$file is not there" && failed=$((failed + 1)); }
