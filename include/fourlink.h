@@ -266,7 +266,8 @@ typedef struct fourlink_turning fourlink_turning;
 **    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
 **    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
 **    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, for programs that must not fail
-**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier calls.
+**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier
+**    calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
@@ -362,8 +363,8 @@ FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fou
 **    results    from fourlink_results_open
 **    which      FOURLINK_COLUMNS ... FOURLINK_CONDITIONS
 ** Returned:
-**    list       the entries, which belong to the results; `value` is set for inputs, variables and conditions, 0
-**               for columns and outputs
+**    list       the entries, which belong to the results; `value` is set for inputs, variables and
+**               conditions, 0 for columns and outputs
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST

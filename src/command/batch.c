@@ -81,8 +81,8 @@ static int is_same(const fourlink_value *a, const fourlink_value *b)
     return strcmp(a->name, b->name) == 0 && strcmp(a->unit, b->unit) == 0;
 }
 
-/* Add columns, each name with each unit once: of values, or of rows, of which a deck has each once.  Decks mostly have them in
-** one order.  0 if out of memory. */
+/* Add columns, each name with each unit once: of values, or of rows, of which a deck has each once.  Decks
+** mostly have them in one order.  0 if out of memory. */
 static int add_list(batch *b, const fourlink_value *list, unsigned long count, int has_values)
 {
     unsigned long before = b->n_header, next = 0, n, k, j;

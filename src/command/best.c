@@ -310,8 +310,8 @@ static const char *deck_name(const search *s)
     return s->in->o->n_decks > 1 ? s->in->name : NULL;
 }
 
-/* Say which values stand at the end of their range, where better ones may be beyond: in lines of the deck, or for null
-** in notes. */
+/* Say which values stand at the end of their range, where better ones may be beyond: in lines of the deck, or
+** for null in notes. */
 static void put_ends(line *l, const search *s)
 {
     char message[MESSAGE_SIZE];

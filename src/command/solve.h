@@ -14,8 +14,8 @@
 ** Returns the exit status: EXIT_ROWS if there is none. */
 int solve_write(FILE *out, input *in);
 
-/* The same in a sheet of values, with the columns SOLVE_COLUMNS that solve_columns gives: 0 if the deck has no such
-** question.  A deck without a solution has a line that says why. */
+/* The same in a sheet of values, with the columns that solve_columns gives: SOLVE_COLUMNS, or 0 if the deck has
+** no such question.  A deck without a solution has a line that says why. */
 #define SOLVE_COLUMNS 2
 unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS]);
 int solve_put(sheet *s, input *in);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** owners.c - each line of the two tables of fourlink.h, who owns what and which calls may run at once, in strict C90 with
-** threads of POSIX.  What the host passes in is overwritten and freed after the call, and what the library gives is read up
-** to its end, so that a sanitizer sees what is not so.  Prints how many checks there were, and each that fails.
+** owners.c - each line of the two tables of fourlink.h, who owns what and which calls may run at once, in strict
+** C90 with threads of POSIX.  What the host passes in is overwritten and freed after the call, and what the
+** library gives is read up to its end, so that a sanitizer sees what is not so.  Prints how many checks there
+** were, and each that fails.
 */
 #include <pthread.h>
 #include <stdio.h>
@@ -188,7 +189,8 @@ static void take_all(fourlink_results *results, belongings *b)
     read_all(b, b->words);
 }
 
-/* Belongings stay until a number is set or the results are freed, whatever else is asked; not so the list of facts. */
+/* Belongings stay until a number is set or the results are freed, whatever else is asked; not so the list of
+** facts. */
 static void try_belongings(void)
 {
     static belongings b;
