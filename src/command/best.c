@@ -402,7 +402,7 @@ static int put_result(sheet *out, const search *s)
         values[i].words = NULL;
     }
     if (n && i == n)
-        content_write_line(out, s->trial, s->in->name, s->branch, values, n);
+        sheet_write_line(out, s->trial, s->in->name, s->branch, values, n);
     free(values);
     put_ends(NULL, s);
     return n && i == n ? 0 : command_lacks_memory("cannot analyse", s->in->name);

@@ -245,7 +245,7 @@ static void put(question *q, double x)
         columns[0].value = x;
         columns[1].value = value;
         columns[0].words = columns[1].words = NULL;
-        content_write_line(q->s, q->in->results, q->in->name, q->branch, columns, SOLVE_COLUMNS);
+        sheet_write_line(q->s, q->in->results, q->in->name, q->branch, columns, SOLVE_COLUMNS);
     } else if (q->l) {
         line_put(q->l, "%-9s %12g %s, %s = %12g %s\n", fourlink_branch_text((int)q->branch), x,
                  q->unit, q->name, value, q->result_unit);

@@ -481,15 +481,9 @@ static void write_content(sheet *s)
         tell(s, frame_of(s)->close);
 }
 
-/* The deck's name, if it is shown. */
-static void name_deck(sheet *s, const char *name)
-{
-    s->deck_name = s->n_decks > 1 || s->format->is_lines ? name : NULL;
-}
-
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
 {
-    name_deck(s, deck_name);
+    sheet_name_deck(s, deck_name);
     if (!results) {
         if (s->content == SHEET_VALUES || (s->content == SHEET_CHECK && (s->deck_name || s->mark)))
             frame_of(s)->refuse(s, why);
@@ -499,29 +493,6 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
     if (open_results(s, results))
         write_content(s);
     close_results(s);
-}
-
-void content_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
-                        fourlink_branch branch, const fourlink_value *values, unsigned long n)
-{
-    sheet_output *outputs = memory_get(s->n_header, sizeof *outputs);
-    unsigned long i, k;
-
-    name_deck(s, deck_name);
-    fourlink_deck_problem(fourlink_results_deck(results), &s->v.problem);
-    for (k = 0; outputs && k < s->n_header; k++) {
-        outputs[k].is_other = 1;
-        for (i = 0; i < n && outputs[k].is_other; i++) {
-            outputs[k].v = values[i];
-            outputs[k].has_value = strcmp(s->header[k].name, values[i].name) == 0 &&
-                                   strcmp(s->header[k].unit, values[i].unit) == 0;
-            outputs[k].is_other = !outputs[k].has_value;
-        }
-    }
-    if (outputs)
-        s->format->values(s, branch, outputs, NULL);
-    free(outputs);
-    line_end(&s->l);
 }
 
 void content_write_list(sheet *s, fourlink_results *const *results, size_t n)

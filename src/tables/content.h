@@ -14,10 +14,6 @@ void content_begin(sheet *s, FILE *out, int has_head);
 /* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
-/* Write a line of a sheet of values: these, where the header has their names and units. */
-void content_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
-                        fourlink_branch branch, const fourlink_value *values, unsigned long n);
-
 /* Write the names of several results, at most CONTENT_LISTED, as one list. */
 #define CONTENT_LISTED 16
 void content_write_list(sheet *s, fourlink_results *const *results, size_t n);

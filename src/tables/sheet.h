@@ -157,6 +157,13 @@ SHEET_FORMATS(SHEET_FORMAT)
 ** none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
+/* Take the deck's name, if it is shown. */
+void sheet_name_deck(sheet *s, const char *name);
+
+/* Write a line of SHEET_VALUES: these, where the header has their names and units. */
+void sheet_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
+                      fourlink_branch branch, const fourlink_value *values, unsigned long n);
+
 /* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);
 
