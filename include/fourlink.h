@@ -15,9 +15,38 @@
 ** synthesis as structures; fourlink/fortran77.h the calls for FORTRAN 77.
 **
 ** The headers are strict C90 and compile as C++98.  The library keeps no state, prints nothing and never ends
-** the process; every function may be called from several threads at once.  Memory is taken where a deck or a
-** design is opened or a number is set, and where a motion is integrated (fourlink_results_open, note 3); it is
-** released by fourlink_results_free and fourlink_deck_free.
+** the process.  Memory is taken where a deck or a design is opened or a number is set, and where a motion is
+** integrated (fourlink_results_open, note 3).
+**
+** Who owns what, and until when
+**
+**   what the host passes in              the host; the call does not keep it
+**   what its loader returns              the host; until the loader is called again, or the deck is read
+**   results                              the host, until it gives them to fourlink_results_free.  Those of
+**                                        fourlink_results_design and _open_like are freed before those that
+**                                        they are from
+**   a deck of fourlink_deck_read         the host, until it gives it to fourlink_deck_free
+**   the deck of fourlink_results_deck,   the results, until a number of them is set or they are freed
+**   lists, texts of values and checks
+**   the list of fourlink_results_facts   the results, until the next call of it, a number is set, or they are
+**                                        freed; its texts as those of values
+**   names of loads, points, springs      the deck that they are from, as long as that is valid
+**   structures, mistakes, notes, slips   the host: they are copies
+**   what fourlink_..._text return, and   constants
+**   fourlink_version
+**   handles                              numbers, valid as long as the results; those of columns, facts and
+**                                        variables for all designs
+**
+** A number is set by fourlink_results_set, _set_text and _put; if that fails, all stays valid.
+**
+** Which calls may run at once
+**
+**   on different results, decks, structures   all
+**   on the same results or deck               those that take it as const; another one needs it alone
+**   on results and their fourlink_results_deck, or on those of fourlink_results_open_like and `like`
+**                                             as on the same results
+**   on results and those of fourlink_results_design from them, or two of these
+**                                             all but fourlink_results_free of those that they are from
 **
 ** Conventions
 **
@@ -83,7 +112,7 @@ extern "C" {
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
-/* A deck that has been read; valid from fourlink_deck_read to fourlink_deck_free. */
+/* A deck that has been read. */
 typedef struct fourlink_deck fourlink_deck;
 
 /* A mistake in a deck, which the command prints as "FILE:LINE: error: MESSAGE", or a note on something that
@@ -147,12 +176,10 @@ typedef struct fourlink_source {
                              acceleration at every row */
 } fourlink_source;
 
-/* A deck opened for results; valid from fourlink_results_open to fourlink_results_free.  It owns all memory
-** that columns, searches and lists need.  Each thread needs its own. */
+/* A deck opened for results; it owns all memory that columns, searches and lists need. */
 typedef struct fourlink_results fourlink_results;
 
-/* A named number or text: a column, an extreme, a fact, an input.  Texts are valid until
-** fourlink_results_free. */
+/* A named number or text: a column, an extreme, a fact, an input.  Its texts belong to the results. */
 typedef struct fourlink_value {
     const char *name;     /* Ts, max(Ts), mu_min, crank.length */
     const char *unit;     /* as the deck names it; "1": a plain number; "": words */
@@ -239,8 +266,8 @@ typedef struct fourlink_turning fourlink_turning;
 **    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
 **    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
 **    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, for programs that must not fail
-**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  Several threads can call these
-**    functions at once, each with its own results.  No result depends on earlier calls.
+**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier
+**    calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
@@ -258,8 +285,6 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
 **    as from fourlink_results_open
 ** Returned (function value):
 **    as from fourlink_results_open
-** Note:
-**    One thread at a time can use `like` and `results`.
 */
 FOURLINK_API int fourlink_results_open_like(const fourlink_source *source, fourlink_results *like,
                                             unsigned long max_mistakes, fourlink_results **results,
@@ -338,7 +363,7 @@ FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fou
 **    results    from fourlink_results_open
 **    which      FOURLINK_COLUMNS ... FOURLINK_CONDITIONS
 ** Returned:
-**    list       the entries, valid until fourlink_results_free; `value` is set for inputs, variables and
+**    list       the entries, which belong to the results; `value` is set for inputs, variables and
 **               conditions, 0 for columns and outputs
 **    n          how many
 ** Returned (function value):
@@ -374,7 +399,7 @@ FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: the branches that the deck requests
 **    groups     sum of FOURLINK_FACTS_LIMITS ...
 ** Returned:
-**    facts      valid until the next call of this function, or fourlink_results_free
+**    facts      they belong to the results, until the next call of this function
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_MEMORY
@@ -389,8 +414,7 @@ FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, i
 **    name       of a number, such as crank.length or "load L.force.size": SECTION[ NAME].KEY, for a force or
 **               a point with .x, .y, .size or .angle; its section must be in the deck
 ** Returned:
-**    input      value, unit, quantity, to_si, handle; the unit is valid until fourlink_results_free.
-**               The value is NaN if the deck does not give the number
+**    input      value, unit, quantity, to_si, handle.  The value is NaN if the deck does not give the number
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NO_SUCH_NAME, FOURLINK_NOT_A_NUMBER, FOURLINK_NULL
 ** Notes:
@@ -648,7 +672,7 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_BAD_NUMBER if there is no such design, FOURLINK_NULL,
 **    FOURLINK_NO_MEMORY
 ** Notes:
-** 1) `from` is not changed: several threads can open designs of it at once.
+** 1) `from` is not changed, and numbers set there are not set in the design.
 ** 2) fourlink_results_notes gives only notes on the design that is built, not notes on the text.
 */
 FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned long design,
@@ -705,7 +729,7 @@ FOURLINK_API int fourlink_results_slips(const fourlink_results *results, unsigne
 ** none. */
 FOURLINK_API const char *fourlink_results_meant(const fourlink_results *results, const char *name);
 
-/* The deck of results, for the functions fourlink_deck_...; valid as long as the results.  Null for null. */
+/* The deck of results, for the functions fourlink_deck_...  It belongs to the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
 
 /* The text of a status code: a constant string in English, never null. */

@@ -620,7 +620,7 @@ static const struct {
     {"--summary", {""}, NULL, SECTION_TOP},
     {"--matrix", {""}, NULL, SECTION_TOP},
     {"--list", {""}, NULL, SECTION_TOP},
-    {"--format", {"table", "csv", "json", "paper"}, NULL, SECTION_TOP},
+    {"--format", {"table", "csv", "json", "jsonl", "paper"}, NULL, SECTION_TOP},
     {"--output", {"out.txt"}, NULL, SECTION_TOP},
     {"--units",
      {"SI", "in, lbf", "mm, rpm, N", "cm, deg/s", "ft, lb-ft", "oz-in"},

@@ -84,6 +84,11 @@ strict='-pedantic-errors -Wall -Wextra -Werror -Iusr/include'
 with_c() {
     check 'command and example deck' usr/bin/fourlink --check usr/share/fourlink/data/me3491-matrix.deck
     check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
+    # the program in the manual page of the library, and what the page says that it prints
+    sed '/^\.EX/,/^\.EE/!d; /^\.E/d; s/\\e/\\/g; s/\\-/-/g' usr/share/man/man3/fourlink.3 >example.c
+    check 'the program of fourlink(3)' $CC $CFLAGS -std=c90 $strict example.c -o example $static_libraries
+    ./example >printed
+    check 'it prints what is said' grep -qFx "prints $(cat printed)." usr/share/man/man3/fourlink.3
     check 'the page' grep -q '</html>' usr/share/fourlink/fourlink.html
     check 'licence' test -s usr/share/doc/fourlink/LICENSE
     for file in README.md CHANGES.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.svg; do
@@ -281,7 +286,7 @@ completion() {
     }
     check 'an option completes' completes --format= --forma
     check 'its value completes' completes paper --format = p
-    check 'another' completes json --format = j
+    check 'others' completes 'json jsonl' --format = j
     check 'a kind of picture completes' completes polar --plot-kind = pol
     : >x.deck
     check 'a deck completes' completes x.deck x

@@ -1241,9 +1241,8 @@ FOURLINK_API int fourlink_extreme(const fourlink_mechanism *mechanism,
 ** Notes:
 ** 1) If the status is not FOURLINK_OK, there is nothing to free.
 ** 2) Numbers are read the same way in every locale.
-** 3) A deck does not change after it is read, so several threads may use it.
-** 4) A deck with a [sweep] gives its first design.  Columns and expected values are checked but not returned.
-** 5) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
+** 3) A deck with a [sweep] gives its first design.  Columns and expected values are checked but not returned.
+** 4) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
 ** Reference:
 **    the manual page fourlink-deck(5)
 */
@@ -1383,6 +1382,22 @@ FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsig
 */
 FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quantity,
                                     fourlink_unit *unit);
+
+/* Read a number with a unit, such as 30 deg, in the unit that the results of a deck have.
+**
+** Given:
+**    deck       from fourlink_deck_read, or fourlink_results_deck
+**    quantity   as for fourlink_deck_unit
+**    words      the number, as in a deck; a bare number is in the unit of the results
+** Returned:
+**    value      in the unit of the results
+**    mistake    only with FOURLINK_BAD_DECK: what is wrong with the words, with line 0; may be null
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
+*/
+FOURLINK_API int fourlink_deck_quantity(const fourlink_deck *deck, const char *quantity,
+                                        const char *words, double *value,
+                                        fourlink_mistake *mistake);
 
 /* Information on a load of a deck: its name, its source, where it acts.
 **

@@ -13,11 +13,13 @@
 #include "system/memory.h"
 #include "system/system.h"
 #include "batch.h"
+#include "best.h"
 #include "feedback.h"
 #include "command.h"
 #include "files.h"
 #include "marks.h"
 #include "output.h"
+#include "solve.h"
 #include "tables/content.h"
 #include "terminal.h"
 #include "view/results.h"
@@ -79,27 +81,61 @@ static int is_same(const fourlink_value *a, const fourlink_value *b)
     return strcmp(a->name, b->name) == 0 && strcmp(a->unit, b->unit) == 0;
 }
 
-/* Add the columns of a deck, or its values, each name with each unit once; 0 if memory has failed.  Decks mostly have
-** them in one order, and a deck has each column once. */
-static int add_columns(batch *b, const input *in)
+/* Add columns, each name with each unit once: of values, or of rows, of which a deck has each once.  Decks
+** mostly have them in one order.  0 if out of memory. */
+static int add_list(batch *b, const fourlink_value *list, unsigned long count, int has_values)
 {
-    const fourlink_value *list;
-    unsigned long count = 0, before = b->n_header, next = 0, n, k, j;
+    unsigned long before = b->n_header, next = 0, n, k, j;
 
-    b->has_values |= input_has_values(in);
-    b->has_designs |= input_has_values(in) && in->problem.n_designs > 0;
-    if (in->results)
-        fourlink_results_list(
-            in->results, input_has_values(in) ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list, &count);
     for (k = 0; k < count; k++) {
-        n = input_has_values(in) ? b->n_header : before;
+        n = has_values ? b->n_header : before;
         for (j = 0; j < n && !is_same(&b->header[(next + j) % n], &list[k]); j++)
             ;
         next += j < n ? j + 1 : 0;
         if (j == n && !add_column(b, &list[k]))
             return 0;
     }
-    return !memory_has_failed();
+    return 1;
+}
+
+/* 1 if each deck has lines of its answer to a question, as values. */
+static int asks(const options *o)
+{
+    return o->solve || o->best;
+}
+
+/* Add the columns of the answer to a question; 0 if out of memory. */
+static int add_answer(batch *b, input *in)
+{
+    fourlink_value of_solve[SOLVE_COLUMNS], *of_best = NULL;
+    unsigned long n = 0;
+    int enough;
+
+    b->has_values = 1;
+    if (in->results && b->o->solve)
+        n = solve_columns(in, of_solve);
+    else if (in->results)
+        of_best = best_columns(in, &n);
+    enough = add_list(b, of_best ? of_best : of_solve, n, 1);
+    free(of_best);
+    return enough && !memory_has_failed();
+}
+
+/* Add the columns of a deck, or its values; 0 if memory has failed. */
+static int add_columns(batch *b, input *in)
+{
+    const fourlink_value *list;
+    unsigned long count = 0;
+    int has_values = input_has_values(in);
+
+    if (asks(b->o))
+        return add_answer(b, in);
+    b->has_values |= has_values;
+    b->has_designs |= has_values && in->problem.n_designs > 0;
+    if (in->results)
+        fourlink_results_list(in->results, has_values ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list,
+                              &count);
+    return add_list(b, list, count, has_values) && !memory_has_failed();
 }
 
 /* ---------------------------------------------------------------------------------------- the sheet */
@@ -149,7 +185,7 @@ static void write_designs(sheet *s, const input *in)
 }
 
 /* Write an input, or its score alone; returns the exit status. */
-static int write_input(batch *b, const input *in)
+static int write_input(batch *b, input *in)
 {
     const options *o = b->o;
     sheet *s = &b->s;
@@ -168,6 +204,8 @@ static int write_input(batch *b, const input *in)
     s->mark = in->deck ? &mark : NULL;
     if (s->content == SHEET_SCORES)
         content_write_mark(s, &mark);
+    else if (asks(o) && in->results)
+        return o->solve ? solve_put(s, in) : best_put(s, in);
     else if (b->has_values && in->results && !input_has_values(in))
         content_write(s, NULL, in->name, "its columns are of rows, not values of the deck");
     else if (b->has_values && in->results && in->problem.n_designs)
@@ -233,7 +271,7 @@ static int open_exercise(const input *in, input *deck, options *of_deck)
     return deck->results && deck->problem.n_expected > 0;
 }
 
-int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
+int batch_write_one(FILE *out, input *in, const grade_answers *answers)
 {
     input deck, of_exercise = *in;
     options of_deck;
@@ -351,8 +389,8 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.n = deck ? answers->n_files : o->n_decks;
     b.texts = memory_get(b.n + 1, sizeof *b.texts);
     status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
-    if (!status &&
-        (b.m.list || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
+    if (!status && (b.m.list || asks(o) ||
+                    (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
         status = scan(&b);
     if (!status) {
         status = write_all(&b);

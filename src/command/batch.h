@@ -8,7 +8,7 @@
 #include "input.h"
 
 /* Write the sheet of one input that is open; returns the exit status. */
-int batch_write_one(FILE *out, const input *in, const grade_answers *answers);
+int batch_write_one(FILE *out, input *in, const grade_answers *answers);
 
 /* Read the decks of the options, or for `deck` the answers to it, and write their sheet to the output of
 ** the options; returns the exit status.  One is open at a time: where the sheet needs to know of all,

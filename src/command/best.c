@@ -20,8 +20,8 @@
 #include "system/system.h"
 #include "command.h"
 #include "terminal.h"
-#include "tables/sheet.h"
 #include "best.h"
+#include "tables/content.h"
 #include "view/results.h"
 
 #define DIGITS 10      /* of a refined value */
@@ -304,9 +304,17 @@ static void write_deck(FILE *out, const char *contents, unsigned long length)
 
 #define AT_END 1e-6 /* of the way between two values of the grid */
 
-/* Say which values stand at the end of their range, where better ones may be beyond. */
+/* The deck's name for messages; null if it is the only one. */
+static const char *deck_name(const search *s)
+{
+    return s->in->o->n_decks > 1 ? s->in->name : NULL;
+}
+
+/* Say which values stand at the end of their range, where better ones may be beyond: in lines of the deck, or
+** for null in notes. */
 static void put_ends(line *l, const search *s)
 {
+    char message[MESSAGE_SIZE];
     unsigned long i, k;
 
     for (k = 0; k < s->n_free; k++) {
@@ -317,8 +325,14 @@ static void put_ends(line *l, const search *s)
             continue;
         for (i = 0; s->variables[i].handle != s->handles[k]; i++)
             ;
-        line_put(l, "# %s = %12g %s is at the end of its range.\n", s->variables[i].name,
-                 s->refined[k], s->variables[i].line_unit);
+        if (l)
+            line_put(l, "# %s = %12g %s is at the end of its range.\n", s->variables[i].name,
+                     s->refined[k], s->variables[i].line_unit);
+        else
+            command_tell("note", "--best", 0,
+                         flk_message(message, sizeof message, "%s is at the end of its range",
+                                     s->variables[i].name),
+                         deck_name(s));
     }
 }
 
@@ -375,11 +389,30 @@ static void close_search(search *s)
     free(s->handles);
 }
 
-/* Search, and write the design that was found; returns the exit status. */
-static int find_best(FILE *out, search *s)
+/* Write the design that was found as a line; returns the exit status. */
+static int put_result(sheet *out, const search *s)
+{
+    unsigned long n = 0, i;
+    fourlink_value *values = best_columns(s->in, &n), found;
+
+    for (i = 0; i < n; i++) {
+        if (results_value(s->trial, values[i].name, s->branch, 0, &found) != FOURLINK_OK)
+            break;
+        values[i].value = found.value;
+        values[i].words = NULL;
+    }
+    if (n && i == n)
+        sheet_write_line(out, s->trial, s->in->name, s->branch, values, n);
+    free(values);
+    put_ends(NULL, s);
+    return n && i == n ? 0 : command_lacks_memory("cannot analyse", s->in->name);
+}
+
+/* Search, and write the design that was found as a deck or, for null, as a line; returns the exit status. */
+static int find_best(FILE *out, sheet *lines, search *s)
 {
     char message[MESSAGE_SIZE];
-    int has_best = search_grid(s, out);
+    int has_best = search_grid(s, lines ? lines->l.out : out);
 
     if (has_best && !system_caught())
         refine(s);
@@ -391,27 +424,57 @@ static int find_best(FILE *out, search *s)
         command_tell("error", "--best", 0,
                      flk_message(message, sizeof message, "%s of some designs is not known: %s",
                                  s->name, s->gave_up),
-                     NULL);
+                     deck_name(s));
     if (has_best)
-        return command_worse(write_result(out, s), s->gave_up ? EXIT_ROWS : 0);
+        return command_worse(lines ? put_result(lines, s) : write_result(out, s),
+                             s->gave_up ? EXIT_ROWS : 0);
     flk_message(message, sizeof message,
                 s->is_words       ? "%s is in words: it has no largest or smallest value"
                 : s->n_conditions ? "no design has a value of %s and meets the yield"
                                   : "no design has a value of %s",
                 s->name);
-    command_tell("error", "--best", 0, message, NULL);
+    command_tell("error", "--best", 0, message, deck_name(s));
+    if (lines)
+        content_write(lines, NULL, s->in->name, message);
     return EXIT_ROWS;
 }
 
-int best_write(FILE *out, const input *in)
+static int answer(FILE *out, sheet *lines, const input *in)
 {
     search s;
     int status;
 
     system_catch(1);
-    status =
-        open_search(&s, in) ? find_best(out, &s) : command_lacks_memory("cannot analyse", in->name);
+    status = open_search(&s, in) ? find_best(out, lines, &s)
+                                 : command_lacks_memory("cannot analyse", in->name);
     system_catch(0);
     close_search(&s);
     return status;
+}
+
+int best_write(FILE *out, const input *in)
+{
+    return answer(out, NULL, in);
+}
+
+int best_put(sheet *s, const input *in)
+{
+    return answer(NULL, s, in);
+}
+
+fourlink_value *best_columns(const input *in, unsigned long *n)
+{
+    const fourlink_value *variables;
+    fourlink_value *columns;
+    unsigned long n_variables;
+
+    fourlink_results_list(in->results, FOURLINK_VARIABLES, &variables, &n_variables);
+    columns = memory_get(n_variables + 1, sizeof *columns);
+    if (!columns)
+        return NULL;
+    memcpy(columns, variables, n_variables * sizeof *columns);
+    *n = n_variables;
+    if (fourlink_results_find(in->results, in->o->best, &columns[*n]) == FOURLINK_OK)
+        ++*n;
+    return columns;
 }

@@ -51,20 +51,27 @@ static int write_sheet(const options *o, input *in, const grade_answers *answers
 
     if (status)
         return status;
-    if (o->solve)
+    if (o->solve && (o->print_deck || o->format == &table_format))
         written = solve_write(out.file, in);
     else if (o->print_deck || (prints_found(o, in) && !o->has_format))
         written = write_deck(out.file, in);
-    else if (o->best)
+    else if (o->best && !o->has_format)
         written = best_write(out.file, in);
     else if (prints_found(o, in) && !in->is_design)
         written = solutions_write(out.file, in);
-    else if (in->results && in->problem.n_designs && o->content != SHEET_LIST)
+    else if (in->results && in->problem.n_designs && o->content != SHEET_LIST && !o->best)
         written = designs_write(out.file, in);
     else
         written = batch_write_one(out.file, in, answers);
     /* incomplete results are not kept */
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
+}
+
+/* 1 if the sheet has something of a deck, also of one with mistakes where a line says why. */
+static int is_shown(const options *o, const input *in)
+{
+    return in->results || (o->content == SHEET_CHECK && o->scores) ||
+           (o->format->is_lines && (o->content == SHEET_CHECK || o->solve || o->best));
 }
 
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
@@ -78,7 +85,7 @@ static int write_all(const options *o, input *in, const grade_answers *answers)
         status = drawing_begin(&d, in);
     if (status == EXIT_USAGE)
         return status;
-    if (options_want_table(o) && (in->results || (o->content == SHEET_CHECK && o->scores)))
+    if (options_want_table(o) && is_shown(o, in))
         status = command_worse(status, write_sheet(o, in, answers));
     if (d.is_there)
         status = command_worse(status, drawing_end(&d, !system_caught()));

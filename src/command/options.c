@@ -288,7 +288,10 @@ static const option_info table[] = {
      "headings name (or first name, surname), id, late",
      NULL},
     {0, "--best", "'max|min NAME'", OWN(set_best),
-     "print the best design of the deck's [sweep], refined, as a deck", NULL},
+     "print the best design of the deck's [sweep], refined, as a deck; with --format, or of "
+     "several "
+     "decks, as a line",
+     NULL},
     {0, "--solve", "'KEY = LOW .. HIGH where NAME = VALUE'", MEMBER(solve),
      "the values of an input at which a fact, an extreme, or a column at an angle (NAME at ANGLE) "
      "has a value",

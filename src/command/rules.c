@@ -42,11 +42,10 @@ static const rule table[] = {
     {PICTURES, NULL, "--check=FOLDER of a class", "it prints scores"},
     {"--print-deck", NULL, TEXTS ", --part, " PICTURES ", --format, --at, --best, several decks",
      NO_TABLE},
-    {"--best", NULL, TEXTS ", --part, --design, " PICTURES ", --format, --at, several decks",
-     NO_TABLE},
-    {"--solve", NULL,
-     TEXTS ", --part, " PICTURES ", --best, --at, --format=json, --format=paper, several decks",
-     "it prints a table or csv of its solutions"},
+    {"--best", NULL, TEXTS ", --part, --design, " PICTURES ", --format=paper, --at",
+     "it prints the best design, as a deck or a line"},
+    {"--solve", NULL, TEXTS ", --part, " PICTURES ", --best, --at, --format=paper",
+     "it prints lines of its solutions"},
     {"--expect, --form, --synthesis, --plot, --report, --part", NULL, "several decks",
      "it takes one deck"},
 
@@ -149,7 +148,7 @@ static void find_facts(known *k, const rules_deck *d)
     add(k, "--format=paper alone", is_paper && !has_picture);
     add_of_deck(k, "--synthesis alone", finds && !o->has_format && !has_picture, !is_sweep);
     add_of_deck(k, "a list of solutions alone", finds && !has_picture, o->has_format || is_sweep);
-    if (o->print_deck || o->best)
+    if (o->print_deck || (o->best && !o->has_format && o->n_decks < 2))
         add(k, "a printed deck", 1);
     else
         add_of_deck(k, "a printed deck", finds && !o->has_format, !is_sweep);

@@ -7,6 +7,7 @@
 ** is between two steps and back again is not found.
 */
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +19,7 @@
 #include "system/memory.h"
 #include "command.h"
 #include "solve.h"
-#include "tables/sheet.h"
+#include "tables/content.h"
 #include "view/view.h"
 #include "view/results.h"
 
@@ -45,44 +46,54 @@ typedef struct question {
     double steps[2][STEPS +
                     1]; /* the results minus VALUE at the steps of the range, on the branches */
     double least, most; /* of the results found */
-    line *l;
+    line *l;            /* for people, */
+    sheet *s;           /* ... or of values; null: nothing but the first is wanted */
     unsigned long n;
     double first;
-    int is_flat;         /* 1: the result is the value wanted in a part of the range */
-    const char *gave_up; /* why it is not known somewhere; null: it is, or there is none */
+    int is_flat;            /* 1: the result is the value wanted in a part of the range */
+    const char *gave_up;    /* why it is not known somewhere; null: it is, or there is none */
+    char why[MESSAGE_SIZE]; /* why there is no solution */
+    int is_silent;          /* 1: nothing is told */
 } question;
 
 /* ------------------------------------------------------------------------------------------- reading */
 
-static int refuse(const char *message)
+static void tell(const question *q, const char *what, const char *message)
 {
-    command_tell("error", "--solve", 0, message, NULL);
+    if (!q->is_silent)
+        command_tell(what, "--solve", 0, message, q->in->o->n_decks > 1 ? q->in->name : NULL);
+}
+
+/* Say why there is no solution; returns 0. */
+static int refuse(question *q, const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
+    flk_message_list(q->why, sizeof q->why, format, values);
+    va_end(values);
+    tell(q, "error", q->why);
     return 0;
 }
 
 /* Read a quantity as a value of this kind; 0 and a message if it is none. */
-static int read_value(const question *q, text words, const fourlink_value *as, double *value)
+static int read_value(question *q, text words, const fourlink_value *as, double *value)
 {
     quantity kind = flk_quantity_find(as->quantity);
     char message[MESSAGE_SIZE];
     double number;
 
     if (!view_read(&q->v, kind, words, words, &number, message))
-        return refuse(message);
+        return refuse(q, "%s", message);
     *value = view_si(&q->v, kind, number) / as->to_si;
     return 1;
 }
 
 /* Find a name; 0 and a message if the deck has none. */
-static int find(const question *q, const char *name, fourlink_value *found)
+static int find(question *q, const char *name, fourlink_value *found)
 {
-    char message[MESSAGE_SIZE];
-
-    if (fourlink_results_find(q->in->results, name, found) == FOURLINK_OK)
-        return 1;
-    return refuse(flk_message(message, sizeof message,
-                              "'%t' is no column, fact, extreme or input of this deck",
-                              flk_text_of(name)));
+    return fourlink_results_find(q->in->results, name, found) == FOURLINK_OK ||
+           refuse(q, "'%t' is no column, fact, extreme or input of this deck", flk_text_of(name));
 }
 
 /* Read where the result is taken, if it is a column. */
@@ -94,32 +105,29 @@ static int read_angle(question *q, text at)
     if (!q->result.has_angle && !at.start)
         return 1;
     if (!q->result.has_angle || !at.start)
-        return refuse(flk_message(message, sizeof message,
-                                  q->result.has_angle
-                                      ? "'%t' has a value in each row: ask for it at a crank "
-                                        "angle, '%t at 60 deg', or for "
-                                        "its max() or min()"
-                                      : "'%t' is one value of the deck: it has none at an angle",
-                                  flk_text_of(q->name), flk_text_of(q->name)));
+        return refuse(q,
+                      q->result.has_angle
+                          ? "'%t' has a value in each row: ask for it at a crank angle, "
+                            "'%t at 60 deg', or for its max() or min()"
+                          : "'%t' is one value of the deck: it has none at an angle",
+                      flk_text_of(q->name), flk_text_of(q->name));
     if (strcmp(q->result.quantity, "angle") == 0)
         q->turn = 2 * M_PI / q->result.to_si;
     q->is_drawn = flk_text_equal(at, "drawn");
-    return view_read_crank(&q->v, at, at, &q->angle, message) || refuse(message);
+    return view_read_crank(&q->v, at, at, &q->angle, message) || refuse(q, "%s", message);
 }
 
 /* Refuse a KEY that cannot be set, and say why. */
-static int check_key(const question *q)
+static int check_key(question *q)
 {
     fourlink_mistake mistake;
-    char message[MESSAGE_SIZE];
 
     if (q->of.line_unit)
         return 1;
     if (results_set(q->in->results, q->key, q->low, &mistake) == FOURLINK_BAD_DECK)
-        return refuse(mistake.message);
-    return refuse(flk_message(message, sizeof message,
-                              "'%t' follows from other values of the deck: it cannot be set",
-                              flk_text_of(q->key)));
+        return refuse(q, "%s", mistake.message);
+    return refuse(q, "'%t' follows from other values of the deck: it cannot be set",
+                  flk_text_of(q->key));
 }
 
 #define FORM                                                                       \
@@ -134,7 +142,7 @@ static int read_question(question *q)
     if (!flk_text_cut(flk_text_of(q->in->o->solve), " where ", &left, &right) ||
         !flk_text_cut(left, "=", &key, &range) || !flk_text_range(range, &low, &high) ||
         !flk_text_cut_last(right, "=", &name, &value))
-        return refuse(FORM);
+        return refuse(q, FORM);
     at.start = NULL;
     flk_text_cut(name, " at ", &name, &at);
     flk_text_copy(key, q->key, sizeof q->key);
@@ -143,9 +151,35 @@ static int read_question(question *q)
         !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
         !check_key(q) || !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
+    flk_text_copy(flk_text_of(q->of.name), q->key, sizeof q->key);
+    flk_text_copy(flk_text_of(q->result.name), q->name, sizeof q->name);
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
-    return q->low < q->high || refuse("the range has to rise: LOW .. HIGH");
+    return q->low < q->high || refuse(q, "the range has to rise: LOW .. HIGH");
+}
+
+/* Begin a question; 0 if it is none. */
+static int begin(question *q, input *in, int is_silent)
+{
+    memset(q, 0, sizeof *q);
+    q->in = in;
+    q->is_silent = is_silent;
+    q->set = GSL_NAN;
+    q->least = GSL_POSINF;
+    q->most = GSL_NEGINF;
+    view_take(&q->v, in->results);
+    return read_question(q);
+}
+
+/* KEY and NAME; the texts of lists are no longer valid when a value has been set. */
+static void take_columns(const question *q, fourlink_value columns[SOLVE_COLUMNS])
+{
+    columns[0] = q->of;
+    columns[0].name = q->key;
+    columns[0].unit = q->unit;
+    columns[1] = q->result;
+    columns[1].name = q->name;
+    columns[1].unit = q->result_unit;
 }
 
 /* ------------------------------------------------------------------------------------------- solving */
@@ -201,18 +235,21 @@ static double nearness(double x, void *data)
 /* Write a solution. */
 static void put(question *q, double x)
 {
-    int is_csv = q->in->o->format == &csv_format;
     double value = excess(x, q) + q->wanted;
+    fourlink_value columns[SOLVE_COLUMNS];
 
     if (!q->n++)
         q->first = x;
-    if (q->in->o->print_deck)
-        return;
-    if (is_csv)
-        line_put(q->l, "%s,%17g,%17g\n", fourlink_branch_text((int)q->branch), x, value);
-    else
+    if (q->s) {
+        take_columns(q, columns);
+        columns[0].value = x;
+        columns[1].value = value;
+        columns[0].words = columns[1].words = NULL;
+        sheet_write_line(q->s, q->in->results, q->in->name, q->branch, columns, SOLVE_COLUMNS);
+    } else if (q->l) {
         line_put(q->l, "%-9s %12g %s, %s = %12g %s\n", fourlink_branch_text((int)q->branch), x,
                  q->unit, q->name, value, q->result_unit);
+    }
 }
 
 /* The last place where there is a value, between one that has it and one that has not. */
@@ -331,59 +368,83 @@ static void walk(question *q, int i)
     }
 }
 
-static int tell_none(const question *q)
+static void find_solutions(question *q)
+{
+    int i;
+
+    find_steps(q);
+    for (i = 0; i < q->v.n_branches; i++)
+        walk(q, i);
+}
+
+/* Say what else is to be known of the solutions; returns the exit status. */
+static int end(question *q)
 {
     char message[MESSAGE_SIZE];
 
+    if (q->is_flat)
+        tell(q, "note", "the result has this value in a part of the range, or in all of it");
+    if (q->gave_up) {
+        flk_message(message, sizeof message, "in a part of the range %s is not known: %s", q->name,
+                    q->gave_up);
+        tell(q, "error", message);
+    }
+    if (q->n)
+        return q->gave_up ? EXIT_ROWS : 0;
     if (q->least > q->most && q->gave_up)
-        return EXIT_ROWS; /* which is told */
-    if (q->least > q->most)
-        flk_message(message, sizeof message, "%s has no value in this range of %s", q->name,
-                    q->key);
+        flk_message(q->why, sizeof q->why, "%s", q->gave_up); /* which is told */
+    else if (q->least > q->most)
+        refuse(q, "%s has no value in this range of %s", q->name, q->key);
     else
-        flk_message(message, sizeof message,
-                    "%s is not %.6g %s in this range of %s: it goes from %.6g to %.6g", q->name,
-                    q->wanted, q->result_unit, q->key, q->least, q->most);
-    command_tell("error", "--solve", 0, message, NULL);
+        refuse(q, "%s is not %.6g %s in this range of %s: it goes from %.6g to %.6g", q->name,
+               q->wanted, q->result_unit, q->key, q->least, q->most);
     return EXIT_ROWS;
 }
 
 int solve_write(FILE *out, input *in)
 {
-    char message[MESSAGE_SIZE];
     question q;
     line l;
-    int i;
 
-    memset(&q, 0, sizeof q);
-    q.in = in;
-    q.l = &l;
-    q.set = GSL_NAN;
-    q.least = GSL_POSINF;
-    q.most = GSL_NEGINF;
-    view_take(&q.v, in->results);
-    if (!read_question(&q))
+    if (!begin(&q, in, 0))
         return EXIT_USAGE;
     line_start(&l, out);
-    if (in->o->format == &csv_format && !in->o->print_deck)
-        line_put(&l, "branch,%s (%s),%s (%s)\n", q.key, q.unit, q.name, q.result_unit);
-    find_steps(&q);
-    for (i = 0; i < q.v.n_branches; i++)
-        walk(&q, i);
+    q.l = in->o->print_deck ? NULL : &l;
+    find_solutions(&q);
     line_end(&l);
     if (q.n && in->o->print_deck)
         set_key(&q, q.first);
     if (memory_has_failed())
         return command_lacks_memory("cannot analyse", in->name);
-    if (q.is_flat)
-        command_tell("note", "--solve", 0,
-                     "the result has this value in a part of the range, or in all of it", NULL);
     if (q.n && in->o->print_deck && !input_write_deck(in, out))
         return command_lacks_memory("cannot write", in->name);
-    if (q.gave_up)
-        command_tell("error", "--solve", 0,
-                     flk_message(message, sizeof message,
-                                 "in a part of the range %s is not known: %s", q.name, q.gave_up),
-                     NULL);
-    return !q.n ? tell_none(&q) : q.gave_up ? EXIT_ROWS : 0;
+    return end(&q);
+}
+
+unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS])
+{
+    question q;
+
+    if (!begin(&q, in, 1))
+        return 0;
+    columns[0] = q.of;
+    columns[1] = q.result;
+    return SOLVE_COLUMNS;
+}
+
+int solve_put(sheet *s, input *in)
+{
+    question q;
+    int status = EXIT_USAGE;
+
+    if (begin(&q, in, 0)) {
+        q.s = s;
+        find_solutions(&q);
+        status = end(&q);
+    }
+    if (memory_has_failed())
+        return command_lacks_memory("cannot analyse", in->name);
+    if (!q.n)
+        content_write(s, NULL, in->name, q.why);
+    return status;
 }

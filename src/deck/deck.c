@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/quantity.h"
 #include "deck.h"
 #include "mechanics/kind.h"
 
@@ -200,6 +201,31 @@ int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *
     u->up = own->unit.up;
     u->down = own->unit.down;
     u->is_given = own->is_given;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_quantity(const fourlink_deck *d, const char *name, const char *words,
+                           double *value, fourlink_mistake *mistake)
+{
+    char message[MESSAGE_SIZE];
+    quantity_value read;
+    text t;
+    int q;
+
+    if (!d || !name || !words || !value)
+        return FOURLINK_NULL;
+    q = (int)flk_quantity_find(name);
+    if (q == QUANTITY_COUNT)
+        return FOURLINK_NO_SUCH_NAME;
+    t = flk_text_trim(flk_text_of(words));
+    if (!flk_quantity_read(t, t, (quantity)q, d->units[q].unit, &read, message)) {
+        if (mistake) {
+            memset(mistake, 0, sizeof *mistake);
+            strcpy(mistake->message, message);
+        }
+        return FOURLINK_BAD_DECK;
+    }
+    *value = flk_unit_in(read.number, read.unit, d->units[q].unit);
     return FOURLINK_OK;
 }
 

@@ -160,7 +160,8 @@ static const sheet_format html_format = {
     0,                                                                /* is_by_angle */
     1,                                                                /* is_brief */
     NULL,                                                             /* mark */
-    NULL                                                              /* extremes */
+    NULL,                                                             /* extremes */
+    0                                                                 /* is_lines */
 };
 
 /* ------------------------------------------------------------------------------ sections */

@@ -415,13 +415,13 @@ static const char *why_incomplete(const sheet_output *x)
 /* Write the values of a deck, a line for each branch. */
 static void write_values(sheet *s)
 {
-    sheet_output outputs[SHEET_OUTPUTS];
+    sheet_output *outputs = memory_get(s->n_header, sizeof *outputs);
     const fourlink_value *own;
     unsigned long n, k;
     int i;
 
     fourlink_results_list(s->v.results, FOURLINK_OUTPUTS, &own, &n);
-    for (i = 0; i < s->v.n_branches; i++) {
+    for (i = 0; outputs && i < s->v.n_branches; i++) {
         const char *why = NULL, *reason;
 
         for (k = 0; k < s->n_header; k++) {
@@ -438,6 +438,7 @@ static void write_values(sheet *s)
         s->failed += why != NULL;
         s->format->values(s, s->v.branches[i], outputs, why);
     }
+    free(outputs);
 }
 
 static void write_content(sheet *s)
@@ -482,7 +483,7 @@ static void write_content(sheet *s)
 
 void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
 {
-    s->deck_name = s->n_decks > 1 ? deck_name : NULL;
+    sheet_name_deck(s, deck_name);
     if (!results) {
         if (s->content == SHEET_VALUES || (s->content == SHEET_CHECK && (s->deck_name || s->mark)))
             frame_of(s)->refuse(s, why);

@@ -294,5 +294,6 @@ const sheet_format csv_format = {
     0,            /* is_by_angle */
     0,            /* is_brief */
     put_mark,     /* mark */
-    NULL          /* extremes */
+    NULL,         /* extremes */
+    0             /* is_lines */
 };

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** json.c - the format json, RFC 8259: an object for a deck; for several decks, and for the designs of a
-** sweep, one object a line.  Numbers have 17 digits; undefined is null, unbounded is "inf" or "-inf".
+** json.c - the format json, RFC 8259: an object for a deck; for several decks, for the designs of a
+** sweep, and in the format jsonl always, one object a line.  Numbers have 17 digits; undefined is null,
+** unbounded is "inf" or "-inf".
 */
 #include <float.h>
 #include <string.h>
@@ -267,7 +268,9 @@ static void put_header(sheet *s)
 static void begin_values(sheet *s)
 {
     begin_object(&s->l, "fourlink", fourlink_version());
+    s->design = 1; /* one line */
     put_header(s);
+    s->design = 0;
 }
 
 static void begin_designs(sheet *s)
@@ -275,6 +278,16 @@ static void begin_designs(sheet *s)
     begin_object(&s->l, "title", s->v.problem.title);
     s->design = 1; /* one line */
     put_header(s);
+}
+
+/* 1 if the name of column i of the header stands before it with another unit. */
+static int stands_before(const sheet *s, unsigned long i)
+{
+    unsigned long k;
+
+    for (k = 0; k < i && strcmp(s->header[k].name, s->header[i].name) != 0; k++)
+        ;
+    return k < i;
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -286,7 +299,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     if (branch)
         put_text(&s->l, "branch", fourlink_branch_text((int)branch));
     for (i = 0; i < s->n_header; i++) {
-        if (outputs && outputs[i].is_other)
+        if (outputs ? outputs[i].is_other : stands_before(s, i))
             continue;
         put_name(&s->l, s->header[i].name, 0);
         if (outputs && outputs[i].has_value)
@@ -380,23 +393,26 @@ static const sheet_frame of_rows = {NULL, open_rows, close_rows, refuse},
                          of_values = {begin_values, NULL, NULL, refuse_values},
                          of_scores = {NULL, NULL, NULL, NULL};
 
-const sheet_format json_format = {
-    "json", /* name */
-    {&of_rows, &of_summary, &of_checks, &of_list, NULL, &of_designs, &of_values, NULL,
-     &of_scores},      /* frame */
-    put_listed_column, /* column */
-    put_listed_fact,   /* listed */
-    put_fact,          /* limit */
-    put_fact,          /* fact */
-    put_block,         /* block */
-    put_row,           /* row */
-    NULL,              /* end_block */
-    put_check,         /* check */
-    put_design,        /* design */
-    put_design,        /* values */
-    0,                 /* layout_size */
-    0,                 /* is_by_angle */
-    0,                 /* is_brief */
-    put_mark,          /* mark */
-    NULL               /* extremes */
-};
+#define JSON(name, is_lines)                                                        \
+    {                                                                               \
+        name, {&of_rows,    &of_summary, &of_checks, &of_list,  NULL,               \
+               &of_designs, &of_values,  NULL,       &of_scores}, /* frame */       \
+            put_listed_column,                                    /* column */      \
+            put_listed_fact,                                      /* listed */      \
+            put_fact,                                             /* limit */       \
+            put_fact,                                             /* fact */        \
+            put_block,                                            /* block */       \
+            put_row,                                              /* row */         \
+            NULL,                                                 /* end_block */   \
+            put_check,                                            /* check */       \
+            put_design,                                           /* design */      \
+            put_design,                                           /* values */      \
+            0,                                                    /* layout_size */ \
+            0,                                                    /* is_by_angle */ \
+            0,                                                    /* is_brief */    \
+            put_mark,                                             /* mark */        \
+            NULL,                                                 /* extremes */    \
+            is_lines                                                                \
+    }
+
+const sheet_format json_format = JSON("json", 0), jsonl_format = JSON("jsonl", 1);

@@ -73,5 +73,6 @@ const sheet_format paper_format = {
     1,                                                          /* is_by_angle */
     0,                                                          /* is_brief */
     NULL,                                                       /* mark */
-    NULL                                                        /* extremes */
+    NULL,                                                       /* extremes */
+    0                                                           /* is_lines */
 };

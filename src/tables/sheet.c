@@ -11,6 +11,7 @@
 #include "at.h"
 #include "base/message.h"
 #include "sheet.h"
+#include "system/memory.h"
 #include "view/rounding.h"
 
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
@@ -30,6 +31,34 @@ long sheet_column_under(const sheet *s, unsigned long i)
             return (long)j;
     }
     return -1;
+}
+
+void sheet_name_deck(sheet *s, const char *name)
+{
+    s->deck_name = s->n_decks > 1 || s->format->is_lines ? name : NULL;
+}
+
+void sheet_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
+                      fourlink_branch branch, const fourlink_value *values, unsigned long n)
+{
+    sheet_output *outputs = memory_get(s->n_header, sizeof *outputs);
+    unsigned long i, k;
+
+    sheet_name_deck(s, deck_name);
+    fourlink_deck_problem(fourlink_results_deck(results), &s->v.problem);
+    for (k = 0; outputs && k < s->n_header; k++) {
+        outputs[k].is_other = 1;
+        for (i = 0; i < n && outputs[k].is_other; i++) {
+            outputs[k].v = values[i];
+            outputs[k].has_value = strcmp(s->header[k].name, values[i].name) == 0 &&
+                                   strcmp(s->header[k].unit, values[i].unit) == 0;
+            outputs[k].is_other = !outputs[k].has_value;
+        }
+    }
+    if (outputs)
+        s->format->values(s, branch, outputs, NULL);
+    free(outputs);
+    line_end(&s->l);
 }
 
 void sheet_write_gap(sheet *s)

@@ -144,10 +144,11 @@ typedef struct sheet_format {
     /* of SHEET_SUMMARY, on both branches for 0; null: each extreme is a fact */
     void (*extremes)(sheet *s, const fourlink_value *column, const fourlink_value *least,
                      const fourlink_value *most, int branch);
+    int is_lines; /* 1: one deck is a line with its name, as one of several */
 } sheet_format;
 
 /* The formats, each in its own file. */
-#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(paper)
+#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(jsonl) X(paper)
 
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
@@ -155,6 +156,13 @@ SHEET_FORMATS(SHEET_FORMAT)
 /* The deck's column, or of values its output, that belongs under column i of the header; -1 if there is
 ** none. */
 long sheet_column_under(const sheet *s, unsigned long i);
+
+/* Take the deck's name, if it is shown. */
+void sheet_name_deck(sheet *s, const char *name);
+
+/* Write a line of SHEET_VALUES: these, where the header has their names and units. */
+void sheet_write_line(sheet *s, const fourlink_results *results, const char *deck_name,
+                      fourlink_branch branch, const fourlink_value *values, unsigned long n);
 
 /* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);

@@ -253,20 +253,21 @@ static const sheet_frame of_rows = {NULL, open_rows, NULL, table_refuse_rows},
 const sheet_format table_format = {
     "table", /* name */
     {&of_rows, &of_summary, &of_checks, &of_list, &of_others, &of_designs, &of_values, &of_others,
-     &of_scores},        /* frame */
-    table_put_column,    /* column */
-    table_put_listed,    /* listed */
-    NULL,                /* limit */
-    summary_put_fact,    /* fact */
-    block_begins,        /* block */
-    put_row,             /* row */
-    block_ends,          /* end_block */
-    table_put_check,     /* check */
-    table_put_design,    /* design */
-    table_put_values,    /* values */
-    STYLE_AND_CELL,      /* layout_size */
-    0,                   /* is_by_angle */
-    1,                   /* is_brief */
-    table_put_mark,      /* mark */
-    summary_put_extremes /* extremes */
+     &of_scores},         /* frame */
+    table_put_column,     /* column */
+    table_put_listed,     /* listed */
+    NULL,                 /* limit */
+    summary_put_fact,     /* fact */
+    block_begins,         /* block */
+    put_row,              /* row */
+    block_ends,           /* end_block */
+    table_put_check,      /* check */
+    table_put_design,     /* design */
+    table_put_values,     /* values */
+    STYLE_AND_CELL,       /* layout_size */
+    0,                    /* is_by_angle */
+    1,                    /* is_brief */
+    table_put_mark,       /* mark */
+    summary_put_extremes, /* extremes */
+    0                     /* is_lines */
 };

@@ -236,6 +236,10 @@ sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's sim
 all 0 "--best=max swing" -o result ../t.deck
 all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o result ../alvi-5.1.deck
 all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" --print-deck -o result ../alvi-5.1.deck
+all 0 -f csv "--best=max swing" -o result ../t.deck
+all 2 -f jsonl "--best=max swing" -o result ../t.deck ../single.deck
+all 0 -f csv "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o result ../alvi-5.1.deck
+all 0 -f jsonl --summary -o result ../single.deck
 all 0 -f csv -c "mu_min, max(omega4), crank.length" -o result ../alvi-5.1.deck
 
 for kind in mechanism motion forces turning-moment polar vectors; do

@@ -138,6 +138,7 @@ static const char *const outputs[][4] = {
     {"--design=all", "--report=" MADE "/"},
     {"--format=csv"},
     {"--format=json"},
+    {"--format=jsonl"},
     {"--format=paper"}};
 
 #define OUTPUTS (sizeof outputs / sizeof *outputs)

@@ -2,7 +2,8 @@
 #
 # solve.py FOURLINK N DECK... - N random questions of --solve: a result is computed for a value of an input, and the question is
 # where it has that result.  Each solution, set with --set, has to give it; the value asked for has to be among them; and
-# the changes of sign in a sweep of 600 designs have to be the solutions, branch by branch.
+# the changes of sign in a sweep of 600 designs have to be the solutions, branch by branch.  Beside another deck its lines have to
+# be the same.
 import csv
 import io
 import random
@@ -15,6 +16,7 @@ NAMES = ('mu_min', 'mu_max', 'swing', 'theta4_swing', 'stroke', 'max(omega4)', '
          'theta4 at %s deg', 'F12 at %s deg', 'Ts at %s deg', 'x at %s deg', 'v at %s deg')
 KEYS = ('crank.length', 'coupler.length', 'rocker.length', 'ground.length', 'rod.length', 'motion.speed', 'crank.mass', 'lever.offset', 'ground.offset')
 r = random.Random(7)
+others = random.Random(8)
 tried = compared = failed = 0
 
 
@@ -68,6 +70,11 @@ def changes(points, wanted):
     return found
 
 
+def lines(rows, deck=None):
+    """What the lines of a deck have, without empty fields; of several decks, of this one."""
+    return [sorted(v for k, v in row.items() if v and k != 'deck') for row in rows if deck is None or row['deck'] == deck]
+
+
 while tried < count:
     deck = r.choice(decks)
     inputs = {}
@@ -96,9 +103,19 @@ while tried < count:
     tried += 1
     result_unit = head.rpartition(' (')[2][:-1]
     question = '%s = %.17g %s .. %.17g %s where %s = %.17g %s' % (key, low, unit, high, unit, name, value, result_unit)
-    status, rows, told = run('-f', 'csv', '--solve=' + question.replace(' 1 ', ' ').removesuffix(' 1'), deck)
+    asked = '--solve=' + question.replace(' 1 ', ' ').removesuffix(' 1')
+    status, rows, told = run('-f', 'csv', asked, deck)
+    other_deck = others.choice(decks)
+    other_status, other_rows, _ = run('-f', 'csv', asked, other_deck)
+    both_status, both, _ = run('-f', 'csv', asked, deck, other_deck)
+    compared += 2
+    expected = [lines(rows), lines(other_rows)] if deck != other_deck else [lines(rows) * 2] * 2
+    if [lines(both, deck), lines(both, other_deck)] != expected or both_status != max(status, other_status):
+        fail('%s beside %s, %s: %s is not %s' % (deck, other_deck, question, lines(both), expected))
     places = {}
     for row in rows:
+        if not row['branch']:  # why there is none
+            continue
         places.setdefault(row['branch'], []).append(number(list(row.values())[1]))
     for where, list_ in places.items():
         for place in list_[:3]:

@@ -163,9 +163,41 @@ run 2 --best='max Ts' t.deck
 says "'Ts' has a value in each row"
 run 2 --best='max swing' single.deck
 says '--best: error: [sweep] varies nothing'
-for other in --summary --check --part=1/2 --format=csv --plot=p.svg single.deck; do
-    usage 'it prints a deck and nothing else' --best='max swing' $other t.deck
+for other in --summary --check --part=1/2 --format=paper --plot=p.svg; do
+    usage 'it prints the best design, as a deck or a line' --best='max swing' $other t.deck
 done
+
+# as a line: the design and the value that the deck has
+run 0 --best='max swing' t.deck
+cp out best.deck
+run 0 -f csv -b open -c 'crank.length, swing' best.deck
+sed 1d out >of_deck
+run 0 -f csv --best='max swing' t.deck
+sed 1d out >of_line
+check 'the line has the values of the deck' cmp of_line of_deck
+
+# of several decks a line each, as of each alone; a deck without a design too
+{ base && printf '[sweep]\nrocker.length = 50 mm to 60 mm step 5 mm\n'; } >other.deck
+run 2 -f csv --best='max swing' t.deck single.deck other.deck
+cp out all
+says '--best: error: [sweep] varies nothing'
+says 'note: rocker.length is at the end of its range (other.deck)'
+check 'a line each' test "$(cut -d, -f1,2 all | tr '\n' ' ')" = 'deck,branch t.deck,open single.deck, other.deck,open '
+fields() { tr ',' '\n' | sed '/^$/d' | sort; }
+for deck in t other; do
+    run 0 -f csv --best='max swing' $deck.deck
+    sed 1d out | fields >alone
+    sed -n "s/^$deck.deck,//p" all | fields >beside
+    same alone beside
+done
+for format in json jsonl; do
+    run 2 -f $format --best='max swing' t.deck single.deck other.deck
+    lines out 4
+done
+run 2 --best='max swing' t.deck single.deck other.deck
+lines out 5
+run 1 -f csv --best='max swing' -s 'sweep.yield=mu_min > 89 deg' t.deck
+holds 'a line that says why' '/^,,,no design has a value of swing and meets the yield$/ {n++} END {exit n != 1}'
 run 1 --best='max type' t.deck
 nothing
 says '--best: error: type is in words: it has no largest or smallest value'

@@ -45,6 +45,10 @@ freed sweep.deck
 freed --plot=x.svg sweep.deck
 freed --design=2 --format=csv sweep.deck
 freed --best='max swing' sweep.deck
+freed --best='max swing' --format=csv sweep.deck
+freed --best='max swing' --format=jsonl sweep.deck "$alvi"
+freed --solve='coupler.length = 50 mm .. 80 mm where swing = 40 deg' --format=csv "$alvi" sweep.deck "$data/khurmi-5.1.deck"
+freed --format=jsonl --check "$alvi"
 freed --solve='coupler.length = 50 mm .. 80 mm' --at='swing = 40 deg' "$alvi"
 freed --names=names.txt --design=all --output=told/ sweep.deck
 freed "$data/gerstmayr-run-up.deck"

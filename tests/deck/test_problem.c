@@ -200,6 +200,46 @@ TEST(test_units_and_names_of_loads)
     fourlink_deck_free(deck);
 }
 
+/* Numbers in words, in the deck's units: as they are written, or by the factors of NIST SP 811. */
+TEST(test_quantity)
+{
+    const struct {
+        const char *quantity, *words;
+        double value;
+    } read[] = {{"length", "0.9 in", 0.9 * 25.4}, {"length", " 20.1mm ", 20.1},
+                {"length", "20.1", 20.1},         {"angle", "30.7 deg", 30.7},
+                {"angle", "1/3 rev", 120},        {"angle", "pi/6", 30},
+                {"angular_speed", "60 rpm", 60},  {"force", "1 lbf", 4.4482216152605}};
+    const char *deck_text = "mechanism = four-bar\n[units]\nlength = mm\nangular_speed = rpm\n"
+                            "[ground]\nlength = 80\n[crank]\nlength = 20\n[coupler]\n"
+                            "length = 66\n[rocker]\nlength = 56\n";
+    fourlink_deck *deck;
+    fourlink_mistake mistake;
+    double value = 7;
+    size_t i;
+
+    assert_int_equal(fourlink_deck_read(deck_text, (unsigned long)strlen(deck_text), NULL, NULL, 0,
+                                        &deck, NULL, NULL),
+                     FOURLINK_OK);
+    assert_int_equal(fourlink_deck_quantity(deck, "length", "3 kg", &value, &mistake),
+                     FOURLINK_BAD_DECK);
+    assert_non_null(strstr(mistake.message, "'3 kg'"));
+    assert_int_equal(mistake.line, 0);
+    assert_int_equal(fourlink_deck_quantity(deck, "length", "1 2", &value, NULL),
+                     FOURLINK_BAD_DECK);
+    assert_int_equal(fourlink_deck_quantity(deck, "colour", "1", &value, NULL),
+                     FOURLINK_NO_SUCH_NAME);
+    assert_int_equal(fourlink_deck_quantity(deck, "length", NULL, &value, NULL), FOURLINK_NULL);
+    assert_near(value, 7, 0); /* untouched */
+    for (i = 0; i < sizeof read / sizeof *read; i++) {
+        assert_int_equal(
+            fourlink_deck_quantity(deck, read[i].quantity, read[i].words, &value, NULL),
+            FOURLINK_OK);
+        assert_near(value, read[i].value, 1e-15 * read[i].value);
+    }
+    fourlink_deck_free(deck);
+}
+
 /* p1 A1 - p2 A2 with A1 = pi/4 D^2, A2 = pi/4 (D^2 - d^2), by hand; it pushes the piston towards the
 ** crank: along -x on the open branch. */
 TEST(test_loads)

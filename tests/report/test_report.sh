@@ -18,7 +18,7 @@ for name in r.txt html r.html.gz .html ''; do
 done
 refused '--report does not go with several decks' --report=r.html "$fourbar" "$engine"
 refused '--report needs a value' "$fourbar" --report
-refused '--best does not go with --report: it prints a deck' --best='max mu_min' --report=r.html "$fourbar"
+refused '--best does not go with --report: it prints the best design' --best='max mu_min' --report=r.html "$fourbar"
 for name in a.htm A.HTML; do
     run 0 --report=$name -b open "$alvi"
     quiet

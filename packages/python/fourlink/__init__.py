@@ -5,11 +5,14 @@
     r = fourlink.open("crusher.deck")            # or the text of a deck
     r["max(Ts)"]                                 # a fact, an extreme, an input, in the units of r.units
     theta2, Ts = r.columns("theta2, Ts")         # arrays of numpy, a number for each row
+    r.at("30 deg")                               # the table's columns at a crank angle, by name
+    r.at(theta4="120 deg")                       # the crank angles at which theta4 is 120 deg
     r.set("crank.length", "45 mm")               # all results are then those of the deck with this crank
 
-Values are in the units of the results: SI, or those of the deck's [units].  Lengths, forces and the like have
-the unit that r.units tells for each name.  A deck with a mistake raises Mistake.  The library releases the GIL
-while it works.  Threads may share results: their calls take turns.
+Values are in the units of the results: SI and degrees, or those of the deck's [units]; r.units and r.unit(name)
+tell them.  Wherever a number is given it may be text with any unit of its kind, "45 mm".  A deck with a mistake
+raises Mistake, with its file and line.  The library releases the GIL while it works.  Threads may share results:
+their calls take turns, and a fork waits for them.
 """
 from __future__ import annotations
 
@@ -24,13 +27,18 @@ import subprocess
 import sys
 import tempfile
 import threading
+import weakref
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+if TYPE_CHECKING:
+    import pandas  # type: ignore[import-untyped, unused-ignore]
+
 __all__ = ["open", "Results", "Mistake", "version"]
-_OK, _BAD_DECK, _NO_NAME = 0, 36, 41
+_OK, _BAD_DECK, _NO_MEMORY, _NO_NAME = 0, 36, 37, 41
 _BRANCHES = {"open": 1, "crossed": -1}
 _LISTS = {"columns": 1, "all": 2, "inputs": 3}
 _MISTAKES = 20
@@ -62,7 +70,8 @@ class _Value(c.Structure):
                 ("handle", c.c_int), ("line_unit", c.c_char_p)]
 
     def get(self) -> float | str:
-        return self.words.decode() if self.words else self.value
+        words: bytes | None = self.words
+        return words.decode() if words else float(self.value)
 
 
 def _load() -> c.CDLL:
@@ -79,59 +88,101 @@ _lib = _load()
 
 class Mistake(ValueError):
     """A mistake in a deck, or a name or a value that it cannot have: `message`, `line` (0: not in a file), `file`,
-    and `hint`, the word that was probably meant, or None.  `others` are further mistakes of the deck."""
+    and `hint`, the word that was probably meant, or None.  `others` are further mistakes of the deck.  As text it is
+    FILE:LINE: MESSAGE, a line for each mistake."""
 
-    def __init__(self, message: str, line: int = 0, file: str = "", others: list[Mistake] | None = None):
-        place = f"{file or 'deck'}:{line}: " if line else ""
-        super().__init__(place + message)
+    def __init__(self, message: str, line: int = 0, file: str = "", others: list[Mistake] | None = None) -> None:
         self.message, self.line, self.file, self.others = message, line, file, others or []
+        place = f"{file or 'deck'}:{line}: " if line else ""
+        super().__init__("\n".join([place + message, *map(str, self.others)]))
         meant = re.search(r"did you mean '([^']*)'", message)
         self.hint = meant.group(1) if meant else None
+
+    def __reduce__(self) -> tuple[type[Mistake], tuple[str, int, str, list[Mistake]]]:
+        return Mistake, (self.message, self.line, self.file, self.others)
 
 
 def version() -> str:
     """The version of the library."""
-    return _lib.fourlink_version().decode()
+    return str(_lib.fourlink_version().decode())
 
 
-def _is_file(deck: str | os.PathLike) -> bool:
-    return isinstance(deck, os.PathLike) or ("\n" not in deck and "=" not in deck)
-
-
-def open(deck: str | os.PathLike, *, units: str | None = None, changes: dict[str, str] | None = None) -> Results:
+def open(deck: str | os.PathLike[str], *, units: str | None = None, changes: dict[str, str | float] | None = None,
+         allow_files: bool = False) -> Results:
     """Open a deck: the path of a file, or its text.
 
     units    of the results, such as "mm, kg, rpm", or "SI"; otherwise the deck's
-    changes  as by --set: {"crank.length": "45 mm", "load P.force": "20 N at 30 deg"}
+    changes  as by --set: {"crank.length": "45 mm", "load P.force": "20 N at 30 deg"}; a bare number is in the
+             unit of the deck's [units], SI and degrees without it
+    allow_files  let the deck name files outside its folder, or for its text outside the present one
     """
-    folder = Path(deck).parent if _is_file(deck) else Path()
-    name = str(deck) if _is_file(deck) else "deck"
-    return Results(Path(deck).read_bytes() if _is_file(deck) else deck.encode(), name, folder, units, changes or {})
+    if isinstance(deck, str) and ("\n" in deck or "=" in deck):
+        return Results(deck.encode(), "deck", Path(), units, changes or {}, allow_files)
+    return Results(Path(deck).read_bytes(), str(deck), Path(deck).parent, units, changes or {}, allow_files)
 
 
-def _alone(method: Callable) -> Callable:
+class _Fork:
+    """A fork waits until no results are in use: the child's are whole, and no thread that it does not have locks them."""
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self._all: weakref.WeakSet[Results] = weakref.WeakSet()
+        self._held: list[Results] = []
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(before=self._wait, after_in_parent=self._go_on, after_in_child=self._go_on)
+
+    def add(self, results: Results) -> None:
+        with self._lock:
+            self._all.add(results)
+
+    def _wait(self) -> None:
+        self._lock.acquire()
+        self._held = list(self._all)
+        for results in self._held:
+            results._lock.acquire()
+
+    def _go_on(self) -> None:
+        for results in self._held:
+            results._lock.release()
+        self._held = []
+        self._lock.release()
+
+
+_fork = _Fork()
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+
+
+def _alone(method: _Method) -> _Method:
     """A method that no other thread's call disturbs, and that tells if the results are closed."""
     @functools.wraps(method)
-    def call(self: Results, *arguments, **named):
+    def call(self: Results, *arguments: Any, **named: Any) -> Any:
         with self._lock:
             if not self._r:
                 raise ValueError(f"the results of {self.name} are closed: open the deck again")
             return method(self, *arguments, **named)
-    return call
+    return call  # type: ignore[return-value]
 
 
 class Results:
     """All results of a deck.  Free its memory with close(), or use it in a `with` statement; after that each use raises
     ValueError.  copy and pickle open the deck again, with the numbers set."""
 
-    _r: c.c_void_p | None = None
+    _r = c.c_void_p()
 
-    def __init__(self, text: bytes, name: str, folder: Path, units: str | None, changes: dict[str, str]):
-        kept = []  # what a loader has returned, until the deck is read
+    def __init__(self, text: bytes, name: str, folder: Path, units: str | None, changes: dict[str, str | float],
+                 allow_files: bool) -> None:
+        self.name, self._folder, self._units, self._allow_files = name, folder, units, allow_files
+        self._lock = threading.RLock()
+        self._r = c.c_void_p()
+        _fork.add(self)
+        kept: list[bytes] = []  # what a loader has returned, until the deck is read
 
-        def load(host, file_name, length):
+        def load(host: object, file_name: bytes, length: Any) -> int | None:
+            path = folder / os.fsdecode(file_name)
             try:
-                kept.append((folder / file_name.decode()).read_bytes())
+                if not allow_files and not path.resolve().is_relative_to(folder.resolve()):
+                    return None
+                kept.append(path.read_bytes())
             except OSError:
                 return None
             length[0] = len(kept[-1])
@@ -139,11 +190,8 @@ class Results:
 
         source = _Source(name=name.encode(), text=text, length=len(text), load=_Loader(load),
                          units=units.encode() if units else None, n_changes=len(changes),
-                         changes=(_Change * len(changes))(*[(b"changes", f"{k}={v}".encode()) for k, v in changes.items()]))
+                         changes=(_Change * len(changes))(*[_Change(b"changes", f"{k}={v}".encode()) for k, v in changes.items()]))
         mistakes, n = (_Mistake * _MISTAKES)(), c.c_ulong()
-        self.name, self._folder, self._units = name, folder, units
-        self._lock = threading.RLock()
-        self._r = c.c_void_p()
         status = _lib.fourlink_results_open(c.byref(source), c.c_ulong(_MISTAKES), c.byref(self._r), mistakes, c.byref(n))
         if status == _BAD_DECK:
             raise self._told(mistakes[:min(n.value, _MISTAKES)])
@@ -151,19 +199,21 @@ class Results:
         self._handles: dict[str, int] = {}
         self.branches: tuple[str, ...] = self._find_branches()
 
-    @staticmethod
-    def _told(mistakes: list[_Mistake]) -> Mistake:
-        first, *others = [Mistake(m.message.decode(errors="replace"), m.line, m.file.decode(errors="replace")) for m in mistakes]
-        first.others = others
-        return first
+    def _told(self, mistakes: list[_Mistake]) -> Mistake:
+        def told(m: _Mistake, others: list[Mistake]) -> Mistake:
+            file = os.fsdecode(m.file)
+            place = str(self._folder / file) if file else self.name
+            return Mistake(m.message.decode(errors="replace"), m.line, place if m.line else file, others)
+
+        return told(mistakes[0], [told(m, []) for m in mistakes[1:]])
 
     def _check(self, status: int, what: str = "") -> None:
         if status == _OK:
             return
-        words = _lib.fourlink_status_text(status).decode()
+        words = str(_lib.fourlink_status_text(status).decode())
         if status == _NO_NAME:
             raise KeyError(f"{what}: {words}{self._meant(what)}")
-        raise MemoryError(words) if status == 37 else ValueError(f"{what}: {words}" if what else words)
+        raise MemoryError(words) if status == _NO_MEMORY else ValueError(f"{what}: {words}" if what else words)
 
     def _meant(self, name: str) -> str:
         """The similar name of this deck, in words; of max(Tz) that with the similar column."""
@@ -182,9 +232,15 @@ class Results:
 
     __del__ = close
 
+    def __repr__(self) -> str:
+        with self._lock:
+            if not self._r:
+                return f"<fourlink.Results of {self.name}, closed>"
+            return f"<fourlink.Results of {self.name}: {self['type']}; {' and '.join(self.branches)}, {self._n_rows()} rows>"
+
     @_alone
-    def __reduce__(self) -> tuple:
-        return Results, (self._text(), self.name, self._folder, self._units, {})
+    def __reduce__(self) -> tuple[type[Results], tuple[bytes, str, Path, str | None, dict[str, str | float], bool]]:
+        return Results, (self._text(), self.name, self._folder, self._units, {}, self._allow_files)
 
     @_alone
     def __enter__(self) -> Results:
@@ -203,7 +259,24 @@ class Results:
         return tuple(name for name, number in _BRANCHES.items() if number in found) or ("open",)
 
     def _branch(self, branch: str | None) -> int:
+        if branch is not None and branch not in _BRANCHES:
+            raise ValueError(f"expected the branch open or crossed, not {branch!r}")
         return _BRANCHES[branch or self.branches[0]]
+
+    def _n_rows(self) -> int:
+        rows, columns = c.c_int(), c.c_int()
+        _lib.flnrow_(c.byref(self._r), c.byref(rows), c.byref(columns))
+        return rows.value
+
+    def _number(self, quantity: bytes, number: str | float, what: str) -> float:
+        """A number, or text with a unit, in the unit of the results."""
+        if not isinstance(number, str):
+            return float(number)
+        value, m = c.c_double(), _Mistake()
+        deck = c.c_void_p(_lib.fourlink_results_deck(self._r))
+        if _lib.fourlink_deck_quantity(deck, quantity, number.encode(), c.byref(value), c.byref(m)) == _BAD_DECK:
+            raise Mistake(f"{what}: {m.message.decode(errors='replace')}")
+        return value.value
 
     def _find(self, name: str) -> _Value:
         found = _Value()
@@ -218,23 +291,24 @@ class Results:
     @_alone
     def __getitem__(self, name: str) -> float | str:
         """A fact ("mu_min"), an extreme ("max(Ts)"), a mean, an input ("crank.length"), on the deck's first branch, in
-        the unit of the results; "type" and the like are words."""
+        the unit of the results, which unit(name) tells; "type" and the like are words."""
         return self.value(name)
 
     @_alone
-    def value(self, name: str, angle: float = 0.0, branch: str | None = None) -> float | str:
-        """Any number by its name; a column at a crank angle, in the unit of the results."""
+    def value(self, name: str, angle: str | float = 0.0, branch: str | None = None) -> float | str:
+        """Any number by its name, in the unit that unit(name) tells; a column at a crank angle: "30 deg", or a number in
+        the results' unit of angles.  `branch` is "open" or "crossed"; without it, the deck's first."""
         if name not in self._handles:
             self._handles[name] = self._find(name).handle
-        v = _Value()
-        status = _lib.fourlink_results_get(self._r, self._handles[name], self._branch(branch), c.c_double(angle), c.byref(v))
+        v, place = _Value(), c.c_double(self._number(b"angle", angle, "angle"))
+        status = _lib.fourlink_results_get(self._r, self._handles[name], self._branch(branch), place, c.byref(v))
         self._check(status, name)
         return v.get()
 
     @_alone
     def unit(self, name: str) -> str:
-        """The unit of a name in the results; "1" for a plain number."""
-        return self._find(name).unit.decode()
+        """The unit of a name in the results, such as "N.m"; "1" for a plain number."""
+        return str(self._find(name).unit.decode())
 
     @property
     @_alone
@@ -257,7 +331,8 @@ class Results:
     @property
     @_alone
     def facts(self) -> dict[str, float | str]:
-        """Type, reach, limits, masses, extremes, turning moment of the deck's first branch."""
+        """Type, reach, limits, masses, extremes, turning moment of the deck's first branch, in the units that unit(name)
+        tells."""
         return {v.name.decode(): v.get() for v in self._facts(self._branch(None), 15)}
 
     def _asked(self, names: str | None) -> list[str]:
@@ -266,18 +341,17 @@ class Results:
     @_alone
     def columns(self, names: str | None = None, branch: str | None = None) -> np.ndarray:
         """Columns such as "theta2, Ts", one array for each, with a number for each row; without names the table's.
-        NaN where the linkage cannot be assembled."""
+        They are in the units that `units` tells; NaN where the linkage cannot be assembled."""
         handles = [self._find(name).handle for name in self._asked(names)]
-        rows, n = c.c_int(), c.c_int()
-        _lib.flnrow_(c.byref(self._r), c.byref(rows), c.byref(n))
-        values = np.empty((rows.value, len(handles)))
-        self._check(_lib.fourlink_results_rows(self._r, self._branch(branch), c.c_ulong(0), c.c_ulong(rows.value),
+        n_rows = self._n_rows()
+        values = np.empty((n_rows, len(handles)))
+        self._check(_lib.fourlink_results_rows(self._r, self._branch(branch), c.c_ulong(0), c.c_ulong(n_rows),
                                                c.c_ulong(len(handles)), (c.c_int * len(handles))(*handles),
                                                values.ctypes.data_as(c.POINTER(c.c_double))), names or "columns")
         return values.T
 
     @_alone
-    def frame(self, names: str | None = None, branch: str | None = None):
+    def frame(self, names: str | None = None, branch: str | None = None) -> pandas.DataFrame:
         """The same columns as a pandas.DataFrame; its attrs["units"] has their units."""
         import pandas
         asked = self._asked(names)
@@ -303,29 +377,47 @@ class Results:
         """The unit in which a number of the deck is set."""
         v = _Value()
         self._check(_lib.fourlink_results_input(self._r, name.encode(), c.byref(v)), name)
-        return v.unit.decode()
-
-    _FACTORS = {"deg": np.pi / 180, "rad": 1, "m": 1, "cm": 1e-2, "mm": 1e-3, "rpm": np.pi / 30, "rad/s": 1}
+        return str(v.unit.decode())
 
     @_alone
-    def at(self, question: str, names: str = "theta2", branch: str | None = None) -> np.ndarray:
-        """Columns where one of them has a value: r.at("theta4 = 120 deg") has the crank angles, r.at("theta4 = 120 deg",
-        "Ts, omega4") these columns there, one array for each.  A bare number is in the unit of the results."""
-        asked = re.fullmatch(r"\s*(\S+)\s*=\s*([-+.\deE]+)\s*(\S*)\s*", question)
-        if not asked:
-            raise ValueError(f"expected 'NAME = VALUE UNIT', not '{question}'")
-        name, value, unit = asked[1], float(asked[2]), asked[3]
-        own = self._find(name)
-        if unit and unit != own.unit.decode():
-            if unit not in self._FACTORS or own.unit.decode() not in self._FACTORS:
-                raise ValueError(f"give {name} in {own.unit.decode()}")
-            value *= self._FACTORS[unit] / own.to_si
-        angles, n = (c.c_double * 1000)(), c.c_ulong()
-        self._check(_lib.fourlink_results_crossings(self._r, name.encode(), self._branch(branch), c.c_double(value),
-                                                    c.c_ulong(1000), angles, c.byref(n)), name)
-        found = angles[:min(n.value, 1000)]
-        columns = np.array([[self.value(x, angle, branch) for angle in found] for x in self._asked(names)])
-        return columns[0] if len(columns) == 1 else columns
+    def at(self, place: str | float | None = None, names: str | None = None, branch: str | None = None,
+           **value: str | float) -> Any:
+        """Columns at a crank angle, or where a column has a value.
+
+        r.at("30 deg")                     the table's columns at this crank angle: a dictionary
+        r.at("30 deg", "Ts, omega4")       these, one number for each
+        r.at(theta4="120 deg")             the crank angles at which theta4 is 120 deg: an array
+        r.at("theta4 = 120 deg")           the same; for names such as B.x, too
+        r.at(theta4="120 deg", names="Ts, omega4")  these columns there, one array for each
+
+        A bare number is in the unit of the results, as all that is returned.
+        """
+        if len(value) + (place is not None) != 1:
+            raise TypeError("at() takes one crank angle, or the value of one column")
+        column, wanted = value.popitem() if value else ("theta2", place or 0.0)
+        if isinstance(place, str) and "=" in place:
+            column, wanted = (part.strip() for part in place.split("=", 1))
+        if column == "theta2":
+            return self._at_angle(self._number(b"angle", wanted, column), names, branch)
+        own = self._find(column)
+        angles = self._crossings(own.name, self._number(own.quantity, wanted, column), branch)
+        asked = self._asked(names or "theta2")
+        found = np.array([[self.value(x, angle, branch) for angle in angles] for x in asked])
+        return found[0] if len(asked) == 1 else found
+
+    def _crossings(self, name: bytes, value: float, branch: str | None) -> list[float]:
+        room, n = 0, c.c_ulong(16)
+        while n.value > room:
+            room = n.value
+            angles = (c.c_double * room)()
+            self._check(_lib.fourlink_results_crossings(self._r, name, self._branch(branch), c.c_double(value),
+                                                        c.c_ulong(room), angles, c.byref(n)), name.decode())
+        return angles[:n.value]
+
+    def _at_angle(self, angle: float, names: str | None, branch: str | None) -> Any:
+        asked = self._asked(names)
+        found = [self.value(name, angle, branch) for name in asked]
+        return dict(zip(asked, found)) if names is None else found[0] if len(asked) == 1 else np.array(found)
 
     @_alone
     def deck(self) -> str:
@@ -346,15 +438,18 @@ class Results:
                   f"<td style='text-align:left'>{html.escape(v.meaning.decode())}</td></tr>"
 
     @_alone
-    def _repr_html_(self) -> str:
-        """Drawing, if the command is installed, and facts, for notebooks."""
-        drawing = ""
+    def _repr_svg_(self) -> str | None:
+        """Drawing of the mechanism, if the command is installed, for notebooks."""
         command = shutil.which("fourlink")
-        if command:
-            with tempfile.TemporaryDirectory() as folder:
-                picture, deck = Path(folder) / "mechanism.svg", Path(folder) / (Path(self.name).name or "deck")
-                deck.write_text(self.deck())
-                asked = [os.path.abspath(command), f"--plot={picture}", "--plot-kind=mechanism", f"--branch={self.branches[0]}"]
-                done = subprocess.run([*asked, deck.name], cwd=folder, capture_output=True)
-                drawing = picture.read_text() if done.returncode == 0 and picture.exists() else ""
-        return f"{drawing}<table>{''.join(self._lines())}</table>"
+        if not command:
+            return None
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder) / "mechanism.svg"
+            asked = [os.path.abspath(command), f"--plot={picture}", "--plot-kind=mechanism", f"--branch={self.branches[0]}"]
+            done = subprocess.run(asked, cwd=self._folder, input=self._text(), capture_output=True)
+            return picture.read_text(encoding="utf-8") if done.returncode == 0 and picture.exists() else None
+
+    @_alone
+    def _repr_html_(self) -> str:
+        """The drawing and facts, for notebooks."""
+        return f"{self._repr_svg_() or ''}<table>{''.join(self._lines())}</table>"

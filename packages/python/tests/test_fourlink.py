@@ -3,11 +3,14 @@
 FOURLINK is the command, the library that of the installed package, or FOURLINK_LIBRARY."""
 import copy
 import csv
+import inspect
 import io
 import math
+import multiprocessing
 import os
 import pickle
 import re
+import signal
 import subprocess
 import threading
 from pathlib import Path
@@ -85,7 +88,7 @@ def test_mistakes():
         fourlink.open(TEXT.replace("[crank]\nlength", "[crank]\nlenght") + "[load]\n")
     m = told.value
     assert (m.line, m.hint) == (5, "length") and "unknown key 'lenght'" in str(m) and str(m).startswith("deck:5: ")
-    assert [x.line for x in m.others]
+    assert [x.line for x in m.others] and str(m).splitlines()[1:] == [str(x) for x in m.others]
     r = fourlink.open(TEXT)
     before = r["mu_min"]
     with pytest.raises(fourlink.Mistake, match="the linkage cannot be assembled"):
@@ -99,11 +102,30 @@ def test_mistakes():
         r["max(Tz)"]
     with pytest.raises(KeyError, match="did you mean 'mu_min'"):
         r["mu_mim"]
-    with pytest.raises(ValueError, match="deg"):
+    with pytest.raises(fourlink.Mistake, match="theta4: .*100 kg.*angle"):
         r.at("theta4 = 100 kg")
+    with pytest.raises(ValueError, match="open or crossed, not 'opened'"):
+        r.columns(branch="opened")
     with pytest.raises(FileNotFoundError):
         fourlink.open("no-such.deck")
     assert r["mu_min"] == before
+
+
+def test_mistakes_have_file_and_line(tmp_path):
+    """As the command prints them, with the folder of files; also after they are pickled."""
+    (tmp_path / "torque.txt").write_text("0 1\n180 two\n360 1\n")
+    deck = tmp_path / "a.deck"
+    deck.write_text(TEXT.replace("20 mm", "20 parsec") + "[load T]\nlink = rocker\ntorque = file torque.txt\n")
+    printed = subprocess.run([COMMAND, str(deck)], capture_output=True, text=True).stderr
+    with pytest.raises(fourlink.Mistake) as told:
+        fourlink.open(deck)
+    m = told.value
+    assert str(m) + "\n" == printed.replace(": error: ", ": ").replace("torque.txt:", f"{tmp_path}/torque.txt:") and len(m.others) == 1
+    assert [(x.file, x.line) for x in (m, *m.others)] == [(f"{tmp_path}/torque.txt", 2), (str(deck), 5)]
+    again = pickle.loads(pickle.dumps(m))
+    assert str(again) == str(m) and (again.line, again.file, again.message, again.hint) == (m.line, m.file, m.message, m.hint)
+    with pytest.raises(fourlink.Mistake, match="^'?.*20 kg"):
+        fourlink.open(TEXT, changes={"crank.length": "20 kg"})
 
 
 def test_version():
@@ -118,6 +140,40 @@ def test_at():
     assert np.allclose(theta4, 120, atol=1e-9) and len(torque) == 2
     for angle, there in zip(angles, torque):
         assert math.isclose(r.value("Ts", angle), there, rel_tol=1e-9)
+    for same in r.at(theta4="120 deg"), r.at(theta4=120), r.at(theta4="1/3 rev"), r.at("theta4=120"):
+        assert np.allclose(same, angles, rtol=0, atol=1e-9)
+    assert np.array_equal(r.at("theta4 = 120 deg", "theta4, Ts"), r.at(theta4="120 deg", names="theta4, Ts"))
+    for wrong in lambda: r.at(), lambda: r.at("30 deg", theta4=120), lambda: r.at(theta4=120, theta3=40):
+        with pytest.raises(TypeError, match="one crank angle, or the value of one column"):
+            wrong()
+
+
+def test_at_a_crank_angle():
+    """The rows of --at, from text with a unit, a number, and text that is a number."""
+    for deck in MATRIX, TOP / "data" / "khurmi-16.11.deck":
+        r = fourlink.open(deck, units="SI")
+        branch = r.branches[0]
+        for angle, words in (30, "30 deg"), (30, "pi/6"), (120, "1/3 rev"), (77.3, "77.3"):
+            printed, = table(f"--at={words}", "--columns=" + ",".join(r.names), f"--branch={branch}", str(deck))
+            printed = {head.split(" (")[0]: float(x or "nan") for head, x in printed.items() if head != "branch"
+                       and head.split(" (")[0] in r.names}
+            for place in words, angle, np.float64(angle):
+                there = r.at(place)
+                assert len(there) == len(r.columns()) and there["theta2"] == pytest.approx(angle, rel=1e-15)
+                assert np.allclose(r.at(place, ", ".join(printed)), list(printed.values()), rtol=1e-9, atol=1e-9, equal_nan=True)
+                assert all(math.isclose(value, printed[name], rel_tol=1e-9, abs_tol=1e-9) for name, value in there.items())
+                assert r.at(place, "theta2") == there["theta2"] == r.value("theta2", place)
+    with pytest.raises(fourlink.Mistake, match="theta2: .*30 kg"):
+        r.at("30 kg")
+
+
+def test_units_in_words():
+    """Of each unit its own number: 3.7 of the unit that a column has is 3.7."""
+    r = fourlink.open(MATRIX, units="mm, rpm, N, g, J")
+    for name, unit in r.units.items():
+        words = "3.7" if unit == "1" else f"3.7 {unit}"
+        found = r._find(name)
+        assert r._number(found.quantity, words, name) == 3.7, (name, unit)
 
 
 def test_branches_and_words():
@@ -136,18 +192,54 @@ def test_a_file_that_the_deck_names(tmp_path):
         fourlink.open(tmp_path / "a.deck")
 
 
+def test_files_of_other_folders(tmp_path):
+    """Not those outside the deck's folder, nor links that lead there, unless they are allowed; also in a copy."""
+    (tmp_path / "decks").mkdir()
+    (tmp_path / "torque.txt").write_text("0 1\n180 2\n360 1\n")
+    (tmp_path / "decks" / "link.txt").symlink_to(tmp_path / "torque.txt")
+    deck = tmp_path / "decks" / "a.deck"
+    for name in "../torque.txt", str(tmp_path / "torque.txt"), "link.txt":
+        deck.write_text(TEXT + f"[load T]\nlink = rocker\ntorque = file {name}\n")
+        with pytest.raises(fourlink.Mistake, match="cannot read the file"):
+            fourlink.open(deck)
+        assert copy.copy(fourlink.open(deck, allow_files=True))["max(Ts)"] > 0
+
+
 def test_frame():
     pytest.importorskip("pandas")
     frame = fourlink.open(MATRIX).frame("theta2, Ts")
     assert list(frame.columns) == ["theta2", "Ts"] and frame.attrs["units"]["Ts"] == "N.m"
 
 
-def test_html(monkeypatch):
+def test_html(monkeypatch, tmp_path):
+    """With a drawing if there is the command; also of a deck that names a file."""
+    (tmp_path / "torque.txt").write_text("0 1\n180 2\n360 1\n")
+    (tmp_path / "a.deck").write_text(TEXT + "[load T]\nlink = rocker\ntorque = file torque.txt\n")
     monkeypatch.setenv("PATH", str(Path(COMMAND).parent) + os.pathsep + os.environ["PATH"])
-    page = fourlink.open(MATRIX)._repr_html_()
-    assert "mu_min" in page and ("<svg" in page) == os.access(COMMAND, os.X_OK)
+    for deck in MATRIX, tmp_path / "a.deck":
+        r = fourlink.open(deck)
+        drawing, page = r._repr_svg_(), r._repr_html_()
+        assert drawing.lstrip().startswith(("<?xml", "<svg")) and drawing.rstrip().endswith("</svg>")
+        assert page.startswith(drawing) and "mu_min" in page
     monkeypatch.setenv("PATH", "")
-    assert "<svg" not in fourlink.open(MATRIX)._repr_html_()
+    assert r._repr_svg_() is None and "<svg" not in r._repr_html_()
+
+
+def test_repr():
+    with fourlink.open(MATRIX) as r:
+        assert repr(r) == f"<fourlink.Results of {MATRIX}: crank-rocker; open and crossed, {len(r.columns()[0])} rows>"
+    assert repr(r) == f"<fourlink.Results of {MATRIX}, closed>"
+
+
+def test_hints_and_docstrings():
+    """Each public function has a docstring and the types of all that it takes and returns, and the package says so."""
+    assert Path(fourlink.__file__).with_name("py.typed").exists()
+    functions = [fourlink.open, fourlink.version, *(getattr(x, "fget", x) for name, x in vars(fourlink.Results).items()
+                                                  if callable(getattr(x, "fget", x)) and not name.startswith("_"))]
+    assert len(functions) == 15
+    for f in functions:
+        assert f.__doc__ and "return" in f.__annotations__, f
+        assert set(inspect.signature(f).parameters) <= {*f.__annotations__, "self"}, f
 
 
 def test_threads_release_the_lock():
@@ -222,6 +314,62 @@ def test_threads_while_results_are_closed():
         together(work, work, r.close, r.close)
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_forks_while_threads_work():
+    """A child's results are whole and free to use whatever the parent's threads did with them."""
+    lengths = [15 + k for k in range(9)]
+    largest = {fourlink.open(TEXT, changes={"crank.length": f"{length} mm"})["max(omega4)"] for length in lengths}
+    r, other = fourlink.open(TEXT), fourlink.open(MATRIX)
+    torque, ended = other["max(Ts)"], threading.Event()
+
+    def work():
+        k = 0
+        while not ended.is_set():
+            k += 1
+            r.set("crank.length", f"{lengths[k % 9]} mm")
+            other.columns("Ts")
+            assert r["max(omega4)"] in largest
+
+    def child():
+        signal.alarm(20)
+        right = r["max(omega4)"] in largest and other["max(Ts)"] == torque
+        r.set("crank.length", "15 mm")
+        copy.copy(r).close()
+        r.close()
+        return right
+
+    def fork():
+        try:
+            for _ in range(30):
+                pid = os.fork()
+                if pid == 0:
+                    status = 1
+                    try:
+                        status = 0 if child() else 2
+                    finally:
+                        os._exit(status)
+                assert os.waitpid(pid, 0)[1] == 0
+        finally:
+            ended.set()
+
+    together(work, work, fork)
+
+
+def work_in_a_pool(r):
+    r.set("crank.length", "18 mm")
+    return r["max(Ts)"]
+
+
+@pytest.mark.parametrize("way", multiprocessing.get_all_start_methods())
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_pools(way):
+    r = fourlink.open(MATRIX)
+    with multiprocessing.get_context(way).Pool(2) as pool:
+        found = pool.map(work_in_a_pool, [r] * 4)
+    assert found == [fourlink.open(MATRIX, changes={"crank.length": "18 mm"})["max(Ts)"]] * 4 and r["crank.length"] == 0.02
+
+
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda r: pickle.loads(pickle.dumps(r))], ids=["copy", "deepcopy", "pickle"])
 def test_copies_are_opened_again(again, tmp_path):
     """A copy has the numbers set, the files and the units; it does not know of what happens to the other."""
@@ -253,7 +401,8 @@ def test_closed_results_say_so():
     r.close()
     uses = [lambda: r["max(Ts)"], lambda: r.value("Ts", 40), lambda: r.unit("Ts"), lambda: r.names, lambda: r.units,
             lambda: r.inputs, lambda: r.facts, lambda: r.columns(), lambda: r.frame(), lambda: r.set("crank.length", 20),
-            lambda: r.line_unit("crank.length"), lambda: r.at("theta4 = 120 deg"), lambda: r.deck(), r._repr_html_,
+            lambda: r.line_unit("crank.length"), lambda: r.at("theta4 = 120 deg"), lambda: r.at("30 deg"), lambda: r.deck(), r._repr_svg_,
+            r._repr_html_,
             lambda: copy.copy(r), lambda: copy.deepcopy(r), lambda: pickle.dumps(r), r.__enter__]
     for use in uses:
         with pytest.raises(ValueError, match="me3491-matrix.deck are closed: open the deck again"):
