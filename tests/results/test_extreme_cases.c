@@ -467,6 +467,38 @@ TEST(test_place_beside_narrow_peaks)
     fourlink_results_free(r);
 }
 
+/* Inertia forces have the same extremes under a load that is a billion times as large as they are. */
+TEST(test_small_beside_pin_forces)
+{
+    static const char *const names[] = {"max(Fi3)", "min(Fi3)", "max(Ci3)", "min(Ci3)",
+                                        "max(Fi4)", "min(Fi4)", "max(Ci4)", "min(Ci4)"};
+    uint64_t seed = 3;
+    size_t k;
+    int i;
+
+    for (i = 0; i < some_of(1000); i++) {
+        const char *deck = print(CRANK_ROCKER "speed = %.17g rad/s\nfrom = %.17g deg\n",
+                                 pow(10, uniform(&seed, -1, 2)), uniform(&seed, 0, 360));
+        const char *load =
+            print("[load]\nlink = rocker\nforce = (%.17g, %.17g) N\nat = (30, 5) mm\n",
+                  pow(10, uniform(&seed, 2, 8)), pow(10, uniform(&seed, 2, 8)));
+        fourlink_results *alone = opened(print("%s[table]\ncolumns = all\n", deck));
+        fourlink_results *loaded = opened(print("%s%s[table]\ncolumns = all\n", deck, load));
+
+        for (k = 0; k < COUNT(names); k++) {
+            fourlink_value right = among_all(alone, FOURLINK_OPEN, names[k]);
+            fourlink_value found = among_all(loaded, FOURLINK_OPEN, names[k]);
+
+            if (!(fabs(found.value - right.value) <= 1e-12 * fabs(right.value) &&
+                  fabs(found.angle - right.angle) <= 1e-5))
+                fail_msg("case %d: %s is %.17g at %.12g, not %.17g at %.12g", i, names[k],
+                         found.value, found.angle, right.value, right.angle);
+        }
+        fourlink_results_free(alone);
+        fourlink_results_free(loaded);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
