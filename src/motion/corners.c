@@ -313,8 +313,8 @@ void flk_corners_close(flk_corners *c)
 
 size_t flk_corners_most(const flk_corners *c, double angle)
 {
-    size_t n = 8 * ((size_t)ceil(angle / (2 * M_PI)) + 1),
-           j; /* dead, in line, of a working range */
+    size_t turns = (size_t)ceil(angle / (2 * M_PI)) + 1, j;
+    size_t n = 8 * turns; /* dead positions, in line, ends of a working range */
 
     for (j = 0; j < c->n_over_theta2; j++)
         n += c->switches[j].n * ((size_t)ceil(angle / c->switches[j].period) + 1);

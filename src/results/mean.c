@@ -172,7 +172,7 @@ static int is_shortest(const means *m, double from, double to)
 ** far from a straight line. */
 #define NOISE_STEP 1e-7 /* of the part */
 
-static double noise_of(means *m, int power, double from, double to)
+static double noise_in_part(means *m, int power, double from, double to)
 {
     static const double places[3] = {0.005, 0.5, 0.995};
     double step = NOISE_STEP * (to - from), noise = 0;
@@ -194,7 +194,7 @@ static int is_rounding(means *m, int power, double from, double to, const flk_in
                        const flk_integral *both)
 {
     return part->error <= ROUNDING * part->size && part->error > both->error / 8 &&
-           part->error <= (to - from) * noise_of(m, power, from, to);
+           part->error <= (to - from) * noise_in_part(m, power, from, to);
 }
 
 /* 1 if the rule is exact for a part of a column, to rounding. */
