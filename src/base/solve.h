@@ -61,8 +61,9 @@ double flk_integrate_smooth(flk_function *f, void *data, double from, double to)
 #define FLK_INTEGRALS 3
 typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);
 
-/* An integral; its difference from a rule with half the points, which for a smooth function is far more than
-** the error; and the integral of the magnitude. */
+/* An integral; what coarser rules with the same points differ by, which for a smooth function is far more than
+** the error, and at a corner that is not beside an end at least a quarter of it; and the integral of the
+** magnitude. */
 typedef struct flk_integral {
     double value, error, size;
 } flk_integral;

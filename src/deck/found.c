@@ -135,6 +135,15 @@ double flk_synthesis_error(const deck_synthesis *t, double theta2)
     return fourlink_synthesis_error(t->chosen, at, output, &error) == FOURLINK_OK ? error : GSL_NAN;
 }
 
+int flk_synthesis_range(const deck_synthesis *t, double theta2[2])
+{
+    int i;
+
+    for (i = 0; i < 2; i++)
+        theta2[i] = t->wanted.crank[i] + t->chosen->crank_turn;
+    return t->function.wanted != NULL;
+}
+
 /* --------------------------------------------------------------------------------------- the deck */
 
 static void assign(parser *p, const char *section, const char *key, const char *value)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** corners.c - the crank angles at which columns are not smooth: switches of the machine, dead positions,
-** change points.
+** change points, the ends of a working range.
 **
 ** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
 ** twice per degree, and base/solve finds where they cross a level between two samples.  At which angle a
@@ -18,6 +18,7 @@
 #include "base/cycle.h"
 #include "base/solve.h"
 #include "corners.h"
+#include "deck/found.h"
 #include "mechanics/drive.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
@@ -249,6 +250,18 @@ static void offer_loads(search *s)
     offer_levels(s, c->theta2[i], c->n[i], c->period);
 }
 
+/* The ends of the range in which a deck's linkage is to make a function: there a structural error begins and
+** ends. */
+static void offer_working_range(search *s)
+{
+    const deck_synthesis *t = s->p->corners->d->synthesis;
+    double theta2[2];
+    int i;
+
+    for (i = 0; i < 2 && t && t->chosen && flk_synthesis_range(t, theta2); i++)
+        offer_angle(s, theta2[i], 2 * M_PI, FLK_END_PLAIN);
+}
+
 /* Dead positions are the ends of the reachable ranges; change points are where a range could end, at 0 and
 ** 180 deg or at +-90 deg, and positions where the links come close to one line. */
 static void offer_positions(search *s)
@@ -282,6 +295,7 @@ double flk_corners_next(const flk_direction *direction, double after, const doub
     offer_positions(&s);
     if (direction->has_loads)
         offer_drive(&s);
+    offer_working_range(&s);
     for (i = 0; i < n; i++)
         offer(&s, more[i], FLK_END_PLAIN);
     if (direction->has_loads)
@@ -362,7 +376,8 @@ void flk_corners_close(flk_corners *c)
 
 size_t flk_corners_most(const flk_corners *c, double angle)
 {
-    size_t n = 8, j; /* positions: dead, in line */
+    size_t turns = (size_t)ceil(angle / (2 * M_PI)) + 1, j;
+    size_t n = 8 * turns; /* dead positions, in line, ends of a working range */
 
     for (j = 0; j < c->n_over_theta2; j++)
         n += c->switches[j].n * ((size_t)ceil(angle / c->switches[j].period) + 1);

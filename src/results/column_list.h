@@ -94,10 +94,13 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define OF_POLES(member, denominator) NEED_DERIVED, 0, denominator, VALUE, DERIVED(member), 0
 #define X_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_X, DERIVED(I.x), DERIVED(I.y)
 #define Y_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_Y, DERIVED(I.y), DERIVED(I.x)
-#define X_OF_SHAKING NEED_DERIVED | NEED_FORCES, 0, NULL, VECTOR_X, DERIVED(Fsx), DERIVED(Fsy)
-#define Y_OF_SHAKING NEED_DERIVED | NEED_FORCES, 0, NULL, VECTOR_Y, DERIVED(Fsy), DERIVED(Fsx)
-#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, 0, NULL, form, DERIVED(Fsx), DERIVED(Fsy)
+#define OF_SHAKING(form, x, y) \
+    NEED_DERIVED | NEED_FORCES, FOURLINK_FRICTIONLESS, NULL, form, DERIVED(x), DERIVED(y)
+#define X_OF_SHAKING OF_SHAKING(VECTOR_X, Fsx, Fsy)
+#define Y_OF_SHAKING OF_SHAKING(VECTOR_Y, Fsy, Fsx)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, 0, NULL, VALUE, DERIVED(member), 0
+#define MOMENT_OF_SHAKING \
+    NEED_DERIVED | NEED_FORCES, FOURLINK_FRICTIONLESS, NULL, VALUE, DERIVED(Ms), 0
 #define OF_INERTIA(form, x, y) \
     NEED_DERIVED | NEED_FORCES, OF_MOTION_ALONE, NULL, form, DERIVED(x), DERIVED(y)
 #define OF_SPLIT(member, traits) \
@@ -234,9 +237,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
     X(Fsy, FORCE, ALL, Y_OF_SHAKING,                                                               \
       "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
-    X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
-    X(Fs, FORCE, ALL, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                            \
-    X(Fs_dir, ANGLE, ALL, OF_SHAKING(DIRECTION), "direction of Fs", "")                            \
+    X(Ms, TORQUE, ALL, MOMENT_OF_SHAKING, "shaking moment on the frame about A", "")               \
+    X(Fs, FORCE, ALL, OF_SHAKING(SIZE, Fsx, Fsy), "resultant of Fsx and Fsy", "")                  \
+    X(Fs_dir, ANGLE, ALL, OF_SHAKING(DIRECTION, Fsx, Fsy), "direction of Fs", "")                  \
     AXIAL(X, F12, ALL, "crank")                                                                    \
     AXIAL(X, F32, ALL, "crank")                                                                    \
     AXIAL(X, F23, ALL, "coupler, rod or slide")                                                    \

@@ -16,14 +16,13 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/scale.h"
 #include "base/solve.h"
 #include "extreme.h"
 #include "pole.h"
 
 #define CLOSE 1e-12       /* relative difference of values that are equal within rounding, */
 #define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
-#define NOISE_OF_QUANTITY \
-    1e-14 /* of the size of its quantity: so little hides no peak, but rounding error */
 
 typedef struct search {
     flk_samples samples;
@@ -471,6 +470,48 @@ static void offer_pole(void *data, const flk_pole *pole)
         offer_at(k, 1, GSL_NEGINF, pole->s);
 }
 
+/* --------------------------------------------------------------------------------------- rounding error */
+
+/* The rounding error of a column: rows beside one another are so far from a straight line.  A column can be far
+** smaller than its quantity elsewhere in the machine and yet exact, as an inertia force beside pin forces.
+** One that is nowhere larger than the rounding error of its quantity is 0 by symmetry, also where some rows
+** beside one another are exactly 0. */
+#define NOISE_ROWS 6
+#define NOISE_STEP 2e-9         /* rad: so close, rows bend by rounding error only, */
+#define NOISE_PLACE 0.38        /* ... at this part of the piece, where no symmetry hides it */
+#define NOISE_FACTOR 4          /* of many rows, beside the largest of these few */
+#define NOISE_OF_QUANTITY 1e-14 /* of the size of its quantity: more is not rounding error */
+
+static double noise_of(const flk_sampled *c, const flk_row *rows)
+{
+    double most = NOISE_OF_QUANTITY * c->scale, bend = 0, v[NOISE_ROWS];
+    int i;
+
+    for (i = 0; i < NOISE_ROWS; i++) {
+        v[i] = flk_column_value(c->of.c, &rows[i]);
+        if (i > 0)
+            v[i] = flk_followed_nearest(&c->of, v[i], v[i - 1]);
+        if (i > 1)
+            flk_scale_take(&bend, v[i] - 2 * v[i - 1] + v[i - 2]);
+    }
+    return c->largest <= most ? most : GSL_MIN_DBL(most, NOISE_FACTOR * bend);
+}
+
+static void find_noise(search *x)
+{
+    const flk_samples *s = &x->samples;
+    double length = s->f.piece.to - s->f.piece.from;
+    double step = GSL_MIN_DBL(NOISE_STEP, length / (4 * NOISE_ROWS));
+    flk_row rows[NOISE_ROWS];
+    size_t i;
+
+    for (i = 0; i < NOISE_ROWS; i++)
+        flk_follow_row(&s->f, s->needs, s->f.piece.from + NOISE_PLACE * length + step * (double)i,
+                       &rows[i]);
+    for (i = 0; i < s->n_columns; i++)
+        x->bests[i].noise = noise_of(&s->columns[i], rows);
+}
+
 /* --------------------------------------------------------------------------------------- piece by piece */
 
 static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
@@ -481,7 +522,6 @@ static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
     k.x = x;
     k.c = c;
     k.b = b;
-    b->noise = NOISE_OF_QUANTITY * c->scale;
     if (c->starts_anew)
         commit(b, 0);
     for (which = 0; which < 2; which++)
@@ -589,6 +629,7 @@ static void search_extremes(search *x, flk_extreme_pair *pairs)
     size_t i;
 
     while (flk_samples_next(s)) {
+        find_noise(x);
         for (i = 0; i < s->n_columns; i++)
             search_column(s, &s->columns[i], &x->bests[i]);
         has_gap |= !s->is_reached;

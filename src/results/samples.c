@@ -223,6 +223,22 @@ static void insert_sample(flk_samples *x, size_t i, double s)
     x->n++;
 }
 
+/* Make an angle in an inserted sample go on from the last one with a value or, half a turn from that or
+** without any, towards the next. */
+static void continue_inserted(const flk_samples *x, const flk_sampled *c, size_t i)
+{
+    double *v = c->v;
+    size_t last = i, next = i + 1;
+
+    while (last > 0 && gsl_isnan(v[--last]))
+        ;
+    while (next + 1 < x->n && gsl_isnan(v[next]))
+        next++;
+    v[i] = flk_followed_nearest(
+        &c->of, v[i],
+        gsl_isnan(v[last]) || flk_followed_turns_over(&c->of, v[last], v[i]) ? v[next] : v[last]);
+}
+
 int flk_samples_insert(flk_samples *x, size_t i, double s)
 {
     size_t k;
@@ -230,14 +246,9 @@ int flk_samples_insert(flk_samples *x, size_t i, double s)
     if (x->n == FLK_SAMPLES_MOST)
         return 0;
     insert_sample(x, i, s);
-    for (k = 0; k < x->n_columns; k++) {
-        const flk_followed *of = &x->columns[k].of;
-        double *v = x->columns[k].v + i;
-
-        if (of->turn > 0)
-            v[0] = flk_followed_nearest(of, v[0],
-                                        flk_followed_turns_over(of, v[-1], v[0]) ? v[1] : v[-1]);
-    }
+    for (k = 0; k < x->n_columns; k++)
+        if (x->columns[k].of.turn > 0)
+            continue_inserted(x, &x->columns[k], i);
     return 1;
 }
 

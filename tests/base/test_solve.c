@@ -371,6 +371,11 @@ static void known(double x, void *data, double *y)
     y[2] = 1 / (1 + x * x);
 }
 
+static void corner_at(double x, void *data, double *y)
+{
+    *y = fabs(x - *(double *)data);
+}
+
 /* 1 / sqrt(x), -log(x), and a corner at 0.3 */
 static void rough(double x, void *data, double *y)
 {
@@ -386,7 +391,7 @@ static void known_above(double x, void *data, double *y)
 }
 
 /* A rule of 15 points that contains Gauss's of 7 is exact up to x^22 (23 by symmetry), Gauss's own up to
-** x^13. */
+** x^13, and the odd one that is 0 up to x^12. */
 TEST(test_degree)
 {
     flk_integral of[FLK_INTEGRALS];
@@ -403,7 +408,7 @@ TEST(test_degree)
             assert_near(of[0].value, exact, 4e-15 * of[0].size);
         else if (n >= 24)
             assert_true(fabs(of[0].value - exact) > 1e-14 * of[0].size);
-        if (n <= 13)
+        if (n <= 12)
             assert_near(of[0].error, 0, 4e-15 * of[0].size);
         else
             assert_true(of[0].error > 1e-8 * of[0].size);
@@ -468,7 +473,22 @@ TEST(test_known_integrals)
     assert_near(of[1].size, 2, 0.03); /* of both signs */
 }
 
-/* No point is at an end, and the two rules differ by more than the error. */
+/* The error at a corner is known, wherever it is, but beside an end. */
+TEST(test_corners)
+{
+    uint64_t seed = 12;
+    flk_integral of;
+    int i;
+
+    for (i = 0; i < 100000; i++) {
+        double at = uniform(&seed, 0.0075, 0.9925);
+
+        flk_integrate(corner_at, &at, 1, 0, 1, &of);
+        assert_true(fabs(of.value - (at * at + (1 - at) * (1 - at)) / 2) <= 4 * of.error);
+    }
+}
+
+/* No point is at an end, and the rules differ by more than the error. */
 TEST(test_rough_integrals)
 {
     static const double exact[FLK_INTEGRALS] = {2, 1, 0.29};
@@ -481,7 +501,7 @@ TEST(test_rough_integrals)
         double error = fabs(of[k].value - exact[k]);
 
         assert_true(error > 1e-5 && error < 0.1);
-        assert_true(of[k].error > error && of[k].error < 0.2);
+        assert_true(of[k].error > error && of[k].error < 0.4);
         assert_near(of[k].size, of[k].value, 1e-14);
     }
     flk_integrate(known_above, &unknown, 1, 0, 1, of);

@@ -195,10 +195,24 @@ typedef struct edge {
     int side; /* +1: the rows are behind it */
     int is_change;
     double v[HALVINGS][COLUMNS];
+    double rough[HALVINGS][COLUMNS]; /* rounding error: second differences of close rows */
 } edge;
 
 static edge edges[100];
 static int n_edges;
+
+/* The rounding error of columns in a row at some distance from an edge. */
+static void find_rough(double p, double distance, const double *v, double *rough)
+{
+    double h = fmax(1e-5 * distance, 1e-12 * (1 + p)), before[COLUMNS], behind[COLUMNS];
+    int is_there = !compute(p - h, before) && !compute(p + h, behind);
+    unsigned long c;
+
+    for (c = 0; c < n_columns; c++)
+        rough[c] = is_there
+                       ? fabs(beside(c, before[c], v[c]) - 2 * v[c] + beside(c, behind[c], v[c]))
+                       : INFINITY;
+}
 
 /* At a dead position columns are smooth in the root of the distance. */
 static void add_edge(double p, int side, int is_change)
@@ -213,12 +227,13 @@ static void add_edge(double p, int side, int is_change)
     e->side = side;
     e->is_change = is_change;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
-        double at = p + side * (is_change ? s : s * s);
+        double distance = is_change ? s : s * s, at = p + side * distance;
         unsigned long c;
 
         if (at < 0 || at > total || compute(at, e->v[i]))
             for (c = 0; c < n_columns; c++)
                 e->v[i][c] = NAN;
+        find_rough(at, distance, e->v[i], e->rough[i]);
     }
     n_edges++;
 }
@@ -265,6 +280,17 @@ static int doubles(const double *y)
            fabs(growth[2] - growth[0]) < 0.3;
 }
 
+/* 1 if the rows of a window are exact enough to know a limit by them: others can agree by chance. */
+static int is_exact(const edge *e, unsigned long c, int window, double size)
+{
+    double rough = 0;
+    int i;
+
+    for (i = window; i < window + NODES; i++)
+        rough = fmax(rough, e->rough[i][c]);
+    return rough <= KNOWN * size;
+}
+
 /* What a column has at an edge, by the two windows of distances that agree best. */
 static verdict limit_of(const edge *e, unsigned long c, double near, double size, double *limit)
 {
@@ -283,7 +309,7 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double size
     for (i = 0; i + NODES <= HALVINGS; i++) {
         before = value;
         value = neville(y + i);
-        if (fabs(value - before) < by) {
+        if (fabs(value - before) < by && is_exact(e, c, i, fmax(size, fabs(value)))) {
             by = fabs(value - before);
             *limit = value;
         }

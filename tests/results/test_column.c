@@ -449,6 +449,46 @@ TEST(test_values_out_of_reach)
     fourlink_results_free(r);
 }
 
+/* Columns without friction in them are those of the same machine without friction: Ts0 is its Ts, and the friction
+** between links and frame cancels in what shakes the frame. */
+TEST(test_frictionless_columns)
+{
+    static const char *const names[][2] = {
+        {"Ts0", "Ts"}, {"Fsx", "Fsx"}, {"Fsy", "Fsy"}, {"Fs", "Fs"}, {"Ms", "Ms"}};
+    uint64_t seed = 61;
+    int i, tried = 0;
+    size_t k;
+
+    for (i = 0; i < some_of(2000); i++) {
+        int is_pump = i % 2;
+        const char *deck = print("%s[motion]\nspeed = %.17g rad/s\n%s", is_pump ? PUMP : ROCKER,
+                                 uniform(&seed, 1, 100),
+                                 is_pump ? FORCE : "[load]\nlink = rocker\ntorque = 3 N m\n");
+        fourlink_results *without = opened(deck);
+        fourlink_results *with = opened(print(
+            "%s[friction]\nA = %.17g\nradius_A = 5 mm\nB = %.17g\nradius_B = 4 mm\nC = %.17g\n"
+            "radius_C = 6 mm\n%s = %.17g\n%s",
+            deck, uniform(&seed, 0, 0.3), uniform(&seed, 0, 0.3), uniform(&seed, 0, 0.3),
+            is_pump ? "guide" : "D", uniform(&seed, 0, 0.3), is_pump ? "" : "radius_D = 5 mm\n"));
+        double angle = uniform(&seed, 0, 360), size = value_at(without, "F12", angle);
+        fourlink_value v;
+
+        for (k = 0; k < COUNT(names); k++)
+            if (fourlink_results_value(with, names[k][0], FOURLINK_OPEN, angle, &v) ==
+                FOURLINK_OK) { /* else it locks */
+                double right = value_at(without, names[k][1], angle);
+
+                assert_true(v.flags & FOURLINK_FRICTIONLESS);
+                if (!(fabs(v.value - right) <= 1e-9 * (fabs(right) + size)))
+                    fail_msg("case %d: %s is %.17g, not %.17g", i, names[k][0], v.value, right);
+                tried++;
+            }
+        fourlink_results_free(without);
+        fourlink_results_free(with);
+    }
+    assert_true(tried > 4 * i);
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);

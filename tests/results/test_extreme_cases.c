@@ -467,6 +467,111 @@ TEST(test_place_beside_narrow_peaks)
     fourlink_results_free(r);
 }
 
+/* Inertia forces have the same extremes under a load that is a billion times as large as they are. */
+TEST(test_small_beside_pin_forces)
+{
+    static const char *const names[] = {"max(Fi3)", "min(Fi3)", "max(Ci3)", "min(Ci3)",
+                                        "max(Fi4)", "min(Fi4)", "max(Ci4)", "min(Ci4)"};
+    uint64_t seed = 3;
+    size_t k;
+    int i;
+
+    for (i = 0; i < some_of(1000); i++) {
+        const char *deck = print(CRANK_ROCKER "speed = %.17g rad/s\nfrom = %.17g deg\n",
+                                 pow(10, uniform(&seed, -1, 2)), uniform(&seed, 0, 360));
+        const char *load =
+            print("[load]\nlink = rocker\nforce = (%.17g, %.17g) N\nat = (30, 5) mm\n",
+                  pow(10, uniform(&seed, 2, 8)), pow(10, uniform(&seed, 2, 8)));
+        fourlink_results *alone = opened(print("%s[table]\ncolumns = all\n", deck));
+        fourlink_results *loaded = opened(print("%s%s[table]\ncolumns = all\n", deck, load));
+
+        for (k = 0; k < COUNT(names); k++) {
+            fourlink_value right = among_all(alone, FOURLINK_OPEN, names[k]);
+            fourlink_value found = among_all(loaded, FOURLINK_OPEN, names[k]);
+
+            if (!(fabs(found.value - right.value) <= 1e-12 * fabs(right.value) &&
+                  fabs(found.angle - right.angle) <= 1e-5))
+                fail_msg("case %d: %s is %.17g at %.12g, not %.17g at %.12g", i, names[k],
+                         found.value, found.angle, right.value, right.angle);
+        }
+        fourlink_results_free(alone);
+        fourlink_results_free(loaded);
+    }
+}
+
+/* 1 if a row at the angle of an extreme has its value or, where there is none, one just beside it nearly. */
+static int is_attained(fourlink_results *r, fourlink_branch branch, const fourlink_value *x)
+{
+    static const double beside[] = {0, -1e-8, 1e-8}, close[] = {1e-5, 1e-2, 1e-2};
+    double value;
+    size_t i;
+
+    for (i = 0; i < COUNT(beside); i++)
+        if (fourlink_results_at(r, branch, x->angle + beside[i], &value, NULL, NULL) ==
+                FOURLINK_OK &&
+            !isnan(value))
+            return fabs(value - x->value) <= close[i];
+    return 0;
+}
+
+/* The structural error of function generators over a motion that is longer than their range: no row within it,
+** nor at its ends, is better. */
+TEST(test_structural_errors)
+{
+    enum { ROWS = 2000 };
+    static const char *const functions[] = {"log10", "exp", "sin", "sqrt"};
+    uint64_t seed = 5;
+    int i, j, tried = 0;
+
+    for (i = 0; i < some_of(3000); i++) {
+        double crank = uniform(&seed, -180, 180), range = uniform(&seed, 20, 150);
+        double rocker = uniform(&seed, 0, 360), swing = uniform(&seed, -100, 100);
+        double x = uniform(&seed, 0.1, 0.7), from = uniform(&seed, -200, 200), angle;
+        double right[2] = {-INFINITY, INFINITY}, value;
+        const char *deck =
+            print("mechanism = four-bar\n[ground]\nlength = 100 mm\n[synthesis]\ntask = function\n"
+                  "function = %s\nx = %.17g to %.17g\ncrank = %.17g to %.17g deg\n"
+                  "rocker = %.17g to %.17g deg\n[motion]\nspeed = 1 rad/s\nfrom = %.17g deg\n"
+                  "to = %.17g deg\n[table]\ncolumns = structural_error\n",
+                  functions[i % 4], x, x + uniform(&seed, 0.2, 0.8), crank, crank + range, rocker,
+                  rocker + swing, from, from + 400);
+        fourlink_source source = deck_source(deck);
+        fourlink_value most, least;
+        fourlink_branch branch;
+        fourlink_results *r;
+
+        source.synthesis = 1;
+        if (fourlink_results_open(&source, 0, &r, NULL, NULL) != FOURLINK_OK)
+            continue;
+        branch = fourlink_results_value(r, "max(structural_error)", FOURLINK_OPEN, 0, &most) ==
+                         FOURLINK_OK
+                     ? FOURLINK_OPEN
+                     : FOURLINK_CROSSED; /* of the linkage found */
+        if (fourlink_results_value(r, "max(structural_error)", branch, 0, &most) == FOURLINK_OK &&
+            fourlink_results_value(r, "min(structural_error)", branch, 0, &least) == FOURLINK_OK) {
+            for (j = 0; j < 4 * ROWS + 4; j++) {
+                angle = j < 4 * ROWS ? from + j * 0.05 : crank + j % 2 * range + j / 2 % 2 * 180;
+                angle += 360 * ceil((from - angle) / 360);
+                if (fourlink_results_at(r, branch, angle, &value, NULL, NULL) != FOURLINK_OK)
+                    continue;
+                right[0] = value > right[0] ? value : right[0];
+                right[1] = value < right[1] ? value : right[1];
+            }
+            if (right[0] > 170 || right[1] < -170) { /* an angle goes on beyond 180 deg */
+                fourlink_results_free(r);
+                continue;
+            }
+            if (!(most.value >= right[0] - 1e-9 && least.value <= right[1] + 1e-9 &&
+                  is_attained(r, branch, &most) && is_attained(r, branch, &least)))
+                fail_msg("case %d: from %.12g to %.12g, not %.12g to %.12g\n%s", i, least.value,
+                         most.value, right[1], right[0], deck);
+            tried++;
+        }
+        fourlink_results_free(r);
+    }
+    assert_true(tried > i / 4);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

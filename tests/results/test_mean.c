@@ -244,6 +244,164 @@ TEST(test_turning_angles)
     check_value(contents, "rms(theta4)", FOURLINK_OPEN, sqrt((double)(squares / STEPS)), 1e-3);
 }
 
+/* ---- sizes with a corner, where a vector passes through zero, or nearly one */
+
+/* The distance along its line that a piston travels: its speed changes its sign within steps. */
+static long double travel(const own *o, long double from, long double to)
+{
+    enum { STEPS = 360 };
+    long double sum = 0, x = own_x(o, from);
+    int i, k;
+
+    for (i = 0; i < STEPS; i++) {
+        long double low = from + (to - from) * i / STEPS,
+                    high = from + (to - from) * (i + 1) / STEPS;
+        long double next = own_x(o, high), first = own_v(o, low), end = high, turn;
+
+        for (k = 0; k < 70 && first * own_v(o, end) < 0; k++) {
+            long double middle = (low + high) / 2;
+
+            *(first * own_v(o, middle) < 0 ? &high : &low) = middle;
+        }
+        turn = k ? own_x(o, low) : x;
+        sum += fabsl(turn - x) + fabsl(next - turn);
+        x = next;
+    }
+    return sum;
+}
+
+TEST(test_strokes)
+{
+    uint64_t seed = 33;
+    int i;
+
+    for (i = 0; i < some_of(5000); i++) {
+        own o = random_engine(&seed, i % 2);
+        double from = uniform(&seed, -360, 360), to = from + uniform(&seed, 20, 360), mean;
+
+        o.branch = (int)branches[i / 2 % 2];
+        mean = (double)(travel(&o, from * PIL / 180, to * PIL / 180) * fabsl(o.speed) /
+                        ((to - from) * PIL / 180));
+
+        check_value(slider_crank((double)o.a, (double)o.b, (double)o.d,
+                                 print("[motion]\nspeed = %.17g rad/s\nfrom = %.17g deg\n"
+                                       "to = %.17g deg\ninterval = 50 deg\n",
+                                       fabs((double)o.speed), from, to)),
+                    "mean(C.v)", branches[i / 2 % 2], mean, 1e-9 * mean);
+    }
+}
+
+/* An adaptive sum of rows by Simpson's rule. */
+typedef struct rows {
+    fourlink_results *r;
+    double smallest; /* part of the motion in which no halving is needed */
+} rows;
+
+static double row(const rows *x, double angle)
+{
+    double value;
+
+    assert_int_equal(fourlink_results_at(x->r, FOURLINK_OPEN, angle, &value, NULL, NULL),
+                     FOURLINK_OK);
+    return value;
+}
+
+static void add_sums(const rows *x, double from, double to, const double y[3], double sum[2])
+{
+    double width = to - from, left = row(x, from + width / 4), right = row(x, to - width / 4);
+    double one = width / 6 * (y[0] + 4 * y[1] + y[2]);
+    double two = width / 12 * (y[0] + 4 * left + 2 * y[1] + 4 * right + y[2]);
+    double halves[2][3] = {{y[0], left, y[1]}, {y[1], right, y[2]}};
+
+    if (width > x->smallest && fabs(two - one) > 1e-12 * fabs(two)) {
+        add_sums(x, from, from + width / 2, halves[0], sum);
+        add_sums(x, from + width / 2, to, halves[1], sum);
+        return;
+    }
+    sum[0] += two + (two - one) / 15;
+    sum[1] += width / 12 *
+              (y[0] * y[0] + 4 * left * left + 2 * y[1] * y[1] + 4 * right * right + y[2] * y[2]);
+}
+
+/* The mean and the root mean square of the only column. */
+static void check_sums(const char *deck, const char *column, double from, double to)
+{
+    enum { PARTS = 50 };
+    double sum[2] = {0, 0}, size;
+    rows x;
+    int i;
+
+    x.r = opened(print("%s[table]\ncolumns = %s\n", deck, column));
+    x.smallest = 1e-6 * (to - from);
+    for (i = 0; i < PARTS; i++) {
+        double low = from + (to - from) * i / PARTS, high = from + (to - from) * (i + 1) / PARTS;
+        double y[3] = {row(&x, low), row(&x, (low + high) / 2), row(&x, high)};
+
+        add_sums(&x, low, high, y, sum);
+    }
+    fourlink_results_free(x.r);
+    size = sqrt(sum[1] / (to - from));
+    check_value(deck, print("mean(%s)", column), FOURLINK_OPEN, sum[0] / (to - from), 1e-9 * size);
+    check_value(deck, print("rms(%s)", column), FOURLINK_OPEN, size, 1e-9 * size);
+}
+
+/* A point of the coupler that is beside the centre of its turning at a crank angle stands nearly still there. */
+TEST(test_points_that_nearly_stop)
+{
+    uint64_t seed = 34;
+    int i;
+
+    for (i = 0; i < some_of(1500); i++) {
+        own o = random_rocker(&seed);
+        double at = uniform(&seed, 0, 360), from = at - uniform(&seed, 10, 200);
+        double to = at + uniform(&seed, 10, 150), away = pow(10, uniform(&seed, -12, -1)), x, y,
+               angle;
+        const char *deck =
+            four_bar((double)o.a, (double)o.b, (double)o.c, (double)o.d,
+                     print("[motion]\nspeed = 3 rad/s\nfrom = %.17g deg\nto = %.17g deg\n"
+                           "interval = 50 deg\n[units]\nlength = m\n",
+                           from, to));
+        fourlink_results *r = opened(deck);
+
+        x = value_at(r, "I13x", at) - value_at(r, "B.x", at);
+        y = value_at(r, "I13y", at) - value_at(r, "B.y", at);
+        angle = value_at(r, "theta3", at) * PI / 180;
+        fourlink_results_free(r);
+        if (i % 5 == 0)
+            away = 0;
+        if (hypot(x, y) < 10)
+            check_sums(print("%s[point P]\nlink = coupler\nat = (%.17g, %.17g) m\n", deck,
+                             x * cos(angle) + y * sin(angle) + away,
+                             y * cos(angle) - x * sin(angle)),
+                       "P.v", from, to);
+    }
+}
+
+/* A force on the crank that is nearly that of the pin at a crank angle takes it away there. */
+TEST(test_forces_that_nearly_vanish)
+{
+    uint64_t seed = 35;
+    int i;
+
+    for (i = 0; i < some_of(1500); i++) {
+        double at = uniform(&seed, 0, 360), from = at - uniform(&seed, 10, 200);
+        double to = at + uniform(&seed, 10, 150), away = pow(10, uniform(&seed, -12, -1));
+        const char *deck = print(ROCKER "[motion]\nspeed = %.17g rad/s\nfrom = %.17g deg\n"
+                                        "to = %.17g deg\ninterval = 50 deg\n",
+                                 uniform(&seed, 5, 50), from, to);
+        fourlink_results *r = opened(deck);
+        double x = value_at(r, "F12x", at), y = value_at(r, "F12y", at);
+
+        fourlink_results_free(r);
+        if (i % 5 == 0)
+            away = 0;
+        check_sums(print("%s[load]\nlink = crank\nframe = ground\nforce = (%.17g, %.17g) N\n"
+                         "at = (3, 4) mm\n",
+                         deck, x * (1 + away), y * (1 + away)),
+                   "F12", from, to);
+    }
+}
+
 /* ---- where there is none */
 
 TEST(test_poles)
