@@ -35,8 +35,7 @@ static fourlink_results *results;
 static const fourlink_value *columns;
 static unsigned long n_columns, mu; /* the column of this name */
 static fourlink_branch branch;
-static double from, end, sense, total,
-    angle_unit; /* of the motion: deck's unit, +-1, rad in all, rad */
+static double from, end, sense, total, angle_unit; /* of the motion: deck's unit, +-1, rad, rad */
 
 static double at[MOST]; /* rad passed */
 static int status[MOST];

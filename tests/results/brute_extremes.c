@@ -41,9 +41,8 @@ static fourlink_results *results;
 static const fourlink_value *columns;
 static unsigned long n_columns, mu, omega2; /* columns of these names */
 static fourlink_branch branch;
-static double from, end, sense, total,
-    angle_unit;                      /* of the motion: deck's unit, +-1, rad in all, rad */
-static double fastest;               /* largest omega2 */
+static double from, end, sense, total, angle_unit; /* of the motion: deck's unit, +-1, rad, rad */
+static double fastest;                             /* largest omega2 */
 static int is_revolution, has_first; /* 1: the linkage can be assembled in the first row */
 static double changes[2];            /* rad passed, of change points */
 static int n_changes;

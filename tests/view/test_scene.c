@@ -25,6 +25,9 @@ static void open_scene(long number)
     fourlink_mistake mistake;
 
     make_machine(number, EVERYTHING | (seldom(0.5) ? WILD : 0), GIVEN);
+    if (seldom(0.3))
+        write("[load P]\nlink = %s\nforce = (%.6g, %.6g) N\nat = (%.6g, 0) mm\n",
+              machine_links[machine][2], between(-300, 300), between(-300, 300), between(-80, 80));
     memset(&source, 0, sizeof source);
     source.text = deck_text;
     source.length = length;
