@@ -213,7 +213,8 @@ static void mirror_number(deck_number *n, const deck_line *line, const void *how
         return;
     }
     if (n->part == ARGUMENT)
-        changes = is_turning(n->dim) || follows_turning(value_of(b, KEY_LOAD_OVER, "theta2"));
+        changes = is_turning(n->dim) || (line->key != KEY_MOTION_PROGRAM &&
+                                         follows_turning(value_of(b, KEY_LOAD_OVER, "theta2")));
     else if (is_along_slot(b, line->key))
         changes = n->part == COMPONENT_X || n->part == WHOLE;
     else if (n->part == WHOLE)
@@ -266,7 +267,7 @@ static int has_sense(deck_lines *d)
     return find_line(d, KEY_MOTION_SPEED) || find_line(d, KEY_MOTION_MEAN_SPEED) ||
            find_line(d, KEY_MOTION_ACCELERATION) || find_line(d, KEY_MOTION_TO) ||
            find_line(d, KEY_MOTION_TURNS) || find_line(d, KEY_MOTION_AT) ||
-           find_block(d, SECTION_MOTOR);
+           find_line(d, KEY_MOTION_PROGRAM) || find_block(d, SECTION_MOTOR);
 }
 
 /* About the x axis. */

@@ -273,6 +273,8 @@ static void number_on_page(deck_number *n, const deck_line *line, const void *ho
     if (line->key >= KEY_COUNT)
         return;
     if (flk_key_table[line->key].form == FORM_CRANK ||
+        (line->key == KEY_MOTION_PROGRAM &&
+         flk_dimension_equal(n->dim, flk_quantities[QUANTITY_ANGLE].dim)) ||
         (n->part == ARGUMENT && b->section == SECTION_LOAD &&
          strncmp(value_of(b, KEY_LOAD_OVER, "theta2"), "theta", 5) == 0) ||
         (turns && n->part == POLAR))
@@ -325,7 +327,7 @@ static int put_on_page(deck_lines *d)
 
     if (is_task(d) || has_pins(d) || find_line(d, KEY_MOTION_ROWS))
         return 0;
-    if (!find_line(d, KEY_MOTION_AT))
+    if (!find_line(d, KEY_MOTION_AT) && !find_line(d, KEY_MOTION_PROGRAM))
         set_default(&base, KEY_MOTION_FROM, "0 deg");
     for (i = 0; i < base.n; i++) {
         deck_block *b = &base.block[i];

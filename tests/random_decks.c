@@ -5,8 +5,8 @@
 **    random_decks SORT N FOLDER [FIRST]
 **    random_decks options
 **
-** SORT is `given`, motions that are given (random_deck.h), `machines`, of all kinds, `motors`, whose motion follows
-** from what drives them (random_machine.h), or `any`, with keys of every section of the schema (random_schema.h).  The decks
+** SORT is `given`, wild machines whose motions are given, `machines`, of all kinds, `motors`, whose motion follows
+** from what drives them, or `any`, with keys of every section of the schema (random_schema.h).  The decks
 ** are FOLDER/SORT-FIRST.deck and on.  Those of `any` depend on those before them in the run, so that all keys are drawn
 ** as often: FIRST and N give them again.  Beside a deck of the sort `any` stand options for it, one a line, in .options, and the
 ** card that decks name; what was tried how often is printed.  `options` prints the options that it knows.
@@ -74,11 +74,11 @@ int main(int argc, char **argv)
     for (i = first; i < first + n; i++) {
         begin_chance(1, i);
         if (strcmp(argv[1], "given") == 0)
-            make_deck();
+            make_wild_deck(i);
         else if (strcmp(argv[1], "machines") == 0)
-            make_any_machine(i);
+            make_machine(i, LAWS | SPRINGS | FRICTION, seldom(0.25) ? DRIVEN : GIVEN);
         else if (strcmp(argv[1], "motors") == 0)
-            make_driven_machine(i);
+            make_machine(i, LAWS | SPRINGS | FRICTION | GAS, DRIVEN);
         else if (is_any)
             make_schema_deck(i, 12 + one_of(30));
         else {

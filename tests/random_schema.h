@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** random_schema.h - adds keys of all sections to a random deck, as the schema has them, and chooses options for it.
+** random_schema.h - random decks: a machine (random_parts.h) with keys of all sections added, as the schema has them, and options.
 **
 ** It knows the sections, keys, words and quantities from the schema (deck/schema.h), so a new key is tried as soon as it
 ** is there.  A key gets a value of its form.  It stays if the deck is still one without mistakes, so that what goes
@@ -16,7 +16,7 @@
 #include "deck/schema.h"
 #include "fourlink.h"
 #include "mechanics/kind.h"
-#include "random_machine.h"
+#include "random_parts.h"
 
 /* ------------------------------------------------------------------------------------------- values */
 
@@ -331,15 +331,24 @@ static int is_of_kind(section_code section, int kind)
     return (flk_section_table[section].kinds & kind) != 0;
 }
 
-/* The key of this kind that was tried least, one of several by chance. */
-static key_code rarest_key(int kind)
+/* What a trial of given motions can compare: keys of these sections are tried. */
+#define OF_MACHINES                                                                     \
+    (SET_OF(GROUND) | SET_OF(CRANK) | SET_OF(COUPLER) | SET_OF(ROCKER) | SET_OF(ROD) |  \
+     SET_OF(PISTON) | SET_OF(SLIDER) | SET_OF(LEVER) | SET_OF(YOKE) | SET_OF(GRAVITY) | \
+     SET_OF(LOAD) | SET_OF(SPRING) | SET_OF(GAS) | SET_OF(POINT))
+#define SET_OF(section) (1UL << SECTION_##section)
+#define EVERY_SECTION (~0UL)
+
+/* The key of this kind and of these sections that was tried least, one of several by chance. */
+static key_code rarest_key(int kind, unsigned long sections)
 {
     unsigned long least = ULONG_MAX;
     key_code found = 0, k;
     int n = 0;
 
     for (k = 0; k < KEY_COUNT; k++) {
-        if (!(flk_key_table[k].kinds & kind) || !is_of_kind(flk_key_table[k].section, kind))
+        if (!(flk_key_table[k].kinds & kind) || !is_of_kind(flk_key_table[k].section, kind) ||
+            !(sections >> flk_key_table[k].section & 1))
             continue;
         if (keys_tried[k] < least) {
             least = keys_tried[k];
@@ -468,11 +477,11 @@ static int keep_if_right(const char *with, int kind)
 }
 
 /* Try one more key: alone, in place of another of its section, and with a second one. */
-static void try_key(int kind)
+static void try_key(int kind, unsigned long sections)
 {
     static char with[sizeof deck_text], less[sizeof deck_text], two[sizeof deck_text];
     char value[LONGEST] = "", second[LONGEST] = "";
-    key_code code = rarest_key(kind), first, other;
+    key_code code = rarest_key(kind, sections), first, other;
     const key_info *key = &flk_key_table[code];
     const char *const *links = flk_kind_of((fourlink_kind)kind)->link;
     int n, i, kept;
@@ -564,21 +573,29 @@ static void make_drawn(void)
           between_whole(20, 40), between_whole(20, 70), others[one]);
 }
 
-/* A deck of any sort, with so many keys tried. */
-static void make_schema_deck(long number, int tries)
+/* Try so many keys of some sections in the deck. */
+static void try_keys(int tries, unsigned long sections)
 {
-    int kind, i;
+    int kind;
 
+    deck_text[length] = '\0';
+    kind = kind_of_text(deck_text);
+    while (kind && tries--)
+        try_key(kind, sections);
+}
+
+/* A deck of any sort, with so many keys tried. */
+static inline void make_schema_deck(long number, int tries)
+{
     switch (number % 4) {
     case 0:
-        only_yokes = seldom(0.2);
-        make_deck();
+        make_machine(number / 4, WILD | EVERYTHING, seldom(0.1) ? AN_INSTANT : GIVEN);
         break;
     case 1:
-        make_any_machine(number / 4);
+        make_machine(number / 4, EVERYTHING, seldom(0.25) ? DRIVEN : seldom(0.2) ? PROGRAM : GIVEN);
         break;
     case 2:
-        make_driven_machine(number / 4);
+        make_machine(number / 4, EVERYTHING, DRIVEN);
         break;
     default:
         if (seldom(0.3))
@@ -587,10 +604,15 @@ static void make_schema_deck(long number, int tries)
             make_task();
         break;
     }
-    deck_text[length] = '\0';
-    kind = kind_of_text(deck_text);
-    for (i = 0; kind && i < tries; i++)
-        try_key(kind);
+    try_keys(tries, EVERY_SECTION);
+}
+
+/* A wild machine of a given motion, from its number alone. */
+static inline void make_wild_deck(long number)
+{
+    make_machine(number, WILD | LAWS | SPRINGS | POINTS | GRAVITY | GAS, GIVEN);
+    memset(keys_tried, 0, sizeof keys_tried);
+    try_keys(one_of(9), OF_MACHINES);
 }
 
 /* ------------------------------------------------------------------------------------------- options */

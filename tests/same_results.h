@@ -359,7 +359,8 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
         to_si(&a->c, expected);
         to_si(&b->c, row);
     }
-    quickest = fmax(sort == COMPUTED_ROW ? quickest : 0, fabs(named(&a->c, expected, "omega2")));
+    quickest = fmax(sort == COMPUTED_ROW || strstr(base_text, "\nprogram = ") ? quickest : 0,
+                    fabs(named(&a->c, expected, "omega2")));
     condition = find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length,
                             quickest, scale);
     turns = sort == COMPUTED_ROW ? 1 + fabs(named(&a->c, expected, "theta2")) / (2 * PI) : 1;
@@ -399,6 +400,30 @@ static int turns_back(const columns *c, const double *row)
     return 0;
 }
 
+/* rad/s, of the crank in all rows of a program, which can begin at rest; 0 for other motions. */
+static double quickest_of_program(const side *a, fourlink_branch branch)
+{
+    static double row[MOST_COLUMNS];
+    int j = find_column(&a->c, "omega2");
+    double most = 0;
+    unsigned long i;
+
+    for (i = 0; j >= 0 && i < a->rows && strstr(base_text, "\nprogram = "); i++) {
+        fourlink_results_row(a->r, branch, i, row, NULL, NULL);
+        most = fmax(most, fabs(row[j] * present->factor(a->c.list[j].told) *
+                               (present->is_exact ? 1 : a->c.list[j].told->to_si)));
+    }
+    return most;
+}
+
+/* 1 in a row of a program at rest, with friction: rounding decides which way it is about to go. */
+static int is_at_rest(const columns *c, const double *row)
+{
+    return strstr(base_text, "\nprogram = ") && strstr(base_text, "[friction]") &&
+           fabs(named(c, row, "omega2")) * c->list[find_column(c, "omega2")].told->to_si <=
+               1e-12 * quickest;
+}
+
 /* Compare the rows of b with those of a, from the one with this number; those from its end, where time is
 ** reversed.  1 if a row is
 ** near a dead position or at rest. */
@@ -410,7 +435,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
     int is_near = 0;
 
     was_locked = 0;
-    quickest = 0;
+    quickest = quickest_of_program(a, branch);
     memset(sizes, 0, sizeof sizes);
     memset(size_of_quantity, 0, sizeof size_of_quantity);
     for (i = 0; i < b->rows && !has_failed; i += step) {
@@ -431,7 +456,8 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
             is_near = 1;
             continue;
         }
-        if (present->factor == factor_mirrored && turns_back(&a->c, expected)) {
+        if ((present->factor == factor_mirrored && turns_back(&a->c, expected)) ||
+            (!present->is_exact && is_at_rest(&a->c, expected))) {
             present->undecided++;
             continue;
         }

@@ -142,39 +142,27 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
         link->inertia = link->mass * h * (L - h);
 }
 
-/* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
-** in line (two right triangles with the leg e):
-**
-**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
-**
-** which for e = 0 is r = S/2. The longest stroke has r = l - |e|, the longest crank that turns fully: S^2 =
-** (l + r)^2 - e^2 = 4 l (l - |e|). A longer stroke would require the sum of the two roots. A yoke has no rod,
-** and S = 2 a. */
+/* The crank of an engine or of a yoke from its stroke. */
 static void build_stroke(parser *p)
 {
     fourlink_design *design = &p->d->machine.mechanism.design;
     fourlink_link *link = design->link;
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
-    double S, l = link[3].length, e = fabs(design->offset), rest;
+    double S, l = link[3].length, e = fabs(design->offset);
 
     if (!flk_build_has(p, KEY_CRANK_STROKE))
         return;
     if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
     S = s->si[0];
-    link[2].length = S / 2;
+    link[2].length = flk_slider_crank_of_stroke(S, l, e);
     if (flk_build_has(p, KEY_YOKE_ANGLE) && fabs(design->angle - M_PI_2) > 1e-12)
         flk_mistake(p->mistakes, s->place,
                     "a stroke is for a slot at 90 deg; with this angle give the crank's length");
-    if (l <= 0)
-        return;
-    rest = 4 * l * l - S * S;
-    if (S * S > 4 * l * (l - e))
+    if (l > 0 && S * S > 4 * l * (l - e))
         flk_mistake(p->mistakes, s->place, "%s",
                     e > 0 ? "this stroke is impossible with this rod and offset"
                           : "this stroke is impossible: the crank would be longer than the rod");
-    else if (e > 0)
-        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
 
 /* The mass data in the section of a link. */

@@ -352,11 +352,14 @@ static int take_lengths(parser *p, deck_pins *pins, const drawing *x, fourlink_d
     const flk_kind *kind = flk_kind_of(design->kind);
     int i;
 
-    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         design->link[i].length =
             flk_setting_by_name(p, flk_section_of_link(design->kind, i), "length")->si[0];
-        if (i == FOURLINK_CRANK && !(design->link[i].length > 0))
-            design->link[i].length = 0.5 * flk_setting_or(p, KEY_CRANK_STROKE, 0);
+    if (!(design->link[FOURLINK_CRANK].length > 0))
+        design->link[FOURLINK_CRANK].length =
+            flk_slider_crank_of_stroke(flk_setting_or(p, KEY_CRANK_STROKE, 0),
+                                       design->link[FOURLINK_COUPLER].length, pins->offset);
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
         if (i == FOURLINK_GROUND && kind->has_length[i] == FLK_LENGTH &&
             !(design->link[i].length > 0))
             design->link[i].length = pins->length[i] = length_of(minus(x->at[PIN_D], x->at[PIN_A]));

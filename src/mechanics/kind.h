@@ -99,6 +99,10 @@ double flk_kind_angle(double opposite, double p, double q, double slack);
 
 extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted, flk_scotch_yoke;
 
+/* The crank of an engine with a stroke; half the stroke for one that this rod (0: a yoke, which has none) and offset do not
+** allow. */
+double flk_slider_crank_of_stroke(double stroke, double rod, double offset);
+
 /* The record of a kind; null if the kind does not exist. */
 const flk_kind *flk_kind_of(fourlink_kind kind);
 

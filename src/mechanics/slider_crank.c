@@ -14,6 +14,21 @@
 #include "coordinate.h"
 #include "kind.h"
 
+/* The stroke S is the distance between the dead centres, where crank and rod are in line (two right triangles with the leg
+** e):
+**
+**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
+**
+** which for e = 0 is r = S/2. The longest stroke has r = l - |e|, the longest crank that turns fully: S^2 =
+** (l + r)^2 - e^2 = 4 l (l - |e|). A longer stroke would require the sum of the two roots. A yoke has no rod,
+** and S = 2 a. */
+double flk_slider_crank_of_stroke(double stroke, double rod, double offset)
+{
+    double S = stroke, l = rod, e = fabs(offset), rest = 4 * l * l - S * S;
+
+    return e > 0 && S * S <= 4 * l * (l - e) ? S / 2 * sqrt((rest - 4 * e * e) / rest) : S / 2;
+}
+
 /* Reach.  The rod spans the height r sin(theta2) - e of the crank pin above the line of stroke.  With X the
 ** piston's coordinate along that line and w = X - r cos(theta2) = l cos(theta3),
 **

@@ -42,16 +42,16 @@ def summary(deck):
         name = row['name']
         if not set(name) & set(' ,') and row['value']:
             found.setdefault((name, row['branch']), (row['value'], row['unit']))
-    return {key: value for key, value in found.items() if key[0] != 'end'}
+    return {key: value for key, value in found.items() if key[0] != 'end'}, any('dead' in row['value'] for row in rows if row['name'] == 'end')
 
 
 everywhere = {}
 for deck in decks:
-    wanted = summary(deck)
+    wanted, is_dead = summary(deck)
     names = sorted({name for name, _ in wanted})
-    # where friction jams the linkage near a dead position, the edge of the rows scatters
+    # where friction jams the linkage near a dead position, or a computed motion runs into one, the edge of the rows scatters
     jams = any(name.startswith('friction.') for name in names) and any(name == 'theta2_from' and float(value[0]) for (name, _), value in wanted.items())
-    part = 1e-7 if jams else 1e-11
+    part = 1e-7 if jams or is_dead else 1e-11
     for k in range(0, len(names), MOST):
         status, rows, told = run('-f', 'csv', '--columns=' + ','.join(names[k:k + MOST]), deck)
         if not rows:

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** brute_crossings.c - the crank angles at which columns of random decks have a value, against bisection.
+** brute_crossings.c - the crank angles at which columns of random decks, or of given ones, have a value, against bisection.
 **
-**    brute_crossings DECKS [SEED [FIRST]]
+**    brute_crossings DECKS [SEED [FIRST]]    (brute_decks.h)
+**    brute_crossings FILE [CHANCE]...
 **
 ** Of each column on both branches, two values are sought: one that it has between two rows chosen by
 ** chance, and one of its peaks.  The rows are thousands, closer to dead positions and to the ends of the
 ** motion.  No crossing is false: the row there has the value, to 1e-9 of the largest value of its
 ** quantity in that row, or of the change to rows beside it.  None is lost: wherever two rows next to
 ** each other are on different sides of the value, bisection leads to a jump or to a crossing that was
-** found, but for touches within 1e-6 and what rounding decides.  Decks that fail are left as
+** found, but for touches within 1e-6 and what rounding decides.  Random decks that fail are left as
 ** crossings-SEED-NUMBER.deck.
 */
 #include <float.h>
@@ -19,7 +20,7 @@
 #include <string.h>
 
 #include "fourlink.h"
-#include "random_deck.h"
+#include "brute_decks.h"
 
 #define COLUMNS 300
 #define EVEN 1500 /* rows, evenly spaced */
@@ -34,21 +35,19 @@ static fourlink_results *results;
 static const fourlink_value *columns;
 static unsigned long n_columns, mu; /* the column of this name */
 static fourlink_branch branch;
-static double from, end, sense, total, unit; /* of the motion: deck's unit, +-1, rad in all, rad */
+static double from, end, sense, total, angle_unit; /* of the motion: deck's unit, +-1, rad, rad */
 
 static double at[MOST]; /* rad passed */
 static int status[MOST];
 static double rows[MOST][COLUMNS];
 static int n;
 
-static long sought, found, expected, touches, rounded, wrong, missing, failed_decks;
+static long sought, found, expected, touches, rounded, wrong, missing;
 static double worst;
-static int deck_failed;
-static const char *deck_name;
 
 static double angle_of(double p)
 {
-    return p >= total ? end : from + sense * p / unit;
+    return p >= total ? end : from + sense * p / angle_unit;
 }
 
 static int compute(double p, double *v)
@@ -235,7 +234,7 @@ static int is_rounding_error(unsigned long c, double value, double p)
                 return 1;
         bend = fabs(off(c, v[0], value) - 2 * off(c, v[1], value) + off(c, v[2], value));
         slope = fabs(off(c, v[2], value) - off(c, v[0], value)) / (2 * h);
-        if (fmax(4 * bend, slope * DBL_EPSILON * fabs(angle_of(p)) * unit) >
+        if (fmax(4 * bend, slope * DBL_EPSILON * fabs(angle_of(p)) * angle_unit) >
             FALSE_BY * (value != 0 && !is_angle(c) ? fabs(value) : scale_of(c, v[1], value)))
             return 1;
     }
@@ -252,7 +251,7 @@ static int is_found(double p, const double *angles, unsigned long k)
     unsigned long i;
 
     for (i = 0; i < k; i++)
-        if (fabs((angles[i] - angle_of(p)) * unit) < SAME_ANGLE)
+        if (fabs((angles[i] - angle_of(p)) * angle_unit) < SAME_ANGLE)
             return 1;
     return 0;
 }
@@ -281,7 +280,7 @@ static void try_value(unsigned long c, double value)
     sought++;
     found += (long)k;
     for (j = 0; j < k && j < CROSSINGS; j++) {
-        double p = fabs(angles[j] - from) * unit, by;
+        double p = fabs(angles[j] - from) * angle_unit, by;
 
         if (fourlink_results_at(results, branch, angles[j], v, NULL, NULL) != FOURLINK_OK)
             continue; /* the limit at a dead position */
@@ -364,69 +363,38 @@ static void try_column(unsigned long c)
     try_value(c, seldom(0.3) ? 0 : peak_of(c));
 }
 
-static int open_deck(const char *name)
+static void try_deck(fourlink_results *r)
 {
-    fourlink_source source;
     fourlink_problem problem;
-    fourlink_mistake mistake;
+    unsigned long c;
 
-    memset(&source, 0, sizeof source);
-    source.name = name;
-    source.text = deck_text;
-    source.length = length;
-    if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
-        return 0;
+    results = r;
     fourlink_deck_problem(fourlink_results_deck(results), &problem);
     fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n_columns);
     for (mu = 0; mu + 1 < n_columns && strcmp(columns[mu].name, "mu") != 0; mu++)
         ;
-    unit = problem.motion.angle_unit;
+    angle_unit = problem.motion.angle_unit;
     from = problem.motion.from;
-    return n_columns <= COLUMNS;
+    for (branch = FOURLINK_OPEN;; branch = FOURLINK_CROSSED) {
+        if (fourlink_results_end(results, branch, &end) == FOURLINK_OK && end != from) {
+            sense = end < from ? -1 : 1;
+            total = fabs(end - from) * angle_unit;
+            take_rows();
+            for (c = 0; c < n_columns; c++)
+                try_column(c);
+        }
+        if (branch == FOURLINK_CROSSED)
+            break;
+    }
 }
 
 int main(int argc, char **argv)
 {
-    long decks = argc > 1 ? atol(argv[1]) : 100, seed = argc > 2 ? atol(argv[2]) : 1;
-    long first = argc > 3 ? atol(argv[3]) : 0, i, refused = 0;
-    unsigned long c;
-    char name[100];
+    int none = try_decks(argc, argv, "crossings", COLUMNS, try_deck);
 
-    for (i = first; i < first + decks; i++) {
-        begin_chance(seed, i);
-        snprintf(name, sizeof name, "crossings-%ld-%ld.deck", seed, i);
-        deck_name = name;
-        make_deck();
-        deck_failed = 0;
-        if (!open_deck(name)) {
-            refused++;
-            continue;
-        }
-        for (branch = FOURLINK_OPEN;; branch = FOURLINK_CROSSED) {
-            if (fourlink_results_end(results, branch, &end) == FOURLINK_OK && end != from) {
-                sense = end < from ? -1 : 1;
-                total = fabs(end - from) * unit;
-                take_rows();
-                for (c = 0; c < n_columns; c++)
-                    try_column(c);
-            }
-            if (branch == FOURLINK_CROSSED)
-                break;
-        }
-        fourlink_results_free(results);
-        if (deck_failed) {
-            FILE *out = fopen(name, "w");
-
-            failed_decks++;
-            if (out) {
-                fwrite(deck_text, 1, length, out);
-                fclose(out);
-            }
-        }
-    }
     printf("%ld decks, %ld refused: %ld values sought, %ld crossings found, the worst off by %.2g; "
            "%ld by bisection, of them not found %ld touches and %ld that rounding decides\n",
-           decks, refused, sought, found, worst, expected, touches, rounded);
-    printf("%ld false, %ld lost, in %ld decks\n", wrong, missing, failed_decks);
-    return wrong + missing > 0 || refused == decks;
+           n_decks, n_refused, sought, found, worst, expected, touches, rounded);
+    printf("%ld false, %ld lost, in %ld decks\n", wrong, missing, n_failed_decks);
+    return wrong + missing > 0 || none;
 }

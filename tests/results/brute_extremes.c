@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** brute_extremes.c - the extremes of random decks against brute force.
+** brute_extremes.c - the extremes of random decks, or of given ones, against brute force.
 **
-**    brute_extremes DECKS [SEED [FIRST]]
+**    brute_extremes DECKS [SEED [FIRST]]     (brute_decks.h)
+**    brute_extremes FILE...
 **
 ** Each deck is opened with all columns, on both branches.  Its extremes are compared with the best of
 ** thousands of rows, refined by parabolas, and with the row at the angle that is told: within 1e-9 of
 ** the column's size, or 1e-6 near dead positions, change points and where the crank is at rest.  At a
 ** dead position or a change point itself, where there is no row, the limit is found by halving the
 ** distance; a column that doubles with each halving is unbounded there.  What the rows cannot tell, as
-** their rounding is larger, is counted as undecided.  Decks that fail are left as
+** their rounding is larger, is counted as undecided.  Random decks that fail are left as
 ** brute-SEED-NUMBER.deck.
 */
 #include <float.h>
@@ -19,7 +20,7 @@
 #include <string.h>
 
 #include "fourlink.h"
-#include "random_deck.h"
+#include "brute_decks.h"
 
 /* -------------------------------------------------------------------------------------------- rows */
 
@@ -40,10 +41,10 @@ static fourlink_results *results;
 static const fourlink_value *columns;
 static unsigned long n_columns, mu, omega2; /* columns of these names */
 static fourlink_branch branch;
-static double from, end, sense, total, unit; /* of the motion: deck's unit, +-1, rad in all, rad */
-static double fastest;                       /* largest omega2 */
-static int is_revolution, has_first;         /* 1: the linkage can be assembled in the first row */
-static double changes[2];                    /* rad passed, of change points */
+static double from, end, sense, total, angle_unit; /* of the motion: deck's unit, +-1, rad, rad */
+static double fastest;                             /* largest omega2 */
+static int is_revolution, has_first; /* 1: the linkage can be assembled in the first row */
+static double changes[2];            /* rad passed, of change points */
 static int n_changes;
 static row *rows[MOST];
 static size_t n;
@@ -60,7 +61,7 @@ static double turn_of(unsigned long c)
 
 static double angle_of(double p)
 {
-    return p >= total ? end : from + sense * p / unit;
+    return p >= total ? end : from + sense * p / angle_unit;
 }
 
 static int is_of_crank(unsigned long c)
@@ -114,12 +115,10 @@ static int is_near(double p, const double *v)
            !(fabs(v[omega2]) > 0.05 * fastest);
 }
 
-/* 1 if rows close to one another show a column as smooth, but for a tolerance: else it is rounding.  So
-** it is if it is so small beside others of its kind, of which it may be the sum. */
-static int is_steady(unsigned long c, double p, double tolerance)
+/* 1 if rows close to one another show a column as smooth, but for a tolerance: else it is rounding. */
+static int is_smooth(unsigned long c, double p, double tolerance)
 {
     double v[3][COLUMNS], h;
-    unsigned long k;
 
     for (h = 1e-9; h < 5e-9; h *= 1.3) {
         if (compute(p - h, v[0]) || compute(p, v[1]) || compute(p + h, v[2]))
@@ -128,8 +127,19 @@ static int is_steady(unsigned long c, double p, double tolerance)
               tolerance))
             return 0;
     }
+    return 1;
+}
+
+/* The same; and it is rounding too if it is so small beside others of its kind, of which it may be the sum. */
+static int is_steady(unsigned long c, double p, double tolerance)
+{
+    double v[COLUMNS];
+    unsigned long k;
+
+    if (!is_smooth(c, p, tolerance) || compute(p, v))
+        return 0;
     for (k = 0; k < n_columns && !is_angle(c); k++)
-        if (fabs(v[1][k]) * 10 * DBL_EPSILON > tolerance &&
+        if (fabs(v[k]) * 10 * DBL_EPSILON > tolerance &&
             strcmp(columns[k].quantity, columns[c].quantity) == 0)
             return 0;
     return 1;
@@ -335,7 +345,7 @@ static void take_rows(void)
     add_about(0, 1e-8, 1);
     add_about(total, 1e-8, -1);
     for (k = 0; k < n_corners; k++)
-        for (p = fmod(fmod(sense * (corners[k] - from * unit), 2 * PI) + 2 * PI, 2 * PI);
+        for (p = fmod(fmod(sense * (corners[k] - from * angle_unit), 2 * PI) + 2 * PI, 2 * PI);
              p <= total; p += 2 * PI) {
             add(p);
             add_about(p, 2e-11, 1);
@@ -606,7 +616,7 @@ static int has_pole(unsigned long c)
 /* 1 if a column grows to infinity on one side of the angle that is told: a pole narrower than the rows. */
 static int grows(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * unit, v[2][COLUMNS];
+    double p = sense * (f->angle - from) * angle_unit, v[2][COLUMNS];
     int side;
 
     for (side = -1; side <= 1; side += 2)
@@ -627,8 +637,6 @@ typedef struct kind {
 static kind kinds[50];
 static int n_kinds;
 static long tried, undecided, failed, unbounded, limits;
-static const char *deck_name;
-static int deck_failed;
 
 static kind *kind_of(unsigned long c)
 {
@@ -650,11 +658,23 @@ static void fail(const fourlink_value *f, const char *what, double value, double
     deck_failed = 1;
 }
 
+/* How far a value is from what the column has just before or behind a place, where it may jump. */
+static double apart_beside(unsigned long c, double p, double value)
+{
+    double v[2][COLUMNS], h = 1e-8, least = INFINITY;
+    int side;
+
+    for (side = -1; side <= 1; side += 2)
+        if (!compute(p + side * h, v[0]) && !compute(p + 2 * side * h, v[1]))
+            least = fmin(least, apart(c, v[0][c] - (beside(c, v[1][c], v[0][c]) - v[0][c]), value));
+    return least;
+}
+
 /* 1 if a finite extreme is the value of the row at its angle, or a limit there; sets *is_open where the
 ** rows cannot tell.  A row may have no value, between others. */
 static int is_attained(unsigned long c, const fourlink_value *f, double size, int *is_open)
 {
-    double p = sense * (f->angle - from) * unit, v[COLUMNS], limit, far = INFINITY;
+    double p = sense * (f->angle - from) * angle_unit, v[COLUMNS], limit, far = INFINITY;
     int near = 1, k;
 
     if (!compute(p, v) || is_of_crank(c)) {
@@ -662,6 +682,8 @@ static int is_attained(unsigned long c, const fourlink_value *f, double size, in
         if (isnan(v[c]))
             near = !compute(p + (p < total / 2 ? 1e-7 : -1e-7), v);
         far = apart(c, v[c], f->value) / size;
+        if (far > SMOOTH)
+            far = fmin(far, apart_beside(c, p, f->value) / size);
     }
     if (!near)
         kind_of(c)->attained = fmax(kind_of(c)->attained, far);
@@ -705,6 +727,10 @@ static void compare(unsigned long c, const fourlink_value *f, best *b, double si
         if (k == FAR_ROWS)
             kind_of(c)->missed = fmax(kind_of(c)->missed, by);
         if (by > (k == FAR_ROWS ? SMOOTH : NEAR)) {
+            if (k == FAR_ROWS && !is_smooth(c, b->at[k], 0.1 * SMOOTH * size)) {
+                b->is_open = 1;
+                continue;
+            }
             fail(f, k == LIMITS ? "limit" : "missed", b->value[k], b->at[k], by);
             return;
         }
@@ -721,7 +747,7 @@ static int by_value(const void *x, const void *y)
 }
 
 /* Largest magnitude far from all edges; the median of what is unbounded, or has rows near them only. */
-static double size_of(int is_unbounded)
+static double size_of_column(int is_unbounded)
 {
     static double sorted[MOST];
     double most = 0;
@@ -754,8 +780,8 @@ static void compare_column(unsigned long c, const fourlink_value *const told[2])
     if (!ok && !told[0])
         return; /* a direction that only rounding has */
     is_pole = has_bound(c) && has_pole(c);
-    size = size_of(is_pole || (told[0] && isinf(told[0]->value)) ||
-                   (told[1] && isinf(told[1]->value)));
+    size = size_of_column(is_pole || (told[0] && isinf(told[0]->value)) ||
+                          (told[1] && isinf(told[1]->value)));
     for (which = 0; which < 2; which++) {
         best b = find(c, which == 0 ? 1 : -1, size);
 
@@ -807,9 +833,9 @@ static void list_change_points(void)
     fourlink_deck_problem(fourlink_results_deck(results), &problem);
     line = problem.mechanism.design.kind == FOURLINK_SLIDER_CRANK ? -PI / 2 : 0;
     if (problem.mechanism.change_folded)
-        changes[n_changes++] = sense * (line - from * unit);
+        changes[n_changes++] = sense * (line - from * angle_unit);
     if (problem.mechanism.change_stretched)
-        changes[n_changes++] = sense * (line + PI - from * unit);
+        changes[n_changes++] = sense * (line + PI - from * angle_unit);
 }
 
 static unsigned long column_named(const char *name)
@@ -821,27 +847,34 @@ static unsigned long column_named(const char *name)
     return c;
 }
 
-static int open_deck(void)
+/* 1 if a torsional spring is wound up by the motion: it counts turns, and nothing repeats. */
+static int is_wound(void)
 {
-    fourlink_mistake mistakes[3];
-    fourlink_problem problem;
-    fourlink_source source;
-    fourlink_range range;
-    unsigned long n_mistakes = 0;
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    double first[COLUMNS], last[COLUMNS];
+    unsigned long c;
+    int i, winds = 0;
 
-    memset(&source, 0, sizeof source);
-    source.name = deck_name;
-    source.text = deck_text;
-    source.length = length;
-    if (fourlink_results_open(&source, 3, &results, mistakes, &n_mistakes) != FOURLINK_OK) {
-        if (getenv("BRUTE_VERBOSE") && n_mistakes)
-            printf("%s: %s\n", deck_name, mistakes[0].message);
-        return 0;
-    }
+    for (i = 0; i < 2; i++)
+        if (fourlink_results_at(results, branches[i], from, first, NULL, NULL) == FOURLINK_OK &&
+            fourlink_results_at(results, branches[i], end, last, NULL, NULL) == FOURLINK_OK)
+            for (c = 0; c < n_columns; c++)
+                winds |= strstr(columns[c].name, ".angle") &&
+                         fabs(last[c] - first[c]) * columns[c].to_si > 1;
+    return winds;
+}
+
+/* Take the motion of a deck from its results. */
+static void take_motion(fourlink_results *r)
+{
+    fourlink_problem problem;
+    fourlink_range range;
+
+    results = r;
     fourlink_deck_problem(fourlink_results_deck(results), &problem);
     fourlink_motion_range(&problem.motion, &range);
     fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n_columns);
-    unit = problem.motion.angle_unit;
+    angle_unit = problem.motion.angle_unit;
     from = problem.motion.from;
     if (range.stops) {
         end = range.stop_angle;
@@ -853,28 +886,18 @@ static int open_deck(void)
         free(v);
     }
     sense = end < from ? -1 : 1;
-    total = fabs(end - from) * unit;
+    total = fabs(end - from) * angle_unit;
     is_revolution = problem.one_revolution && problem.motion.run_up <= 0 && !range.stops &&
-                    (problem.motion.acceleration == 0 || problem.motion.hold);
-    return n_columns <= COLUMNS;
+                    (problem.motion.acceleration == 0 || problem.motion.hold) && !is_wound();
 }
 
-static void keep_deck(void)
-{
-    FILE *out = fopen(deck_name, "w");
-
-    if (out) {
-        fwrite(deck_text, 1, length, out);
-        fclose(out);
-    }
-}
-
-static void try_deck(void)
+static void try_deck(fourlink_results *r)
 {
     const fourlink_value *facts;
     unsigned long n_facts;
     int k;
 
+    take_motion(r);
     list_change_points();
     mu = column_named("mu");
     omega2 = column_named("omega2");
@@ -890,34 +913,15 @@ static void try_deck(void)
 
 int main(int argc, char **argv)
 {
-    long decks = argc > 1 ? atol(argv[1]) : 300, seed = argc > 2 ? atol(argv[2]) : 1;
-    long first = argc > 3 ? atol(argv[3]) : 0, i, refused = 0, bad = 0;
-    char name[100];
-    int k;
+    int none = try_decks(argc, argv, "brute", COLUMNS, try_deck), k;
 
-    for (i = first; i < first + decks; i++) {
-        begin_chance(seed, i);
-        snprintf(name, sizeof name, "brute-%ld-%ld.deck", seed, i);
-        deck_name = name;
-        make_deck();
-        deck_failed = 0;
-        if (!open_deck()) {
-            refused++;
-            continue;
-        }
-        try_deck();
-        fourlink_results_free(results);
-        bad += deck_failed;
-        if (deck_failed)
-            keep_deck();
-    }
     printf("%ld decks, %ld refused: %ld extremes, %ld unbounded, %ld limits, %ld undecided\n",
-           decks, refused, tried, unbounded, limits, undecided);
+           n_decks, n_refused, tried, unbounded, limits, undecided);
     printf("%-22s %9s %9s %12s %12s\n", "quantity", "extremes", "undecided", "missed by",
            "off the row");
     for (k = 0; k < n_kinds; k++)
         printf("%-22s %9ld %9ld %12.2g %12.2g\n", kinds[k].name, kinds[k].tried, kinds[k].undecided,
                kinds[k].missed, kinds[k].attained);
-    printf("%ld extremes of %ld decks wrong\n", failed, bad);
-    return failed > 0 || refused == decks;
+    printf("%ld extremes of %ld decks wrong\n", failed, n_failed_decks);
+    return failed > 0 || none;
 }

@@ -34,9 +34,10 @@ static void compare_decks(const char *units)
         return;
     }
     if (present->factor == factor_mirrored &&
-        (strstr(base_text, "/rad\n") || strstr(base_text, "/deg\n")) && !turns_fully(first)) {
-        fourlink_results_free(
-            first); /* the angle of a spring begins at the first crank angle that is reached */
+        (strstr(base_text, "/rad\n") || strstr(base_text, "/deg\n")) &&
+        (!turns_fully(first) || kind == FOURLINK_INVERTED_SLIDER_CRANK)) {
+        /* the angle of a spring begins at the first crank angle that is reached, a lever's there at -180 or 180 deg */
+        fourlink_results_free(first);
         fourlink_results_free(second);
         return;
     }

@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "fourlink.h"
-#include "random_machine.h"
+#include "random_parts.h"
 
 #define COLUMNS 300
 #define ROWS 4000    /* of the dense search */
@@ -36,50 +36,19 @@ static double worst_row, worst_rate, worst_extreme, worst_mean;
 
 /* ------------------------------------------------------------------------------------------ decks */
 
-static const char *const laws[] = {"spline",  "harmonic",      "cycloidal", "3-4-5",
-                                   "4-5-6-7", "modified-sine", "cubic",     "trapezoid 30 % 20 %",
-                                   "linear",  "trapezoid"};
-
-static double points[10]; /* s */
-static int n_points;
-
-static void write_program(void)
+/* A machine that goes by a program, or has one instant of it. */
+static void make(const fourlink_crank *crank)
 {
-    char number[40];
-    int n = between_whole(2, 7), is_of_speed = seldom(0.3), i;
-    double time = seldom(0.7) ? 0 : between(-1, 1),
-           value = is_of_speed ? between(-9, 9) : between(-200, 200), first = value;
-
-    write("[motion]\nprogram = ");
-    n_points = n;
-    for (i = 0; i < n; i++) {
-        snprintf(number, sizeof number, "%.6g", time);
-        points[i] = atof(number);
-        write("%s%.6g s %.8g %s", i ? ", " : "", time, value, is_of_speed ? "rad/s" : "deg");
-        if (i && seldom(0.2))
-            write(" %s", laws[one_of(10)]);
-        time += power_of_ten(-1.5, 0.5);
-        if (!seldom(0.2))
-            value = is_of_speed ? between(-9, 9) : value + between(-200, 300);
-        if (i + 2 == n && seldom(0.3))
-            value = is_of_speed ? first : first + 360 * one_of(3);
-    }
-    write("\nlaw = %s\n", laws[seldom(0.5) ? 0 : one_of(10)]);
-    if (is_of_speed)
-        write("program_of = speed\nfrom = %.6g deg\n", between(-90, 90));
-}
-
-/* A machine whose motion is replaced by a program, or by one instant. */
-static void make(long number)
-{
-    char *at;
-
-    make_any_machine(number);
-    deck_text[length] = '\0';
-    at = strstr(deck_text, "[motor]");
-    at = at ? at : strstr(deck_text, "[motion]");
-    length = at ? (size_t)(at - deck_text) : length;
+    begin_chance(7, n_decks);
+    make_machine(n_decks, SPRINGS | FRICTION, PROGRAM);
     write("[table]\ncolumns = all\n");
+    if (!crank)
+        return;
+    deck_text[length] = '\0';
+    length = (size_t)(strstr(deck_text, "[motion]") - deck_text);
+    write("[table]\ncolumns = all\n[motion]\nat = %.17g rad\nspeed = %.17g rad/s\n", crank->theta2,
+          crank->omega2);
+    write("acceleration = %.17g rad/s2\nhold = yes\n", crank->alpha2);
 }
 
 static fourlink_results *open_deck(void)
@@ -171,7 +140,7 @@ static void check_rates(const fourlink_row *row)
 }
 
 /* The same row as one instant of a deck. */
-static void check_instant(long number, double time)
+static void check_instant(double time)
 {
     fourlink_results *program = results, *r;
     double here[COLUMNS], there;
@@ -186,10 +155,7 @@ static void check_instant(long number, double time)
         return; /* at rest the way that it is about to turn can be another */
     if (status == FOURLINK_OK)
         check_rates(&now.row);
-    make(number);
-    write(
-        "[motion]\nat = %.17g rad\nspeed = %.17g rad/s\nacceleration = %.17g rad/s2\nhold = yes\n",
-        now.row.crank.theta2, now.row.crank.omega2, now.row.crank.alpha2);
+    make(&now.row.crank);
     r = open_deck();
     if (!r) {
         fail("an instant", "the deck", 0, 0, 1);
@@ -262,9 +228,9 @@ static int is_there(unsigned long c, const fourlink_value *told)
     fourlink_instant now;
     int i, k;
 
-    for (i = 0; i < n_points; i++) /* and just before and behind, where the law is another */
+    for (i = 0; i < n_program_times; i++) /* and just before and behind, where the law is another */
         for (k = -1; k <= 1; k++)
-            if (row_at(points[i] + k * 1e-13 * (times[ROWS] - times[0]), values, NULL) ==
+            if (row_at(program_times[i] + k * 1e-13 * (times[ROWS] - times[0]), values, NULL) ==
                     FOURLINK_OK &&
                 fabs(values[c] - told->value) <= SMOOTH * size[c])
                 return 1;
@@ -354,17 +320,12 @@ static void check_means(void)
 int main(int argc, char **argv)
 {
     long n = argc > 1 ? atol(argv[1]) : 4, first = argc > 2 ? atol(argv[2]) : 0;
-    char text[sizeof deck_text], name[100];
-    size_t text_length;
-    FILE *out;
-    int i;
+    char name[100];
+    int i, k;
 
     for (n_decks = first; n_decks < first + n; n_decks++) {
         failed = 0;
-        begin_chance(7, n_decks);
-        make(n_decks);
-        write_program();
-        memcpy(text, deck_text, text_length = length);
+        make(NULL);
         results = open_deck();
         if (!results) {
             n_refused++;
@@ -380,20 +341,15 @@ int main(int argc, char **argv)
             take_rows();
             check_extremes();
             check_means();
-            for (int k = 0; k < INSTANTS; k++) {
-                begin_chance(7, n_decks);
-                check_instant(n_decks, times[(ROWS * (2 * k + 1)) / (2 * INSTANTS)]);
-            }
+            for (k = 0; k < INSTANTS; k++)
+                check_instant(times[(ROWS * (2 * k + 1)) / (2 * INSTANTS)]);
         }
         fourlink_results_free(results);
         if (failed) {
             n_failed++;
             snprintf(name, sizeof name, "programs-%ld.deck", n_decks);
-            out = fopen(name, "w");
-            if (out) {
-                fwrite(text, 1, text_length, out);
-                fclose(out);
-            }
+            make(NULL);
+            leave_deck(name);
         }
     }
     printf("%ld decks, %ld refused: %ld rows, %ld values within %.2g of their size, speeds by "

@@ -3,7 +3,7 @@
 ** test_geometry.c - ways of pistons and sliders have room for all positions; lines cut to boxes; round numbers.
 */
 #include "check.h"
-#include "random_machine.h"
+#include "random_parts.h"
 #include "view/geometry.h"
 
 static view shown;
@@ -32,21 +32,11 @@ static double cross(fourlink_vector p, fourlink_vector q)
 /* Lengths of any proportion, change points among them; links have no mass. */
 static void write_lengths(int number)
 {
-    double crank = between(20, 100), other = between(20, 200), e = between(-60, 60);
-
     length = 0;
     machine = A_SLIDER_CRANK + number % 3;
-    if (seldom(0.2))
-        e = 0;
-    if (seldom(0.15))
-        other = crank; /* a change point without an offset */
-    write("mechanism = %s\n[crank]\nlength = %.17g mm\n", machine_names[machine], crank);
-    if (machine == A_SLIDER_CRANK)
-        write("[rod]\nlength = %.17g mm\n[ground]\noffset = %.17g mm\n", other, e);
-    else if (machine == AN_INVERTED)
-        write("[ground]\nlength = %.17g mm\n[lever]\noffset = %.17g mm\n", other, e);
-    else
-        write("[ground]\noffset = %.17g mm\n[yoke]\nangle = %.17g deg\n", e, between(40, 140));
+    is_wild = 1;
+    has_bodies = 0;
+    write_machine();
     write("[motion]\nspeed = 1 rad/s\n");
 }
 

@@ -71,7 +71,7 @@ TEST(units)
     static const char *const units[][2] = {
         {"deg", "°"},         {"m/s2", "m/s²"}, {"N.m", "N·m"},       {"kg.m2", "kg·m²"},
         {"rad/s2", "rad/s²"}, {"1", "1"},       {"lbf.in", "lbf·in"}, {"deg/s2", "°/s²"},
-        {"mm", "mm"},         {"m4", "m⁴"}};
+        {"mm", "mm"},         {"m4", "m⁴"},     {"m6", "m6"}};
     char out[NOTATION_SIZE];
     size_t i;
 

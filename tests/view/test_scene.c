@@ -6,11 +6,11 @@
 ** Derivatives are differences over a short time, by positions of the same motion before and after.
 */
 #include "check.h"
-#include "random_machine.h"
+#include "random_parts.h"
 #include "view/geometry.h"
 #include "view/scene.h"
 
-#define STEP 1e-4 /* of a radian */
+#define STEP 1e-4 /* of a radian, of the link that turns fastest */
 #define CLOSE \
     2e-6 /* of the largest in a comparison: differences have an error of STEP^2 and rounding / STEP */
 
@@ -19,80 +19,21 @@ static fourlink_results *results;
 
 /* ------------------------------------------------------------------------------------------ machines */
 
-static const char *any_body(int without)
-{
-    int i = one_of(without < 0 ? 3 : 4);
-
-    return i == 3 ? "ground" : machine_links[machine][i];
-}
-
-/* A spring, a damper or both from one link to another, or to the ground. */
-static void write_any_spring(int i)
-{
-    const char *link = any_body(-1), *to;
-
-    do
-        to = any_body(0);
-    while (strcmp(link, to) == 0);
-    write("[spring S%d]\nlink = %s\nto = %s\nat = (%.6g, %.6g) mm\nto_at = (%.6g, %.6g) mm\n", i,
-          link, to, between(-20, 60), between(-30, 30), between(90, 250), between(-90, 250));
-    if (seldom(0.7))
-        write("stiffness = %.6g N/m\nfree_length = %.6g mm\n", between(100, 3000),
-              between(50, 200));
-    else
-        write("damping = %.6g N s/m\n", between(1, 20));
-}
-
-static void write_any_load(int i, const char *link)
-{
-    write("[load L%d]\nlink = %s\n", i, link);
-    if (seldom(0.3))
-        write("frame = link\n");
-    if (slides_only(link))
-        write("force = (%.6g, %.6g) N\nat = (%.6g, %.6g) mm\n", between(-300, 300),
-              between(-300, 300), between(-80, 80), 0.0);
-    else
-        write_load(link);
-}
-
-/* A machine with points, loads, springs, friction, a slanted ground, gravity in any direction, run either way. */
-static void make_scene(long number)
-{
-    int i;
-
-    choose_machine(number);
-    write_machine();
-    for (i = one_of(3); i > 0; i--)
-        write("[point P%d]\nlink = %s\nat = (%.6g, %.6g) mm\n", i, any_body(-1), between(-60, 160),
-              seldom(0.5) ? 0 : between(-60, 60));
-    for (i = one_of(4); i > 0; i--)
-        write_any_load(i, machine_links[machine][one_of(3)]);
-    for (i = one_of(3); i > 0; i--)
-        write_any_spring(i);
-    if (seldom(0.3))
-        write_friction();
-    write("[gravity]\nacceleration = 9.81 m/s2\ndirection = %.6g deg\n", between(-180, 180));
-    write("[motion]\nspeed = %.6g rad/s\n", between(-30, 30));
-    write("acceleration = %.6g rad/s2\nhold = yes\ninterval = 30 deg\n", between(-300, 300));
-}
-
-static void open_text(void)
+static void open_scene(long number)
 {
     fourlink_source source;
     fourlink_mistake mistake;
 
+    make_machine(number, EVERYTHING | (seldom(0.5) ? WILD : 0), GIVEN);
+    if (seldom(0.3))
+        write("[load P]\nlink = %s\nforce = (%.6g, %.6g) N\nat = (%.6g, 0) mm\n",
+              machine_links[machine][2], between(-300, 300), between(-300, 300), between(-80, 80));
     memset(&source, 0, sizeof source);
     source.text = deck_text;
     source.length = length;
     if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
         fail_msg("line %ld: %s\n%s", mistake.line, mistake.message, deck_text);
     view_take(&shown, results);
-}
-
-static void open_scene(long number)
-{
-    make_scene(number);
-    open_text();
 }
 
 /* ------------------------------------------------------------------------------------- derivatives */
@@ -107,8 +48,12 @@ static void find_around(const fourlink_instant *now)
     const fourlink_crank *crank = &now->row.crank;
     int has_forces = shown.problem.has_forces, i;
     fourlink_instant at = *now;
+    double fastest = 0;
 
-    step = STEP / fmax(fabs(crank->omega2), sqrt(fabs(crank->alpha2)));
+    for (i = 2; i <= 4; i++)
+        fastest = fmax(fastest,
+                       fmax(fabs(now->state.link[i].omega), sqrt(fabs(now->state.link[i].alpha))));
+    step = STEP / fastest;
     shown.problem.has_forces = 0;
     for (i = BEFORE; i <= AFTER; i++) {
         double t = (i - NOW) * step, w = crank->omega2 + crank->alpha2 * t;
@@ -406,7 +351,7 @@ static void check_equilibrium(const scene *s, const tracks *t)
 /* A slotted lever reaches to each of its points, and of a yoke along its guide, and no farther. */
 static double lever_low, lever_high;
 
-static void reach(const fourlink_vector *at)
+static void extend(const fourlink_vector *at)
 {
     if (at->y != 0 && !shown.kind.guided)
         return;
@@ -426,19 +371,20 @@ static void check_lever(const tracks *t, const fourlink_load *loads)
     if (!shown.kind.slotted)
         return;
     if (lever->mass > 0)
-        reach(&lever->cg);
+        extend(&lever->cg);
     for (i = 0; fourlink_deck_point(shown.deck, i, NULL, &link, &at) == FOURLINK_OK; i++)
         if (link == 4)
-            reach(&at);
+            extend(&at);
     for (i = 0; fourlink_deck_load(shown.deck, i, &info) == FOURLINK_OK; i++)
         if (info.sort == FOURLINK_LOAD_OWN && info.link == 4)
-            reach(&loads[i].at);
+            extend(&loads[i].at);
     assert_near(shown.lever_low, lever_low, 0);
     assert_near(shown.lever_high, lever_high, 0);
     /* the pin of the lever is on the line of its ends */
     pin = get(t, shown.kind.guided ? TRACK_C : TRACK_D);
     ends = minus(get(t, TRACK_E2), get(t, TRACK_E1));
-    none("length of the lever", size_of(ends) - (lever_high - lever_low), 1e-6 * lever_high);
+    none("length of the lever", size_of(ends) - (lever_high - lever_low),
+         1e-6 * shown.design->link[2].length);
     same("pin of the lever",
          place_at(dot(minus(pin, get(t, TRACK_E1)), ends),
                   cross(minus(pin, get(t, TRACK_E1)), ends)),
