@@ -190,7 +190,8 @@ enum { FOURLINK_ABOVE = 1, FOURLINK_BELOW = 2, FOURLINK_OR_EQUAL = 4 };
 /* The lists of fourlink_results_list. */
 enum {
     FOURLINK_COLUMNS = 1,     /* the columns that the deck requests, or the usual ones */
-    FOURLINK_ALL_COLUMNS = 2, /* all columns that it can have */
+    FOURLINK_ALL_COLUMNS = 2, /* all columns that it can have, without the opposite forces, such as
+                                 F32x, which it has by name */
     FOURLINK_INPUTS = 3,      /* the inputs as the reader understood them */
     FOURLINK_VARIABLES = 4,   /* the quantities that its [sweep] varies, with this design's
                                  values */

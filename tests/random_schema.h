@@ -167,6 +167,7 @@ static const struct {
     {KEY_TABLE_COLUMNS, "theta2, theta4, mu, omega4"},
     {KEY_TABLE_COLUMNS, "all"},
     {KEY_TABLE_COLUMNS, "max(omega2), mu_min"},
+    {KEY_TABLE_COLUMNS, "theta2, F32x, F21_dir, F43, Ts"},
     {KEY_MOTION_PROGRAM, "0 s 0 deg, 0.4 s 90 deg, 0.6 s 90 deg, 1 s 360 deg"},
     {KEY_MOTION_PROGRAM, "-1 s 30 deg, 0.5 s 400 deg trapezoid 20 % 30 %, 2 s -100 deg linear"},
     {KEY_MOTION_LAW, "3-4-5"},

@@ -12,7 +12,8 @@
 
 /* The one place that knows their order: that of possible columns. */
 static const flk_column_source *const sources[] = {&flk_table_columns, &flk_own_point_columns,
-                                                   &flk_point_columns, &flk_spring_columns};
+                                                   &flk_point_columns, &flk_spring_columns,
+                                                   &flk_opposite_columns};
 
 #define SOURCES (sizeof sources / sizeof sources[0])
 
@@ -81,7 +82,7 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
     flk_column c;
 
     for (i = 0; i < limit; i++)
-        if (flk_column_number(a, i, &c) && (!usual_only || c.is_usual))
+        if (flk_column_number(a, i, &c) && (!usual_only || c.is_usual) && !c.source->is_apart)
             n = add_column(list, n, first, &c);
     return n;
 }
@@ -192,13 +193,8 @@ int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_s
 
 static int is_known(text name)
 {
-    size_t i;
-
-    for (i = 0; i < flk_table_columns.n_infos; i++)
-        if (flk_text_equal(name, flk_table_columns.infos[i].name))
-            return 1;
-    return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL ||
-           flk_column_statistic_of(name, &name);
+    return flk_column_is_known(name) || flk_text_equal(name, "all") ||
+           memchr(name.start, '.', name.length) != NULL || flk_column_statistic_of(name, &name);
 }
 
 void flk_column_check(deck *d, int is_value(text name))

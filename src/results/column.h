@@ -62,7 +62,7 @@ int flk_column_same_points(const deck *d, const deck *other);
 /* The column that another name means, such as w4; null if there is none. */
 const char *flk_column_meant(const flk_analysis *a, text name);
 
-/* 1 if decks of some mechanism have a column of this name. */
+/* 1 if decks of some mechanism have a column of this name, whatever its case. */
 int flk_column_is_known(text name);
 
 /* The same, or the most similar column name, or null. */

@@ -80,7 +80,7 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns)
     if (columns->n)
         return;
     for (i = 0; i < flk_column_limit(a->d); i++)
-        if (flk_column_number(a, i, &c))
+        if (flk_column_number(a, i, &c) && !c.source->is_apart)
             flk_list_column(a->d, &c, &columns->list[columns->n++]);
 }
 

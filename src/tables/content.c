@@ -309,6 +309,20 @@ static void put_names(sheet *s, const name_list *all, size_t n_results,
                 put(s, &all[r].list[i]);
 }
 
+/* One line for the forces opposite to those that are listed. */
+static void put_opposites(sheet *s, fourlink_results *const *results, size_t n_results)
+{
+    fourlink_value opposite;
+    size_t i;
+
+    for (i = 0; i < n_results; i++)
+        if (fourlink_results_find(results[i], "F32x", &opposite) == FOURLINK_OK) {
+            opposite.meaning = "opposite to F23x; also F21, F43, F41, N43, M43, M41, by name only";
+            s->format->column(s, &opposite);
+            return;
+        }
+}
+
 /* List all names of some results, each once. */
 static void write_list(sheet *s, fourlink_results *const *results, size_t n_results)
 {
@@ -324,6 +338,7 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
     for (i = 0; i < n_results; i++)
         fourlink_results_list(results[i], FOURLINK_ALL_COLUMNS, &all[i].list, &all[i].n);
     put_names(s, all, n_results, s->format->column);
+    put_opposites(s, results, n_results);
     for (i = 0; i < n_results; i++)
         results_facts(results[i], FOURLINK_OPEN,
                       FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,

@@ -8,7 +8,7 @@
 ** columns of each row, statuses, extremes, means, facts (same_results.h).  With no LAW each is tried with four decks
 ** in turn, with `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
-#include "drawn_decks.h"
+#include "named_values.h"
 
 static int turns_fully(fourlink_results *r)
 {
@@ -466,6 +466,7 @@ static law laws[] = {
      .factor = factor_one,
      .check = compare_drawn},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
+    {.name = "opposite", .change = any_axes, .factor = factor_one, .check = compare_opposites},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)
