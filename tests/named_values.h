@@ -129,4 +129,92 @@ static void compare_opposites(void)
     fourlink_results_free(s.r);
 }
 
+/* ------------------------------------------------------------------------------------------ at an angle */
+
+/* Angles of the deck's unit: of rows, between them, at the ends of what is reached, at dead positions, anywhere. */
+#define SOME_ANGLES 12
+
+static int choose_angles(side *s, fourlink_branch branch, double *angles)
+{
+    static double row[MOST_COLUMNS];
+    static const char *const ends[] = {"theta2_from", "theta2_to"};
+    const fourlink_problem problem = problem_of(s->r);
+    double turn = 2 * PI / problem.motion.angle_unit, worst = 0;
+    fourlink_value v;
+    unsigned long i;
+    int n = 0, k;
+
+    for (k = 0; k < 2; k++)
+        if (fourlink_results_value(s->r, ends[k], branch, 0, &v) == FOURLINK_OK)
+            angles[n++] = v.value;
+    angles[n] = problem.motion.from;
+    for (i = 0; i < s->rows; i += s->rows / MOST_ROWS + 1) /* the row nearest to a dead position */
+        if (fourlink_results_row(s->r, branch, i, row, NULL, NULL) == FOURLINK_OK &&
+            named(&s->c, row, "condition") > worst) {
+            worst = named(&s->c, row, "condition");
+            angles[n] = named(&s->c, row, "theta2");
+        }
+    n++;
+    while (n < SOME_ANGLES)
+        angles[n++] = problem.motion.from +
+                      (seldom(0.5) ? problem.motion.interval * one_of(100) : turn * between(-2, 2));
+    return n;
+}
+
+/* A value by its name, and by its handle, is that of the row. */
+static void compare_at_angle(side *s, int j, fourlink_branch branch, double wanted)
+{
+    static double row[MOST_COLUMNS];
+    const char *name = s->c.list[j].told->name;
+    fourlink_value found, v, again;
+    char words[200];
+    int status, told, at;
+
+    snprintf(words, sizeof words, "%s at %.17g", name, wanted);
+    if (strlen(words) >= 64) /* no name is so long */
+        return;
+    memset(&v, 0, sizeof v);
+    if (fourlink_results_find(s->r, words, &found) != FOURLINK_OK) {
+        fail("no '%s'", words);
+        return;
+    }
+    at = fourlink_results_at(s->r, branch, found.angle, row, NULL, NULL);
+    status = fourlink_results_value(s->r, words, branch, 123, &v);
+    told = fourlink_results_get(s->r, found.handle, branch, 456, &again);
+    present->values++;
+    if (fabs(found.angle - wanted) > 1e-15 * fabs(wanted) || found.has_angle ||
+        strcmp(found.name, words) != 0 || strcmp(found.unit, s->c.list[j].told->unit) != 0)
+        fail("%s is described as %s at %.17g", words, found.name, found.angle);
+    if (told != status || (status == FOURLINK_OK && memcmp(&v, &again, sizeof v) != 0))
+        fail("%s on %d: by handle it is another", words, (int)branch);
+    if (status == FOURLINK_OK
+            ? memcmp(&v.value, &row[j], sizeof v.value) != 0 && !(isnan(v.value) && isnan(row[j]))
+            : status != at)
+        fail("%s on %d: %.17g, status %d, expected %.17g, %d", words, (int)branch, v.value, status,
+             row[j], at);
+    if (at == FOURLINK_OK && status != FOURLINK_OK)
+        fail("%s on %d: status %d", words, (int)branch, status);
+    present->undecided += status != FOURLINK_OK;
+}
+
+static void compare_at_angles(void)
+{
+    static side s;
+    double angles[SOME_ANGLES];
+    int branch, k, n, some;
+
+    prepare(&s, opened_changed());
+    present->cases += s.r != NULL;
+    for (branch = FOURLINK_OPEN;
+         s.r && branch >= (kind == FOURLINK_SCOTCH_YOKE ? FOURLINK_OPEN : FOURLINK_CROSSED) &&
+         !has_failed;
+         branch -= 2) {
+        n = choose_angles(&s, (fourlink_branch)branch, angles);
+        for (k = 0; k < n; k++)
+            for (some = 0; some < 8; some++)
+                compare_at_angle(&s, one_of(s.c.n), (fourlink_branch)branch, angles[k]);
+    }
+    fourlink_results_free(s.r);
+}
+
 #endif

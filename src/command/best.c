@@ -375,12 +375,28 @@ static void close_search(search *s)
     free(s->handles);
 }
 
+/* 1 if what is sought is one name, the first output of the sweep. */
+static int is_one_name(const search *s)
+{
+    const fourlink_value *outputs;
+    unsigned long n;
+
+    fourlink_results_list(s->in->results, FOURLINK_OUTPUTS, &outputs, &n);
+    return strcmp(outputs[0].name, s->name) == 0;
+}
+
 /* Search, and write the design that was found; returns the exit status. */
 static int find_best(FILE *out, search *s)
 {
     char message[MESSAGE_SIZE];
-    int has_best = search_grid(s, out);
+    int has_best;
 
+    if (!is_one_name(s)) {
+        flk_message(message, sizeof message, "expected one name, not '%s'", s->name);
+        command_tell("error", "--best", 0, message, NULL);
+        return EXIT_USAGE;
+    }
+    has_best = search_grid(s, out);
     if (has_best && !system_caught())
         refine(s);
     if (system_caught())

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "deck/at_angle.h"
 #include "deck/schema.h"
 #include "column.h"
 #include "column_list.h"
@@ -138,6 +139,8 @@ int flk_column_next_name(text *rest, text *name)
         front = *name;
         front.length -= rest->length;
     } while (rest->length && rest->start[0] != ',' && goes_on(front));
+    front.length += flk_at_angle_length(*rest);
+    *rest = flk_text_from(*name, front.length);
     *name = front;
     return name->length > 0;
 }
@@ -183,6 +186,11 @@ int flk_column_handle(const flk_column *c, flk_statistic statistic)
     return 1 + HANDLES * (int)c->number + (int)statistic;
 }
 
+int flk_column_handle_of_name(const deck *d, size_t i)
+{
+    return 1 + HANDLES * (int)flk_column_limit(d) + (int)i;
+}
+
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_statistic *statistic)
 {
     size_t place = handle > 0 ? (size_t)handle - 1 : (size_t)-1;
@@ -193,6 +201,9 @@ int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_s
 
 static int is_known(text name)
 {
+    text angle;
+
+    flk_at_angle_cut(name, &name, &angle);
     return flk_column_is_known(name) || flk_text_equal(name, "all") ||
            memchr(name.start, '.', name.length) != NULL || flk_column_statistic_of(name, &name);
 }

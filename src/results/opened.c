@@ -13,6 +13,7 @@
 
 #include "base/cycle.h"
 #include "base/quantity.h"
+#include "deck/at_angle.h"
 #include "deck/numbers.h"
 #include "deck/reader.h"
 #include "deck/settings.h"
@@ -51,6 +52,48 @@ static void find_given(flk_opened *o, text name, flk_name *n)
     n->given = &o->number;
 }
 
+#define MOST_AT_NAMES 256
+
+/* The handle of a NAME at ANGLE; 0 if it has none. */
+static int find_at_name(const flk_opened *o, text name)
+{
+    size_t i;
+
+    for (i = 0; i < o->n_at_names; i++)
+        if (flk_text_same(name, o->at_names + DECK_NAME_SIZE * i))
+            return flk_column_handle_of_name(&o->d, i);
+    return 0;
+}
+
+int flk_name_keep(flk_opened *o, text name, flk_name *n)
+{
+    if (n->kind != FLK_NAME_AT || n->handle)
+        return 1;
+    if (name.length >= DECK_NAME_SIZE || o->n_at_names == MOST_AT_NAMES)
+        return 0;
+    flk_text_copy(name, o->at_names + DECK_NAME_SIZE * o->n_at_names, DECK_NAME_SIZE);
+    n->handle = flk_column_handle_of_name(&o->d, o->n_at_names++);
+    return 1;
+}
+
+void flk_names_take(flk_opened *o, const flk_opened *from)
+{
+    memcpy(o->at_names, from->at_names, from->n_at_names * DECK_NAME_SIZE);
+    o->n_at_names = from->n_at_names;
+}
+
+/* Find NAME at ANGLE. */
+static void find_at(flk_opened *o, text name, flk_name *n)
+{
+    char message[MESSAGE_SIZE];
+
+    if (!flk_column_find(&o->a, n->of, &n->c) ||
+        !flk_at_angle_read(&o->d, n->at, &n->angle, message))
+        return;
+    n->kind = FLK_NAME_AT;
+    n->handle = find_at_name(o, name);
+}
+
 void flk_name_find(flk_opened *o, text name, flk_name *n)
 {
     memset(n, 0, sizeof *n);
@@ -61,6 +104,8 @@ void flk_name_find(flk_opened *o, text name, flk_name *n)
         n->handle = flk_column_handle(&n->c, n->statistic);
     } else if ((n->handle = flk_fact_find(name)) != 0) {
         n->kind = FLK_NAME_FACT;
+    } else if (flk_at_angle_cut(name, &n->of, &n->at)) {
+        find_at(o, name, n);
     } else {
         find_given(o, name, n);
     }
@@ -68,6 +113,12 @@ void flk_name_find(flk_opened *o, text name, flk_name *n)
 
 void flk_name_of_handle(flk_opened *o, int handle, flk_name *n)
 {
+    size_t i = (size_t)(handle - flk_column_handle_of_name(&o->d, 0));
+
+    if (handle > 0 && i < o->n_at_names) {
+        flk_name_find(o, flk_text_of(o->at_names + DECK_NAME_SIZE * i), n);
+        return;
+    }
     memset(n, 0, sizeof *n);
     n->handle = handle;
     if (flk_fact_group(handle))
@@ -76,6 +127,15 @@ void flk_name_of_handle(flk_opened *o, int handle, flk_name *n)
         n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
     else if (handle)
         find_given(o, n->of, n);
+}
+
+/* Put the name and the handle of a NAME at ANGLE in place of those of its column, if it has one. */
+static void put_at_name(const flk_opened *o, int handle, fourlink_value *v)
+{
+    if (!handle)
+        return;
+    v->name = o->at_names + DECK_NAME_SIZE * (handle - flk_column_handle_of_name(&o->d, 0));
+    v->handle = handle;
 }
 
 void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v)
@@ -91,6 +151,10 @@ void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v
     if (n->kind == FLK_NAME_STATISTIC) {
         v->name = flk_column_statistic_name(n->statistic, &n->c, o->facts.names);
         v->handle = n->handle;
+    }
+    if (n->kind == FLK_NAME_AT) {
+        v->angle = n->angle;
+        put_at_name(o, n->handle, v);
     }
 }
 
@@ -111,14 +175,20 @@ static int value_in_row(const flk_opened *o, const flk_column *c, fourlink_branc
     return FOURLINK_OK;
 }
 
-static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch branch, double angle,
-                           fourlink_value *value)
+static int value_of_column(flk_opened *o, const flk_column *c, int needs, fourlink_branch branch,
+                           double angle, fourlink_value *value)
 {
     flk_row row;
 
-    if (!flk_analysis_at_angle(&o->a, flk_column_need(c), branch, angle, &row))
+    if (!flk_analysis_at_angle(&o->a, flk_column_need(c) | needs, branch, angle, &row))
         return FOURLINK_NO_SUCH_ANGLE;
     return value_in_row(o, c, branch, &row, value);
+}
+
+/* What a row needs so that it is known whether friction locks the machine there. */
+static int needs_of_lock(const flk_opened *o)
+{
+    return o->d.machine.has_friction ? o->a.possible & NEED_FORCES : 0;
 }
 
 int flk_opened_prepare(flk_opened *o, int branch, int groups)
@@ -138,9 +208,9 @@ int flk_opened_prepare(flk_opened *o, int branch, int groups)
 int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch)
 {
     int groups = n->kind == FLK_NAME_FACT ? flk_fact_group(n->handle)
-                 : n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC
-                     ? FOURLINK_FACTS_EXTREMES
-                     : 0;
+                 : n->kind == FLK_NAME_UNKNOWN || n->kind == FLK_NAME_GIVEN
+                     ? 0
+                     : FOURLINK_FACTS_EXTREMES;
 
     return flk_opened_prepare(o, (int)branch, groups);
 }
@@ -171,7 +241,12 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
         return status;
     switch (n->kind) {
     case FLK_NAME_COLUMN:
-        return value_of_column(o, &n->c, branch, angle, value);
+        return value_of_column(o, &n->c, 0, branch, angle, value);
+    case FLK_NAME_AT:
+        status = value_of_column(o, &n->c, needs_of_lock(o), branch, n->angle, value);
+        if (status == FOURLINK_OK)
+            put_at_name(o, n->handle, value);
+        return status;
     case FLK_NAME_STATISTIC:
         return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch, 0,
                                      o->facts.names, value);
@@ -193,14 +268,40 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
 
 /* ------------------------------------------------------------------------------------------------ opening */
 
-/* Check a name in the [sweep] output: a fact, a statistic of a column, or an input; a column only if the
-** deck has one instant. */
+/* Report a NAME at ANGLE that has no value, or no handle. */
+static void refuse_at(flk_opened *o, text name, const flk_name *n, text_place place)
+{
+    mistakes *m = &o->d.mistakes;
+    char message[MESSAGE_SIZE];
+    double angle;
+    flk_name other;
+
+    flk_name_find(o, n->of, &other);
+    if (name.length >= DECK_NAME_SIZE)
+        flk_mistake(m, place, "the name '%t' is too long: more than %g letters", name,
+                    DECK_NAME_SIZE - 1.0);
+    else if (other.kind == FLK_NAME_UNKNOWN)
+        flk_mistake(m, place, "no column '%t'%h%s", n->of, flk_column_nearest(&o->a, n->of),
+                    flk_column_nearest(&o->a, n->of) ? "" : "; see --list");
+    else if (other.kind != FLK_NAME_COLUMN)
+        flk_mistake(m, place, "'%t' is one value of the deck: it has none at an angle", n->of);
+    else if (!flk_at_angle_read(&o->d, n->at, &angle, message))
+        flk_mistake(m, place, "%s", message);
+}
+
+/* Check a name in the [sweep] output: a fact, a statistic of a column, a column at an angle, or an input; a
+** column only if the deck has one instant. */
 static void check_output(flk_opened *o, text name, const flk_name *n, text_place place)
 {
     mistakes *m = &o->d.mistakes;
     char statistic[DECK_NAME_SIZE];
     const char *nearest, *meant;
 
+    if (n->at.start) {
+        if (!n->handle)
+            refuse_at(o, name, n, place);
+        return;
+    }
     if (!o->d.over->is_crank_angle && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = %s", name,
                     o->d.over->rows);
@@ -266,6 +367,8 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
         return NULL;
     }
     flk_name_find(o, name, &n);
+    if (!flk_name_keep(o, name, &n))
+        n.kind = FLK_NAME_UNKNOWN;
     flk_name_describe(o, &n, output);
     output->line_unit = NULL;
     check_output(o, name, &n, place);
@@ -285,7 +388,7 @@ static int copy_outputs(flk_opened *o, const flk_opened *from)
 
     for (i = 0; i < outputs->n; i++) {
         flk_name_of_handle(o, outputs->list[i].handle, &n);
-        if (n.kind != FLK_NAME_STATISTIC && n.kind != FLK_NAME_FACT)
+        if (n.kind != FLK_NAME_STATISTIC && n.kind != FLK_NAME_FACT && n.kind != FLK_NAME_AT)
             return 0;
         ask_extreme(o, &n);
     }
@@ -311,7 +414,7 @@ static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
         flk_name_find(o, name, &n);
         if (!of_rows->start && (n.kind == FLK_NAME_COLUMN || flk_text_equal(name, "all")))
             *of_rows = name;
-        else if (!of_deck->start && (n.statistic || n.kind > FLK_NAME_COLUMN))
+        else if (!of_deck->start && (n.statistic || n.at.start || n.kind > FLK_NAME_COLUMN))
             *of_deck = name;
         else if (!similar.start && !flk_column_is_known(name) && !flk_column_nearest(&o->a, name) &&
                  flk_fact_nearest(name))
@@ -442,7 +545,7 @@ static int allocate(flk_opened *o)
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
     o->columns = malloc(columns * sizeof *o->columns);
-    o->facts.names = malloc((total + flk_line_unit_limit(&o->d)) * DECK_NAME_SIZE);
+    o->facts.names = malloc((total + flk_line_unit_limit(&o->d) + MOST_AT_NAMES) * DECK_NAME_SIZE);
     o->facts.list = malloc(total * sizeof *o->facts.list);
     o->checks = calloc(GSL_MIN(o->d.n_expectations, FLK_CHECKS_KEPT) + 1, sizeof *o->checks);
     if (!o->columns || !o->facts.names || !o->facts.list || !o->checks)
@@ -452,7 +555,8 @@ static int allocate(flk_opened *o)
         o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
     }
     o->found.list = o->facts.list + n;
-    o->line_units.texts = o->facts.names + total * DECK_NAME_SIZE;
+    o->at_names = o->facts.names + total * DECK_NAME_SIZE;
+    o->line_units.texts = o->at_names + MOST_AT_NAMES * DECK_NAME_SIZE;
     return flk_turning_open(&o->a) && flk_means_open(&o->a, columns) &&
            flk_extremes_open(&o->extremes, columns);
 }
@@ -468,8 +572,10 @@ static int open_deck(flk_opened *o, const flk_opened *from, const flk_opened *li
         like = NULL;
     if (!flk_analysis_open(&o->a, &o->d, like ? &like->a : NULL) || !allocate(o))
         return 0;
-    if (from)
+    if (from) {
+        flk_names_take(o, from);
         o->n_columns = flk_column_copy(&o->a, &from->a, from->columns, from->n_columns, o->columns);
+    }
     if (!o->n_columns) {
         take_values(o);
         o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);

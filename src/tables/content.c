@@ -318,7 +318,7 @@ static void put_opposites(sheet *s, fourlink_results *const *results, size_t n_r
     for (i = 0; i < n_results; i++)
         if (fourlink_results_find(results[i], "F32x", &opposite) == FOURLINK_OK) {
             opposite.meaning = "opposite to F23x; also F21, F43, F41, N43, M43, M41, by name only";
-            s->format->column(s, &opposite);
+            s->format->listed(s, &opposite);
             return;
         }
 }
@@ -330,7 +330,8 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
         {"max(COLUMN)", "largest value of any column"},
         {"min(COLUMN)", "smallest value of any column"},
         {"mean(COLUMN)", "mean over the crank angle"},
-        {"rms(COLUMN)", "root mean square over the crank angle"}};
+        {"rms(COLUMN)", "root mean square over the crank angle"},
+        {"COLUMN at ANGLE", "value in the row at this crank angle"}};
     name_list all[CONTENT_LISTED] = {{NULL, 0}};
     fourlink_value statistic;
     size_t i;
@@ -338,7 +339,6 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
     for (i = 0; i < n_results; i++)
         fourlink_results_list(results[i], FOURLINK_ALL_COLUMNS, &all[i].list, &all[i].n);
     put_names(s, all, n_results, s->format->column);
-    put_opposites(s, results, n_results);
     for (i = 0; i < n_results; i++)
         results_facts(results[i], FOURLINK_OPEN,
                       FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
@@ -346,11 +346,12 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
     put_names(s, all, n_results, s->format->listed);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
-    for (i = 0; i < 4; i++) {
+    for (i = 0; i < sizeof of_columns / sizeof of_columns[0]; i++) {
         statistic.name = of_columns[i][0];
         statistic.meaning = of_columns[i][1];
         s->format->listed(s, &statistic);
     }
+    put_opposites(s, results, n_results);
 }
 
 /* ------------------------------------------------------------------------------------ decks, designs */

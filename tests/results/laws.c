@@ -467,6 +467,7 @@ static law laws[] = {
      .check = compare_drawn},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
     {.name = "opposite", .change = any_axes, .factor = factor_one, .check = compare_opposites},
+    {.name = "at an angle", .change = any_axes, .factor = factor_one, .check = compare_at_angles},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)
