@@ -223,7 +223,7 @@ int fourlink_results_input(fourlink_results *r, const char *name, fourlink_value
     flk_list_describe(&o->d, q, "", input);
     input->name = key;
     input->handle = FLK_NUMBER_HANDLE(id);
-    input->value = flk_unit_from_si(si, u.unit);
+    input->value = flk_number_written(si, u.unit, u.unit);
     input->unit = input->line_unit = flk_line_unit_text(&o->line_units, u.name);
     input->to_si = u.unit.up / u.unit.down;
     return FOURLINK_OK;
