@@ -39,7 +39,7 @@ static size_t length_of_word(text list)
     return list.length - rest.length;
 }
 
-#define MOST_WORDS 3 /* of an angle: 2 pi/3 rad */
+#define ANGLE_WORDS 3 /* at most: 2 pi/3 rad */
 
 size_t flk_at_angle_length(text list)
 {
@@ -52,7 +52,7 @@ size_t flk_at_angle_length(text list)
     words.length = at;
     if (!flk_text_same(flk_text_trim(words), "at"))
         return 0;
-    for (i = 0; i < MOST_WORDS; i++) {
+    for (i = 0; i < ANGLE_WORDS; i++) {
         n += length_of_word(flk_text_from(list, n));
         words.length = n;
         angle = flk_text_trim(flk_text_from(words, at));

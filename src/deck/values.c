@@ -19,7 +19,7 @@ static void read_word(parser *p, key_code key, setting *s)
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
     const word_info *word = flk_word_find(key, flk_setting_kind(p), s->value);
     const char *advice = flk_word_advice(key, s->value);
-    const char *known[MOST_WORDS], *listed[MOST_WORDS];
+    const char *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
     if (word) {
@@ -30,11 +30,10 @@ static void read_word(parser *p, key_code key, setting *s)
         flk_mistake(p->mistakes, s->place, "'%t': %s", s->value, advice);
         return;
     }
-    flk_key_words(key, NULL, known);
     flk_key_words(key, kind ? kind->link : NULL, listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
                 flk_text_list(listed, ", ", " or ", list, sizeof list), s->value,
-                flk_text_nearest(s->value, known));
+                flk_word_nearest(key, flk_setting_kind(p), s->value));
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
