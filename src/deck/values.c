@@ -188,7 +188,7 @@ static int is_one_word(const char *name)
     return !*name;
 }
 
-static int is_word(text t)
+static int begins_with_word(text t)
 {
     return t.length && flk_text_is_word(t.start[0]) && !('0' <= t.start[0] && t.start[0] <= '9');
 }
@@ -199,7 +199,7 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
 
     *u = d->bare[q].unit;
     while (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, the first but a word */
-        value = is_word(size) ? rest : size;
+        value = begins_with_word(size) ? rest : size;
     size = value;
     if (value.length && value.start[0] == '(')
         flk_text_split(&size, ')', &rest);

@@ -16,6 +16,8 @@ typedef struct flk_kept_check {
     fourlink_check check;
 } flk_kept_check;
 
+#define FLK_AT_NAMES 256 /* of the form NAME at ANGLE, that can have handles */
+
 /* One design of a deck. */
 typedef struct flk_opened {
     deck d;
