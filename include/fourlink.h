@@ -217,7 +217,8 @@ enum { FOURLINK_ABOVE = 1, FOURLINK_BELOW = 2, FOURLINK_OR_EQUAL = 4 };
 /* The lists of fourlink_results_list. */
 enum {
     FOURLINK_COLUMNS = 1,     /* the columns that the deck requests, or the usual ones */
-    FOURLINK_ALL_COLUMNS = 2, /* all columns that it can have */
+    FOURLINK_ALL_COLUMNS = 2, /* all columns that it can have, without the opposite forces, such as
+                                 F32x, which it has by name */
     FOURLINK_INPUTS = 3,      /* the inputs as the reader understood them */
     FOURLINK_VARIABLES = 4,   /* the quantities that its [sweep] varies, with this design's
                                  values */
@@ -311,17 +312,18 @@ FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *n
 **
 ** Given:
 **    results    from fourlink_results_open
-**    name       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min; an
-**               input such as crank.length
+**    name       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); "Ts at 30 deg"; a fact such as
+**               mu_min; an input such as crank.length
 ** Returned:
 **    found      name, unit, quantity, meaning, flags, the handle for fourlink_results_get, and has_angle:
-**               1 for a column, which has a value at every crank angle
+**               1 for a column, which has a value at every crank angle; of "Ts at 30 deg" 0, and its angle
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
 ** Notes:
 ** 1) The name is looked up once; reading values by the handle needs no search.
 ** 2) The handle is valid for these results; that of a column, fact or variable is valid for all designs of
-**    the deck's sweep.  It is never 0.
+**    the deck's sweep; that of "Ts at 30 deg", for those opened later.  It is never 0.  At most 256 names with an
+**    angle, of less than 64 letters, have handles; fourlink_results_value takes any.
 ** 3) Entries of lists and facts have handles too.  FOURLINK_MAX, _MIN, _MEAN or _RMS may be added to the
 **    handle of a column.
 ** 4) A fact is found even if this design does not have it: for example, the stroke of a four-bar linkage.

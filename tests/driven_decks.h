@@ -32,7 +32,7 @@ static const char *link_of(int i)
 
 /* A drive that is tried: of a link, along the slide, an actuator, a load of unknown size. */
 static char drive_lines[600], load_lines[900], drive_name[20];
-static int ends[2];
+static int driven_ends[2];
 static fourlink_vector points[2];
 
 static void draw_drive(double crank)
@@ -47,10 +47,10 @@ static void draw_drive(double crank)
         snprintf(drive_name, sizeof drive_name, "%s", link_of(4));
     } else if (sort == 2) {
         strcpy(drive_name, "Ram");
-        ends[0] = 2 + one_of(3);
+        driven_ends[0] = 2 + one_of(3);
         do
-            ends[1] = 1 + one_of(4);
-        while (ends[1] == ends[0]);
+            driven_ends[1] = 1 + one_of(4);
+        while (driven_ends[1] == driven_ends[0]);
         for (i = 0; i < 2; i++) {
             points[i].x = crank * between(-3, 3);
             points[i].y = crank * between(-3, 3);
@@ -58,11 +58,11 @@ static void draw_drive(double crank)
         snprintf(drive_lines, sizeof drive_lines,
                  "\n[actuator Ram]\nlink = %s\nat = (%.17g, %.17g) m\nto = %s\nto_at = (%.17g, "
                  "%.17g) m\n",
-                 link_of(ends[0]), points[0].x, points[0].y, link_of(ends[1]), points[1].x,
-                 points[1].y);
+                 link_of(driven_ends[0]), points[0].x, points[0].y, link_of(driven_ends[1]),
+                 points[1].x, points[1].y);
     } else {
         strcpy(drive_name, "Clamp");
-        ends[0] = 2 + one_of(3);
+        driven_ends[0] = 2 + one_of(3);
         points[0].x = crank * between(-3, 3);
         points[0].y = crank * between(-3, 3);
         points[1].x = cos(direction);
@@ -70,7 +70,7 @@ static void draw_drive(double crank)
         snprintf(drive_lines, sizeof drive_lines,
                  "\n[load Clamp]\nlink = %s\nat = (%.17g, %.17g) m\nforce = unknown at %.17g "
                  "rad\nframe = ground\n",
-                 link_of(ends[0]), points[0].x, points[0].y, direction);
+                 link_of(driven_ends[0]), points[0].x, points[0].y, direction);
     }
 }
 
@@ -110,13 +110,15 @@ static void write_effort(const fourlink_state *at_row, double Q)
         add_load(3, none, Q * slider->axis.x, Q * slider->axis.y, "ground");
         add_load(4, at, -Q * slider->axis.x, -Q * slider->axis.y, "ground");
     } else if (strcmp(drive_name, "Ram") == 0) {
-        place_of(at_row, ends[0], &points[0], &P);
-        place_of(at_row, ends[1], &points[1], &Q_end);
+        place_of(at_row, driven_ends[0], &points[0], &P);
+        place_of(at_row, driven_ends[1], &points[1], &Q_end);
         n = hypot(P.x - Q_end.x, P.y - Q_end.y);
-        add_load(ends[0], points[0], Q * (P.x - Q_end.x) / n, Q * (P.y - Q_end.y) / n, "ground");
-        add_load(ends[1], points[1], -Q * (P.x - Q_end.x) / n, -Q * (P.y - Q_end.y) / n, "ground");
+        add_load(driven_ends[0], points[0], Q * (P.x - Q_end.x) / n, Q * (P.y - Q_end.y) / n,
+                 "ground");
+        add_load(driven_ends[1], points[1], -Q * (P.x - Q_end.x) / n, -Q * (P.y - Q_end.y) / n,
+                 "ground");
     } else if (strcmp(drive_name, "Clamp") == 0) {
-        add_load(ends[0], points[0], Q * points[1].x, Q * points[1].y, "ground");
+        add_load(driven_ends[0], points[0], Q * points[1].x, Q * points[1].y, "ground");
     } else if (fourlink_slides(kind, 4)) {
         add_load(4, none, Q, 0, "ground");
     } else {

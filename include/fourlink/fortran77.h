@@ -103,7 +103,7 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLVAL returns any number by its name.
 **
 ** Given:
-**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min; an
+**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); Ts at 30 deg; a fact such as mu_min; an
 **               input such as crank.length
 **    IBRNCH     1 open, -1 crossed
 **    ANGLE      of a column: crank angle in the deck's unit; else not used

@@ -408,12 +408,28 @@ static int put_result(sheet *out, const search *s)
     return n && i == n ? 0 : command_lacks_memory("cannot analyse", s->in->name);
 }
 
+/* 1 if what is sought is one name, the first output of the sweep. */
+static int is_one_name(const search *s)
+{
+    const fourlink_value *outputs;
+    unsigned long n;
+
+    fourlink_results_list(s->in->results, FOURLINK_OUTPUTS, &outputs, &n);
+    return strcmp(outputs[0].name, s->name) == 0;
+}
+
 /* Search, and write the design that was found as a deck or, for null, as a line; returns the exit status. */
 static int find_best(FILE *out, sheet *lines, search *s)
 {
     char message[MESSAGE_SIZE];
-    int has_best = search_grid(s, lines ? lines->l.out : out);
+    int has_best;
 
+    if (!is_one_name(s)) {
+        flk_message(message, sizeof message, "expected one name, not '%s'", s->name);
+        command_tell("error", "--best", 0, message, NULL);
+        return EXIT_USAGE;
+    }
+    has_best = search_grid(s, lines ? lines->l.out : out);
     if (has_best && !system_caught())
         refine(s);
     if (system_caught())

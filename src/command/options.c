@@ -128,13 +128,16 @@ static int set_change(options *o, const char *origin, const char *key, const cha
     return 1;
 }
 
-/* max NAME, min NAME */
+/* max NAME, min NAME, where NAME can be NAME at ANGLE */
 static int set_best(options *o, const char *value, char message[400])
 {
-    text which, name;
+    text which, name, first, angle;
+    int is_name = flk_text_cut(flk_text_of(value), " ", &which, &name) && name.length > 0;
 
-    if (!flk_text_cut(flk_text_of(value), " ", &which, &name) || !name.length ||
-        strpbrk(name.start, ", \t") ||
+    first = name;
+    if (is_name)
+        flk_text_cut(name, " at ", &first, &angle);
+    if (!is_name || strchr(name.start, ',') || flk_text_cut(first, " ", &first, &angle) ||
         (!flk_text_equal(which, "max") && !flk_text_equal(which, "min")))
         return say(message, "--best must be 'max NAME' or 'min NAME', such as 'max mu_min', not '",
                    value, "'");
@@ -227,7 +230,7 @@ static const option_info table[] = {
      "--output=FOLDER/",
      NULL},
     {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
-     "columns to print, or values such as 'max(Ts), mu_min', one line for each deck; --list shows "
+     "columns to print, or values such as 'max(Ts), Ts at 30 deg', one line for each deck; --list shows "
      "their names",
      "Output:"},
     {0, "--at", "ANGLE,COLUMN=VALUE,...", MEMBER(at),

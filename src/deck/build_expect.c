@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "mechanics/kind.h"
+#include "at_angle.h"
 #include "build.h"
 #include "parser.h"
 #include "settings.h"
@@ -36,7 +37,7 @@ static void keep_one_branch(deck *d)
 
 /* The row that an angle of answers means: 1.0472 rad is the row at 60 deg.  The last row can be closer than the
 ** others. */
-static double nearest_row(const deck *d, const setting *at, double angle)
+static double nearest_row(const deck *d, text words, double angle)
 {
     double interval = fabs(d->motion.interval), row, digit;
     quantity_value read;
@@ -45,8 +46,7 @@ static double nearest_row(const deck *d, const setting *at, double angle)
     char why[MESSAGE_SIZE];
 
     if (!(interval > 0) || flk_deck_rows(d, &range, &over) != FOURLINK_OK || !over.is_crank_angle ||
-        !flk_quantity_read(at->value, at->value, QUANTITY_ANGLE, d->bare[QUANTITY_ANGLE].unit,
-                           &read, why))
+        !flk_quantity_read(words, words, QUANTITY_ANGLE, d->bare[QUANTITY_ANGLE].unit, &read, why))
         return angle;
     row = d->motion.from + interval * floor((angle - d->motion.from) / interval + 0.5);
     if (fabs(over.last - angle) < fabs(row - angle))
@@ -71,13 +71,33 @@ static void read_at(parser *p, const section_use *use, key_code key, deck_expect
     e->at_is_place = q != QUANTITY_ANGLE || (q == of_rows && !at->word && !d->over->is_crank_angle);
     e->at = e->at_is_place ? at->si[0] : flk_setting_in_unit(p, at, QUANTITY_ANGLE);
     if (p->is_answers && q == QUANTITY_ANGLE && !e->at_is_place)
-        e->at = nearest_row(d, at, e->at);
+        e->at = nearest_row(d, at->value, e->at);
     if (q == QUANTITY_TIME && q != of_rows)
         flk_mistake(p->mistakes, at->place,
                     "a time is for rows by time: expected a crank angle, such as 40 deg");
     else if (q == QUANTITY_LENGTH && q != of_rows)
         flk_mistake(p->mistakes, at->place, "'%t' is a length; expected an angle, such as 40 deg",
                     at->value);
+}
+
+/* NAME at ANGLE is NAME where the section has this angle. */
+static void take_angle(parser *p, deck_expectation *e)
+{
+    char message[MESSAGE_SIZE];
+    text column, angle;
+    double at;
+
+    if (!flk_at_angle_cut(e->name, &column, &angle))
+        return;
+    if (!flk_at_angle_read(p->d, angle, &at, message)) {
+        if (!p->is_answers)
+            flk_mistake(p->mistakes, e->place, "%s", message);
+        return;
+    }
+    e->name = column;
+    e->has_at = 1;
+    e->at_is_place = 0;
+    e->at = p->is_answers ? nearest_row(p->d, angle, at) : at;
 }
 
 /* Add the printed values of the deck, in line order. */
@@ -116,6 +136,7 @@ void flk_build_expectations(parser *p)
         e->misprint = is_misprint;
         e->has_at = IS_SET(at) || d->one_instant;
         read_at(p, use, is_misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT, e);
+        take_angle(p, e);
         flk_build_check_branch(p, branch);
         e->has_branch = IS_SET(branch);
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)

@@ -2,9 +2,14 @@
 **
 ** build_grading.c - builds [grading]: tolerances, marks and digits that hold whatever answers say.
 */
+#include <math.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
+#include "base/cycle.h"
 #include "base/number.h"
+#include "at_angle.h"
 #include "build.h"
 #include "build_grading.h"
 #include "deck.h"
@@ -28,6 +33,23 @@ int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, do
         return 0;
     *tolerance = value.si;
     return 1;
+}
+
+#define SAME_ANGLE 1e-9 /* rad */
+
+int flk_rule_is_for(const deck *d, const deck_rule *rule, const deck_expectation *e)
+{
+    const deck_unit *u = &d->units[QUANTITY_ANGLE];
+    text name = rule->name, angle;
+    char message[MESSAGE_SIZE];
+    double at = e->at;
+
+    angle.start = NULL;
+    if (flk_at_angle_cut(rule->name, &name, &angle) &&
+        (!e->has_at || e->at_is_place || !flk_at_angle_read(d, angle, &at, message)))
+        return 0;
+    return name.length == e->name.length && memcmp(name.start, e->name.start, name.length) == 0 &&
+           fabs(flk_cycle_beside(flk_unit_to_si(at - e->at, u->unit), 2 * M_PI)) <= SAME_ANGLE;
 }
 
 /* A tolerance in per cent, or of some quantity. */
@@ -87,8 +109,7 @@ static void note_unused(parser *p, const deck_rule *rule)
     size_t i;
 
     for (i = 0; i < d->n_expectations; i++)
-        if (d->expectations[i].name.length == rule->name.length &&
-            memcmp(d->expectations[i].name.start, rule->name.start, rule->name.length) == 0)
+        if (flk_rule_is_for(d, rule, &d->expectations[i]))
             return;
     flk_mistake(&p->d->notes, rule->place, "no value of [expect] has the name '%t'", rule->name);
 }

@@ -12,4 +12,7 @@
 int flk_rule_tolerance(const deck *d, text item, quantity q, int *is_percent, double *tolerance);
 int flk_rule_marks(text item, double *marks);
 
+/* 1 if a rule with a name is for a value: of that name or, as NAME at ANGLE, also at that crank angle. */
+int flk_rule_is_for(const deck *d, const deck_rule *rule, const deck_expectation *e);
+
 #endif

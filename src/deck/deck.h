@@ -91,7 +91,7 @@ typedef struct deck_expectation {
 
 /* How values are graded, whatever their sections say: tolerances and marks, separated by commas. */
 typedef struct deck_rule {
-    text name; /* of a column or fact; empty: all others */
+    text name; /* of a column or fact, or NAME at ANGLE; empty: all others */
     text items;
     text_place place;
 } deck_rule;

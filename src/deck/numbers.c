@@ -2,6 +2,7 @@
 **
 ** numbers.c - the numbers of a deck that a sweep or a host can set: crank.length, load L.force.size.
 */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -31,18 +32,53 @@ quantity flk_target_quantity(const parser *p, const target *t)
     return t->part == PART_ANGLE ? QUANTITY_ANGLE : flk_quantity_of_key(&p->uses[t->use], t->key);
 }
 
-int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE])
+/* Read a number back from so many digits; 0 if they are not certain. */
+static int read_back(double value, int digits, char words[DIGITS_SIZE], double *number)
 {
-    double value = flk_unit_from_si(si, *u), same;
+    text t = flk_text_of(flk_digits_short(value, digits, words));
+
+    return flk_number_read(&t, number) == NUMBER_OK;
+}
+
+/* Find the number that in a unit gives exactly the SI value, from 15 digits on. */
+static int find_exact(double si, const unit *u, char words[DIGITS_SIZE], double *number)
+{
+    double value = flk_unit_from_si(si, *u);
     int digits;
 
-    for (digits = 15; digits <= 17; digits++) {
-        text t = flk_text_of(flk_digits_short(value, digits, number));
-
-        if (flk_number_read(&t, &same) == NUMBER_OK && flk_unit_to_si(same, *u) == si)
+    for (digits = DBL_DIG; digits <= DBL_DIG + 2; digits++)
+        if (read_back(value, digits, words, number) && flk_unit_to_si(*number, *u) == si)
             return 1;
-    }
     return 0;
+}
+
+int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE])
+{
+    double read;
+
+    return find_exact(si, u, number, &read);
+}
+
+double flk_number_converted(double number, unit from, unit to)
+{
+    double value = flk_unit_in(number, from, to), rounded, back;
+    char words[DIGITS_SIZE];
+
+    return read_back(value, DBL_DIG, words, &rounded) &&
+                   fabs(rounded - value) <= 2 * DBL_EPSILON * fabs(value) &&
+                   read_back(flk_unit_in(rounded, to, from), DBL_DIG, words, &back) &&
+                   back == number
+               ? rounded
+               : value;
+}
+
+double flk_number_written(double si, unit own, unit wanted)
+{
+    char words[DIGITS_SIZE];
+    double number;
+
+    return find_exact(si, &own, words, &number) ? flk_number_converted(number, own, wanted)
+                                                : flk_unit_from_si(si, wanted);
 }
 
 text flk_setting_text(parser *p, double number, text unit_name)

@@ -122,14 +122,26 @@ static const struct {
                    {INVERTED, "body", "crank"},
                    {INVERTED, "cylinder", "lever"}};
 
+#define OTHER_LINKS (sizeof other_links / sizeof other_links[0])
+
 text flk_link_meant(int kind, text name)
 {
     size_t i;
 
-    for (i = 0; i < sizeof other_links / sizeof other_links[0]; i++)
+    for (i = 0; i < OTHER_LINKS; i++)
         if ((other_links[i].kinds & kind) && flk_text_equal(name, other_links[i].written))
             return flk_text_of(other_links[i].meant);
     return name;
+}
+
+void flk_link_add_others(int kind, const char **words, size_t n)
+{
+    size_t i;
+
+    for (i = 0; i < OTHER_LINKS; i++)
+        if (other_links[i].kinds & kind)
+            words[n++] = other_links[i].written;
+    words[n] = NULL;
 }
 
 /* Other words for kinds of mechanism; without the kind that is meant, what to write instead. */
@@ -244,6 +256,19 @@ void flk_key_words(key_code key, const char *const *own_links, const char *words
             (!own_links || w->key == key || strcmp(w->word, own_links[w->value]) == 0))
             *words++ = w->word;
     *words = NULL;
+}
+
+const char *flk_word_nearest(key_code key, int kind, text t)
+{
+    const char *known[MOST_WORDS], *others[MOST_OTHER_LINKS + OTHER_KINDS], *nearest;
+    size_t n = 0;
+
+    flk_key_words(key, NULL, known);
+    for (; n < OTHER_KINDS && key == KEY_TOP_MECHANISM; n++)
+        others[n] = other_kinds[n].written;
+    flk_link_add_others(words_for(key)->key == KEY_COUNT ? kind : 0, others, n);
+    nearest = flk_text_nearest(t, known);
+    return nearest ? nearest : flk_text_nearest(t, others);
 }
 
 key_code flk_find_key(section_code section, text name)

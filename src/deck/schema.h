@@ -389,6 +389,13 @@ const char *flk_word_advice(key_code key, text t);
 /* The name of a link, and of its section, that another name means for a kind of mechanism, or this name. */
 text flk_link_meant(int kind, text name);
 
+/* Put such names of a kind of mechanism behind n words, with a null pointer at the end. */
+#define MOST_OTHER_LINKS 8
+void flk_link_add_others(int kind, const char **words, size_t n);
+
+/* The word most similar to a text, of those that a key accepts or else of their other names; null if there is none. */
+const char *flk_word_nearest(key_code key, int kind, text t);
+
 /* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:
 ** other links are left out. */
 #define MOST_WORDS 16

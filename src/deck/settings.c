@@ -209,14 +209,15 @@ static const char *nearest_word(text word, const char *const *known)
 
 int flk_section_unknown(parser *p, text_place place, text name)
 {
-    const char *known[SECTION_COUNT];
+    const char *known[SECTION_COUNT + MOST_OTHER_LINKS];
     int i;
 
     p->has_unknown_section = 1;
     if (flk_mistakes_are_full(p->mistakes))
         return flk_mistake(p->mistakes, place, "");
-    for (i = 1; i <= SECTION_COUNT; i++) /* the table ends with null */
+    for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
+    flk_link_add_others(flk_setting_kind(p), known, SECTION_COUNT - 1);
     return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
                        nearest_word(name, known));
 }

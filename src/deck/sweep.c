@@ -85,11 +85,9 @@ static int read(parser *p, const variation *v, text t, quantity_value *value)
     return flk_piece_quantity(p, v->place, t, t, v->q, value);
 }
 
-/* A quantity in a unit, without rounding if it is written in that unit. */
 static double in_unit(const quantity_value *value, const unit *u)
 {
-    return value->unit.up == u->up && value->unit.down == u->down ? value->number
-                                                                  : flk_unit_from_si(value->si, *u);
+    return flk_number_converted(value->number, value->unit, *u);
 }
 
 /* Read the first value of a range, or the nominal value. */

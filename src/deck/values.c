@@ -28,7 +28,7 @@ static void read_word(parser *p, key_code key, setting *s)
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
     const word_info *word = flk_word_find(key, flk_setting_kind(p), s->value);
     const char *advice = flk_word_advice(key, s->value);
-    const char *known[MOST_WORDS], *listed[MOST_WORDS];
+    const char *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
     if (word || (key == KEY_MOTION_INPUT && is_length_of_actuator(s->value))) {
@@ -39,11 +39,10 @@ static void read_word(parser *p, key_code key, setting *s)
         flk_mistake(p->mistakes, s->place, "'%t': %s", s->value, advice);
         return;
     }
-    flk_key_words(key, NULL, known);
     flk_key_words(key, kind ? kind->link : NULL, listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
                 flk_text_list(listed, ", ", " or ", list, sizeof list), s->value,
-                flk_text_nearest(s->value, known));
+                flk_word_nearest(key, flk_setting_kind(p), s->value));
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
@@ -198,13 +197,18 @@ static int is_one_word(const char *name)
     return !*name;
 }
 
+static int begins_with_word(text t)
+{
+    return t.length && flk_text_is_word(t.start[0]) && !('0' <= t.start[0] && t.start[0] <= '9');
+}
+
 int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u)
 {
     text size = value, rest;
 
     *u = d->bare[q].unit;
-    if (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, that of the first */
-        value = size;
+    while (flk_text_cut(value, " + ", &size, &rest)) /* of a point by steps, the first but a word */
+        value = begins_with_word(size) ? rest : size;
     size = value;
     if (value.length && value.start[0] == '(')
         flk_text_split(&size, ')', &rest);

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "deck/at_angle.h"
 #include "deck/schema.h"
 #include "column.h"
 #include "column_list.h"
@@ -13,7 +14,7 @@
 /* The one place that knows their order: that of possible columns. */
 static const flk_column_source *const sources[] = {&flk_table_columns, &flk_own_point_columns,
                                                    &flk_point_columns, &flk_spring_columns,
-                                                   &flk_drive_columns};
+                                                   &flk_drive_columns, &flk_opposite_columns};
 
 #define SOURCES (sizeof sources / sizeof sources[0])
 
@@ -82,7 +83,7 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
     flk_column c;
 
     for (i = 0; i < limit; i++)
-        if (flk_column_number(a, i, &c) && (!usual_only || c.is_usual))
+        if (flk_column_number(a, i, &c) && (!usual_only || c.is_usual) && !c.source->is_apart)
             n = add_column(list, n, first, &c);
     return n;
 }
@@ -138,6 +139,8 @@ int flk_column_next_name(text *rest, text *name)
         front = *name;
         front.length -= rest->length;
     } while (rest->length && rest->start[0] != ',' && goes_on(front));
+    front.length += flk_at_angle_length(*rest);
+    *rest = flk_text_from(*name, front.length);
     *name = front;
     return name->length > 0;
 }
@@ -183,6 +186,11 @@ int flk_column_handle(const flk_column *c, flk_statistic statistic)
     return 1 + HANDLES * (int)c->number + (int)statistic;
 }
 
+int flk_column_handle_of_name(const deck *d, size_t i)
+{
+    return 1 + HANDLES * (int)flk_column_limit(d) + (int)i;
+}
+
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_statistic *statistic)
 {
     size_t place = handle > 0 ? (size_t)handle - 1 : (size_t)-1;
@@ -193,13 +201,11 @@ int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_s
 
 static int is_known(text name)
 {
-    size_t i;
+    text angle;
 
-    for (i = 0; i < flk_table_columns.n_infos; i++)
-        if (flk_text_equal(name, flk_table_columns.infos[i].name))
-            return 1;
-    return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL ||
-           flk_column_statistic_of(name, &name);
+    flk_at_angle_cut(name, &name, &angle);
+    return flk_column_is_known(name) || flk_text_equal(name, "all") ||
+           memchr(name.start, '.', name.length) != NULL || flk_column_statistic_of(name, &name);
 }
 
 void flk_column_check(deck *d, int is_value(text name))

@@ -28,7 +28,7 @@ void flk_column_check(deck *d, int is_value(text name));
 /* Find the column of a name; 0 if the deck has none. */
 int flk_column_find(const flk_analysis *a, text name, flk_column *c);
 
-/* The next name in a list separated by commas or blanks; 0 at the end. */
+/* The next name in a list separated by commas or blanks, with its `at ANGLE`; 0 at the end. */
 int flk_column_next_name(text *rest, text *name);
 
 /* What a column has over the motion: max(COLUMN) and so on. */
@@ -56,13 +56,16 @@ int flk_column_handle(const flk_column *c, flk_statistic statistic);
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
                          flk_statistic *statistic);
 
+/* The handle of name i of those that are kept because they have a crank angle: behind those of columns. */
+int flk_column_handle_of_name(const deck *d, size_t i);
+
 /* 1 if two decks of a kind have the same of the points that every deck has. */
 int flk_column_same_points(const deck *d, const deck *other);
 
 /* The column that another name means, such as w4; null if there is none. */
 const char *flk_column_meant(const flk_analysis *a, text name);
 
-/* 1 if decks of some mechanism have a column of this name. */
+/* 1 if decks of some mechanism have a column of this name, whatever its case. */
 int flk_column_is_known(text name);
 
 /* The same, or the most similar column name, or null. */

@@ -99,4 +99,4 @@ static const char *drive_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE]
 }
 
 const flk_column_source flk_drive_columns = {
-    effort, 1, count_drives, make_of_drive, drive_lacks, value_of_drive, NULL};
+    effort, 1, count_drives, make_of_drive, drive_lacks, value_of_drive, NULL, 0};

@@ -351,4 +351,21 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
       "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
 
+/* F32x, F32y, F32, F32_dir: the force opposite to another */
+#define OPPOSITE(X, F, of, kinds, words)                                          \
+    X(F##x, FORCE, kinds, X_OF(of), words ", x: -" #of "x", "")                   \
+    X(F##y, FORCE, kinds, Y_OF(of), words ", y: -" #of "y", "")                   \
+    X(F, FORCE, kinds, SIZE_OF(of), "resultant of " #F "x and " #F "y: " #of, "") \
+    X(F##_dir, ANGLE, kinds, DIRECTION_OF(of), "direction of " #F, "")
+
+/* The same, with where the value is from that of what is opposite. */
+#define OPPOSITE_LIST(X)                                                            \
+    OPPOSITE(X, F21, F12, ALL, "force of crank on ground")                          \
+    OPPOSITE(X, F32, F23, ALL, "force of coupler, rod or slider on crank")          \
+    OPPOSITE(X, F43, F34, ALL, "force of link 4 on coupler, rod or slider")         \
+    OPPOSITE(X, F41, F14, PINNED, "force of rocker or lever on ground")             \
+    X(N43, FORCE, SLOT, OF_FORCES(N34), "force of link 4 on slider at B: -N34", "") \
+    X(M43, TORQUE, SLOT, OF_FORCES(M34), "couple of link 4 on slider: -M34", "")    \
+    X(M41, TORQUE, STROKE, OF_FORCES(M14), "couple of piston or yoke on guide: -M14", "")
+
 #endif

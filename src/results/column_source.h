@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** column_source.h - where columns come from: the table, the points that every deck has, the deck's points,
-** its springs, what drives and the actuators.
+** its springs, what drives and the actuators, the forces opposite to those of the table.
 */
 #ifndef FOURLINK_COLUMN_SOURCE_H
 #define FOURLINK_COLUMN_SOURCE_H
@@ -42,6 +42,7 @@ typedef struct flk_column {
 **           are null
 ** value     in SI units, of a row that could be computed, or of the crank
 ** vector    of a column whose form is that of a vector's size or direction: the vector, in SI units
+** is_apart  1: decks have them by name only; `all` and the lists leave them out
 */
 struct flk_column_source {
     const flk_column_info *infos;
@@ -51,10 +52,11 @@ struct flk_column_source {
     const char *(*lacks)(const deck *d, size_t i, char words[MESSAGE_SIZE]);
     double (*value)(const flk_column *c, const flk_row *row);
     void (*vector)(const flk_column *c, const flk_row *row, double *x, double *y);
+    int is_apart;
 };
 
 extern const flk_column_source flk_table_columns, flk_own_point_columns, flk_point_columns,
-    flk_spring_columns, flk_drive_columns;
+    flk_spring_columns, flk_drive_columns, flk_opposite_columns;
 
 /* A number of a row, by its place in it. */
 #define FLK_ROW_NUMBER(row, place) (*(const double *)(const void *)((const char *)(row) + (place)))

@@ -56,4 +56,4 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
 }
 
 const flk_column_source flk_spring_columns = {
-    NULL, 0, count_springs, make_of_spring, NULL, value_of_spring, NULL};
+    NULL, 0, count_springs, make_of_spring, NULL, value_of_spring, NULL, 0};

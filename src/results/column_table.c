@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** column_table.c - the columns of column_list.h: their values, names, and why a deck lacks one.
+** column_table.c - the columns of column_list.h and their opposites: values, names, and why a deck lacks one.
 */
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,10 @@
     {#name, QUANTITY_##q, kinds, from, meaning, source},
 static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
+static const flk_column_info opposites[] = {OPPOSITE_LIST(COLUMN_INFO)};
+
 #define TABLE_COUNT (sizeof table / sizeof table[0])
+#define OPPOSITE_COUNT (sizeof opposites / sizeof opposites[0])
 
 static int has(const flk_analysis *a, const flk_column_info *info)
 {
@@ -32,6 +35,19 @@ static size_t count_table(const deck *d)
     return TABLE_COUNT;
 }
 
+static size_t count_opposites(const deck *d)
+{
+    (void)d;
+    return OPPOSITE_COUNT;
+}
+
+/* 1 if the value of a column is the first of its numbers in a row. */
+static int is_first_number(const flk_column_info *info, const deck_axes *axes)
+{
+    return info->form <= POLAR_SIZE ||
+           (!axes->is_page && (info->form <= POLAR_DIRECTION || info->form >= ON_PAGE));
+}
+
 static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
     int usual = USUAL | (a->possible & NEED_ACTUAL || a->d->program ? USUAL_ACTUAL : 0) |
@@ -40,11 +56,15 @@ static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
     flk_column_start(a->d, &table[i], c);
     if (table[i].traits & FOURLINK_CRANK_ANGLE)
         c->scale = 1; /* already in the deck's unit, exactly */
-    c->is_number =
-        table[i].form <= POLAR_SIZE ||
-        (!a->d->axes.is_page && (table[i].form <= POLAR_DIRECTION || table[i].form >= ON_PAGE));
+    c->is_number = is_first_number(&table[i], &a->d->axes);
     c->is_usual = (table[i].kinds & usual) != 0;
     return has(a, &table[i]);
+}
+
+static int make_opposite(const flk_analysis *a, size_t i, flk_column *c)
+{
+    flk_column_start(a->d, &opposites[i], c);
+    return has(a, &opposites[i]);
 }
 
 static const char *why_missing(const deck *d, const flk_column_info *info)
@@ -82,14 +102,23 @@ static const char *list_kinds(int kinds, char out[MESSAGE_SIZE])
     return out;
 }
 
-static const char *why_table_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
+static const char *why_lacks(const deck *d, const flk_column_info *info, char words[MESSAGE_SIZE])
 {
     char owners[MESSAGE_SIZE];
 
-    if (table[i].kinds & (int)d->machine.mechanism.design.kind)
-        return why_missing(d, &table[i]);
-    return flk_message(words, MESSAGE_SIZE, "belongs to the %s",
-                       list_kinds(table[i].kinds, owners));
+    if (info->kinds & (int)d->machine.mechanism.design.kind)
+        return why_missing(d, info);
+    return flk_message(words, MESSAGE_SIZE, "belongs to the %s", list_kinds(info->kinds, owners));
+}
+
+static const char *why_table_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE])
+{
+    return why_lacks(d, &table[i], words);
+}
+
+static const char *why_no_opposite(const deck *d, size_t i, char words[MESSAGE_SIZE])
+{
+    return why_lacks(d, &opposites[i], words);
 }
 
 /* ------------------------------------------------------------------------------------------------- values */
@@ -100,11 +129,13 @@ static double direction_of(double x, double y)
     return x == 0 && y == 0 ? FLK_UNDEFINED : flk_angle(y, x);
 }
 
-static double value_of_table(const flk_column *c, const flk_row *row)
+/* The value that follows from its two numbers. */
+static double value_of_numbers(const flk_column *c, double x, double y)
 {
-    double x = FLK_ROW_NUMBER(row, c->info->x), y = FLK_ROW_NUMBER(row, c->info->y);
     const deck_axes *axes = &c->d->axes;
 
+    if (is_first_number(c->info, axes))
+        return x;
     switch (c->info->form) {
     case SIZE:
         return flk_length(x, y);
@@ -125,6 +156,18 @@ static double value_of_table(const flk_column *c, const flk_row *row)
     }
 }
 
+static double value_of_table(const flk_column *c, const flk_row *row)
+{
+    return value_of_numbers(c, FLK_ROW_NUMBER(row, c->info->x), FLK_ROW_NUMBER(row, c->info->y));
+}
+
+/* Of the opposite force; taken from 0, so that there is no -0. */
+static double value_of_opposite(const flk_column *c, const flk_row *row)
+{
+    return value_of_numbers(c, 0 - FLK_ROW_NUMBER(row, c->info->x),
+                            0 - FLK_ROW_NUMBER(row, c->info->y));
+}
+
 static void vector_of_table(const flk_column *c, const flk_row *row, double *x, double *y)
 {
     double size, direction;
@@ -139,9 +182,19 @@ static void vector_of_table(const flk_column *c, const flk_row *row, double *x, 
     *y = size == 0 ? 0 : size * flk_sine(direction);
 }
 
-const flk_column_source flk_table_columns = {table,          TABLE_COUNT,     count_table,
-                                             make_of_table,  why_table_lacks, value_of_table,
-                                             vector_of_table};
+static void vector_of_opposite(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    *x = 0 - FLK_ROW_NUMBER(row, c->info->x);
+    *y = 0 - FLK_ROW_NUMBER(row, c->info->y);
+}
+
+const flk_column_source flk_table_columns = {
+    table,           TABLE_COUNT,    count_table,     make_of_table,
+    why_table_lacks, value_of_table, vector_of_table, 0};
+
+const flk_column_source flk_opposite_columns = {
+    opposites,       OPPOSITE_COUNT,    count_opposites,    make_opposite,
+    why_no_opposite, value_of_opposite, vector_of_opposite, 1};
 
 double flk_denominator_13(const fourlink_state *state)
 {
@@ -205,20 +258,27 @@ int flk_column_is_known(text name)
 {
     size_t i;
 
-    for (i = 0; i < TABLE_COUNT && !flk_text_same(name, table[i].name); i++)
-        ;
-    return i < TABLE_COUNT;
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (flk_text_equal(name, table[i].name))
+            return 1;
+    for (i = 0; i < OPPOSITE_COUNT; i++)
+        if (flk_text_equal(name, opposites[i].name))
+            return 1;
+    return 0;
 }
 
 /* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {
-    const char *known[TABLE_COUNT + 1], *meant = flk_column_meant(a, name);
+    const char *known[TABLE_COUNT + OPPOSITE_COUNT + 1], *meant = flk_column_meant(a, name);
     size_t i, n = 0;
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (!a || has(a, &table[i]))
             known[n++] = table[i].name;
+    for (i = 0; i < OPPOSITE_COUNT; i++)
+        if (!a || has(a, &opposites[i]))
+            known[n++] = opposites[i].name;
     known[n] = NULL;
     return meant ? meant : flk_text_nearest(name, known);
 }

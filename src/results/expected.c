@@ -12,6 +12,7 @@
 #include "expected.h"
 #include "base/quantity.h"
 #include "fact.h"
+#include "deck/at_angle.h"
 #include "deck/build_grading.h"
 
 /* ------------------------------------------------------------- hints: a sign, a unit, the branch, the row */
@@ -289,11 +290,15 @@ static const char *find_folded(flk_opened *o, const deck_expectation *e)
 static int find_values(flk_opened *o, const deck_expectation *e, int is_hinted, fourlink_check *c,
                        flk_name *n, unsigned long *n_facts)
 {
+    double angle;
+
     *n_facts = 0;
     if (n->kind == FLK_NAME_FACT)
         *n_facts = flk_name_facts(o, n->handle, e->branch);
     if (n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC || *n_facts)
         return 1;
+    if (n->at.start && !flk_at_angle_read(&o->d, n->at, &angle, c->message))
+        return 0;
     refuse(c, n->of,
            !is_hinted     ? NULL
            : n->statistic ? flk_column_nearest(&o->a, n->of)
@@ -391,20 +396,24 @@ static void apply(const deck *d, const deck_rule *rule, quantity q, fourlink_che
     }
 }
 
-/* Find what [grading] says of a value: by its name, or else for all values of its quantity. */
+/* Find what [grading] says of a value: by its name, then by that and its angle, or else for all values of its
+** quantity. */
 static void find_grading(const deck *d, const deck_expectation *e, quantity q, fourlink_check *c,
                          grading *g)
 {
     const deck_rule *general = NULL;
+    int of_angle;
+    text name, angle;
     size_t i;
 
     g->percent = g->tolerance = -1;
-    for (i = 0; i < d->n_rules; i++)
-        if (!d->rules[i].name.length)
-            general = &d->rules[i];
-        else if (d->rules[i].name.length == e->name.length &&
-                 memcmp(d->rules[i].name.start, e->name.start, e->name.length) == 0)
-            apply(d, &d->rules[i], q, c, g);
+    for (of_angle = 0; of_angle <= 1; of_angle++)
+        for (i = 0; i < d->n_rules; i++)
+            if (!d->rules[i].name.length)
+                general = &d->rules[i];
+            else if (flk_at_angle_cut(d->rules[i].name, &name, &angle) == of_angle &&
+                     flk_rule_is_for(d, &d->rules[i], e))
+                apply(d, &d->rules[i], q, c, g);
     if (general && g->percent < 0 && g->tolerance < 0)
         apply(d, general, q, c, g);
 }

@@ -2,6 +2,7 @@
 **
 ** list.c - the lists of a deck: columns, inputs, variables of a sweep.
 */
+#include <math.h>
 #include <string.h>
 
 #include "deck/inputs.h"
@@ -59,6 +60,7 @@ static void tell_line_unit(const deck *d, unsigned long id, flk_line_units *unit
 int flk_list_number_value(const deck *d, unsigned long id, flk_line_units *units, fourlink_value *v)
 {
     const char *key;
+    deck_unit own;
     double si;
     quantity q;
 
@@ -67,7 +69,8 @@ int flk_list_number_value(const deck *d, unsigned long id, flk_line_units *units
     flk_list_describe(d, q, "", v);
     v->name = key;
     v->handle = FLK_NUMBER_HANDLE(id);
-    v->value = flk_unit_from_si(si, d->units[q].unit);
+    v->value = flk_number_unit(d, id, &own) ? flk_number_written(si, own.unit, d->units[q].unit)
+                                            : flk_unit_from_si(si, d->units[q].unit);
     tell_line_unit(d, id, units, v);
     return 1;
 }
@@ -80,7 +83,7 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns)
     if (columns->n)
         return;
     for (i = 0; i < flk_column_limit(a->d); i++)
-        if (flk_column_number(a, i, &c))
+        if (flk_column_number(a, i, &c) && !c.source->is_apart)
             flk_list_column(a->d, &c, &columns->list[columns->n++]);
 }
 
@@ -177,15 +180,21 @@ static fourlink_value *add_default(listing *t, const char *section, const char *
     return v;
 }
 
+#define ROUNDING 1e-15 /* of a value: it is as the deck gives it */
+
 /* Add what follows from other values, in SI units, unless it is 0.  It takes the place of a value that the
 ** deck gives: the mass of a crank includes its counterweight. */
 static void add_derived(listing *t, const char *section, const char *key, quantity q, double si,
                         const char *meaning)
 {
     double value = flk_unit_from_si(si, t->d->units[q].unit);
+    fourlink_value *v;
 
-    if (si != 0)
-        add_default(t, section, key, q, value, meaning)->value = value;
+    if (si == 0)
+        return;
+    v = add_default(t, section, key, q, value, meaning);
+    if (fabs(v->value - value) > ROUNDING * fabs(value))
+        v->value = value;
 }
 
 /* What the section of a link leaves to the length, the stroke, the uniform bar, the pendulum, synthesis. */

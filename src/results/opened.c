@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** opened.c - a deck or a design opened for results, and what names mean in it.
-**
-** The handle of an input that is not a number of the deck, such as gas.area, holds for one design only, as
-** each design leaves out inputs that are 0; others hold for all designs.
+** opened.c - a deck or a design opened for results.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -13,113 +10,13 @@
 
 #include "base/cycle.h"
 #include "base/quantity.h"
-#include "deck/numbers.h"
+#include "deck/at_angle.h"
 #include "deck/reader.h"
 #include "deck/settings.h"
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "mean.h"
 #include "opened.h"
-
-/* -------------------------------------------------------------------------------------------------- names */
-
-/* Find the input or variable of this name, or with a handle that of this handle. */
-static void find_given(flk_opened *o, text name, flk_name *n)
-{
-    static const int which[] = {FOURLINK_INPUTS, FOURLINK_VARIABLES};
-    unsigned long i;
-    int k;
-
-    flk_list_inputs(&o->d, &o->line_units, &o->lists[FOURLINK_INPUTS]);
-    for (k = 0; k < 2; k++) {
-        const flk_list *list = &o->lists[which[k]];
-
-        for (i = 0; i < list->n && !n->kind; i++)
-            if (n->handle ? list->list[i].handle == n->handle
-                          : flk_text_same(name, list->list[i].name)) {
-                n->kind = FLK_NAME_GIVEN;
-                n->handle = list->list[i].handle;
-                n->given = &list->list[i];
-            }
-    }
-    if (n->kind || !flk_list_number_value(
-                       &o->d, n->handle ? flk_list_number(n->handle) : flk_number_find(&o->d, name),
-                       &o->line_units, &o->number))
-        return;
-    n->kind = FLK_NAME_GIVEN;
-    n->handle = o->number.handle;
-    n->given = &o->number;
-}
-
-void flk_name_find(flk_opened *o, text name, flk_name *n)
-{
-    memset(n, 0, sizeof *n);
-    n->of = name;
-    n->statistic = flk_column_statistic_of(name, &n->of);
-    if (flk_column_find(&o->a, n->of, &n->c)) {
-        n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
-        n->handle = flk_column_handle(&n->c, n->statistic);
-    } else if ((n->handle = flk_fact_find(name)) != 0) {
-        n->kind = FLK_NAME_FACT;
-    } else {
-        find_given(o, name, n);
-    }
-}
-
-void flk_name_of_handle(flk_opened *o, int handle, flk_name *n)
-{
-    memset(n, 0, sizeof *n);
-    n->handle = handle;
-    if (flk_fact_group(handle))
-        n->kind = FLK_NAME_FACT;
-    else if (flk_column_of_handle(&o->a, handle, &n->c, &n->statistic))
-        n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
-    else if (handle)
-        find_given(o, n->of, n);
-}
-
-void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v)
-{
-    memset(v, 0, sizeof *v);
-    if (n->kind == FLK_NAME_GIVEN)
-        *v = *n->given;
-    else if (n->kind == FLK_NAME_FACT)
-        flk_fact_describe(&o->d, n->handle, v);
-    else if (n->kind)
-        flk_list_column(&o->d, &n->c, v);
-    v->has_angle = n->kind == FLK_NAME_COLUMN;
-    if (n->kind == FLK_NAME_STATISTIC) {
-        v->name = flk_column_statistic_name(n->statistic, &n->c, o->facts.names);
-        v->handle = n->handle;
-    }
-}
-
-/* The value of a column in a row, which has been computed. */
-static int value_in_row(const flk_opened *o, const flk_column *c, fourlink_branch branch,
-                        const flk_row *row, fourlink_value *value)
-{
-    fourlink_value v;
-
-    flk_list_column(&o->d, c, &v);
-    v.value = flk_column_value(c, row);
-    v.has_angle = 1;
-    v.angle = row->at.row.angle;
-    v.branch = (int)branch;
-    if (row->at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
-        return row->at.status;
-    *value = v;
-    return FOURLINK_OK;
-}
-
-static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch branch, double angle,
-                           fourlink_value *value)
-{
-    flk_row row;
-
-    if (!flk_analysis_at_angle(&o->a, flk_column_need(c), branch, angle, &row))
-        return FOURLINK_NO_SUCH_ANGLE;
-    return value_in_row(o, c, branch, &row, value);
-}
 
 int flk_opened_prepare(flk_opened *o, int branch, int groups)
 {
@@ -135,72 +32,42 @@ int flk_opened_prepare(flk_opened *o, int branch, int groups)
     return status;
 }
 
-int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch)
-{
-    int groups = n->kind == FLK_NAME_FACT ? flk_fact_group(n->handle)
-                 : n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC
-                     ? FOURLINK_FACTS_EXTREMES
-                     : 0;
-
-    return flk_opened_prepare(o, (int)branch, groups);
-}
-
-int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
-                         fourlink_value *value)
-{
-    flk_row row;
-
-    if (!o->a.course.type->find(&o->a.course, place, &place))
-        return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_along(&o->a, flk_column_need(&n->c), branch, place, &row);
-    return value_in_row(o, &n->c, branch, &row, value);
-}
-
-unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
-{
-    return flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), handle, NULL, 0,
-                         &o->found);
-}
-
-int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
-                   fourlink_value *value)
-{
-    int status = flk_name_prepare(o, n, branch);
-
-    if (status != FOURLINK_OK)
-        return status;
-    switch (n->kind) {
-    case FLK_NAME_COLUMN:
-        return value_of_column(o, &n->c, branch, angle, value);
-    case FLK_NAME_STATISTIC:
-        return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch, 0,
-                                     o->facts.names, value);
-    case FLK_NAME_FACT:
-        if (!flk_name_facts(o, n->handle, branch))
-            return flk_fact_why_missing(&o->a, n->handle, branch);
-        *value = o->found.list[0];
-        return FOURLINK_OK;
-    case FLK_NAME_GIVEN:
-        if (gsl_isnan(n->given->value))
-            return FOURLINK_NO_SUCH_NAME;
-        *value = *n->given;
-        return FOURLINK_OK;
-    case FLK_NAME_UNKNOWN:
-    default:
-        return FOURLINK_NO_SUCH_NAME;
-    }
-}
-
 /* ------------------------------------------------------------------------------------------------ opening */
 
-/* Check a name in the [sweep] output: a fact, a statistic of a column, or an input; a column only if the
-** deck has one instant. */
+/* Report a NAME at ANGLE that has no value, or no handle. */
+static void refuse_at(flk_opened *o, text name, const flk_name *n, text_place place)
+{
+    mistakes *m = &o->d.mistakes;
+    char message[MESSAGE_SIZE];
+    double angle;
+    flk_name other;
+
+    flk_name_find(o, n->of, &other);
+    if (name.length >= DECK_NAME_SIZE)
+        flk_mistake(m, place, "the name '%t' is too long: more than %g letters", name,
+                    DECK_NAME_SIZE - 1.0);
+    else if (other.kind == FLK_NAME_UNKNOWN)
+        flk_mistake(m, place, "no column '%t'%h%s", n->of, flk_column_nearest(&o->a, n->of),
+                    flk_column_nearest(&o->a, n->of) ? "" : "; see --list");
+    else if (other.kind != FLK_NAME_COLUMN)
+        flk_mistake(m, place, "'%t' is one value of the deck: it has none at an angle", n->of);
+    else if (!flk_at_angle_read(&o->d, n->at, &angle, message))
+        flk_mistake(m, place, "%s", message);
+}
+
+/* Check a name in the [sweep] output: a fact, a statistic of a column, a column at an angle, or an input; a
+** column only if the deck has one instant. */
 static void check_output(flk_opened *o, text name, const flk_name *n, text_place place)
 {
     mistakes *m = &o->d.mistakes;
     char statistic[DECK_NAME_SIZE];
     const char *nearest, *meant;
 
+    if (n->at.start) {
+        if (!n->handle)
+            refuse_at(o, name, n, place);
+        return;
+    }
     if (!o->d.over->is_crank_angle && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = %s", name,
                     o->d.over->rows);
@@ -266,6 +133,8 @@ static const fourlink_value *add_output(flk_opened *o, text name, text_place pla
         return NULL;
     }
     flk_name_find(o, name, &n);
+    if (!flk_name_keep(o, name, &n))
+        n.kind = FLK_NAME_UNKNOWN;
     flk_name_describe(o, &n, output);
     output->line_unit = NULL;
     check_output(o, name, &n, place);
@@ -285,7 +154,7 @@ static int copy_outputs(flk_opened *o, const flk_opened *from)
 
     for (i = 0; i < outputs->n; i++) {
         flk_name_of_handle(o, outputs->list[i].handle, &n);
-        if (n.kind != FLK_NAME_STATISTIC && n.kind != FLK_NAME_FACT)
+        if (n.kind != FLK_NAME_STATISTIC && n.kind != FLK_NAME_FACT && n.kind != FLK_NAME_AT)
             return 0;
         ask_extreme(o, &n);
     }
@@ -311,7 +180,7 @@ static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
         flk_name_find(o, name, &n);
         if (!of_rows->start && (n.kind == FLK_NAME_COLUMN || flk_text_equal(name, "all")))
             *of_rows = name;
-        else if (!of_deck->start && (n.statistic || n.kind > FLK_NAME_COLUMN))
+        else if (!of_deck->start && (n.statistic || n.at.start || n.kind > FLK_NAME_COLUMN))
             *of_deck = name;
         else if (!similar.start && !flk_column_is_known(name) && !flk_column_nearest(&o->a, name) &&
                  flk_fact_nearest(name))
@@ -442,7 +311,7 @@ static int allocate(flk_opened *o)
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
     o->columns = malloc(columns * sizeof *o->columns);
-    o->facts.names = malloc((total + flk_line_unit_limit(&o->d)) * DECK_NAME_SIZE);
+    o->facts.names = malloc((total + flk_line_unit_limit(&o->d) + FLK_AT_NAMES) * DECK_NAME_SIZE);
     o->facts.list = malloc(total * sizeof *o->facts.list);
     o->checks = calloc(GSL_MIN(o->d.n_expectations, FLK_CHECKS_KEPT) + 1, sizeof *o->checks);
     if (!o->columns || !o->facts.names || !o->facts.list || !o->checks)
@@ -452,7 +321,8 @@ static int allocate(flk_opened *o)
         o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
     }
     o->found.list = o->facts.list + n;
-    o->line_units.texts = o->facts.names + total * DECK_NAME_SIZE;
+    o->at_names = o->facts.names + total * DECK_NAME_SIZE;
+    o->line_units.texts = o->at_names + FLK_AT_NAMES * DECK_NAME_SIZE;
     return flk_turning_open(&o->a) && flk_means_open(&o->a, columns) &&
            flk_extremes_open(&o->extremes, columns);
 }
@@ -468,8 +338,10 @@ static int open_deck(flk_opened *o, const flk_opened *from, const flk_opened *li
         like = NULL;
     if (!flk_analysis_open(&o->a, &o->d, like ? &like->a : NULL) || !allocate(o))
         return 0;
-    if (from)
+    if (from) {
+        flk_names_take(o, from);
         o->n_columns = flk_column_copy(&o->a, &from->a, from->columns, from->n_columns, o->columns);
+    }
     if (!o->n_columns) {
         take_values(o);
         o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);

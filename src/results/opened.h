@@ -16,6 +16,8 @@ typedef struct flk_kept_check {
     fourlink_check check;
 } flk_kept_check;
 
+#define FLK_AT_NAMES 256 /* of the form NAME at ANGLE, that can have handles */
+
 /* One design of a deck. */
 typedef struct flk_opened {
     deck d;
@@ -30,6 +32,8 @@ typedef struct flk_opened {
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
     fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
     flk_line_units line_units;
+    char *at_names; /* each NAME at ANGLE that has a handle, of DECK_NAME_SIZE bytes */
+    size_t n_at_names;
     flk_kept_check *checks; /* of the first expected values */
 } flk_opened;
 
@@ -48,20 +52,29 @@ typedef enum flk_name_kind {
     FLK_NAME_COLUMN,
     FLK_NAME_STATISTIC,
     FLK_NAME_FACT,
-    FLK_NAME_GIVEN /* an input, or a variable of the sweep */
+    FLK_NAME_GIVEN, /* an input, or a variable of the sweep */
+    FLK_NAME_AT     /* NAME at ANGLE: a column at a crank angle */
 } flk_name_kind;
 
 typedef struct flk_name {
     flk_name_kind kind;
     int handle;              /* for fourlink_results_get; 0: unknown */
-    text of;                 /* the name, or that of the column of a statistic */
+    text of;                 /* the name, or that of the column of which it is a value */
     flk_statistic statistic; /* FLK_NONE: not a statistic */
-    flk_column c;            /* the column, or that of the statistic */
+    flk_column c;            /* the column */
+    text at;                 /* the crank angle as written; null: none */
+    double angle;
     const fourlink_value *given;
 } flk_name;
 
-/* What a name means.  `statistic` and `of` are set even if the name is unknown. */
+/* What a name means.  `statistic`, `of` and `at` are set even if the name is unknown. */
 void flk_name_find(flk_opened *o, text name, flk_name *n);
+
+/* Give a NAME at ANGLE a handle; 0 if it is too long, or there is no room for more.  Others have theirs. */
+int flk_name_keep(flk_opened *o, text name, flk_name *n);
+
+/* Take those with handles from another design. */
+void flk_names_take(flk_opened *o, const flk_opened *from);
 
 /* What a handle stands for in this design; `of` is empty. */
 void flk_name_of_handle(flk_opened *o, int handle, flk_name *n);

@@ -223,7 +223,7 @@ int fourlink_results_input(fourlink_results *r, const char *name, fourlink_value
     flk_list_describe(&o->d, q, "", input);
     input->name = key;
     input->handle = FLK_NUMBER_HANDLE(id);
-    input->value = flk_unit_from_si(si, u.unit);
+    input->value = flk_number_written(si, u.unit, u.unit);
     input->unit = input->line_unit = flk_line_unit_text(&o->line_units, u.name);
     input->to_si = u.unit.up / u.unit.down;
     return FOURLINK_OK;
@@ -507,8 +507,10 @@ int fourlink_results_find(fourlink_results *r, const char *name, fourlink_value 
     if (!r || !name || !found)
         return FOURLINK_NULL;
     flk_name_find(r->now, flk_text_of(name), &n);
-    if (n.kind == FLK_NAME_UNKNOWN)
+    if (n.kind == FLK_NAME_UNKNOWN || !flk_name_keep(r->now, flk_text_of(name), &n))
         return FOURLINK_NO_SUCH_NAME;
+    if (r->first != r->now) /* which gives its names to designs that are opened later */
+        flk_names_take(r->first, r->now);
     flk_name_describe(r->now, &n, found);
     return FOURLINK_OK;
 }
@@ -529,12 +531,12 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
                            double angle, fourlink_value *value)
 {
     int status = check_branch(r, name && value, (int)branch);
-    fourlink_value found;
+    flk_name n;
 
-    if (status == FOURLINK_OK)
-        status = fourlink_results_find(r, name, &found);
-    return status == FOURLINK_OK ? fourlink_results_get(r, found.handle, branch, angle, value)
-                                 : status;
+    if (status != FOURLINK_OK)
+        return status;
+    flk_name_find(r->now, flk_text_of(name), &n);
+    return flk_name_value(r->now, &n, branch, angle, value);
 }
 
 int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)

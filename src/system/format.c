@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/digits.h"
+#include "base/number.h"
 #include "format.h"
 
 /* Take the sign off a number that prints as 0; returns its end. */
@@ -66,6 +67,21 @@ char *format_general_end(double value, int digits, char out[FORMAT_SIZE])
     char *end = flk_digits_general(value, digits, out);
 
     return end ? end : print("%.*g", value, digits, out);
+}
+
+char *format_shortest_end(double value, char out[FORMAT_SIZE])
+{
+    double same;
+    char *end;
+    text t;
+    int digits = 15;
+
+    do {
+        end = format_general_end(value, digits, out);
+        t.start = out;
+        t.length = (size_t)(end - out);
+    } while (digits++ < 17 && !(flk_number_read(&t, &same) == NUMBER_OK && same == value));
+    return end;
 }
 
 double format_settled(double value, double size)

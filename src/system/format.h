@@ -18,6 +18,9 @@ char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);
 
+/* The same with the fewest digits, 15 at least, that read back as the same number. */
+char *format_shortest_end(double value, char out[FORMAT_SIZE]);
+
 /* What is rounding error: a value of at most this fraction of those that it is compared with. */
 #define FORMAT_ROUNDING 1e-12
 

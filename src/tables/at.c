@@ -9,8 +9,9 @@
 #include "base/message.h"
 #include "system/memory.h"
 
-/* The column of this name; null and a message if there is none. */
-static const fourlink_value *find_column(fourlink_results *results, text name, char message[400])
+/* Find the column of this name; 0 and a message if there is none. */
+static int find_column(fourlink_results *results, text name, fourlink_value *column,
+                       char message[400])
 {
     const fourlink_value *columns;
     const char **names, *nearest;
@@ -19,26 +20,31 @@ static const fourlink_value *find_column(fourlink_results *results, text name, c
 
     fourlink_results_list(results, FOURLINK_ALL_COLUMNS, &columns, &n);
     for (i = 0; i < n; i++)
-        if (flk_text_equal(name, columns[i].name))
-            return &columns[i];
+        if (flk_text_equal(name, columns[i].name)) {
+            *column = columns[i];
+            return 1;
+        }
+    flk_text_copy(name, written, sizeof written);
+    if (fourlink_results_find(results, written, column) == FOURLINK_OK && column->has_angle)
+        return 1; /* one that no list has */
     names = memory_get(n + 1, sizeof *names);
     for (i = 0; names && i < n; i++)
         names[i] = columns[i].name;
-    nearest = fourlink_results_meant(results, flk_text_copy(name, written, sizeof written));
+    nearest = fourlink_results_meant(results, written);
     if (!nearest && names)
         nearest = flk_text_nearest(name, names);
     free(names);
     flk_message(message, 400,
                 nearest ? "no column '%t'; did you mean '%s'?" : "no column '%t'; see --list", name,
                 nearest);
-    return NULL;
+    return 0;
 }
 
 static int take_column(const view *v, text name, text value, at_item *item, char message[400])
 {
-    const fourlink_value *column = find_column(v->results, name, message);
+    fourlink_value column;
 
-    if (!column)
+    if (!find_column(v->results, name, &column, message))
         return -1;
     if (!v->problem.over.is_crank_angle) {
         flk_message(message, 400, "'%t' needs rows by angle; these are rows by %s", item->words,
@@ -51,8 +57,8 @@ static int take_column(const view *v, text name, text value, at_item *item, char
                     item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
         return -1;
     }
-    item->column = column->name;
-    return view_read(v, flk_quantity_find(column->quantity), value, item->words, &item->value,
+    item->column = column.name;
+    return view_read(v, flk_quantity_find(column.quantity), value, item->words, &item->value,
                      message)
                ? 1
                : -1;

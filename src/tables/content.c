@@ -309,6 +309,20 @@ static void put_names(sheet *s, const name_list *all, size_t n_results,
                 put(s, &all[r].list[i]);
 }
 
+/* One line for the forces opposite to those that are listed. */
+static void put_opposites(sheet *s, fourlink_results *const *results, size_t n_results)
+{
+    fourlink_value opposite;
+    size_t i;
+
+    for (i = 0; i < n_results; i++)
+        if (fourlink_results_find(results[i], "F32x", &opposite) == FOURLINK_OK) {
+            opposite.meaning = "opposite to F23x; also F21, F43, F41, N43, M43, M41, by name only";
+            s->format->listed(s, &opposite);
+            return;
+        }
+}
+
 /* List all names of some results, each once. */
 static void write_list(sheet *s, fourlink_results *const *results, size_t n_results)
 {
@@ -316,7 +330,8 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
         {"max(COLUMN)", "largest value of any column"},
         {"min(COLUMN)", "smallest value of any column"},
         {"mean(COLUMN)", "mean over the crank angle"},
-        {"rms(COLUMN)", "root mean square over the crank angle"}};
+        {"rms(COLUMN)", "root mean square over the crank angle"},
+        {"COLUMN at ANGLE", "value in the row at this crank angle"}};
     name_list all[CONTENT_LISTED] = {{NULL, 0}};
     fourlink_value statistic;
     size_t i;
@@ -331,11 +346,12 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
     put_names(s, all, n_results, s->format->listed);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
-    for (i = 0; i < 4; i++) {
+    for (i = 0; i < sizeof of_columns / sizeof of_columns[0]; i++) {
         statistic.name = of_columns[i][0];
         statistic.meaning = of_columns[i][1];
         s->format->listed(s, &statistic);
     }
+    put_opposites(s, results, n_results);
 }
 
 /* ------------------------------------------------------------------------------------ decks, designs */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
-** design.  Lines end in LF; numbers have 17 digits, what is
+** design.  Lines end in LF; computed numbers have 17 digits, those of the deck the fewest that read back; what is
 ** undefined is empty, what is unbounded inf or -inf.
 */
 #include <float.h>
@@ -116,24 +116,40 @@ static void put_labels(sheet *s)
         line_put(&s->l, "%lu,", s->design);
     else if (s->has_designs)
         line_byte(&s->l, ',');
-    for (i = 0; i < s->n_variables && s->design; i++)
-        line_put(&s->l, "%17g,", s->varied[i]);
+    for (i = 0; i < s->n_variables && s->design; i++) {
+        line_number(&s->l, s->varied[i], LINE_SHORTEST);
+        line_byte(&s->l, ',');
+    }
 }
 
-/* A fact or an input. */
-static void put_fact(sheet *s, const fourlink_value *f)
+static void put_value(line *l, const fourlink_value *v, int digits)
+{
+    if (v->words)
+        put_words(l, v->words);
+    else
+        line_number(l, v->value, digits);
+}
+
+static void put_entry(sheet *s, const fourlink_value *f, int digits)
 {
     put_labels(s);
     put_words(&s->l, f->name);
     line_put(&s->l, ",");
-    if (f->words)
-        put_words(&s->l, f->words);
-    else
-        line_number(&s->l, f->value, DIGITS);
+    put_value(&s->l, f, digits);
     line_put(&s->l, ",%s,", f->unit);
     if (f->has_angle)
         line_number(&s->l, f->angle, DIGITS);
     line_put(&s->l, ",%s\n", f->branch ? fourlink_branch_text(f->branch) : "");
+}
+
+static void put_fact(sheet *s, const fourlink_value *fact)
+{
+    put_entry(s, fact, DIGITS);
+}
+
+static void put_input(sheet *s, const fourlink_value *input)
+{
+    put_entry(s, input, LINE_SHORTEST);
 }
 
 static void open_rows(sheet *s)
@@ -147,7 +163,7 @@ static void open_rows(sheet *s)
 
 static void open_summary(sheet *s)
 {
-    sheet_write_inputs(s, put_fact);
+    sheet_write_inputs(s, put_input);
 }
 
 static void put_row(sheet *s, const sheet_row *row)
@@ -178,7 +194,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_words(&s->l, c->name);
     line_byte(&s->l, ',');
     if (c->has_angle)
-        line_number(&s->l, c->angle, DIGITS);
+        line_number(&s->l, c->angle, LINE_SHORTEST);
     line_put(&s->l, ",%s,%s,", fourlink_branch_text((int)c->branch), c->unit);
     put_words(&s->l, c->printed_text);
     line_byte(&s->l, ',');
@@ -186,7 +202,8 @@ static void put_check(sheet *s, const fourlink_check *c)
         put_words(&s->l, c->words);
         line_put(&s->l, ",");
     } else {
-        line_put(&s->l, "%17g,%17g", c->computed, c->tolerance);
+        line_put(&s->l, "%17g,", c->computed);
+        line_number(&s->l, c->tolerance, LINE_SHORTEST);
     }
     line_put(&s->l, ",,,");
     put_words(&s->l, c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
@@ -201,10 +218,8 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     put_labels(s);
     line_put(&s->l, "%s,", branch ? fourlink_branch_text((int)branch) : "");
     for (i = 0; i < s->n_header; i++) {
-        if (outputs && outputs[i].has_value && outputs[i].v.words)
-            put_words(&s->l, outputs[i].v.words);
-        else if (outputs && outputs[i].has_value)
-            line_number(&s->l, outputs[i].v.value, DIGITS);
+        if (outputs && outputs[i].has_value)
+            put_value(&s->l, &outputs[i].v, outputs[i].v.line_unit ? LINE_SHORTEST : DIGITS);
         line_byte(&s->l, ',');
     }
     put_words(&s->l, why ? why : fourlink_status_text(FOURLINK_OK));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** json.c - the format json, RFC 8259: an object for a deck; for several decks, for the designs of a
-** sweep, and in the format jsonl always, one object a line.  Numbers have 17 digits; undefined is null,
-** unbounded is "inf" or "-inf".
+** sweep, and in the format jsonl always, one object a line.  Computed numbers have 17 digits, those of the deck the fewest
+** that read back; undefined is null, unbounded is "inf" or "-inf".
 */
 #include <float.h>
 #include <string.h>
@@ -12,6 +12,8 @@
 #include "json_text.h"
 #include "sheet.h"
 
+#define DIGITS (DBL_DIG + 2)
+
 /* A string.  "<" is written as \u003c, so that the text can stand in a <script>. */
 static void put_string(line *l, const char *s)
 {
@@ -20,7 +22,7 @@ static void put_string(line *l, const char *s)
 
 static void put_number(line *l, double x)
 {
-    json_text_number(l, x, DBL_DIG + 2);
+    json_text_number(l, x, DIGITS);
 }
 
 /* Write "name": with a comma before it, unless it is the first in its object. */
@@ -43,6 +45,13 @@ static void put_named_number(line *l, const char *name, double value)
     put_number(l, value);
 }
 
+/* A number that was given, not computed. */
+static void put_given(line *l, const char *name, double value)
+{
+    put_name(l, name, 0);
+    json_text_number(l, value, LINE_SHORTEST);
+}
+
 /* Begin an object with a text. */
 static void begin_object(line *l, const char *name, const char *words)
 {
@@ -51,12 +60,12 @@ static void begin_object(line *l, const char *name, const char *words)
     put_string(l, words);
 }
 
-static void put_value(line *l, const fourlink_value *v)
+static void put_value(line *l, const fourlink_value *v, int digits)
 {
     if (v->words)
         put_string(l, v->words);
     else
-        put_number(l, v->value);
+        json_text_number(l, v->value, digits);
 }
 
 /* One deck has many lines; several decks, and designs, have one each. */
@@ -126,7 +135,7 @@ static void put_input(sheet *s, const fourlink_value *input)
     put_item(s, "inputs");
     put_described(s, input);
     put_name(&s->l, "value", 0);
-    put_value(&s->l, input);
+    put_value(&s->l, input, LINE_SHORTEST);
     line_text(&s->l, "}", 1);
 }
 
@@ -145,14 +154,12 @@ static void put_labels(sheet *s)
     }
     if (s->design) {
         put_name(&s->l, s->each ? s->each : "design", !s->deck_name);
-        line_number(&s->l, (double)s->design, DBL_DIG + 2);
+        line_number(&s->l, (double)s->design, DIGITS);
     }
     if (s->mark)
         put_text(&s->l, "answers", s->mark->path);
-    for (i = 0; i < s->n_variables && s->design; i++) {
-        put_name(&s->l, s->variables[i].name, 0);
-        put_number(&s->l, s->varied[i]);
-    }
+    for (i = 0; i < s->n_variables && s->design; i++)
+        put_given(&s->l, s->variables[i].name, s->varied[i]);
 }
 
 static void open_list(sheet *s)
@@ -184,7 +191,7 @@ static void put_fact(sheet *s, const fourlink_value *fact)
     put_item(s, "facts");
     put_described(s, fact);
     put_name(&s->l, "value", 0);
-    put_value(&s->l, fact);
+    put_value(&s->l, fact, DIGITS);
     put_named_number(&s->l, "theta2", fact->has_angle ? fact->angle : GSL_NAN);
     put_name(&s->l, "branch", 0);
     if (fact->branch)
@@ -235,7 +242,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_text(&s->l, "file", c->file);
     put_named_number(&s->l, "line", (double)c->line);
     put_text(&s->l, "name", c->name);
-    put_named_number(&s->l, "theta2", c->has_angle ? c->angle : GSL_NAN);
+    put_given(&s->l, "theta2", c->has_angle ? c->angle : GSL_NAN);
     put_text(&s->l, "branch", fourlink_branch_text((int)c->branch));
     put_text(&s->l, "unit", c->unit);
     put_text(&s->l, "printed", c->printed_text);
@@ -244,7 +251,7 @@ static void put_check(sheet *s, const fourlink_check *c)
         put_string(&s->l, c->words);
     else
         put_number(&s->l, is_number ? c->computed : GSL_NAN);
-    put_named_number(&s->l, "tolerance", is_number ? c->tolerance : GSL_NAN);
+    put_given(&s->l, "tolerance", is_number ? c->tolerance : GSL_NAN);
     if (c->message[0])
         put_text(&s->l, "message", c->message);
     if (c->hint[0])
@@ -303,7 +310,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
             continue;
         put_name(&s->l, s->header[i].name, 0);
         if (outputs && outputs[i].has_value)
-            put_value(&s->l, &outputs[i].v);
+            put_value(&s->l, &outputs[i].v, outputs[i].v.line_unit ? LINE_SHORTEST : DIGITS);
         else
             line_put(&s->l, "null");
     }

@@ -147,7 +147,9 @@ void line_number(line *l, double value, int digits)
 
     room(l, FORMAT_SIZE);
     begin = l->bytes + l->length;
-    l->length += (size_t)(format_general_end(value, digits, begin) - begin);
+    l->length += (size_t)((digits == LINE_SHORTEST ? format_shortest_end(value, begin)
+                                                   : format_general_end(value, digits, begin)) -
+                          begin);
 }
 
 size_t line_value(line *l, double value, int digits, size_t width)

@@ -51,4 +51,7 @@ void line_finish(line *l, size_t start, size_t width, size_t indent);
 void line_put(line *l, const char *format, ...);
 void line_number(line *l, double value, int digits);
 
+/* In place of digits: the fewest that read back as the same number. */
+#define LINE_SHORTEST 0
+
 #endif

@@ -221,6 +221,7 @@ all 0 -f csv -o result $few ../single.deck ../gas-engine.deck
 all 0 $few ../single.deck ../gas-engine.deck
 all 0 -f csv -c 'mu_min, max(omega4), crank.length' -o result ../alvi-5.1.deck ../single.deck
 all 0 -f json -c 'mu_min, max(omega4), crank.length' -o result ../alvi-5.1.deck ../single.deck
+all 0 -f csv -c 'omega4 at 30 deg mu at 1/3 rev' -o result ../alvi-5.1.deck ../single.deck
 all 0 -S -o result ../single.deck ../slotted-lever.deck
 all 3 -f csv -o result $few ../single.deck absent.deck
 
@@ -232,8 +233,10 @@ all 1 -f csv --part=2/3 -o result ../t.deck
 all 1 -f csv -s 'sweep.yield=mu_min > 40 deg' -o result ../t.deck
 all 1 --plot=plot.svg --plot-kind=columns -o result ../t.deck
 all 1 -f csv -o result ../t.deck ../single.deck
-sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's simplex
+sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing, Ts at 30 deg' # a range: GSL's simplex
+all 0 -f csv -s 'sweep.yield=Ts at 40 deg > 0 N m' -o result ../t.deck
 all 0 "--best=max swing" -o result ../t.deck
+all 0 "--best=max theta4 at 30 deg" -o result ../t.deck
 all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o result ../alvi-5.1.deck
 all 0 "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" --print-deck -o result ../alvi-5.1.deck
 all 0 -f csv "--best=max swing" -o result ../t.deck

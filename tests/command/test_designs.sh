@@ -140,7 +140,7 @@ run 0 -f csv t.deck && same out per_cent
 # from the command line
 sweep 'crank.length = 18 mm, 20 mm' 'output = mu_min'
 run 0 -f csv -s 'sweep.crank.length = 21 mm, 22 mm' t.deck
-check 'a sweep by --set' grep -q '^2,0.0219999' out
+check 'a sweep by --set' grep -q '^2,0.022,' out
 mv out lower
 run 0 -f csv -s 'Sweep.crank.length = 21 mm, 22 mm' t.deck
 same out lower

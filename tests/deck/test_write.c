@@ -242,6 +242,9 @@ TEST(test_points_by_steps)
     snprintf(before, sizeof before, "%smass = 1 kg\ncg = 1 mm + (3, 4) cm\n", deck);
     snprintf(after, sizeof after, "%smass = 1 kg\ncg = (10, 40) mm\n", deck);
     check_written(before, "rocker.cg.x = 0.01", after);
+    snprintf(before, sizeof before, "%smass = 1 kg\ncg = origin + (1, 2) mm\n", deck);
+    snprintf(after, sizeof after, "%smass = 1 kg\ncg = (10, 2) mm\n", deck);
+    check_written(before, "rocker.cg.x = 0.01", after);
 }
 
 TEST(test_exact_vectors)

@@ -9,6 +9,7 @@
 ** in turn, with `all` with every one.  Decks that fail are left as laws-NUMBER.deck, and laws-NUMBER-LAW.deck changed.
 */
 #include "driven_decks.h"
+#include "named_values.h"
 
 static int turns_fully(fourlink_results *r)
 {
@@ -475,6 +476,8 @@ static law laws[] = {
      .factor = factor_one,
      .check = compare_driven},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
+    {.name = "opposite", .change = any_axes, .factor = factor_one, .check = compare_opposites},
+    {.name = "at an angle", .change = any_axes, .factor = factor_one, .check = compare_at_angles},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
 static void try_law(law *l)

@@ -151,7 +151,7 @@ TEST(test_unknown_names_and_handles)
     fourlink_results_free(r);
 }
 
-/* Beside the last column and the last fact there is nothing. */
+/* Beside the last column and the last fact there is nothing; the opposite forces are behind those that are listed. */
 TEST(test_first_and_last_handles)
 {
     fourlink_results *r = opened(ROCKER ROWS SPRING);
@@ -166,12 +166,107 @@ TEST(test_first_and_last_handles)
     last = list[n - 1].handle + FOURLINK_RMS;
     assert_int_equal(fourlink_results_get(r, last, FOURLINK_OPEN, 0, &v), FOURLINK_OK);
     assert_string_equal(v.name, "rms(S.power)");
+    assert_int_equal(fourlink_results_get(r, last + 1, FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+    assert_string_equal(v.name, "F21x");
+    last = found(r, "rms(F41_dir)").handle;
     assert_int_equal(fourlink_results_get(r, last + 1, FOURLINK_OPEN, 0, &v),
                      FOURLINK_NO_SUCH_NAME);
     last = found(r, "motor_torque").handle;
     assert_int_equal(fourlink_results_get(r, last, FOURLINK_OPEN, 0, &v), FOURLINK_NO_SUCH_FACT);
     assert_int_equal(fourlink_results_get(r, last - 1, FOURLINK_OPEN, 0, &v),
                      FOURLINK_NO_SUCH_NAME);
+    fourlink_results_free(r);
+}
+
+/* NAME at ANGLE by name and by handle, in designs, and after numbers were set. */
+TEST(test_names_at_angles)
+{
+    static const char *const names[] = {
+        "Ts at 30 deg",          "Ts at 30",        "theta4 at 1/3 rev", "P.vx at pi/6",
+        "S.force at -40.25 deg", "F32x at 750 deg", "omega2 at 0deg"};
+    static const double at[] = {30, 30, 120, 30, -40.25, 750, 0};
+    static const char *const columns[] = {"Ts",      "Ts",   "theta4", "P.vx",
+                                          "S.force", "F32x", "omega2"};
+    fourlink_source source = deck_source(
+        four_bar(0.020, 0.066, 0.056, 0.080,
+                 ROWS POINT SPRING
+                 "[sweep]\ncrank.length = 20 mm, 22 mm\noutput = Ts at 30 deg, mu at 3\n"));
+    fourlink_results *r, *design;
+    const fourlink_value *list;
+    fourlink_value v, w;
+    unsigned long n;
+    double angle;
+    size_t i;
+    int k;
+
+    assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    for (i = 0; i < COUNT(names); i++) {
+        v = found(r, names[i]);
+        assert_string_equal(v.name, names[i]);
+        assert_close(v.angle, at[i], 1e-14);
+        angle = v.angle;
+        assert_false(v.has_angle);
+        assert_int_equal(v.handle, found(r, names[i]).handle);
+        check_same(r, names[i], v.handle);
+        for (k = 0; k < 2; k++) {
+            assert_int_equal(fourlink_results_value(r, names[i], branches[k], 77, &v), FOURLINK_OK);
+            w = named(r, columns[i], branches[k], angle);
+            assert_true(v.value == w.value && v.angle == w.angle && v.has_angle);
+        }
+    }
+    assert_int_equal(fourlink_results_design(r, 1, 0, &design, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_list(design, FOURLINK_OUTPUTS, &list, &n), FOURLINK_OK);
+    assert_int_equal(list[0].handle, found(r, "Ts at 30 deg").handle);
+    for (i = 0; i < COUNT(names); i++)
+        check_same(design, names[i], found(r, names[i]).handle);
+    assert_int_equal(fourlink_results_set(r, "coupler.length", 0.070, NULL), FOURLINK_OK);
+    for (i = 0; i < COUNT(names); i++)
+        check_same(r, names[i], found(design, names[i]).handle);
+    k = found(r, "mu at 100 deg").handle; /* kept when numbers are set again */
+    assert_int_equal(fourlink_results_set(r, "coupler.length", 0.066, NULL), FOURLINK_OK);
+    check_same(r, "mu at 100 deg", k);
+    assert_int_equal(found(r, "mu at 100 deg").handle, k);
+    fourlink_results_free(design);
+    fourlink_results_free(r);
+}
+
+/* What is no NAME at ANGLE, and more of them than there is room for. */
+TEST(test_no_names_at_angles)
+{
+    static const char *const names[] = {"mu at",          "mu at ",         "mu at noon",
+                                        "mu at drawn",    "xx at 30",       "mu_min at 30",
+                                        "max(mu) at 30",  "max(mu at 30)",  "mu at 30 mm",
+                                        "mu at 30 deg x", "mu at 30 at 40", "crank.length at 3"};
+    fourlink_results *r = opened(ROCKER ROWS POINT);
+    fourlink_value v, before;
+    char name[100];
+    size_t i;
+    int n;
+
+    memset(&v, 5, sizeof v);
+    before = v;
+    for (i = 0; i < COUNT(names); i++) {
+        if (fourlink_results_find(r, names[i], &v) != FOURLINK_NO_SUCH_NAME)
+            fail_msg("'%s' is a name", names[i]);
+        assert_int_equal(fourlink_results_value(r, names[i], FOURLINK_OPEN, 0, &v),
+                         FOURLINK_NO_SUCH_NAME);
+    }
+    snprintf(name, sizeof name, "mu at %060d deg", 30);
+    assert_int_equal(fourlink_results_find(r, name, &v), FOURLINK_NO_SUCH_NAME);
+    assert_memory_equal(&v, &before, sizeof v);
+    assert_int_equal(fourlink_results_value(r, name, FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+    for (n = 0; n < 1000; n++) {
+        snprintf(name, sizeof name, "mu at %d deg", n);
+        if (fourlink_results_find(r, name, &v) != FOURLINK_OK)
+            break;
+    }
+    assert_int_equal(n, 256);
+    assert_int_equal(fourlink_results_value(r, name, FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+    assert_true(v.value == named(r, "mu", FOURLINK_OPEN, 256).value);
+    check_same(r, "mu at 255 deg", found(r, "mu at 255 deg").handle);
+    assert_int_equal(
+        fourlink_results_get(r, found(r, "mu at 255 deg").handle + 1, FOURLINK_OPEN, 0, &v),
+        FOURLINK_NO_SUCH_NAME);
     fourlink_results_free(r);
 }
 

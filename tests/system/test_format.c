@@ -51,11 +51,29 @@ static void check_general(double value, int digits)
     compare("%.*g", digits, value, format_general(value, digits, out));
 }
 
+/* The fewest digits, 15 at least, that read back as the same number. */
+static void check_shortest(double value)
+{
+    char out[FORMAT_SIZE], shorter[FORMAT_SIZE];
+    double same;
+    int digits;
+    text t;
+
+    *format_shortest_end(value, out) = '\0';
+    for (digits = 15; digits < 17; digits++) {
+        t = flk_text_of(format_general(value, digits, shorter));
+        if (flk_number_read(&t, &same) == NUMBER_OK && same == value)
+            break;
+    }
+    compare("%.*g", digits, value, out);
+}
+
 /* A few of the forms. */
 static void check_some(double value, uint64_t *seed)
 {
     static const int usual[] = {17, 12, 6};
 
+    check_shortest(value);
     check_fixed(value, (int)uniform(seed, 0, MOST_DECIMALS + 1));
     check_exponent(-value, (int)uniform(seed, 0, MOST_DECIMALS + 1));
     check_general(value, usual[(int)uniform(seed, 0, 3)]);

@@ -290,8 +290,8 @@ class Results:
 
     @_alone
     def __getitem__(self, name: str) -> float | str:
-        """A fact ("mu_min"), an extreme ("max(Ts)"), a mean, an input ("crank.length"), on the deck's first branch, in
-        the unit of the results, which unit(name) tells; "type" and the like are words."""
+        """A fact ("mu_min"), an extreme ("max(Ts)"), a mean, a column at an angle ("Ts at 30 deg"), an input ("crank.length"), on
+        the deck's first branch, in the unit of the results, which unit(name) tells; "type" and the like are words."""
         return self.value(name)
 
     @_alone
