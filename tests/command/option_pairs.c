@@ -40,6 +40,7 @@ static const sample samples[] = {
     {"--interval", "25 deg", 0},
     {"--allow-files", NULL, 1},
     {"--print-deck", NULL, 0},
+    {"--import", "link.txt", 0},
     {"--columns", "mu,omega3", 0},
     {"--at", "33 deg", 0},
     {"--summary", NULL, 0},
