@@ -233,6 +233,8 @@ static const option_info table[] = {
      "print the deck as it is computed: with other values, of one design; of all: into "
      "--output=FOLDER/",
      NULL},
+    {0, "--pins", NULL, MEMBER(pins),
+     "print it by the places of its pins, as drawn at --plot-at, else at its first row", NULL},
     {0, "--import", "FILE", OWN(set_import),
      "print the deck of a PMKS+ link in FILE, by the places of its pins", NULL},
     {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),

@@ -324,6 +324,7 @@ for deck in single gas-engine rubbing-yoke slotted-lever springs card steady eng
     each -f csv -c 'max(theta4), min(omega4), mean(omega2), rms(Ts)' -o result ../$deck.deck
     each --print-deck -s 'crank.length = 101 %' ../$deck.deck
     each --print-deck -o result ../$deck.deck
+    each --print-deck --pins -o result ../$deck.deck
     for kind in mechanism motion forces turning-moment polar vectors limits klein animation speed columns; do
         each --plot=plot.svg --plot-kind=$kind $few ../$deck.deck
     done

@@ -279,6 +279,11 @@ TEST(test_room)
     assert_int_equal(fourlink_deck_write(deck, text, sizeof text, &length), FOURLINK_OK);
     assert_int_equal(length, strlen(HEAD));
     assert_string_equal(text, "# before\nm");
+    length = 0;
+    assert_int_equal(fourlink_deck_write_pins(NULL, 1, text, 1, &length), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_write_pins(deck, 1, NULL, 1, &length), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_write_pins(deck, NAN, text, 1, &length), FOURLINK_BAD_NUMBER);
+    assert_int_equal(length, 0);
     fourlink_results_free(r);
 }
 
