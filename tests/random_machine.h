@@ -58,7 +58,7 @@ static void write_body(double size)
 
 static void write_machine(void)
 {
-    double crank = between(10, 60), coupler, rocker, ground, longest;
+    double crank = between(10, 60), coupler, rocker, ground, longest, mass;
 
     write("mechanism = %s\n[crank]\nlength = %.6g mm\n", machine_names[machine], crank);
     write_body(crank);
@@ -79,8 +79,11 @@ static void write_machine(void)
     case A_SLIDER_CRANK:
         write("[rod]\nlength = %.6g mm\n", between(90, 250));
         write_body(80);
-        write("[piston]\nmass = %.6g kg\n[ground]\noffset = %.6g mm\n", between(0.1, 3),
-              between(-10, 10));
+        mass = between(0.1, 3);
+        write("[piston]\nmass = %.6g kg\n", mass);
+        if (fmod(mass, 0.1) < 0.05) /* what is drawn after it stays the same */
+            write("cg = (%.3f, %.3f) mm\n", 60 * sin(900 * mass), 40 * cos(700 * mass));
+        write("[ground]\noffset = %.6g mm\n", between(-10, 10));
         break;
     case AN_INVERTED:
         write("[ground]\nlength = %.6g mm\n[slider]\n", between(70, 150));
