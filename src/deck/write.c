@@ -90,7 +90,10 @@ static void put_vector(writer *w, const setting *s, quantity q)
     unit u, of_part;
     int i;
 
-    flk_unit_of_value(d, s->value, q, &name, &u);
+    if (!flk_unit_of_value(d, s->value, q, &name, &u)) { /* origin, mid */
+        name.length = 0;
+        u = d->bare[q].unit;
+    }
     for (i = 0; i < PART_ANGLE; i++)
         if (IS_SET(&s->parts[i]) && (s->parts[i].source == GIVEN_BY_CHANGE || !name.length) &&
             flk_unit_of_value(d, s->parts[i].value, q, &other, &of_part) && other.length) {

@@ -113,6 +113,8 @@ TEST(test_places_of_values)
          HEAD "[point P]\nlink = coupler\nat = (2.5, 1) cm # P\n"},
         {HEAD "[point P]\nlink = coupler\nat = 3 mm\n", "point p.at.angle = 90 deg",
          HEAD "[point P]\nlink = coupler\nat = (0, 3) mm\n"},
+        {HEAD "[point P]\nlink = coupler\nat = origin\n", "point P.at.x = 3 mm",
+         HEAD "[point P]\nlink = coupler\nat = (3, 0) mm\n"},
         {HEAD, "coupler.cg.y=5 mm",
          "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n"
          "length =   20 mm\t; short\n  [coupler]\ncg = (0, 5) mm\nlength = 66 mm\n[rocker]\nlength "
