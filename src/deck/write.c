@@ -312,14 +312,16 @@ static void put_lines(writer *w, const char *lines)
 /* 1 if nothing of a section is left. */
 static int is_emptied(const writer *w, const section_use *use)
 {
-    size_t n = flk_section_keys(use->section), i, left = 0, dropped = 0;
+    size_t n = flk_section_keys(use->section), i;
+    int has_dropped = 0;
 
-    for (i = 0; i < n; i++)
-        if (w->pins && IS_SET(&use->settings[i]))
-            *(flk_write_drops(w->d, (key_code)(flk_first_key(use->section) + (key_code)i))
-                  ? &dropped
-                  : &left) += 1;
-    return dropped && !left;
+    for (i = 0; i < n && w->pins; i++)
+        if (IS_SET(&use->settings[i])) {
+            if (!flk_write_drops(w->d, (key_code)(flk_first_key(use->section) + (key_code)i)))
+                return 0;
+            has_dropped = 1;
+        }
+    return has_dropped;
 }
 
 /* The end of the keys of a section, or where the writer is. */
@@ -353,7 +355,6 @@ static void write_section(writer *w, const section_use *use)
             w->at = next + 1;
         return;
     }
-
     copy_to(w, !use->start                   ? start
                : use->section == SECTION_TOP ? first_content(w->p, start)
                                              : line_after(w->p, start));
