@@ -142,6 +142,13 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
         link->inertia = link->mass * h * (L - h);
 }
 
+double flk_build_crank_of_stroke(double stroke, double rod, double offset)
+{
+    double rest = 4 * rod * rod - stroke * stroke;
+
+    return offset != 0 ? stroke / 2 * sqrt((rest - 4 * offset * offset) / rest) : stroke / 2;
+}
+
 /* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
 ** in line (two right triangles with the leg e):
 **
@@ -155,7 +162,7 @@ static void build_stroke(parser *p)
     fourlink_design *design = &p->d->machine.mechanism.design;
     fourlink_link *link = design->link;
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
-    double S, l = link[3].length, e = fabs(design->offset), rest;
+    double S, l = link[3].length, e = fabs(design->offset);
 
     if (!flk_build_has(p, KEY_CRANK_STROKE))
         return;
@@ -168,13 +175,12 @@ static void build_stroke(parser *p)
                     "a stroke is for a slot at 90 deg; with this angle give the crank's length");
     if (l <= 0)
         return;
-    rest = 4 * l * l - S * S;
     if (S * S > 4 * l * (l - e))
         flk_mistake(p->mistakes, s->place, "%s",
                     e > 0 ? "this stroke is impossible with this rod and offset"
                           : "this stroke is impossible: the crank would be longer than the rod");
-    else if (e > 0)
-        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
+    else
+        link[2].length = flk_build_crank_of_stroke(S, l, e);
 }
 
 /* The mass data in the section of a link. */
