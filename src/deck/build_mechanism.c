@@ -11,6 +11,7 @@
 #include "base/number.h"
 #include "base/trig.h"
 #include "mechanics/kind.h"
+#include "mechanics/mechanism.h"
 #include "build.h"
 #include "build_mechanism.h"
 #include "build_place.h"
@@ -142,13 +143,6 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
         link->inertia = link->mass * h * (L - h);
 }
 
-double flk_build_crank_of_stroke(double stroke, double rod, double offset)
-{
-    double rest = 4 * rod * rod - stroke * stroke;
-
-    return offset != 0 ? stroke / 2 * sqrt((rest - 4 * offset * offset) / rest) : stroke / 2;
-}
-
 /* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
 ** in line (two right triangles with the leg e):
 **
@@ -180,7 +174,7 @@ static void build_stroke(parser *p)
                     e > 0 ? "this stroke is impossible with this rod and offset"
                           : "this stroke is impossible: the crank would be longer than the rod");
     else
-        link[2].length = flk_build_crank_of_stroke(S, l, e);
+        link[2].length = flk_mechanism_crank_of_stroke(S, l, e);
 }
 
 /* The mass data in the section of a link. */

@@ -14,9 +14,6 @@ flk_element *flk_build_element(parser *p, section_use *use);
 /* 1 if the kind of the mechanism has this key. */
 int flk_build_has(const parser *p, key_code key);
 
-/* The crank of a stroke that is possible, by the rod and the offset of the line of stroke. */
-double flk_build_crank_of_stroke(double stroke, double rod, double offset);
-
 /* The direction of x of link 1 from the horizontal. */
 double flk_build_inclination(parser *p);
 

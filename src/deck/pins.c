@@ -16,7 +16,6 @@
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
 #include "mechanics/mechanism.h"
-#include "build_mechanism.h"
 #include "pins.h"
 #include "settings.h"
 
@@ -372,8 +371,8 @@ static int take_lengths(parser *p, deck_pins *pins, const drawing *x, fourlink_d
                          : pins->offset;
     if (design->kind == FOURLINK_SLIDER_CRANK && !IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         design->link[FOURLINK_CRANK].length =
-            flk_build_crank_of_stroke(2 * design->link[FOURLINK_CRANK].length,
-                                      design->link[FOURLINK_COUPLER].length, design->offset);
+            flk_mechanism_crank_of_stroke(2 * design->link[FOURLINK_CRANK].length,
+                                          design->link[FOURLINK_COUPLER].length, design->offset);
     return 1;
 }
 

@@ -350,3 +350,10 @@ int fourlink_analyse_design(const fourlink_design *design, fourlink_branch branc
         status = fourlink_analyse(&mechanism, branch, crank, loads, n_loads, state, forces);
     return status;
 }
+
+double flk_mechanism_crank_of_stroke(double stroke, double rod, double offset)
+{
+    double rest = 4 * rod * rod - stroke * stroke;
+
+    return offset != 0 ? stroke / 2 * sqrt((rest - 4 * offset * offset) / rest) : stroke / 2;
+}

@@ -13,4 +13,7 @@
 int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
                        const fourlink_crank *crank, int angles, fourlink_state *state);
 
+/* The crank of a stroke that is possible, by the rod and the offset of the line of stroke. */
+double flk_mechanism_crank_of_stroke(double stroke, double rod, double offset);
+
 #endif
