@@ -635,6 +635,8 @@ static const struct {
     {"--interval", {"15 deg", "0.5 rad", "7 deg"}, NULL, SECTION_TOP},
     {"--allow-files", {""}, NULL, SECTION_TOP},
     {"--print-deck", {""}, NULL, SECTION_TOP},
+    {"--pins", {""}, "--print-deck", SECTION_TOP},
+    {"--import", {"link.txt"}, NULL, SECTION_TOP},
     {"--columns",
      {"all", "theta2,theta4,omega4", "max(omega2),mean(omega2)", "omega2,alpha2"},
      NULL,

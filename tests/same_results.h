@@ -589,6 +589,7 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
     unsigned long n, m, i;
     double masses = DBL_MIN; /* the largest so far: m_b is the rest of the rod's */
     const int groups = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
+    const double d = problem_of(a->r).mechanism.design.link[FOURLINK_GROUND].length;
 
     fourlink_results_facts(a->r, branch, groups, &facts, &n);
     fourlink_results_facts(b->r, branch, groups, &told, &m);
@@ -619,7 +620,9 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                 : strcmp(facts[i].name, "motor_torque") == 0
                     ? fmax(fabs(expected), 1e-3) /* of a cycle without work it is rounding error */
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 100 /* of differences, over a cycle */
-                                                            : fabs(expected);
+                : strcmp(facts[i].name, "K") == 0                 /* a difference of squares */
+                    ? fmax(fabs(expected), d * d)
+                    : fabs(expected);
         if (!present->is_exact && strcmp(facts[i].quantity, "angle") == 0) {
             value = difference_of_angles(expected, value);
             scale = is_one_of(facts[i].name, " mu_min mu_max gamma_min gamma_max ") ? scale

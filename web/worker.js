@@ -115,8 +115,9 @@ const tasks = {
         const printed = {1: [], 2: []}, files = [];
         const whole = (parts) => parts.map((part) => decoder.decode(part, {stream: true})).join("") + decoder.decode();
         const made = instance((stream, part) => (printed[stream] || []).push(part));
-        const lengths = give(["fourlink", ...options, "--", name, text], made);
-        const status = made.web_command(options.length + 3, lengths[lengths.length - 1] - 1);
+        const before = options.includes("--import") ? options : [...options, "--"];
+        const lengths = give(["fourlink", ...before, name, text], made);
+        const status = made.web_command(before.length + 2, lengths[lengths.length - 1] - 1);
         for (let k = 0, at; (at = made.web_written_name(k)); k++)
             files.push({name: textAt(at, made), text: decoder.decode(bytes(made.web_written(k), made.web_written_length(k), made))});
         return {status, out: whole(printed[1]), messages: whole(printed[2]), files};

@@ -1368,6 +1368,25 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);
 
+/* Write a deck by lengths as one by the places of its pins ([pins]), drawn on the open branch; one with [pins] as
+** fourlink_deck_write does.
+**
+** Given:
+**    theta2     rad, the crank angle of the drawing, from x of link 1
+**    others     as for fourlink_deck_write
+** Returned:
+**    as from fourlink_deck_write
+** Returned (function value):
+**    FOURLINK_OK; as from fourlink_position; FOURLINK_NULL
+** Notes:
+** 1) Lengths that follow from the pins are left out.  Everything else holds as it is written, in the axes of
+**    link 1: `axes = ground` is added unless the deck has axes, and `branch = both` if it had both.
+** 2) Where the drawing does not tell the mechanism, the text cannot be read, or is another one: if links 3 and 4 are
+**    in line, or the pin of a piston is not on the side of x.
+*/
+FOURLINK_API int fourlink_deck_write_pins(const fourlink_deck *deck, double theta2, char *out,
+                                          unsigned long size, unsigned long *length);
+
 /* The unit of a quantity in the results of a deck.
 **
 ** Given:

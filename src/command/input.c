@@ -12,6 +12,8 @@
 #include "system/system.h"
 #include "command.h"
 #include "files.h"
+#include "foreign.h"
+#include "import.h"
 #include "input.h"
 #include "rules.h"
 #include "tables/content.h"
@@ -227,8 +229,9 @@ static void tell_all(const input *in, const fourlink_mistake *list, unsigned lon
             continue;
         else if (list[i].line == 0 && strncmp(list[i].file, "--", 2) == 0)
             command_tell_once(what, list[i].file, list[i].message, name);
-        else
-            command_tell(what, list[i].file, list[i].line, list[i].message, name);
+        else /* what is imported has lines of its own */
+            command_tell(what, list[i].file, in->o->import ? 0 : list[i].line, list[i].message,
+                         name);
     command_tell_more(n, noun);
 }
 
@@ -330,6 +333,30 @@ static char *read_again(const char *path, input_text *once, size_t *length)
     return NULL;
 }
 
+/* Put the deck of a link in its place, or refuse the file of another tool; returns the exit status. */
+static int take_deck(input *in)
+{
+    char message[400], *deck;
+    size_t length;
+    text t;
+
+    t.start = in->source.text;
+    t.length = in->source.length;
+    if (!in->o->import) {
+        if (!foreign_refusal(t, in->name, message))
+            return 0;
+        tell_mistake(in, in->name, message);
+        return EXIT_USAGE;
+    }
+    deck = import_deck(t, in->name, &length);
+    if (!deck)
+        return memory_has_failed() ? command_lacks_memory("cannot read", in->name) : EXIT_USAGE;
+    free(in->text);
+    in->source.text = in->text = deck;
+    in->source.length = (unsigned long)length;
+    return 0;
+}
+
 /* Read the text of a deck; returns the exit status. */
 static int read_text(input *in, const char *path, input_text *once)
 {
@@ -345,7 +372,7 @@ static int read_text(input *in, const char *path, input_text *once)
     in->source.text = in->text;
     in->source.length = (unsigned long)length;
     if (in->text)
-        return 0;
+        return take_deck(in);
     if (errno == EFBIG) {
         tell_mistake(in, in->name, "larger than 64 MB: not a deck");
         return EXIT_USAGE;

@@ -15,6 +15,7 @@
 #include "files.h"
 #include "input.h"
 #include "output.h"
+#include "pins.h"
 #include "variants.h"
 #include "catalogue.h"
 #include "solutions.h"
@@ -26,8 +27,10 @@
 #include "tables/content.h"
 
 /* Write the text of a deck with the values that are computed; returns the exit status. */
-static int write_deck(FILE *out, const input *in)
+static int write_deck(FILE *out, input *in)
 {
+    if (in->o->pins)
+        return in->results ? pins_write(out, in) : 0;
     return input_write_deck(in, out) ? 0 : command_lacks_memory("cannot write", in->name);
 }
 

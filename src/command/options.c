@@ -197,6 +197,13 @@ static int set_answers(options *o, const char *value, char message[400])
     return *value || say(message, "--answers= needs a folder", "", "");
 }
 
+static int set_import(options *o, const char *value, char message[400])
+{
+    o->import = value;
+    o->print_deck = 1;
+    return *value || say(message, "--import= needs a file name", "", "");
+}
+
 /* An option sets what its entry names: a key of the deck, the content, a member of the options (a text,
 ** or a flag if it takes no value), and what its function does. */
 typedef struct option_info {
@@ -229,6 +236,10 @@ static const option_info table[] = {
      "print the deck as it is computed: with other values, of one design; of all: into "
      "--output=FOLDER/",
      NULL},
+    {0, "--pins", NULL, MEMBER(pins),
+     "print it by the places of its pins, as drawn at --plot-at, else at its first row", NULL},
+    {0, "--import", "FILE", OWN(set_import),
+     "print the deck of a PMKS+ link in FILE, by the places of its pins", NULL},
     {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
      "columns to print, or values such as 'max(Ts), Ts at 30 deg', one line for each deck; --list shows "
      "their names",
@@ -576,6 +587,8 @@ int options_read(int argc, char **argv, options *o, char message[400])
             i += used_next;
         }
     }
+    if (o->import)
+        o->decks[o->n_decks++] = o->import;
     o->lists_all = !o->n_decks && o->content == SHEET_LIST && !o->n_changes && has_no_input();
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";

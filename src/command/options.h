@@ -42,6 +42,8 @@ typedef struct options {
     const char *variant;       /* the file of the one design of all that is computed; null: none */
     int lists_all;             /* 1: --list without a deck */
     int print_deck;            /* 1: print the deck instead of rows */
+    int pins;                  /* 1: by the places of its pins */
+    const char *import;        /* the file of another tool that is the deck; null: none */
     int synthesis;             /* 1: find the linkage of the deck's [synthesis] */
     unsigned long solution;    /* --solution=K, from 1; 0: not given */
     int has_format;            /* 1: --format was given */

@@ -11,6 +11,7 @@
 #include "base/number.h"
 #include "base/trig.h"
 #include "mechanics/kind.h"
+#include "mechanics/mechanism.h"
 #include "build.h"
 #include "build_mechanism.h"
 #include "build_place.h"
@@ -301,8 +302,7 @@ static int build_ground(parser *p)
     return 1;
 }
 
-/* The direction of x of link 1 from the horizontal. */
-static double inclination_of(parser *p)
+double flk_build_inclination(parser *p)
 {
     const setting *to = flk_setting_find(p, KEY_GROUND_TO);
 
@@ -481,7 +481,7 @@ void flk_build_mechanism(parser *p)
                    i == flk_build_has(p, KEY_CRANK_STROKE) ? FOURLINK_CRANK : FOURLINK_COUPLER);
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
-    inclination = inclination_of(p);
+    inclination = flk_build_inclination(p);
     build_axes(p, inclination);
     direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - inclination;
     flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);

@@ -14,6 +14,9 @@ flk_element *flk_build_element(parser *p, section_use *use);
 /* 1 if the kind of the mechanism has this key. */
 int flk_build_has(const parser *p, key_code key);
 
+/* The direction of x of link 1 from the horizontal. */
+double flk_build_inclination(parser *p);
+
 /* Check the link of a load or a point; 0 and a mistake if the mechanism has no such link. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 

@@ -148,6 +148,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     LINK_KEYS(X, ROCKER)                                                                           \
     LINK_KEYS(X, ROD)                                                                              \
     X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND, "mass")                        \
+    X(PISTON, CG, "cg", POINT, LENGTH, ANY, ANY_KIND, "centre of mass: x along, y to the left")    \
+    X(PISTON, CG_PLACE, "cg_place", PLACE, LENGTH, ANY, ANY_KIND, "centre of mass as drawn")       \
     MASS_KEYS(X, SLIDER)                                                                           \
     X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                    \
       "distance at which the slide passes D")                                                      \

@@ -218,8 +218,7 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
     return !name->length || flk_unit_read_as(*name, flk_quantities[q].dim, u, &rest);
 }
 
-/* The unit in which the crank's length is written, or another length or pin; 0 if it is bare. */
-static int written_length(parser *p, text *name, unit *u)
+int flk_values_written_length(parser *p, text *name, unit *u)
 {
     static const key_code lengths[] = {KEY_CRANK_LENGTH, KEY_CRANK_STROKE,  KEY_COUPLER_LENGTH,
                                        KEY_ROD_LENGTH,   KEY_GROUND_LENGTH, KEY_PINS_B,
@@ -241,7 +240,7 @@ void flk_values_follow_units(parser *p, int deck_units)
     unit own;
 
     if (!length->is_given) {
-        if (!deck_units || !written_length(p, &name, &own))
+        if (!deck_units || !flk_values_written_length(p, &name, &own))
             return;
         flk_value_name_unit(name, length->name);
         length->unit = own;

@@ -15,6 +15,9 @@ void flk_values_read(parser *p, int units_only);
 ** it is not given and the results are in the units of the deck, all from that of the crank's length. */
 void flk_values_follow_units(parser *p, int deck_units);
 
+/* The unit in which the crank's length is written, or another length or pin; 0 if it is bare. */
+int flk_values_written_length(parser *p, text *name, unit *u);
+
 /* Quantity i of those that are printed in customary units because the deck has its lengths in in or ft; 0 if
 ** there are none, or no more. */
 int flk_values_are_customary(const deck *d, size_t i, quantity *q);

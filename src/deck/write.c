@@ -12,14 +12,18 @@
 #include "parser.h"
 #include "synthesis.h"
 #include "values.h"
+#include "write_pins.h"
 
 /* The destination of a deck; text beyond its size is cut off. */
 typedef struct writer {
-    const parser *p;
+    parser *p;
+    const deck *d;
+    const char *pins; /* lines of [pins], from which lengths follow; null: none */
     char *out;
     size_t size, length;
     const char *line_end;
     int is_within_line;
+    int ends_blank; /* 1: the last line is empty */
     const char *at; /* the text before this place has been written or left out */
 } writer;
 
@@ -28,6 +32,7 @@ typedef struct changed {
     text name, own, value;
     key_code key; /* of a setting */
     const setting *s;
+    int is_dropped; /* 1: it follows from the pins */
 } changed;
 
 static void put_text(writer *w, text t)
@@ -37,8 +42,16 @@ static void put_text(writer *w, text t)
     if (t.length && room)
         memcpy(w->out + w->length, t.start, t.length < room ? t.length : room);
     w->length += t.length;
-    if (t.length)
-        w->is_within_line = t.start[t.length - 1] != w->p->line_end;
+    if (t.length) {
+        int ends_line = t.start[t.length - 1] == w->p->line_end;
+        const char *before = t.start + t.length - 1; /* the end of the line, with its CR */
+
+        while (before > t.start && strchr("\r\n", before[-1]) && before[-1] != w->p->line_end)
+            before--;
+        w->ends_blank =
+            ends_line && (before > t.start ? before[-1] == w->p->line_end : !w->is_within_line);
+        w->is_within_line = !ends_line;
+    }
 }
 
 static void put_string(writer *w, const char *string)
@@ -77,7 +90,7 @@ static void put_vector(writer *w, const setting *s, quantity q)
     unit u, of_part;
     int i;
 
-    if (!flk_unit_of_value(d, s->value, q, &name, &u)) {
+    if (!flk_unit_of_value(d, s->value, q, &name, &u)) { /* origin, mid */
         name.length = 0;
         u = d->bare[q].unit;
     }
@@ -117,11 +130,21 @@ static void put_value(writer *w, const section_use *use, const changed *c)
 
 /* ------------------------------------------------------------------------------------------ sections */
 
+/* The word that a key must have with [pins]; null: it may stay as it is. */
+static const char *new_word(const writer *w, key_code key)
+{
+    return w->pins && (key == KEY_TOP_AXES || key == KEY_TABLE_BRANCH)
+               ? flk_write_word(w->p, w->d, key)
+               : NULL;
+}
+
 /* Entry i of a section, keys first; 0 if it is unchanged. */
-static int find_changed(const parser *p, const section_use *use, size_t i, changed *c)
+static int find_changed(const writer *w, const section_use *use, size_t i, changed *c)
 {
     size_t n = flk_section_keys(use->section);
+    const parser *p = w->p;
     const named_value *named;
+    const char *word;
 
     memset(c, 0, sizeof *c);
     if (i < n) {
@@ -130,6 +153,15 @@ static int find_changed(const parser *p, const section_use *use, size_t i, chang
         c->name = flk_text_of(flk_key_table[c->key].name);
         c->own = c->s->own;
         c->value = c->s->value;
+        c->is_dropped = w->pins && IS_SET(c->s) && flk_write_drops(w->d, c->key);
+        if (c->is_dropped)
+            return 1;
+        word = new_word(w, c->key);
+        if (word) {
+            c->value = flk_text_of(word);
+            c->s = NULL;
+            return 1;
+        }
         if (c->key == KEY_TOP_SOLVER && !IS_SET(c->s) && p->d->sweep.n_variables) {
             c->value = flk_text_of("dyad"); /* the default of a [sweep] */
             c->s = NULL;
@@ -173,6 +205,14 @@ static void copy_to(writer *w, const char *to)
     w->at = to;
 }
 
+/* The start of a line. */
+static const char *line_of(const parser *p, const char *at)
+{
+    while (at > p->text.start && at[-1] != p->line_end)
+        at--;
+    return at;
+}
+
 /* Write the new value.  If the old one continues on other lines, only the comment of the first line is
 ** kept. */
 static void replace(writer *w, const section_use *use, const changed *c)
@@ -181,6 +221,11 @@ static void replace(writer *w, const section_use *use, const changed *c)
     const char *next = line_after(w->p, start);
     text first;
 
+    if (c->is_dropped) {
+        copy_to(w, line_of(w->p, start));
+        w->at = line_after(w->p, end);
+        return;
+    }
     copy_to(w, start);
     put_value(w, use, c);
     w->at = end;
@@ -201,7 +246,7 @@ static void add_new_values(writer *w, const section_use *use)
     changed c;
 
     for (i = 0; i < n; i++) {
-        if (!find_changed(w->p, use, i, &c) || c.own.start)
+        if (!find_changed(w, use, i, &c) || c.own.start || c.is_dropped)
             continue;
         put_string(w, w->is_within_line ? w->line_end : "");
         if (!has_header) {
@@ -229,7 +274,7 @@ static int find_next(const writer *w, const section_use *use, changed *next)
 
     next->own.start = NULL;
     for (i = 0; i < n; i++)
-        if (find_changed(w->p, use, i, &c) && c.own.start && in_text(w->p, c.own.start) >= w->at &&
+        if (find_changed(w, use, i, &c) && c.own.start && in_text(w->p, c.own.start) >= w->at &&
             (!next->own.start || c.own.start < next->own.start))
             *next = c;
     return next->own.start != NULL;
@@ -253,20 +298,6 @@ static const char *first_content(const parser *p, const char *from)
     return from;
 }
 
-static void write_section(writer *w, const section_use *use)
-{
-    const char *start = in_text(w->p, use->start);
-    changed c;
-
-    copy_to(w, !use->start                   ? start
-               : use->section == SECTION_TOP ? first_content(w->p, start)
-                                             : line_after(w->p, start));
-    w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
-    add_new_values(w, use);
-    while (find_next(w, use, &c))
-        replace(w, use, &c);
-}
-
 /* Write lines that end in LF. */
 static void put_lines(writer *w, const char *lines)
 {
@@ -278,17 +309,78 @@ static void put_lines(writer *w, const char *lines)
     }
 }
 
-int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
-                        unsigned long *length)
+/* 1 if nothing of a section is left. */
+static int is_emptied(const writer *w, const section_use *use)
+{
+    size_t n = flk_section_keys(use->section), i;
+    int has_dropped = 0;
+
+    for (i = 0; i < n && w->pins; i++)
+        if (IS_SET(&use->settings[i])) {
+            if (!flk_write_drops(w->d, (key_code)(flk_first_key(use->section) + (key_code)i)))
+                return 0;
+            has_dropped = 1;
+        }
+    return has_dropped;
+}
+
+/* The end of the keys of a section, or where the writer is. */
+static const char *end_of_keys(const writer *w, const section_use *use)
+{
+    size_t n = flk_section_keys(use->section), i;
+    const char *last = w->at;
+
+    for (i = 0; i < n; i++) {
+        const text *own = &use->settings[i].own;
+        const char *end =
+            own->start ? line_after(w->p, in_text(w->p, own->start) + own->length) : last;
+
+        last = end > last ? end : last;
+    }
+    return last;
+}
+
+static void write_section(writer *w, const section_use *use)
+{
+    const char *start = in_text(w->p, use->start), *next;
+    changed c;
+
+    if (is_emptied(w, use)) { /* its comments are left */
+        copy_to(w, start);
+        w->at = line_after(w->p, start);
+        while (find_next(w, use, &c))
+            replace(w, use, &c);
+        for (next = w->at; w->ends_blank && next < in_text(w->p, NULL) && strchr("\r\n", *next);
+             next++)
+            w->at = next + 1;
+        return;
+    }
+    copy_to(w, !use->start                   ? start
+               : use->section == SECTION_TOP ? first_content(w->p, start)
+                                             : line_after(w->p, start));
+    w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
+    add_new_values(w, use);
+    while (find_next(w, use, &c))
+        replace(w, use, &c);
+    if (w->pins && use->section == SECTION_TOP) {
+        copy_to(w, end_of_keys(w, use));
+        put_string(w, w->is_within_line ? w->line_end : "");
+        put_lines(w, w->pins);
+    }
+}
+
+/* Write a deck, with these lines of [pins] unless they are null. */
+static void write_deck(const deck *d, const char *pins, char *out, unsigned long size,
+                       unsigned long *length)
 {
     const section_use *use, *end;
     const char *first;
     writer w;
 
-    if (!d || (!out && size) || !length)
-        return FOURLINK_NULL;
     memset(&w, 0, sizeof w);
     w.p = d->found ? d->found : d->settings;
+    w.d = d;
+    w.pins = pins;
     w.out = out;
     w.size = size;
     w.at = w.p->text.start;
@@ -316,5 +408,29 @@ int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
     if (size)
         out[w.length < size ? w.length : size - 1] = '\0';
     *length = (unsigned long)w.length;
+}
+
+int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
+                        unsigned long *length)
+{
+    if (!d || (!out && size) || !length)
+        return FOURLINK_NULL;
+    write_deck(d, NULL, out, size, length);
     return FOURLINK_OK;
+}
+
+int fourlink_deck_write_pins(const fourlink_deck *d, double theta2, char *out, unsigned long size,
+                             unsigned long *length)
+{
+    char pins[PINS_SIZE];
+    int status;
+
+    if (!d || (!out && size) || !length)
+        return FOURLINK_NULL;
+    if (d->pins.is_there)
+        return fourlink_deck_write(d, out, size, length);
+    status = flk_write_pins(d->found ? d->found : d->settings, d, theta2, pins);
+    if (status == FOURLINK_OK)
+        write_deck(d, pins, out, size, length);
+    return status;
 }

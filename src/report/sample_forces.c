@@ -34,12 +34,17 @@ static const char *const of_centre[5][2] = {
     {"aBx - alpha3 * rho3y - omega3 ^2 * rho3x", "aBy + alpha3 * rho3x - omega3 ^2 * rho3y"},
     {"- alpha4 * rho4y - omega4 ^2 * rho4x", "alpha4 * rho4x - omega4 ^2 * rho4y"}};
 
-static void put_centre(report *r, math *m, const fourlink_body *b, int link)
+static void put_arm(report *r, math *m, const fourlink_body *b, int link)
 {
     page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->v.kind.link[link]);
     math_given(m, names[link][0], b->arm.x);
     math_given(m, names[link][1], b->arm.y);
     page_print(m->p, "</ul>\n");
+}
+
+static void put_centre(report *r, math *m, const fourlink_body *b, int link)
+{
+    put_arm(r, m, b, link);
     math_let(m, names[link][2], of_centre[link][0], b->acceleration.x);
     math_let(m, names[link][3], of_centre[link][1], b->acceleration.y);
 }
@@ -61,12 +66,21 @@ static void put_crank_pin(report *r, math *m)
              a->y);
 }
 
+/* 1 if link 4 slides on the ground, and its centre of mass is not at C. */
+static int has_arm(const report *r, const fourlink_body bodies[5])
+{
+    return r->v.kind.guided && r->v.design->link[4].mass > 0 &&
+           (bodies[4].arm.x != 0 || bodies[4].arm.y != 0);
+}
+
 static void put_centres(report *r, math *m, const fourlink_body bodies[5])
 {
     int link;
 
-    page_print(m->p, "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector "
-                     "from a link's pin (A, B, D) to its centre of mass G.</p>\n");
+    page_print(m->p,
+               "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector from a "
+               "link's pin (A, B, %s) to its centre of mass G.</p>\n",
+               has_arm(r, bodies) ? "C" : "D");
     math_set(m, "omega4", r->now.state.link[4].omega);
     math_set(m, "alpha4", r->now.state.link[4].alpha);
     for (link = 2; link <= 4; link++) {
@@ -74,9 +88,11 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
             continue;
         if (link == 3)
             put_crank_pin(r, m);
-        if (link == r->v.kind.guided)
+        if (link == r->v.kind.guided) {
+            if (has_arm(r, bodies))
+                put_arm(r, m, &bodies[4], link);
             math_let(m, "aG4x", "aC", bodies[4].acceleration.x);
-        else if (link == 3 && r->v.kind.has_one_branch) { /* it does not turn */
+        } else if (link == 3 && r->v.kind.has_one_branch) { /* it does not turn */
             math_let(m, "aG3x", "aBx", bodies[3].acceleration.x);
             math_let(m, "aG3y", "aBy", bodies[3].acceleration.y);
         } else

@@ -276,6 +276,9 @@ all 0 --allow-files -o result $few ../elsewhere.deck
 all 1 --check=../alvi-5.1.expect --scores --tolerance='1 %' -o result ../alvi-5.1.deck
 all 0 --at='30 deg, theta4 = 120 deg' -o result -b open ../single.deck
 all 0 --list -f json --output=result
+echo 'j=A,1,2,AB,R,t,0,0.1,t,%0AB,-3,5,AB|BC,R,f,0,0.1,f,%0AC,-11,17,BC|CD,R,f,0,0.1,f,%0AD,1,22,CD,R,t,0,0.1,f,&f=&s=10,false,false,cm' >link.txt
+all 0 --import=../link.txt -o result
+all 2 ../link.txt
 all 0 --help
 all 0 --version
 
@@ -328,6 +331,7 @@ for deck in single gas-engine rubbing-yoke slotted-lever springs card steady eng
     each -f csv -c 'max(theta4), min(omega4), mean(omega2), rms(Ts)' -o result ../$deck.deck
     each --print-deck -s 'crank.length = 101 %' ../$deck.deck
     each --print-deck -o result ../$deck.deck
+    each --print-deck --pins -o result ../$deck.deck
     for kind in mechanism motion forces turning-moment polar vectors limits klein animation speed columns; do
         each --plot=plot.svg --plot-kind=$kind $few ../$deck.deck
     done

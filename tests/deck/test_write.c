@@ -113,6 +113,8 @@ TEST(test_places_of_values)
          HEAD "[point P]\nlink = coupler\nat = (2.5, 1) cm # P\n"},
         {HEAD "[point P]\nlink = coupler\nat = 3 mm\n", "point p.at.angle = 90 deg",
          HEAD "[point P]\nlink = coupler\nat = (0, 3) mm\n"},
+        {HEAD "[point P]\nlink = coupler\nat = origin\n", "point P.at.x = 3 mm",
+         HEAD "[point P]\nlink = coupler\nat = (3, 0) mm\n"},
         {HEAD, "coupler.cg.y=5 mm",
          "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n"
          "length =   20 mm\t; short\n  [coupler]\ncg = (0, 5) mm\nlength = 66 mm\n[rocker]\nlength "
@@ -282,6 +284,11 @@ TEST(test_room)
     assert_int_equal(fourlink_deck_write(deck, text, sizeof text, &length), FOURLINK_OK);
     assert_int_equal(length, strlen(HEAD));
     assert_string_equal(text, "# before\nm");
+    length = 0;
+    assert_int_equal(fourlink_deck_write_pins(NULL, 1, text, 1, &length), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_write_pins(deck, 1, NULL, 1, &length), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_write_pins(deck, NAN, text, 1, &length), FOURLINK_BAD_NUMBER);
+    assert_int_equal(length, 0);
     fourlink_results_free(r);
 }
 

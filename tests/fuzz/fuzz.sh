@@ -55,6 +55,7 @@ b,2,' && sed -n '/^\[expect/,$p' "$deck" && printf '\fmu_min = 40 deg\n\fmu_min 
 a,1,2
 b,2,' && sed -n '/^\[expect/,$p' "$deck" && printf '\fmu_min = 40 deg\n' ;;
                 *--names*) printf '\fanna\nben\nclara\n' ;;
+                *--import*) printf '\fj=A,1,2,AB,R,t,0,0.1,t,%%0AB,-3,5,AB|BC,R,f,0,0.1,f,%%0AC,-11,17,BC|CD,R,f,0,0.1,f,%%0AD,1,22,CD,R,t,0,0.1,f,&l=AB,2,1,1,1,A|B&f=F,BC,1,2,3,4,t,true,5&s=10,false,false,cm' ;;
                 *=y* | *=.*) printf '\f' && sed -n '/^\[expect/,$p' "$deck" ;;
                 esac
             } >"$work/seeds/$1/$n"

@@ -178,6 +178,30 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
         MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
 }
 
+/* A text by its pins has them, or says what the drawing lacks. */
+static void ask_pins(const fourlink_deck *deck, part *card)
+{
+    fourlink_mistake mistakes[MOST_MISTAKES];
+    unsigned long length = 0, n = 0;
+    fourlink_problem again;
+    fourlink_deck *other;
+    char *words;
+
+    if (fourlink_deck_write_pins(deck, 1, NULL, 0, &length) != FOURLINK_OK)
+        return;
+    words = malloc(length + 1);
+    MUST(words && fourlink_deck_write_pins(deck, 1, words, length + 1, &length) == FOURLINK_OK);
+    if (fourlink_deck_read(words, length, load, card, MOST_MISTAKES, &other, mistakes, &n) ==
+        FOURLINK_OK) {
+        fourlink_deck_problem(other, &again);
+        MUST(again.has_drawn);
+        fourlink_deck_free(other);
+    } else {
+        MUST(n);
+    }
+    free(words);
+}
+
 /* Its text is that of a deck again, with as many rows. */
 static void ask_text(const fourlink_deck *deck, const fourlink_problem *p, part *card)
 {
@@ -202,6 +226,7 @@ static void ask_text(const fourlink_deck *deck, const fourlink_problem *p, part 
     MUST(fourlink_deck_friction(other, &friction) == FOURLINK_OK);
     fourlink_deck_free(other);
     free(words);
+    ask_pins(deck, card);
     MUST(fourlink_deck_defects(deck, MOST_MISTAKES, mistakes, &n) == FOURLINK_OK);
 }
 

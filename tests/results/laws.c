@@ -376,6 +376,33 @@ static void compare_drawn(void)
     compare_decks(NULL);
 }
 
+static int has_lengths(deck_lines *d)
+{
+    return !is_task(d) && !has_pins(d);
+}
+
+/* As the library writes it by its pins, at a crank angle at which these tell it. */
+static void compare_in_pins(void)
+{
+    fourlink_results *r = opened(base_text, NULL);
+    fourlink_problem problem;
+    fourlink_state drawn;
+    unsigned long size;
+    int is_clear = 0;
+
+    if (r) {
+        problem = problem_of(r);
+        is_clear = find_drawn(&problem.mechanism, 1, &drawn);
+        if (is_clear && (fourlink_deck_write_pins(fourlink_results_deck(r), drawn_at, changed_text,
+                                                  sizeof changed_text, &size) != FOURLINK_OK ||
+                         size >= sizeof changed_text || !strstr(changed_text, "\n[pins]\n")))
+            fail("it is not written");
+        fourlink_results_free(r);
+    }
+    if (is_clear)
+        compare_decks(NULL);
+}
+
 /* ------------------------------------------------------------------------------------- in axes of a page */
 
 /* Rows are the same when turned back, extremes and means of what has no direction too, and the crank angles of
@@ -475,6 +502,7 @@ static law laws[] = {
      .change = move_at_an_instant,
      .factor = factor_one,
      .check = compare_driven},
+    {.name = "in pins", .change = has_lengths, .factor = factor_one, .check = compare_in_pins},
     {.name = "on a page", .change = put_on_page, .factor = factor_one, .check = compare_on_page},
     {.name = "opposite", .change = any_axes, .factor = factor_one, .check = compare_opposites},
     {.name = "at an angle", .change = any_axes, .factor = factor_one, .check = compare_at_angles},

@@ -476,9 +476,19 @@ async function tryWanted() {
     check("none without a task", await b.evaluate(`document.querySelectorAll("[data-name^=wanted]").length === 0`));
 }
 
-/* A deck that is pasted in place of all is named after its title. */
+/* A deck that is pasted in place of all is named after its title; a link of PMKS+ becomes a deck. */
 async function tryPasted() {
-    const words = fs.readFileSync(path.join(root, "tests/report/look/springs.deck"), "utf8");
+    const link = "j=A,1,2,AB,R,t,0,0.1,t,%0AB,-3,5,AB|BC,R,f,0,0.1,f,%0AC,-11,17,BC|CG,R,f,0,0.1,f,%0AG,1,22,CG,R,t,0,0.1,f,&f=&s=10,false,false,cm";
+    await paste(fs.readFileSync(path.join(root, "tests/report/look/springs.deck"), "utf8"));
+    check("the name of what was pasted: " + await value("name"), await value("name") === "ruttelsieb-mit-federn-und-dampfer.deck");
+    await paste(link);
+    await b.until(`document.getElementById("name").value === "linkage.deck"`, "the deck of a link", 10000);
+    await settled();
+    check("the deck of a link: " + await value("deck"), /^# joint G is pin D of the deck\nmechanism = four-bar\n\n\[pins\]\nA = \(1, 2\) cm\n/.test(await value("deck")));
+    await load("alvi-5.1.deck");
+}
+
+async function paste(words) {
     await load("alvi-5.1.deck");
     await b.evaluate(`(() => {
         const area = document.getElementById("deck");
@@ -489,8 +499,6 @@ async function tryPasted() {
     await b.type(words);
     await wait(100);
     await settled();
-    check("the name of what was pasted: " + await value("name"), await value("name") === "ruttelsieb-mit-federn-und-dampfer.deck");
-    await load("alvi-5.1.deck");
 }
 
 /* On a phone: the drawing is more than a blob, no attribute is without a number, a notice covers no drawing. */

@@ -285,8 +285,20 @@ find("deck").addEventListener("paste", () => {
     const area = find("deck");
     isPasted = area.selectionEnd - area.selectionStart >= area.value.trim().length;
 });
+/* A link of PMKS+ becomes its deck, with what it has no place for in comments. */
+const LINK = /^\s*(https?:\S*\?)?j=/;
+
+async function importLink(text) {
+    const {out, messages} = await program.ask("run", {name: "link.txt", text, options: ["--import"]});
+    if (out)
+        load("linkage.deck", messages.replace(/^.*?: note: /gm, "# ") + out);
+    else
+        tell(messages.trim());
+}
 find("deck").addEventListener("input", () => {
-    if (isPasted && /^\s*mechanism\s*=/m.test(find("deck").value)) {
+    if (isPasted && LINK.test(find("deck").value))
+        importLink(find("deck").value);
+    else if (isPasted && /^\s*mechanism\s*=/m.test(find("deck").value)) {
         fresh = true;
         rename(nameFor(find("deck").value));
         evaluate();
