@@ -2,9 +2,8 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks, and marks are for what all answers are asked: for
-** these, all are read once before they are written.  What can be read only once, such as standard input,
-** is kept as text.
+** The header of a csv has the columns of all decks: for these, all are read once before they are written.
+** What can be read only once, such as standard input, is kept as text.
 */
 #include <errno.h>
 #include <stdlib.h>
@@ -148,6 +147,16 @@ static void write_designs(sheet *s, const input *in)
     s->design = 0;
 }
 
+/* Find what is asked; the [grading] of an exercise is for all.  Returns the exit status. */
+static int begin_marks(batch *b)
+{
+    int status = marks_begin(&b->m, b->o, b->deck);
+
+    if (b->m.exercise.deck.results)
+        b->o = &b->m.exercise.of_answers;
+    return status;
+}
+
 /* Write an input, or its score alone; returns the exit status. */
 static int write_input(batch *b, const input *in)
 {
@@ -228,7 +237,7 @@ static int open_exercise(const input *in, input *deck, options *of_deck)
         strcmp(in->name, "<stdin>") == 0)
         return 0;
     command_be_silent(1);
-    input_read_without(deck, in->o, of_deck, in);
+    input_read_without(deck, in->o, of_deck, in->o->decks[0], in);
     command_be_silent(0);
     return deck->results && deck->problem.n_expected > 0;
 }
@@ -248,12 +257,10 @@ int batch_write_one(FILE *out, const input *in, const grade_answers *answers)
     b.o = in->o;
     b.answers = answers;
     b.deck = in->deck;
-    status = marks_begin(&b.m, b.o, b.deck);
+    status = begin_marks(&b);
     if (!status && !add_columns(&b, in))
         status = complain_of_memory();
     if (!status) {
-        marks_add(&b.m, in);
-        marks_end(&b.m);
         begin_sheet(&b, out);
         status = write_input(&b, in);
     }
@@ -287,13 +294,9 @@ static int scan(batch *b)
         read_input(b, i, &in);
         command_be_silent(0);
         enough = add_columns(b, &in);
-        marks_add(&b->m, &in);
         input_close(&in);
     }
-    if (!enough)
-        return complain_of_memory();
-    marks_end(&b->m);
-    return 0;
+    return enough ? 0 : complain_of_memory();
 }
 
 /* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
@@ -350,9 +353,8 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.deck = deck;
     b.n = deck ? answers->n_files : o->n_decks;
     b.texts = memory_get(b.n + 1, sizeof *b.texts);
-    status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
-    if (!status &&
-        (b.m.list || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
+    status = b.texts ? begin_marks(&b) : complain_of_memory();
+    if (!status && o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))
         status = scan(&b);
     if (!status) {
         status = write_all(&b);

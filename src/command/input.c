@@ -524,7 +524,8 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     return status ? status : open_input(in);
 }
 
-int input_read_without(input *in, const options *o, options *own, const input *with)
+int input_read_without(input *in, const options *o, options *own, const char *path,
+                       const input *with)
 {
     grade_answers none;
 
@@ -533,8 +534,9 @@ int input_read_without(input *in, const options *o, options *own, const input *w
     *own = *o;
     own->content = SHEET_SUMMARY;
     own->check_file = NULL;
+    own->design = o->design ? o->design : 1;
     in->like = with ? with->results : NULL;
-    return input_read(in, o->decks[0], own, &none, NULL);
+    return input_read(in, path, own, &none, NULL);
 }
 
 void input_close(input *in)

@@ -120,7 +120,7 @@ static int run_class(const options *o, const grade_answers *answers)
 {
     options of_deck;
     input deck;
-    int status = input_read_without(&deck, o, &of_deck, NULL);
+    int status = input_read_without(&deck, o, &of_deck, o->decks[0], NULL);
 
     if (deck.results)
         status = command_worse(status, batch_run(o, answers, &deck));

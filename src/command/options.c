@@ -259,6 +259,10 @@ static const option_info table[] = {
      "print scores, and write a text for each student into FOLDER/: what was right or wrong, and "
      "why",
      NULL},
+    {0, "--exercise", "DECK", MEMBER(exercise),
+     "ask for what the [expect] of this deck names, and grade by its [grading]: with a deck for "
+     "each student",
+     NULL},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'", NULL},
     {0, "--expect", NULL, CONTENT(SHEET_EXPECT),

@@ -25,6 +25,7 @@ typedef struct options {
     const char *check_file; /* null: the deck's own expectations */
     const char *answers;    /* the folder of --answers, which check_file is then too */
     int is_class;           /* 1: all files of the folder of --check are answers to the deck */
+    const char *exercise;   /* the deck that says what is asked; null: the deck itself */
     int form;               /* 1: of --expect, the names without the values */
     const char *feedback;   /* the folder of --feedback; null: none */
     int scores;             /* 1: a line for each deck, or file of answers, instead of each value */

@@ -60,6 +60,7 @@ static const rule table[] = {
      "it writes one file for each design"},
     {"--design=all", NULL, "standard input", "it reads the deck for each design"},
     {"--names", "--design=all, --scores or --feedback", NULL, NULL},
+    {"--exercise", "--scores or --feedback", NULL, NULL},
 
     /* what changes it */
     {"--at", "a table of rows, --expect or a form without [expect]", "--format=paper, " PICTURES,

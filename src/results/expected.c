@@ -310,7 +310,7 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
 
     if (is_column && !e->has_at) {
         flk_message(c->message, sizeof c->message,
-                    "a column needs a crank angle: add 'at = ...' to this section");
+                    "%s has no 'at' above it: a column needs a crank angle", c->name);
         return 0;
     }
     if (!is_column || !e->at_is_time)
@@ -505,7 +505,7 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
 
     if (!find_values(o, e, is_hinted, c, n, &n_facts))
         return -1;
-    c->has_angle = n->kind == FLK_NAME_COLUMN;
+    c->has_angle = n->kind == FLK_NAME_COLUMN && e->has_at;
     c->has_time = c->has_angle && e->at_is_time;
     c->time = c->has_time ? e->at : 0;
     if (n_facts && facts[0].words) {
