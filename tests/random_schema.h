@@ -632,6 +632,7 @@ static const struct {
     {"--answers", {"answers"}, NULL, SECTION_TOP},
     {"--scores", {""}, "--answers=answers", SECTION_TOP},
     {"--feedback", {"feedback/"}, NULL, SECTION_TOP},
+    {"--exercise", {"asks.deck"}, "--answers=answers --scores", SECTION_TOP},
     {"--tolerance", {"1 %", "0.5 deg, 2 %"}, NULL, SECTION_TOP},
     {"--expect", {""}, NULL, SECTION_TOP},
     {"--form", {""}, NULL, SECTION_TOP},

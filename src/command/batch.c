@@ -150,7 +150,7 @@ static void write_designs(sheet *s, const input *in)
 /* Find what is asked; the [grading] of an exercise is for all.  Returns the exit status. */
 static int begin_marks(batch *b)
 {
-    int status = marks_begin(&b->m, b->o, b->deck);
+    int status = marks_begin(&b->m, b->o, b->deck, &b->answers->names);
 
     if (b->m.exercise.deck.results)
         b->o = &b->m.exercise.of_answers;
@@ -205,7 +205,7 @@ static void begin_sheet(batch *b, FILE *out)
     terminal_set_up(s, out, o->wide, o->colour);
     s->questions = b->m.questions;
     s->n_questions = s->content == SHEET_SCORES ? b->m.n : 0;
-    s->has_roster = b->m.names.n > 0;
+    s->has_roster = b->m.names->n > 0 && b->m.names->has_header;
     s->is_form = o->form;
     s->has_designs = b->has_designs;
     s->header = b->header;
@@ -277,8 +277,9 @@ static int read_input(batch *b, size_t i, input *in)
     int status;
 
     memset(in, 0, sizeof *in);
-    status = b->deck ? input_read_answers(in, b->deck, b->o, b->answers, i)
-                     : input_read(in, b->o->decks[i], b->o, b->answers, &b->texts[i]);
+    status = b->deck
+                 ? input_read_answers(in, b->deck, b->o, b->answers, &b->answers->students.list[i])
+                 : input_read(in, b->o->decks[i], b->o, b->answers, &b->texts[i]);
     return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
 }
 
@@ -351,16 +352,13 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.o = o;
     b.answers = answers;
     b.deck = deck;
-    b.n = deck ? answers->n_files : o->n_decks;
+    b.n = deck ? answers->students.n : o->n_decks;
     b.texts = memory_get(b.n + 1, sizeof *b.texts);
     status = b.texts ? begin_marks(&b) : complain_of_memory();
     if (!status && o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))
         status = scan(&b);
-    if (!status) {
+    if (!status)
         status = write_all(&b);
-        if (!system_caught())
-            status = command_worse(status, grade_tell_unclaimed(answers, o));
-    }
     batch_close(&b);
     return status;
 }

@@ -356,15 +356,17 @@ static int read_text(input *in, const char *path, input_text *once)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.
-** Returns the exit status. */
-static int take_answers(input *in, const char *path, const grade_answers *answers, const char *file)
+/* Set the answers of a deck: those of all decks or, from a folder, those of a student, for null of the one with its
+** name.  Returns the exit status. */
+static int take_answers(input *in, const char *path, const grade_answers *answers, const student *x)
 {
     int status = 0;
 
     in->source.answers_name = in->o->check_file;
     if (answers->folder) {
-        status = grade_read(&in->answers, answers, in->o, path, file, in->refusal);
+        in->student = x;
+        status = x ? grade_read(&in->answers, answers, in->o, x, in->refusal)
+                   : grade_read_for(&in->answers, answers, in->o, path, &in->student, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }
@@ -508,7 +510,7 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
 }
 
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
-                       size_t i)
+                       const student *x)
 {
     int status;
 
@@ -520,7 +522,7 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->is_design = deck->is_design;
     in->has_sweep = deck->has_sweep;
     in->has_task = deck->has_task;
-    status = take_answers(in, in->name, answers, answers->files[i]);
+    status = take_answers(in, in->name, answers, x);
     return status ? status : open_input(in);
 }
 

@@ -26,7 +26,8 @@ typedef struct input {
     int has_defects;  /* 1: the linkage found by synthesis has some */
     int has_mistakes; /* 1: because its text has mistakes */
     fourlink_problem problem;
-    grade_answers answers; /* its own, of a folder */
+    grade_answers answers;  /* its own, of a folder */
+    const student *student; /* who has written them; null: nobody of a class */
     const struct input
         *deck; /* the same deck without answers, whose notes have been told; null: there is none */
     fourlink_results *like;     /* of the same deck with other answers, opened before; or null */
@@ -49,9 +50,9 @@ typedef struct input_text {
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers,
                input_text *once);
 
-/* The same with the i-th file of answers to a deck that has been read. */
+/* The same with the answers of a student to a deck that has been read. */
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
-                       size_t i);
+                       const student *x);
 
 /* Read a deck without answers, as for a summary, of a [sweep] one design: that of the options, or the first.  `own` are
 ** the options then, which must live as long as the input.  `with` is null, or the deck with answers, which must live

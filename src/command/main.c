@@ -144,7 +144,7 @@ static int run_variant(const options *o, const char *path, unsigned long i)
 }
 
 /* Write a file for each design of a [sweep]; returns the exit status. */
-static int run_variants(const options *o)
+static int run_variants(const options *o, const grade_answers *answers)
 {
     const char *folder = o->report ? o->report : o->output;
     options of_deck = *o;
@@ -160,7 +160,7 @@ static int run_variants(const options *o)
     of_deck.is_again = 1;
     status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results) {
-        status = variants_open(&v, &deck);
+        status = variants_open(&v, &deck, &answers->names);
         may_write = status == 0;
     }
     for (i = 0; i < v.n && may_write && status != EXIT_FILES && !system_caught(); i++) {
@@ -173,7 +173,6 @@ static int run_variants(const options *o)
                                             : command_lacks_memory("cannot write", folder));
         free(path);
     }
-    variants_close(&v);
     input_close(&deck);
     return status;
 }
@@ -193,15 +192,17 @@ static int run(options *o)
     grade_answers answers;
 
     status = grade_open(&answers, o);
-    o->is_class = answers.n_files > 0 && !o->answers;
+    o->is_class = answers.is_class && !o->answers;
     if (!status && rules_broken(o, NULL, message))
         status = refuse(message);
     if (!status)
-        status = o->lists_all      ? run_catalogue(o)
-                 : o->all_designs  ? run_variants(o)
-                 : answers.n_files ? run_class(o, &answers)
-                 : o->n_decks > 1  ? batch_run(o, &answers, NULL)
-                                   : run_one(o, &answers);
+        status = grade_match(&answers);
+    if (!status)
+        status = o->lists_all       ? run_catalogue(o)
+                 : o->all_designs   ? run_variants(o, &answers)
+                 : answers.is_class ? run_class(o, &answers)
+                 : o->n_decks > 1   ? batch_run(o, &answers, NULL)
+                                    : run_one(o, &answers);
     grade_close(&answers);
     if (system_caught()) {
         fflush(stdout);

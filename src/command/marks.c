@@ -15,6 +15,7 @@
 #include "system/memory.h"
 #include "command.h"
 #include "files.h"
+#include "handed.h"
 #include "copied.h"
 #include "marks.h"
 #include "view/results.h"
@@ -122,28 +123,17 @@ static int refuse_unasked(const marks *m, const input *asks)
     return EXIT_USAGE;
 }
 
-/* Read the ids and the days late of a class; returns the exit status. */
-static int read_roster(marks *m, const char *path)
-{
-    int status = roster_read(&m->names, path);
-
-    if (status || m->names.has_header)
-        return status;
-    command_tell("error", path, 1, "expected the titles of columns: name, id, late", NULL);
-    return EXIT_USAGE;
-}
-
-int marks_begin(marks *m, const options *o, const input *deck)
+int marks_begin(marks *m, const options *o, const input *deck, const roster *names)
 {
     const input *asks = deck;
     const char *name;
     view v;
-    int is_class = o->check_file && files_is_folder(o->check_file), status;
+    int is_class = o->check_file && files_is_folder(o->check_file), status = 0;
 
     memset(m, 0, sizeof *m);
     m->o = o;
     m->deck = deck;
-    status = o->names && o->scores ? read_roster(m, o->names) : 0;
+    m->names = names;
     name = o->exercise                                         ? o->exercise
            : !deck && o->n_decks == 1 && o->scores && is_class ? o->decks[0]
                                                                : NULL;
@@ -204,7 +194,7 @@ static text name_of(const char *path)
         name.length -= strlen(".deck");
         return name;
     }
-    return students_stem(path);
+    return handed_stem(path);
 }
 
 /* 1 if a note has no room for more. */
@@ -348,7 +338,8 @@ static void take_entry(const marks *m, const input *in, sheet_mark *mark)
     const fourlink_problem *p = m->exercise.deck.results ? &m->exercise.deck.problem
                                 : m->deck                ? &m->deck->problem
                                                          : &in->problem;
-    const roster_entry *e = roster_find(&m->names, flk_text_of(mark->name));
+    const roster_entry *e =
+        in->student ? in->student->entry : roster_find(m->names, flk_text_of(mark->name));
 
     mark->total = mark->right;
     if (!e)
@@ -367,7 +358,8 @@ static void give(marks *m, const input *in, sheet_mark *mark)
 
     memset(mark, 0, sizeof *mark);
     mark->path = path ? path : "";
-    flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
+    flk_text_copy(in->deck && in->student ? in->student->name : name_of(mark->path), mark->name,
+                  sizeof mark->name);
     for (i = 0; i < m->n; i++) {
         mark->of += m->list[i].value.marks;
         m->questions[i].got = GSL_NAN;
@@ -411,6 +403,5 @@ void marks_free(marks *m)
 {
     free(m->questions);
     exercise_close(&m->exercise);
-    roster_free(&m->names);
     free(m->list);
 }

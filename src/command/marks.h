@@ -16,15 +16,15 @@ typedef struct marks {
     int set_tolerances;        /* 1: answers may set their own */
     char unit_of_angle[16];
     const options *o;
-    const input *deck; /* to which all are answers; null: each has its own deck */
-    exercise exercise; /* of --exercise */
-    size_t n_compared; /* with the decks of others */
-    roster names;      /* of --names; empty: none */
+    const input *deck;   /* to which all are answers; null: each has its own deck */
+    exercise exercise;   /* of --exercise */
+    size_t n_compared;   /* with the decks of others */
+    const roster *names; /* of --names; empty: none */
 } marks;
 
 /* Take what is asked of many answers from the [expect] of --exercise or else of the deck to which all are answers.
 ** Refuses scores of a folder for which neither says it.  Returns the exit status. */
-int marks_begin(marks *m, const options *o, const input *deck);
+int marks_begin(marks *m, const options *o, const input *deck, const roster *names);
 
 /* What an input is worth. */
 void marks_give(marks *m, const input *in, sheet_mark *mark);

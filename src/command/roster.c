@@ -3,6 +3,7 @@
 ** roster.c - the list of a class: names, ids, days late.
 */
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@
 #include "roster.h"
 #include "students.h"
 
-enum { NAME, FIRST_NAME, SURNAME, ID, LATE, OTHER, COLUMNS };
+enum { NAME, FIRST_NAME, SURNAME, ID, USER, EMAIL, LATE, DESIGN, OTHER, COLUMNS };
 
 /* Headings by which a first line is known: those of lists that people write, and of learning platforms. */
 static const struct {
@@ -25,18 +26,30 @@ static const struct {
                 {"student", NAME},
                 {"student name", NAME},
                 {"first name", FIRST_NAME},
+                {"first name(s)", FIRST_NAME},
+                {"firstname", FIRST_NAME},
                 {"given name", FIRST_NAME},
                 {"surname", SURNAME},
                 {"last name", SURNAME},
+                {"lastname", SURNAME},
                 {"family name", SURNAME},
                 {"id", ID},
                 {"id number", ID},
                 {"student id", ID},
                 {"late", LATE},
                 {"days late", LATE},
-                {"email", OTHER},
-                {"email address", OTHER},
-                {"username", OTHER},
+                {"design", DESIGN},
+                {"email", EMAIL},
+                {"email address", EMAIL},
+                {"e-mail", EMAIL},
+                {"username", USER},
+                {"user name", USER},
+                {"login id", USER},
+                {"sis login id", USER},
+                {"orgdefinedid", ID},
+                {"sis user id", ID},
+                {"student number", ID},
+                {"matriculation number", ID},
                 {"group", OTHER},
                 {"groups", OTHER}};
 
@@ -77,6 +90,17 @@ static void add_name(roster_entry *e, text part)
     e->name.length = (size_t)(end - e->name.start) + part.length;
 }
 
+static int read_design(text field, unsigned long *design)
+{
+    double number;
+
+    if (flk_number_read(&field, &number) != NUMBER_OK || field.length || number != floor(number) ||
+        number < 1 || number > 4294967295.0)
+        return 0;
+    *design = (unsigned long)number;
+    return 1;
+}
+
 /* Read a line; the status. */
 static int read_entry(const char *path, text row, int separator, const int *place, roster_entry *e)
 {
@@ -95,10 +119,14 @@ static int read_entry(const char *path, text row, int separator, const int *plac
         add_name(e, fields[SURNAME]);
     }
     e->id = fields[ID];
+    e->user = fields[USER];
+    e->email = fields[EMAIL];
     field = fields[LATE];
     if (e->name.length && field.length &&
         (flk_number_read(&field, &e->late) != NUMBER_OK || field.length || !(e->late >= 0)))
         return refuse(path, e->line, "late must be a number of days, such as 2");
+    if (e->name.length && fields[DESIGN].length && !read_design(fields[DESIGN], &e->design))
+        return refuse(path, e->line, "design must be a whole number from 1");
     return 0;
 }
 
@@ -116,6 +144,7 @@ static int read_lines(roster *r, const char *path, text rest)
         if (++at == 1) {
             separator = flk_text_separator(row);
             r->has_header = find_columns(row, separator, place) > 0;
+            r->has_design = place[DESIGN] >= 0;
             if (r->has_header && place[NAME] < 0 && place[FIRST_NAME] < 0 && place[SURNAME] < 0)
                 return refuse(path, 1, "no column has the heading name, or first name and surname");
             if (r->has_header)

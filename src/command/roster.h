@@ -8,8 +8,10 @@
 #include "base/text.h"
 
 typedef struct roster_entry {
-    text name, id; /* a name is null-terminated */
-    double late;   /* days */
+    text name; /* null-terminated */
+    text id, user, email;
+    double late;          /* days */
+    unsigned long design; /* of a [sweep], from 1; 0: none is given */
     long line;
 } roster_entry;
 
@@ -18,11 +20,12 @@ typedef struct roster {
     roster_entry *list;
     size_t n;
     int has_header; /* 0: a list of names, one a line */
+    int has_design; /* 1: with a column for the design */
 } roster;
 
 /* Read a list of names, one a line, or a file of a spreadsheet, separated by ; or a tab or a comma, whose first
-** line has headings: name, or first name and surname; id; late.  Other columns are not read.  Prints a mistake
-** and returns the exit status. */
+** line has headings: name, or first name and surname; id, user name, email; late; design.  Other columns are not read.
+** Prints a mistake and returns the exit status. */
 int roster_read(roster *r, const char *path);
 void roster_free(roster *r);
 

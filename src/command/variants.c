@@ -59,33 +59,27 @@ static int check_names(const roster *r, const char *file)
     return 0;
 }
 
-int variants_open(variants *v, const input *deck)
+int variants_open(variants *v, const input *deck, const roster *names)
 {
     const char *file = deck->o->names;
     unsigned long designs = deck->problem.n_designs;
     char words[MESSAGE_SIZE];
     int status;
 
+    v->names = names;
     v->n = designs;
     if (!file)
         return 0;
-    status = roster_read(&v->names, file);
-    if (!status)
-        status = check_names(&v->names, file);
+    status = check_names(names, file);
     if (status)
         return status;
-    v->n = (unsigned long)v->names.n;
+    v->n = (unsigned long)names->n;
     if (v->n <= designs && v->n)
         return 0;
     flk_message(words, sizeof words, "%ld names, but the [sweep] of %s has %ld designs", (long)v->n,
                 deck->name, (long)designs);
     command_tell("error", file, 0, words, NULL);
     return EXIT_USAGE;
-}
-
-void variants_close(variants *v)
-{
-    roster_free(&v->names);
 }
 
 char *variants_path(const variants *v, const char *folder, const input *deck, unsigned long i,
@@ -95,8 +89,8 @@ char *variants_path(const variants *v, const char *folder, const input *deck, un
     char end[100];
     int digits = 1;
 
-    if (v->names.list)
-        return files_within(folder, v->names.list[i].name, ending);
+    if (v->names->n)
+        return files_within(folder, v->names->list[i].name, ending);
     for (; n > 9; n /= 10)
         digits++;
     sprintf(end, "-%0*lu%s", digits, i + 1, ending);

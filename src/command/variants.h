@@ -10,13 +10,12 @@
 
 /* The names of the files.  Set it to zero first. */
 typedef struct variants {
-    roster names;    /* without a list: the files have numbers */
-    unsigned long n; /* how many files are written */
+    const roster *names; /* empty: the files have numbers */
+    unsigned long n;     /* how many files are written */
 } variants;
 
-/* Read the list of --names, if it is given, for a deck with a [sweep].  Returns the exit status. */
-int variants_open(variants *v, const input *deck);
-void variants_close(variants *v);
+/* Take the list of --names, if it is given, for a deck with a [sweep].  Returns the exit status. */
+int variants_open(variants *v, const input *deck, const roster *names);
 
 /* FOLDER/NAME.ending or FOLDER/DECK-N.ending, N from 1 with as many digits as the largest has: memory
 ** to free, or null. */
