@@ -154,7 +154,7 @@ static int begin_marks(batch *b)
 
     if (b->m.exercise.deck.results)
         b->o = &b->m.exercise.of_answers;
-    return status;
+    return !status && b->o->feedback ? files_make_folder(b->o->feedback) : status;
 }
 
 /* Write an input, or its score alone; returns the exit status. */

@@ -161,6 +161,8 @@ static int run_variants(const options *o, const grade_answers *answers)
     status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results) {
         status = variants_open(&v, &deck, &answers->names);
+        if (!status)
+            status = files_make_folder(folder);
         may_write = status == 0;
     }
     for (i = 0; i < v.n && may_write && status != EXIT_FILES && !system_caught(); i++) {
