@@ -11,6 +11,7 @@
 #include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
+#include "exercise.h"
 #include "files.h"
 #include "input.h"
 #include "rules.h"
@@ -427,6 +428,8 @@ static int take_design(input *in)
     refuse(in);
     if (!contents)
         return command_lacks_memory("cannot read", in->name);
+    if (in->o->is_exercise)
+        length = (unsigned long)exercise_strip(contents, length);
     free(in->text);
     in->source.text = in->text = contents;
     in->source.length = length;
@@ -457,7 +460,7 @@ static int open_input(input *in)
     char message[400];
     int status;
 
-    if (rules_without_sweep(o, message) && has_no_sweep(in)) {
+    if (!in->has_sweep && rules_without_sweep(o, message) && has_no_sweep(in)) {
         tell_mistake(in, in->name, message);
         return EXIT_USAGE;
     }
@@ -476,6 +479,8 @@ static int open_input(input *in)
         return status;
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     in->has_sweep |= in->problem.n_designs > 0;
+    if (in->problem.n_designs)
+        in->n_designs = in->problem.n_designs;
     in->has_task |= o->synthesis && has_task(in);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);

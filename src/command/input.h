@@ -22,9 +22,10 @@ typedef struct input {
     int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
     fourlink_solution *found; /* by synthesis, for a report; or null */
     int has_sweep,
-        has_task;     /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
-    int has_defects;  /* 1: the linkage found by synthesis has some */
-    int has_mistakes; /* 1: because its text has mistakes */
+        has_task; /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
+    unsigned long n_designs; /* of that [sweep] */
+    int has_defects;         /* 1: the linkage found by synthesis has some */
+    int has_mistakes;        /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers;  /* its own, of a folder */
     const student *student; /* who has written them; null: nobody of a class */

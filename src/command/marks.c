@@ -357,7 +357,7 @@ static void give(marks *m, const input *in, sheet_mark *mark)
     unsigned long i;
 
     memset(mark, 0, sizeof *mark);
-    mark->path = path ? path : "";
+    mark->path = path ? path : in->student ? in->student->name.start : "";
     flk_text_copy(in->deck && in->student ? in->student->name : name_of(mark->path), mark->name,
                   sizeof mark->name);
     for (i = 0; i < m->n; i++) {

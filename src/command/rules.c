@@ -59,7 +59,7 @@ static const rule table[] = {
     {"--design=all", NULL, "--summary, --matrix, --list, " CHECKS ", --solve, --format, --plot",
      "it writes one file for each design"},
     {"--design=all", NULL, "standard input", "it reads the deck for each design"},
-    {"--names", "--design=all, --scores or --feedback", NULL, NULL},
+    {"--names", "--design=all, --answers, --scores or --feedback", NULL, NULL},
     {"--exercise", "--scores or --feedback", NULL, NULL},
 
     /* what changes it */

@@ -330,8 +330,8 @@ class Class:
         names = r.sample([(f, l) for f in FIRST for l in LAST if f != l], r.randrange(3, 25))
         self.students = [Student(r, f, l, 20000 + 17 * i + r.randrange(9)) for i, (f, l) in enumerate(names)]
         self.style, self.order = write_list(r, self.students, os.path.join(folder, 'class.csv'))
-        with open(os.path.join(folder, 'exercise.deck'), 'w', encoding='utf-8') as file:
-            file.write(self.exercise.deck())
+        self.wrong = []
+        self.prepare()
         os.mkdir(os.path.join(folder, 'answers'))
         self.listed = []  # files that must be listed
         common = r.choice(STYLES)
@@ -339,6 +339,16 @@ class Class:
             self.hand_in(x, common if r.random() < 0.8 else r.choice(STYLES))
         for name in r.sample(STRANGERS, r.choice([0, 0, 1])):
             self.stray(name)
+
+    def prepare(self):
+        self.write_deck(self.exercise.deck())
+
+    def write_deck(self, words):
+        with open(os.path.join(self.folder, 'exercise.deck'), 'w', encoding='utf-8') as file:
+            file.write(words)
+
+    def run(self, *words):
+        return subprocess.run([fourlink, *words], cwd=self.folder, capture_output=True, encoding='utf-8', errors='replace')
 
     def linkage_of(self, x):
         return self.linkage
@@ -398,12 +408,12 @@ class Class:
         return ['--answers=answers', '--scores', '--format=csv', '--names=class.csv', 'exercise.deck']
 
     def mistakes(self):
-        done = subprocess.run([fourlink, *self.command()], cwd=self.folder, capture_output=True, encoding='utf-8', errors='replace')
+        done = self.run(*self.command())
         if done.returncode < 0:
             return ['signal %d' % -done.returncode]
         rows = list(csv.reader(io.StringIO(done.stdout)))
         first = next((i for i, cell in enumerate(rows[0]) if re.match('(theta|omega)[34] at|swing|mu_m', cell)), 0) if rows else 0
-        wrong, self.compared = [], 0
+        wrong, self.compared = self.wrong, 0
         expected = list(self.expected())
         if len(rows) != len(expected) + 1:
             return ['%d rows, not %d: %s' % (len(rows), len(expected) + 1, done.stderr)]
@@ -421,6 +431,62 @@ class Class:
         return wrong
 
 
+class Variants(Class):
+    """A class in which each student has a design; some join later, with the list in another order."""
+
+    def prepare(self):
+        r, n = self.r, len(self.students)
+        crank = self.exercise.lengths[1]
+        self.exercise.lengths[1] = round(crank * 0.8, 2)
+        least = self.exercise.lengths[1]
+        cranks = ['%.4g mm' % (least + (crank - least) * k / n) for k in range(n)]
+        words = self.exercise.deck() + '[sweep]\ncrank.length = %s\n' % ', '.join(sorted(set(cranks), key=cranks.index))
+        words += 'motion.speed = 100 rpm, 150 rpm, -80 rpm\n'
+        self.write_deck(words.replace('mechanism', 'solver = dyad\nmechanism', 1) if r.random() < 0.5 else words)
+        joined = r.randrange(0, 4) if n > 6 else 0
+        late = r.sample(self.students, joined)
+        everybody, self.students = self.students, [x for x in self.students if x not in late]
+        path = os.path.join(self.folder, 'class.csv')
+        self.style, self.order = write_list(r, self.students, path)
+        command = ['--design=all', '--names=class.csv', '--print-deck', '--output=out/', 'exercise.deck']
+        self.tell(self.run(*command))
+        before = {x: self.handed_out(x) for x in self.students}
+        if late or r.random() < 0.5:  # the list again, in another order and another style, with those who join
+            self.students = everybody
+            self.style, self.order = write_list(r, self.students, path)
+            self.tell(self.run(*command))
+            for x, files in before.items():
+                if self.handed_out(x) != files:
+                    self.wrong.append('another variant than before: ' + x.name)
+        self.linkages = {x: self.linkage_in(self.handed_out(x)[0]) for x in self.students}
+        if len({(tuple(v.__dict__.values())) for v in self.linkages.values()}) < len(self.students):
+            self.wrong.append('two students have one variant')
+
+    def tell(self, done):
+        if done.returncode or done.stderr:
+            self.wrong.append('%s: %d' % (done.stderr, done.returncode))
+
+    def handed_out(self, x):
+        """The deck and the form of a student."""
+        texts = []
+        for ending in ('.deck', '.txt'):
+            with open(os.path.join(self.folder, 'out', x.name + ending), encoding='utf-8') as file:
+                texts.append(file.read())
+        if re.search(r'solver|\[(expect|grading|sweep)', texts[0]) or texts[1].count(' =') < len(self.exercise.questions):
+            self.wrong.append('what is handed out: ' + x.name)
+        return texts
+
+    def linkage_in(self, deck):
+        lengths = [float(re.search(r'\[%s\]\nlength = (\S+) mm' % link, deck).group(1)) for link in ('ground', 'crank', 'coupler', 'rocker')]
+        return FourBar(lengths, float(re.search(r'speed = (\S+) rpm', deck).group(1)) * 2 * math.pi / 60)
+
+    def linkage_of(self, x):
+        return self.linkages[x]
+
+    def command(self):
+        return ['--answers=answers', '--scores', '--format=csv', '--names=out/class.csv', 'exercise.deck']
+
+
 def date_of(path):
     m = re.search(r'Nov (\d+), 2026 (\d+)(\d\d) ([AP])M', path)
     if m:
@@ -434,7 +500,7 @@ def main():
     compared = failed = students = 0
     for i in range(count):
         folder = tempfile.mkdtemp()
-        x = Class(random.Random(seed * 1000003 + i), folder)
+        x = (Variants if i % 3 == 2 else Class)(random.Random(seed * 1000003 + i), folder)
         wrong = x.mistakes()
         compared += getattr(x, 'compared', 0)
         students += len(x.students)
