@@ -19,8 +19,4 @@ typedef struct exercise {
 int exercise_read(exercise *x, const options *o, const char *path);
 void exercise_close(exercise *x);
 
-/* Take out of the text of a deck what students do not get: `solver`, [expect], [misprint] and [grading].  Returns its new
-** length. */
-size_t exercise_strip(char *deck, size_t length);
-
 #endif

@@ -14,6 +14,7 @@
 #include "files.h"
 #include "grade.h"
 #include "handed.h"
+#include "person.h"
 
 /* 1 if all files of the folder are answers to one deck: --answers says so, or there is none with the
 ** deck's name. */
@@ -24,7 +25,7 @@ static int is_class(const options *o, const students *s)
     if (o->answers || o->n_decks != 1 || strcmp(o->decks[0], "-") == 0)
         return o->answers != NULL;
     for (i = 0; i < s->n_files; i++)
-        if (students_same(handed_who(handed_stem(s->files[i].owner)), files_stem(o->decks[0])))
+        if (person_same(handed_who(handed_stem(s->files[i].owner)), files_stem(o->decks[0])))
             return 0;
     return 1;
 }

@@ -11,8 +11,8 @@
 #include "system/memory.h"
 #include "system/system.h"
 #include "command.h"
-#include "exercise.h"
 #include "files.h"
+#include "handout.h"
 #include "input.h"
 #include "rules.h"
 #include "tables/content.h"
@@ -429,7 +429,7 @@ static int take_design(input *in)
     if (!contents)
         return command_lacks_memory("cannot read", in->name);
     if (in->o->is_exercise)
-        length = (unsigned long)exercise_strip(contents, length);
+        length = (unsigned long)handout_strip(contents, length);
     free(in->text);
     in->source.text = in->text = contents;
     in->source.length = length;

@@ -138,16 +138,22 @@ static int run_variant(const options *o, const char *path, unsigned long design,
     one.design = design;
     one.is_again = is_again;
     one.variant = path;
-    *(o->report ? &one.report : &one.output) = path;
+    *(o->report ? &one.report : o->plot ? &one.plot : &one.output) = path;
     status = files_tell_clash(&one);
     return status ? status : run_one(&one, &no_answers);
+}
+
+/* The folder for a file of each design. */
+static const char *folder_of(const options *o)
+{
+    return o->report ? o->report : o->plot ? o->plot : o->output;
 }
 
 /* Write the file of design i; returns the exit status. */
 static int write_variant(const options *o, const variants *v, const input *deck, unsigned long i,
                          const char *ending)
 {
-    const char *folder = o->report ? o->report : o->output;
+    const char *folder = folder_of(o);
     char *path = variants_path(v, folder, deck, i, ending);
     int status = path ? run_variant(o, path, variants_design(v, i), i > 0 || o->form)
                       : command_lacks_memory("cannot write", folder);
@@ -171,6 +177,7 @@ static int write_variants(const options *o, const variants *v, const input *deck
     for (i = 0; i < v->n && status != EXIT_FILES && !system_caught(); i++) {
         status = command_worse(status, write_variant(&own, v, deck, i,
                                                      o->report       ? ".html"
+                                                     : o->plot       ? ".svg"
                                                      : o->print_deck ? ".deck"
                                                                      : ".expect"));
         if (is_class && deck->problem.n_expected)
@@ -184,7 +191,7 @@ static int write_variants(const options *o, const variants *v, const input *deck
 /* Write a file for each design of a [sweep]; returns the exit status. */
 static int run_variants(const options *o, grade_answers *answers)
 {
-    const char *folder = o->report ? o->report : o->output;
+    const char *folder = folder_of(o);
     options of_deck = *o;
     variants v;
     int status;
@@ -193,7 +200,7 @@ static int run_variants(const options *o, grade_answers *answers)
     memset(&v, 0, sizeof v);
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_ROWS;
-    of_deck.report = NULL;
+    of_deck.report = of_deck.plot = NULL;
     of_deck.is_again = 1;
     status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results) {

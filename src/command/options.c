@@ -96,7 +96,7 @@ static int set_plot(options *o, const char *value, char message[400])
     char names[100];
 
     o->plot = value;
-    o->drawing.file = plot_file_of(value);
+    o->drawing.file = options_is_folder(value) ? PLOT_SVG : plot_file_of(value);
     if (o->drawing.file == PLOT_FILE_COUNT)
         flk_message(message, 400, "--plot needs a file name that ends in %s, or -, not '%t'",
                     flk_text_list(plot_endings, ", ", " or ", names, sizeof names),

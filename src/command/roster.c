@@ -13,7 +13,7 @@
 #include "command.h"
 #include "files.h"
 #include "roster.h"
-#include "students.h"
+#include "person.h"
 
 enum { NAME, FIRST_NAME, SURNAME, ID, USER, EMAIL, LATE, DESIGN, OTHER, COLUMNS };
 
@@ -286,7 +286,7 @@ const roster_entry *roster_find(const roster *r, text name)
     size_t i;
 
     for (i = 0; i < r->n; i++)
-        if (students_same(r->list[i].name, name))
+        if (person_same(r->list[i].name, name))
             return &r->list[i];
     return NULL;
 }

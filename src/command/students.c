@@ -19,6 +19,7 @@
 #include "command.h"
 #include "files.h"
 #include "handed.h"
+#include "person.h"
 #include "students.h"
 
 /* --------------------------------------------------------------------------------------------- endings */
@@ -33,158 +34,6 @@ int students_is_text(const char *name)
         if (flk_text_ends_in(flk_text_of(name), endings[i]))
             return 1;
     return 0;
-}
-
-/* ----------------------------------------------------------------------------------- the words of a name */
-
-#define NAME 256
-#define MOST_WORDS 40
-
-/* The words of a name in plain letters, one behind the other. */
-typedef struct student_words {
-    char letters[NAME];
-    int start[MOST_WORDS + 1];
-    int n;
-} student_words;
-
-/* The plain letters of U+00C0 to U+017F, in the order of the code points, two for each; "  " is none. */
-static const char letters[] = "a a a a a a aec e e e e i i i i d n o o o o o   o u u u u y thss"
-                              "a a a a a a aec e e e e i i i i d n o o o o o   o u u u u y thy "
-                              "a a a a a a c c c c c c c c d d d d e e e e e e e e e e g g g g "
-                              "g g g g h h h h i i i i i i i i i i ijijj j k k k l l l l l l l "
-                              "l l l n n n n n n n n n o o o o o o oeoer r r r r r s s s s s s "
-                              "s s t t t t t t u u u u u u u u u u u u w w y y y z z z z z z s ";
-
-/* Begin another word, if the last one has letters. */
-static void end_word(student_words *w, int n)
-{
-    if (n > w->start[w->n] && w->n + 1 < MOST_WORDS)
-        w->start[++w->n] = n;
-}
-
-/* The small letter of a capital of two bytes, Greek or Cyrillic, of which the second byte is this; 0 for others. */
-static int small_letter(unsigned char c, unsigned char next, char *first)
-{
-    int is_greek = c == 0xce && next >= 0x91 && next <= 0xa9;
-
-    if (!is_greek && !(c == 0xd0 && next >= 0x80 && next <= 0xaf))
-        return 0;
-    if (is_greek) {
-        *first = (char)(next < 0xa0 ? 0xce : 0xcf);
-        return next < 0xa0 ? next + 0x20 : next - 0x20;
-    }
-    *first = (char)(next >= 0x90 && next < 0xa0 ? 0xd0 : 0xd1);
-    return next < 0x90 ? next + 0x10 : next < 0xa0 ? next + 0x20 : next - 0x20;
-}
-
-/* Add the words of a text.  Marks that stand behind their letter, U+0300 to U+036F, and apostrophes are left out. */
-static void add_words(student_words *w, text t)
-{
-    int n = w->start[w->n], small;
-    size_t i;
-
-    for (i = 0; i < t.length && n + 3 < NAME; i++) {
-        unsigned char c = (unsigned char)t.start[i];
-        unsigned char next = i + 1 < t.length ? (unsigned char)t.start[i + 1] : 0;
-
-        if (c == '\'' || c == '`') {
-            continue;
-        } else if (c == 0xe2 && next == 0x80 && i + 2 < t.length &&
-                   ((unsigned char)t.start[i + 2] & 0xfe) == 0x98) {
-            i += 2;
-        } else if (c == '_' || !flk_text_is_word(c)) {
-            end_word(w, n);
-        } else if (c >= 0xc3 && c <= 0xc5 && next >= 0x80) {
-            const char *plain = letters + 2 * ((c - 0xc3) * 64 + (next & 63));
-
-            w->letters[n++] = plain[0];
-            if (plain[1] != ' ')
-                w->letters[n++] = plain[1];
-            i++;
-        } else if ((small = small_letter(c, next, &w->letters[n])) != 0) {
-            w->letters[n + 1] = (char)small;
-            n += 2;
-            i++;
-        } else if ((c == 0xcc && next >= 0x80) || (c == 0xcd && next >= 0x80 && next < 0xb0)) {
-            i++;
-        } else {
-            w->letters[n++] = (char)('A' <= c && c <= 'Z' ? c + ('a' - 'A') : c);
-        }
-    }
-    end_word(w, n);
-    w->letters[w->start[w->n]] = '\0';
-}
-
-static void take_words(student_words *w, text t)
-{
-    w->n = w->start[0] = 0;
-    add_words(w, t);
-}
-
-static int length_of(const student_words *w)
-{
-    return w->start[w->n];
-}
-
-/* 1 if two have the same words. */
-static int are_same(const student_words *x, const student_words *y)
-{
-    return x->n == y->n && memcmp(x->start, y->start, ((size_t)x->n + 1) * sizeof *x->start) == 0 &&
-           strcmp(x->letters, y->letters) == 0;
-}
-
-int students_same(text x, text y)
-{
-    student_words a, b;
-
-    take_words(&a, x);
-    take_words(&b, y);
-    return are_same(&a, &b);
-}
-
-/* 1 if whole words of w, one behind the other, are the letters of `part`, from its word k on and then those before it. */
-static int has_turned(const student_words *w, const student_words *part, int k)
-{
-    int n = length_of(part), first = n - part->start[k], i, j;
-
-    for (i = 0; i < w->n && w->start[i] + n <= length_of(w); i++) {
-        const char *at = w->letters + w->start[i];
-
-        if (memcmp(at, part->letters + part->start[k], (size_t)first) != 0 ||
-            memcmp(at + first, part->letters, (size_t)part->start[k]) != 0)
-            continue;
-        for (j = i + 1; j <= w->n; j++)
-            if (w->start[j] == w->start[i] + n)
-                return 1;
-    }
-    return 0;
-}
-
-static int has_name(const student_words *w, const student_words *name)
-{
-    int k;
-
-    for (k = 0; k < name->n; k++)
-        if (has_turned(w, name, k))
-            return 1;
-    return 0;
-}
-
-/* 1 if word i of w is one of `of`, or begins one if it is a single letter; *is_whole is set if it is all of it. */
-static int is_word_of(const student_words *w, int i, const student_words *of, int *is_whole)
-{
-    int n = w->start[i + 1] - w->start[i], k, is_there = 0;
-
-    for (k = 0; k < of->n; k++) {
-        int length = of->start[k + 1] - of->start[k];
-
-        if ((n == length || n == 1) &&
-            memcmp(w->letters + w->start[i], of->letters + of->start[k], (size_t)n) == 0) {
-            is_there = 1;
-            *is_whole |= n == length;
-        }
-    }
-    return is_there;
 }
 
 /* Words of names of files that are no names; those of dates beside a number. */
@@ -208,9 +57,9 @@ static int is_one_of(const char *word, const char *const *list, size_t n)
 }
 
 /* 1 if word i is no name: it has a digit, or it is one of those above. */
-static int is_other(const student_words *w, int i)
+static int is_other(const person_words *w, int i)
 {
-    char word[NAME];
+    char word[PERSON_NAME];
     int n = w->start[i + 1] - w->start[i];
 
     memcpy(word, w->letters + w->start[i], (size_t)n);
@@ -220,15 +69,15 @@ static int is_other(const student_words *w, int i)
 }
 
 /* 1 if the names in w are all of the student, or the student's all in w. */
-static int has_part(const student_words *w, const student_words *name)
+static int has_part(const person_words *w, const person_words *name)
 {
     int i, is_whole = 0, is_within = 1, is_around = name->n > 1, unused;
 
     for (i = 0; i < w->n && is_within; i++)
-        is_within = is_other(w, i) || is_word_of(w, i, name, &is_whole);
+        is_within = is_other(w, i) || person_is_word(w, i, name, &is_whole);
     for (i = 0; i < name->n && is_around; i++) {
         unused = 0;
-        is_around = is_word_of(name, i, w, &unused) && unused;
+        is_around = person_is_word(name, i, w, &unused) && unused;
     }
     return (is_within && is_whole) || is_around;
 }
@@ -238,12 +87,12 @@ static int has_part(const student_words *w, const student_words *name)
 int students_add(students *s, text name, const roster_entry *entry)
 {
     student *more, *x;
-    student_words words;
+    person_words words;
     size_t i;
 
-    take_words(&words, name);
+    person_take(&words, name);
     for (i = 0; i < s->n && !entry; i++)
-        if (are_same(s->list[i].words, &words))
+        if (person_are_same(s->list[i].words, &words))
             return 1;
     more = memory_grow(s->list, s->n + 1, sizeof *more);
     if (!more)
@@ -274,12 +123,12 @@ int students_add_owners(students *s)
 
 const student *students_find(const students *s, text name)
 {
-    student_words words;
+    person_words words;
     size_t i;
 
-    take_words(&words, name);
+    person_take(&words, name);
     for (i = 0; i < s->n; i++)
-        if (are_same(s->list[i].words, &words))
+        if (person_are_same(s->list[i].words, &words))
             return &s->list[i];
     return NULL;
 }
@@ -386,18 +235,18 @@ int students_list(students *s, const char *folder, const options *o)
 
 /* Who may have handed in a file. */
 typedef struct candidates {
-    student_words who, all; /* of the part that says who, of all of the name */
-    student_words parts[3]; /* of pieces between " - " */
+    person_words who, all; /* of the part that says who, of all of the name */
+    person_words parts[3]; /* of pieces between " - " */
     int n_parts;
     size_t first, second; /* students that fit equally well; n of all: none */
 } candidates;
 
-static int has_id(const student_words *w, text id)
+static int has_id(const person_words *w, text id)
 {
-    student_words words;
+    person_words words;
 
-    take_words(&words, id);
-    return length_of(&words) >= 3 && has_turned(w, &words, 0);
+    person_take(&words, id);
+    return person_length(&words) >= 3 && person_has_turned(w, &words, 0);
 }
 
 static int has_an_id(const candidates *c, const student *x)
@@ -416,9 +265,9 @@ static int has_an_id(const candidates *c, const student *x)
 /* How well a file fits a student by the name, by an ID, by a part of the name: the larger, the better; 0: not at all. */
 static int fit_by_name(const candidates *c, const student *x)
 {
-    if (are_same(&c->who, x->words))
-        return NAME;
-    return x->words->n > 1 && has_name(&c->who, x->words) ? length_of(x->words) : 0;
+    if (person_are_same(&c->who, x->words))
+        return PERSON_NAME;
+    return x->words->n > 1 && person_has_name(&c->who, x->words) ? person_length(x->words) : 0;
 }
 
 static int fit_by_part(const candidates *c, const student *x)
@@ -476,14 +325,14 @@ static void find_candidates(const students *s, const student_file *f, candidates
     text stem = handed_stem(f->owner), who = handed_who(stem), rest = who, part;
     int best = 0, way;
 
-    take_words(&c->who, who);
-    take_words(&c->all, stem);
+    person_take(&c->who, who);
+    person_take(&c->all, stem);
     if (strcmp(f->owner, f->name) != 0)
-        add_words(&c->all, handed_stem(f->name));
+        person_add(&c->all, handed_stem(f->name));
     c->n_parts = 0;
     while (c->n_parts < 2 && flk_text_cut(rest, " - ", &part, &rest))
-        take_words(&c->parts[c->n_parts++], part);
-    take_words(&c->parts[c->n_parts++], rest);
+        person_take(&c->parts[c->n_parts++], part);
+    person_take(&c->parts[c->n_parts++], rest);
     c->first = c->second = s->n;
     for (way = 0; way < FITS && !best; way++)
         best = find_best(s, c, way);
@@ -506,7 +355,7 @@ static const student *find_nearest(const students *s, const candidates *c, char 
     for (k = 0; k < s->n; k++)
         for (i = 0; i < c->who.n; i++)
             if (c->who.start[i + 1] - c->who.start[i] > 1 &&
-                is_word_of(&c->who, i, s->list[k].words, &unused) && unused)
+                person_is_word(&c->who, i, s->list[k].words, &unused) && unused)
                 return &s->list[k];
     return NULL;
 }
@@ -518,11 +367,11 @@ static char **turn_names(const students *s)
     size_t i;
 
     for (i = 0; i < s->n && turned; i++) {
-        const student_words *w = s->list[i].words;
+        const person_words *w = s->list[i].words;
         int last = w->n > 1 ? w->start[w->n - 1] : 0;
 
         turned[2 * i] = memory_copy(w->letters);
-        turned[2 * i + 1] = memory_get(NAME, 1);
+        turned[2 * i + 1] = memory_get(PERSON_NAME, 1);
         if (!turned[2 * i] || !turned[2 * i + 1])
             break;
         strcpy(turned[2 * i + 1], w->letters + last);

@@ -12,7 +12,7 @@
 typedef struct student {
     text name;
     const roster_entry *entry; /* of --names; null: not in it, or there is no list */
-    struct student_words *words;
+    struct person_words *words;
     const char *file;   /* in the folder, such as NAME.txt or NAME/hw4.txt; null: none is marked */
     const char *second; /* another one, where it is not clear which counts; null: it is clear */
 } student;
@@ -29,10 +29,6 @@ typedef struct students {
     student_file *files; /* of the folder, sorted, without hidden ones */
     size_t n_files;
 } students;
-
-/* 1 if two names are of the same student: letters without case and accents; blanks, "_" and "-" are the
-** same. */
-int students_same(text x, text y);
 
 /* 1 if a file is one of answers: it ends in .expect, .txt or .csv. */
 int students_is_text(const char *name);

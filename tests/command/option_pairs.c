@@ -71,6 +71,7 @@ static const sample samples[] = {
     {"--ascii", NULL, 0},
     {"--report", MADE "/report.html", 0},
     {"--report", MADE "/", 0},
+    {"--plot", MADE "/", 0},
     {"--part", "1/2", 0},
     {"--design", "2", 0},
     {"--design", "all", 0},
