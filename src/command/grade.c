@@ -95,9 +95,9 @@ static int open_folder(grade_answers *a, const options *o)
     return status;
 }
 
-int grade_match(grade_answers *a)
+int grade_match(grade_answers *a, const options *o)
 {
-    return !a->folder || students_match(&a->students, a->folder)
+    return !a->folder || students_match(&a->students, a->folder, a->is_class || o->n_decks > 1)
                ? 0
                : command_lacks_memory("cannot read", a->folder);
 }

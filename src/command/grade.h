@@ -24,7 +24,7 @@ int grade_open(grade_answers *a, const options *o);
 
 /* Give each student of a folder the file that he or she has handed in, and tell which are not marked.  Returns the exit
 ** status. */
-int grade_match(grade_answers *a);
+int grade_match(grade_answers *a, const options *o);
 
 /* Read the file of answers of a student.  Returns the exit status, and why there are no answers in `why`, which stays as it is
 ** if memory failed. */

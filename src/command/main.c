@@ -233,7 +233,7 @@ static int run(options *o)
     if (!status && rules_broken(o, NULL, message))
         status = refuse(message);
     if (!status)
-        status = grade_match(&answers);
+        status = grade_match(&answers, o);
     if (!status)
         status = o->lists_all       ? run_catalogue(o)
                  : o->all_designs   ? run_variants(o, &answers)

@@ -444,7 +444,7 @@ static void give(student *x, const char *folder, const char *name)
     x->file = marked ? marked : x->file;
 }
 
-int students_match(students *s, const char *folder)
+int students_match(students *s, const char *folder, int is_class)
 {
     char **turned = turn_names(s);
     candidates *c = memory_get(1, sizeof *c);
@@ -455,7 +455,7 @@ int students_match(students *s, const char *folder)
         find_candidates(s, &s->files[i], c);
         if (c->first < s->n && c->second == s->n)
             give(&s->list[c->first], folder, s->files[i].name);
-        else
+        else if (is_class)
             tell_unclaimed(s, folder, &s->files[i], c, turned);
     }
     free(c);

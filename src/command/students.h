@@ -45,8 +45,8 @@ int students_add(students *s, text name, const roster_entry *entry);
 int students_add_owners(students *s);
 
 /* Give each student the file that he or she has handed in, and tell which files are not marked, and why, with the nearest
-** name.  Returns 0 if out of memory. */
-int students_match(students *s, const char *folder);
+** name; of nobody's files with `is_class` only.  Returns 0 if out of memory. */
+int students_match(students *s, const char *folder, int is_class);
 
 /* The student of a name; null if there is none. */
 const student *students_find(const students *s, text name);
