@@ -289,7 +289,8 @@ static int open_results(input *in)
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
-        if (!in->o->is_again && !(in->is_design && in->found)) /* told of the task's deck */
+        if (!in->o->is_again &&
+            (in->deck || !in->is_design)) /* told of the deck with the [sweep] or the task */
             tell_all(in, list, n, "note", "note");
         keep_remarks(in, list, n, 0);
         fourlink_results_slips(in->results, MOST_MISTAKES, list, &n);
