@@ -42,7 +42,7 @@ static void put_question(line *l, const marks *m, const input *in, unsigned long
             line_put(l, "; computed %9g %s", c.computed, c.unit);
         if (c.verdict == FOURLINK_NO_VALUE)
             line_put(l, ": %s", c.message);
-        else if (c.hint[0] && c.verdict != FOURLINK_AGREES)
+        else if (c.hint[0])
             line_put(l, ": %s", c.hint);
         line_put(l, "\n");
     }

@@ -218,6 +218,24 @@ static int is_told(const input *in, unsigned long i, const fourlink_check *c)
     return 0;
 }
 
+/* Note right answers without a unit that are in another one than the table's. */
+static void note_units(const marks *m, const input *in, sheet_mark *mark)
+{
+    char words[MESSAGE_SIZE];
+    fourlink_check c;
+    unsigned long i;
+    int n;
+
+    for (i = 0; i < in->problem.n_expected && !is_full(mark); i++) {
+        results_check(in->results, i, &c);
+        if (c.verdict != FOURLINK_AGREES || !c.hint[0] || (m->list && !find(m, &c)))
+            continue;
+        n = 0;
+        put_name(mark->note, sizeof mark->note, "", &n, &c);
+        put(mark->note, sizeof mark->note, flk_message(words, sizeof words, " (%s)", c.hint));
+    }
+}
+
 /* Note what is wrong, names with the same reason together: "wrong: Ts at 60, 200 (the sign is the
 ** opposite)". */
 static void note_wrong(const marks *m, const input *in, sheet_mark *mark)
@@ -249,6 +267,7 @@ static void note_wrong(const marks *m, const input *in, sheet_mark *mark)
         if (c.hint[0])
             put(mark->note, size, flk_message(words, sizeof words, " (%s)", c.hint));
     }
+    note_units(m, in, mark);
     if (n_short)
         put_part(mark->note, size,
                  flk_message(words, sizeof words,

@@ -89,6 +89,7 @@ void flk_build_expectations(parser *p)
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
         e->misprint = is_misprint;
+        e->is_answer = p->is_answers;
         e->has_at = IS_SET(at) || d->one_instant;
         e->at_is_time =
             IS_SET(at) && flk_dimension_equal(at->unit.dim, flk_quantities[QUANTITY_TIME].dim);

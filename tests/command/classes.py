@@ -81,7 +81,10 @@ def number_of(words):
 
 
 def si_value(value):
-    """The SI value of words such as 12.5 deg; None if they are none that an angle or an angular velocity can have."""
+    """The SI value of words such as 12.5 deg and their unit, '' for a bare number, which stays as it is; None if they are none that
+    an angle or an angular velocity can have."""
+    if number_of(value.strip()) is not None:
+        return number_of(value.strip()), ''
     m = re.fullmatch(r'(\S+?)\s*(deg|°|degrees|rad/s|rad|rpm|mm)', value.strip())
     number = number_of(m.group(1)) if m else None
     return None if number is None or UNITS[m.group(2)] is None else (number * UNITS[m.group(2)], m.group(2))
@@ -134,6 +137,7 @@ class Exercise:
         for angle in self.angles:
             self.questions += [(name, angle) for name in r.sample(columns, r.choice([1, 2, 3]))]
         self.percent, self.degrees = r.choice([0.5, 1, 2]), r.choice([0.2, 0.5, 1])
+        self.is_strict = r.random() < 0.3
         self.marks = {name: r.choice([2, 3, 0.5]) for name, _ in self.questions if r.random() < 0.3}
 
     def linkage(self):
@@ -150,6 +154,7 @@ class Exercise:
                 words += '[expect]\n' + ('at = %g deg\n' % angle if angle else '')
                 words += ''.join('%s = 0 %s\n' % (name, 'rad/s' if name.startswith('omega') else 'deg') for name in names)
         words += '[grading]\ntolerance = %g %%, %g deg\n' % (self.percent, self.degrees)
+        words += 'units = %s\n' % ('strict' if self.is_strict else 'lenient') if self.is_strict or len(self.questions) % 2 else ''
         return words + ''.join('%s = %g marks\n' % item for item in self.marks.items())
 
     def marks_of(self, path, linkage):
@@ -164,11 +169,26 @@ class Exercise:
 
     def is_right(self, name, words, computed):
         value = si_value(words)
+        if value and not value[1]:
+            return self.is_right_bare(name, value[0], computed)
         if not value or is_angle(value[1]) == name.startswith('omega'):
             return False
+        return self.agrees(name, value[0], computed)
+
+    def is_right_bare(self, name, number, computed):
+        """A number without a unit is in deg or rad/s, or in another unit where the exercise is lenient."""
+        is_omega = name.startswith('omega')
+        if self.agrees(name, number * (1 if is_omega else DEG), computed):
+            return True
+        least = 2 * (self.percent / 100 * abs(computed) + 1e-9 if is_omega else self.degrees * DEG)
+        if self.is_strict or number == 0 or abs(computed) <= least:
+            return False
+        return any(self.agrees(name, number * factor, computed) for factor in ((UNITS['rpm'], DEG) if is_omega else (1,)))
+
+    def agrees(self, name, value, computed):
         if name.startswith('omega'):
-            return abs(value[0] - computed) <= self.percent / 100 * abs(computed) + 1e-9
-        off = (value[0] - computed + math.pi) % (2 * math.pi) - math.pi
+            return abs(value - computed) <= self.percent / 100 * abs(computed) + 1e-9
+        off = (value - computed + math.pi) % (2 * math.pi) - math.pi
         return abs(off) <= self.degrees * DEG * (1 + 1e-9)
 
 
@@ -208,6 +228,8 @@ def write_answers(r, exercise, linkage, slip):
             words = number_words(r, r.choice([1.4, -1, 0.5]) * x / UNITS[unit], comma)
         elif i == target and slip == 'name':
             own = 'zz' + own
+        if slip == 'bare':
+            unit = ''
         elif i == target and slip == 'unit':
             unit = 'mm'
         elif i == target and slip == 'words':
@@ -229,7 +251,7 @@ def write_answers(r, exercise, linkage, slip):
     return r.choice(['\n', '\r\n']).join(lines) + '\n'
 
 
-SLIPS = ['value', 'name', 'unit', 'words', 'missing', 'empty', 'twice', 'not asked', 'line', 'place', 'other place', 'no place', 'tolerance']
+SLIPS = ['bare', 'bare', 'value', 'name', 'unit', 'words', 'missing', 'empty', 'twice', 'not asked', 'line', 'place', 'other place', 'no place', 'tolerance']
 
 # ------------------------------------------------------------------------------------------------------- names of files
 
