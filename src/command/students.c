@@ -10,6 +10,7 @@
 **
 ** and no other student fits as well.
 */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -199,9 +200,12 @@ static int open_folders(students *s, const char *folder, const options *o)
 
         before = s->n_files;
         l.folder = s->files[i].owner;
+        errno = 0;
         is_listed = path && files_is_folder(path) && system_is_within(folder, path);
         if (is_listed && !is_for_output(path, o))
             is_listed = system_list(path, take_file, &l);
+        if (!is_listed)
+            memory_note_reason(errno);
         if (!path || memory_has_failed())
             is_open = 0;
         else if (s->n_files > before || (is_listed && !students_is_text(s->files[i].name)))

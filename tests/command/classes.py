@@ -436,6 +436,8 @@ class Class:
         rows = list(csv.reader(io.StringIO(done.stdout)))
         first = next((i for i, cell in enumerate(rows[0]) if re.match('(theta|omega)[34] at|swing|mu_m', cell)), 0) if rows else 0
         wrong, self.compared = self.wrong, 0
+        if not any(files for _, _, files in os.walk(os.path.join(self.folder, 'answers'))):
+            return wrong + ([] if done.returncode == 3 else ['an empty folder is marked'])
         expected = list(self.expected())
         if len(rows) != len(expected) + 1:
             return ['%d rows, not %d: %s' % (len(rows), len(expected) + 1, done.stderr)]
