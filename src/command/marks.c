@@ -412,6 +412,11 @@ long marks_question(const marks *m, const fourlink_check *c)
     return q ? (long)(q - m->list) : -1;
 }
 
+const fourlink_check *marks_asked(const marks *m, unsigned long i)
+{
+    return &m->list[i].value;
+}
+
 void marks_give(marks *m, const input *in, sheet_mark *mark)
 {
     give(m, in, mark);

@@ -32,6 +32,9 @@ void marks_give(marks *m, const input *in, sheet_mark *mark);
 /* The question that a value answers; -1: it is not asked. */
 long marks_question(const marks *m, const fourlink_check *c);
 
+/* What question i asks: its name and place. */
+const fourlink_check *marks_asked(const marks *m, unsigned long i);
+
 void marks_free(marks *m);
 
 #endif

@@ -43,6 +43,9 @@ static int set_format(options *o, const char *value, char message[400])
 {
     char names[FORMATS_NAMES];
 
+    o->is_html = strcmp(value, "html") == 0;
+    if (o->is_html)
+        return 1;
     o->format = formats_find(value);
     o->asks_for_table = o->has_format = 1;
     if (o->format)

@@ -28,6 +28,7 @@ typedef struct options {
     const char *exercise;   /* the deck that says what is asked; null: the deck itself */
     int is_exercise; /* 1: of a design only what students get, without [expect] and [grading] */
     int form;        /* 1: of --expect, the names without the values */
+    int is_html;     /* 1: --format=html, of the texts of --feedback */
     const char *feedback; /* the folder of --feedback; null: none */
     int scores;           /* 1: a line for each deck, or file of answers, instead of each value */
     const char *at;       /* the crank angles of --expect; null: the rows */

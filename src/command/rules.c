@@ -66,6 +66,7 @@ static const rule table[] = {
     {"--design=all", NULL, "standard input", "it reads the deck for each design"},
     {"--names", "--design=all, --answers, --scores or --feedback", NULL, NULL},
     {"--exercise", "--scores or --feedback", NULL, NULL},
+    {"--format=html", "--feedback", NULL, NULL},
 
     /* what changes it */
     {"--at", "a table of rows, --expect or a form without [expect]", "--format=paper, " PICTURES,

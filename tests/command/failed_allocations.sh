@@ -210,6 +210,7 @@ all 1 --answers=../answers --scores -f csv -o result ../asks.deck
 printf 'name,id,late\nanna,1,2\n' >names.csv
 all 1 --answers=../answers --scores --names=../names.csv -f csv -o result ../asks.deck
 all 1 --answers=../answers --feedback=./ -o result ../asks.deck
+all 1 --answers=../answers --feedback=./ --format=html ../asks.deck
 all 1 --answers=../answers --tolerance='1 %, 1 deg' -o result ../class/anna.deck
 all 1 --check=../answers/ --exercise=../asks.deck --scores ../class/anna.deck ../class/ben.deck ../class/carla.deck
 all 1 --check=../answers/ --exercise=../asks.deck --scores -f csv -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck

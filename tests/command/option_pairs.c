@@ -48,6 +48,7 @@ static const sample samples[] = {
     {"--format", "csv", 0},
     {"--format", "json", 0},
     {"--format", "paper", 0},
+    {"--format", "html", 0},
     {"--output", MADE "/output", 0},
     {"--output", MADE "/", 0},
     {"--units", "rad, in, lbf, rpm", 0},
