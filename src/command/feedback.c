@@ -217,14 +217,42 @@ static void put_page(FILE *out, const marks *m, const input *in, const sheet_mar
     page_print(&p, "</table>\n</body>\n</html>\n");
 }
 
+/* How many students of the list have the name of this one. */
+static int count_names(const marks *m, const roster_entry *e)
+{
+    size_t i;
+    int n = 0;
+
+    for (i = 0; i < m->names->n; i++)
+        n += flk_text_equal(m->names->list[i].name, e->name.start);
+    return n;
+}
+
+/* The name of a student's file: the student's, of several with one name also the line of the list; what cannot be in the name of
+** a file becomes "_". */
+static void name_file(const marks *m, const input *in, const sheet_mark *mark, char out[300])
+{
+    const roster_entry *e = in->student ? in->student->entry : NULL;
+    char *c;
+
+    flk_message(out, 300, e && count_names(m, e) > 1 ? "%s, line %ld" : "%s", mark->name,
+                e ? e->line : 0);
+    for (c = out; *c; c++)
+        if (strchr("/\\:*?\"<>|", *c) || (c == out && *c == '.'))
+            *c = '_';
+}
+
 int feedback_write(const marks *m, const input *in, const sheet_mark *mark)
 {
     const char *folder = m->o->feedback;
-    char *path = files_within(folder, flk_text_of(mark->name), m->o->is_html ? ".html" : ".txt");
+    char name[300];
+    char *path;
     line *l = memory_get(1, sizeof *l);
     output out;
     int status;
 
+    name_file(m, in, mark, name);
+    path = files_within(folder, flk_text_of(name), m->o->is_html ? ".html" : ".txt");
     status = path && l ? output_begin(&out, path) : command_lacks_memory("cannot write", folder);
     if (!status) {
         if (m->o->is_html) {

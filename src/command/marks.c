@@ -137,7 +137,7 @@ int marks_begin(marks *m, const options *o, const input *deck, const roster *nam
     name = o->exercise                                         ? o->exercise
            : !deck && o->n_decks == 1 && o->scores && is_class ? o->decks[0]
                                                                : NULL;
-    if (!status && name && strcmp(name, "-") != 0) {
+    if (name && strcmp(name, "-") != 0) {
         status = exercise_read(&m->exercise, o, name);
         asks = &m->exercise.deck;
     }
