@@ -259,8 +259,8 @@ static const option_info table[] = {
     {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
      "print a score for each deck or file, not each value", NULL},
     {0, "--feedback", "FOLDER/", NULL, set_feedback, SHEET_CHECK, 0,
-     "print scores, and write a text for each student into FOLDER/: what was right or wrong, and "
-     "why",
+     "print scores, and write a text for each student, or with --format=html a page, into FOLDER/: "
+     "what was right or wrong, and why",
      NULL},
     {0, "--exercise", "DECK", MEMBER(exercise),
      "ask for what the [expect] of this deck names, and grade by its [grading]: with a deck for "
@@ -291,8 +291,8 @@ static const option_info table[] = {
     {0, "--design", "N|all", OWN(set_design),
      "take design N of the deck's [sweep], from 1, as a deck", NULL},
     {0, "--names", "FILE", MEMBER(names),
-     "the class, for the files of --design=all and for --scores: names, one a line, or a csv with "
-     "headings name (or first name, surname), id, late",
+     "the class, for the files of --design=all and for marks: names, one a line, or a csv with "
+     "headings name (or first name, surname), id, late, design",
      NULL},
     {0, "--best", "'max|min NAME'", OWN(set_best),
      "print the best design of the deck's [sweep], refined, as a deck", NULL},
