@@ -491,7 +491,7 @@ typedef struct fourlink_check {
     fourlink_branch branch;
     long message_line;  /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400];  /* FOURLINK_NO_VALUE: why */
-    char hint[200];     /* FOURLINK_DIFFERS: a possible reason, or "" */
+    char hint[200];     /* FOURLINK_DIFFERS: a possible reason, or ""; FOURLINK_AGREES: in which unit */
     int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
     double marks;       /* that it is worth, of [grading]; otherwise 1 */
     int is_short;       /* 1: it has fewer digits than [grading] asks for */

@@ -623,7 +623,7 @@ static inline void make_wild_deck(long number)
 
 /* Each option of the command, and values that it takes; test_generator.sh compares the names with --help. */
 static const struct {
-    const char *name, *values[8];
+    const char *name, *values[9];
     const char *with;     /* another option that it needs */
     section_code section; /* that it needs; SECTION_TOP: none */
 } known_options[] = {
@@ -660,12 +660,14 @@ static const struct {
     {"--answers", {"answers"}, NULL, SECTION_TOP},
     {"--scores", {""}, "--answers=answers", SECTION_TOP},
     {"--feedback", {"feedback/"}, NULL, SECTION_TOP},
+    {"--exercise", {"asks.deck"}, "--answers=answers --scores", SECTION_TOP},
     {"--tolerance", {"1 %", "0.5 deg, 2 %"}, NULL, SECTION_TOP},
     {"--expect", {""}, NULL, SECTION_TOP},
     {"--form", {""}, NULL, SECTION_TOP},
     {"--plot", {"out.svg", "out.txt", "-"}, NULL, SECTION_TOP},
     {"--plot-kind",
-     {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns"},
+     {"mechanism", "motion", "forces", "turning-moment", "polar", "vectors", "limits", "columns",
+      "exercise"},
      "--plot=out.svg",
      SECTION_TOP},
     {"--plot-at", {"40 deg", "10 deg, 130 deg", "drawn"}, "--plot=out.svg", SECTION_TOP},
@@ -728,7 +730,7 @@ static inline void write_options(FILE *out)
         o = rarest_option();
         for (s = 0; s < SECTION_COUNT; s++)
             pairs_tried[o][s] += (unsigned long)has_section(s);
-        for (values = 0; values < 8 && known_options[o].values[values]; values++)
+        for (values = 0; values < 9 && known_options[o].values[values]; values++)
             ;
         values = one_of(values);
         fprintf(out, "%s%s%s\n", known_options[o].name,

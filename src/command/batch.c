@@ -2,14 +2,14 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks, and marks are for what all answers are asked: for
-** these, all are read once before they are written.  What can be read only once, such as standard input,
-** is kept as text.
+** The header of a csv has the columns of all decks: for these, all are read once before they are written.
+** What can be read only once, such as standard input, is kept as text.
 */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/message.h"
 #include "system/memory.h"
 #include "system/system.h"
 #include "batch.h"
@@ -34,7 +34,10 @@ typedef struct batch {
     fourlink_value *header;
     unsigned long n_header;
     int has_designs; /* 1: one of these has a [sweep] */
-    int has_values;  /* 1: a deck has values instead of rows: a line for each branch */
+    input variant;   /* of a class with a design for each: that of the student, */
+    options of_variant;
+    unsigned long n_designs; /* ... of so many; 0: all have the same deck */
+    int has_values;          /* 1: a deck has values instead of rows: a line for each branch */
     marks m;
     sheet s;
 } batch;
@@ -184,6 +187,16 @@ static void write_designs(sheet *s, const input *in)
     s->design = 0;
 }
 
+/* Find what is asked; the [grading] of an exercise is for all.  Returns the exit status. */
+static int begin_marks(batch *b)
+{
+    int status = marks_begin(&b->m, b->o, b->deck, &b->answers->names);
+
+    if (b->m.exercise.deck.results)
+        b->o = &b->m.exercise.of_answers;
+    return !status && b->o->feedback ? files_make_folder(b->o->feedback) : status;
+}
+
 /* Write an input, or its score alone; returns the exit status. */
 static int write_input(batch *b, input *in)
 {
@@ -234,7 +247,7 @@ static void begin_sheet(batch *b, FILE *out)
     terminal_set_up(s, out, o->wide, o->colour);
     s->questions = b->m.questions;
     s->n_questions = s->content == SHEET_SCORES ? b->m.n : 0;
-    s->has_roster = b->m.names.n > 0;
+    s->has_roster = b->m.names->n > 0 && b->m.names->has_header;
     s->is_form = o->form;
     s->has_designs = b->has_designs;
     s->header = b->header;
@@ -254,6 +267,7 @@ static void batch_close(batch *b)
     free(b->header);
     free(b->texts);
     marks_free(&b->m);
+    input_close(&b->variant);
 }
 
 /* Open the deck of answers in a file without them, if it is an exercise, with [expect] and [grading]; then
@@ -266,7 +280,7 @@ static int open_exercise(const input *in, input *deck, options *of_deck)
         strcmp(in->name, "<stdin>") == 0)
         return 0;
     command_be_silent(1);
-    input_read_without(deck, in->o, of_deck, in);
+    input_read_without(deck, in->o, of_deck, in->o->decks[0], in);
     command_be_silent(0);
     return deck->results && deck->problem.n_expected > 0;
 }
@@ -286,12 +300,10 @@ int batch_write_one(FILE *out, input *in, const grade_answers *answers)
     b.o = in->o;
     b.answers = answers;
     b.deck = in->deck;
-    status = marks_begin(&b.m, b.o, b.deck);
+    status = begin_marks(&b);
     if (!status && !add_columns(&b, in))
         status = complain_of_memory();
     if (!status) {
-        marks_add(&b.m, in);
-        marks_end(&b.m);
         begin_sheet(&b, out);
         status = write_input(&b, in);
     }
@@ -302,14 +314,84 @@ int batch_write_one(FILE *out, input *in, const grade_answers *answers)
 
 /* ------------------------------------------------------------------------------------------- many inputs */
 
+/* The design of a student, from 1; 0: the list gives none. */
+static unsigned long design_of(const batch *b, const student *x)
+{
+    const roster *names = &b->answers->names;
+
+    return names->design_column < 0 ? (unsigned long)(x->entry - names->list) + 1
+                                    : x->entry->design;
+}
+
+/* Find whether each student has a design of the deck's [sweep]; returns the exit status. */
+static int find_designs(batch *b)
+{
+    char words[MESSAGE_SIZE];
+
+    if (!b->deck || !b->deck->n_designs || b->o->design)
+        return 0;
+    b->n_designs = b->deck->n_designs;
+    if (!b->answers->names.n) {
+        flk_message(
+            words, sizeof words,
+            "the [sweep] has %ld designs: --names=FILE says whose is which, --design=N takes "
+            "one for all",
+            (long)b->n_designs);
+        command_tell("error", b->deck->name, 0, words, NULL);
+        return EXIT_USAGE;
+    }
+    if (b->answers->names.design_column < 0)
+        command_tell("note", b->o->names, 0,
+                     "no column has the heading design: the number of a student's row counts",
+                     NULL);
+    return 0;
+}
+
+/* Read the deck of a student's design in silence, and then the answers to it; returns the exit status. */
+static int read_variant(batch *b, const student *x, input *in)
+{
+    unsigned long design = design_of(b, x);
+    int status;
+
+    input_close(&b->variant);
+    memset(&b->variant, 0, sizeof b->variant);
+    if (!design || design > b->n_designs) {
+        flk_message(
+            in->refusal, sizeof in->refusal,
+            design ? "design %ld: the [sweep] has %ld designs"
+                   : "no design in the list: --design=all with --names and --print-deck gives one",
+            (long)design, (long)b->n_designs);
+        in->student = x;
+        in->deck = b->deck;
+        command_tell("error", b->o->names, x->entry->line, in->refusal, NULL);
+        return EXIT_USAGE;
+    }
+    b->of_variant = *b->o;
+    b->of_variant.design = design;
+    command_be_silent(1);
+    status = input_read_without(&b->variant, &b->of_variant, &b->of_variant, b->o->decks[0], NULL);
+    command_be_silent(0);
+    if (b->variant.results)
+        return input_read_answers(in, &b->variant, b->o, b->answers, x);
+    memcpy(in->refusal, b->variant.refusal, sizeof in->refusal);
+    in->student = x;
+    in->deck = b->deck;
+    return status;
+}
+
 /* Read input i; returns the exit status. */
 static int read_input(batch *b, size_t i, input *in)
 {
+    const student *x = b->deck ? &b->answers->students.list[i] : NULL;
     int status;
 
     memset(in, 0, sizeof *in);
-    status = b->deck ? input_read_answers(in, b->deck, b->o, b->answers, i)
-                     : input_read(in, b->o->decks[i], b->o, b->answers, &b->texts[i]);
+    if (x && x->file && b->n_designs)
+        status = read_variant(b, x, in);
+    else if (x)
+        status = input_read_answers(in, b->deck, b->o, b->answers, x);
+    else
+        status = input_read(in, b->o->decks[i], b->o, b->answers, &b->texts[i]);
     return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
 }
 
@@ -325,13 +407,9 @@ static int scan(batch *b)
         read_input(b, i, &in);
         command_be_silent(0);
         enough = add_columns(b, &in);
-        marks_add(&b->m, &in);
         input_close(&in);
     }
-    if (!enough)
-        return complain_of_memory();
-    marks_end(&b->m);
-    return 0;
+    return enough ? 0 : complain_of_memory();
 }
 
 /* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
@@ -386,17 +464,16 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.o = o;
     b.answers = answers;
     b.deck = deck;
-    b.n = deck ? answers->n_files : o->n_decks;
+    b.n = deck ? answers->students.n : o->n_decks;
     b.texts = memory_get(b.n + 1, sizeof *b.texts);
-    status = b.texts ? marks_begin(&b.m, o, deck) : complain_of_memory();
-    if (!status && (b.m.list || asks(o) ||
-                    (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
+    status = b.texts ? begin_marks(&b) : complain_of_memory();
+    if (!status)
+        status = find_designs(&b);
+    if (!status &&
+        (asks(o) || (o->content == SHEET_ROWS && (o->format == &csv_format || names_columns(o)))))
         status = scan(&b);
-    if (!status) {
+    if (!status)
         status = write_all(&b);
-        if (!system_caught())
-            status = command_worse(status, grade_tell_unclaimed(answers, o));
-    }
     batch_close(&b);
     return status;
 }

@@ -110,6 +110,25 @@ int files_is_folder(const char *path)
     return system_kind_of(path) == SYSTEM_FOLDER;
 }
 
+int files_make_folder(const char *path)
+{
+    char *above = files_beside("", path), *end;
+    int is_made = above != NULL;
+
+    for (end = above; is_made && *end; end++)
+        if (end > above && system_is_separator(*end)) {
+            *end = '\0';
+            is_made = system_make_folder(above);
+            *end = path[end - above];
+        }
+    is_made = is_made && system_may_write(path);
+    free(above);
+    if (is_made)
+        return 0;
+    return memory_has_failed() ? command_lacks_memory("cannot make", path)
+                               : command_complain("cannot make", path, strerror(errno));
+}
+
 const char *files_name(const char *path)
 {
     const char *name = path;

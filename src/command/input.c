@@ -13,6 +13,7 @@
 #include "command.h"
 #include "files.h"
 #include "foreign.h"
+#include "handout.h"
 #include "import.h"
 #include "input.h"
 #include "rules.h"
@@ -291,7 +292,8 @@ static int open_results(input *in)
         refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
-        if (!in->o->is_again && !(in->is_design && in->found)) /* told of the task's deck */
+        if (!in->o->is_again &&
+            (in->deck || !in->is_design)) /* told of the deck with the [sweep] or the task */
             tell_all(in, list, n, "note", "note");
         keep_remarks(in, list, n, 0);
         fourlink_results_slips(in->results, MOST_MISTAKES, list, &n);
@@ -383,15 +385,17 @@ static int read_text(input *in, const char *path, input_text *once)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck: those of all decks or, from a folder, this file or null for its own.
-** Returns the exit status. */
-static int take_answers(input *in, const char *path, const grade_answers *answers, const char *file)
+/* Set the answers of a deck: those of all decks or, from a folder, those of a student, for null of the one with its
+** name.  Returns the exit status. */
+static int take_answers(input *in, const char *path, const grade_answers *answers, const student *x)
 {
     int status = 0;
 
     in->source.answers_name = in->o->check_file;
     if (answers->folder) {
-        status = grade_read(&in->answers, answers, in->o, path, file, in->refusal);
+        in->student = x;
+        status = x ? grade_read(&in->answers, answers, in->o, x, in->refusal)
+                   : grade_read_for(&in->answers, answers, in->o, path, &in->student, in->refusal);
         in->source.answers_name = in->answers.path;
         answers = &in->answers;
     }
@@ -452,6 +456,8 @@ static int take_design(input *in)
     refuse(in);
     if (!contents)
         return command_lacks_memory("cannot read", in->name);
+    if (in->o->is_exercise)
+        length = (unsigned long)handout_strip(contents, length);
     free(in->text);
     in->source.text = in->text = contents;
     in->source.length = length;
@@ -482,7 +488,7 @@ static int open_input(input *in)
     char message[400];
     int status;
 
-    if (rules_without_sweep(o, message) && has_no_sweep(in)) {
+    if (!in->has_sweep && rules_without_sweep(o, message) && has_no_sweep(in)) {
         tell_mistake(in, in->name, message);
         return EXIT_USAGE;
     }
@@ -501,6 +507,8 @@ static int open_input(input *in)
         return status;
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     in->has_sweep |= in->problem.n_designs > 0;
+    if (in->problem.n_designs)
+        in->n_designs = in->problem.n_designs;
     in->has_task |= o->synthesis && has_task(in);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
@@ -535,7 +543,7 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
 }
 
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
-                       size_t i)
+                       const student *x)
 {
     int status;
 
@@ -547,11 +555,12 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->is_design = deck->is_design;
     in->has_sweep = deck->has_sweep;
     in->has_task = deck->has_task;
-    status = take_answers(in, in->name, answers, answers->files[i]);
+    status = take_answers(in, in->name, answers, x);
     return status ? status : open_input(in);
 }
 
-int input_read_without(input *in, const options *o, options *own, const input *with)
+int input_read_without(input *in, const options *o, options *own, const char *path,
+                       const input *with)
 {
     grade_answers none;
 
@@ -560,8 +569,9 @@ int input_read_without(input *in, const options *o, options *own, const input *w
     *own = *o;
     own->content = SHEET_SUMMARY;
     own->check_file = NULL;
+    own->design = o->design ? o->design : 1;
     in->like = with ? with->results : NULL;
-    return input_read(in, o->decks[0], own, &none, NULL);
+    return input_read(in, path, own, &none, NULL);
 }
 
 void input_close(input *in)

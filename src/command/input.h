@@ -22,11 +22,13 @@ typedef struct input {
     int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
     fourlink_solution *found; /* by synthesis, for a report; or null */
     int has_sweep,
-        has_task;     /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
-    int has_defects;  /* 1: the linkage found by synthesis has some */
-    int has_mistakes; /* 1: because its text has mistakes */
+        has_task; /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
+    unsigned long n_designs; /* of that [sweep] */
+    int has_defects;         /* 1: the linkage found by synthesis has some */
+    int has_mistakes;        /* 1: because its text has mistakes */
     fourlink_problem problem;
-    grade_answers answers; /* its own, of a folder */
+    grade_answers answers;  /* its own, of a folder */
+    const student *student; /* who has written them; null: nobody of a class */
     const struct input
         *deck; /* the same deck without answers, whose notes have been told; null: there is none */
     fourlink_results *like;     /* of the same deck with other answers, opened before; or null */
@@ -49,14 +51,15 @@ typedef struct input_text {
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers,
                input_text *once);
 
-/* The same with the i-th file of answers to a deck that has been read. */
+/* The same with the answers of a student to a deck that has been read. */
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
-                       size_t i);
+                       const student *x);
 
-/* Read the first deck without its answers, as for a summary; `own` are the options then, which must live as
-** long as the input.  `with` is null, or the deck with answers, which must live longer.  Returns the exit
-** status. */
-int input_read_without(input *in, const options *o, options *own, const input *with);
+/* Read a deck without answers, as for a summary, of a [sweep] one design: that of the options, or the first.  `own` are
+** the options then, which must live as long as the input.  `with` is null, or the deck with answers, which must live
+** longer.  Returns the exit status. */
+int input_read_without(input *in, const options *o, options *own, const char *path,
+                       const input *with);
 
 void input_close(input *in);
 

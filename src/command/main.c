@@ -130,7 +130,7 @@ static int run_class(const options *o, const grade_answers *answers)
 {
     options of_deck;
     input deck;
-    int status = input_read_without(&deck, o, &of_deck, NULL);
+    int status = input_read_without(&deck, o, &of_deck, o->decks[0], NULL);
 
     if (deck.results)
         status = command_worse(status, batch_run(o, answers, &deck));
@@ -139,51 +139,87 @@ static int run_class(const options *o, const grade_answers *answers)
 }
 
 /* Run one design of a [sweep] for a file of its own; returns the exit status. */
-static int run_variant(const options *o, const char *path, unsigned long i)
+static int run_variant(const options *o, const char *path, unsigned long design, int is_again)
 {
     options one = *o;
     int status;
 
     one.all_designs = 0;
-    one.design = i + 1;
-    one.is_again = i > 0;
+    one.design = design;
+    one.is_again = is_again;
     one.variant = path;
-    *(o->report ? &one.report : &one.output) = path;
+    *(o->report ? &one.report : o->plot ? &one.plot : &one.output) = path;
     status = files_tell_clash(&one);
     return status ? status : run_one(&one, &no_answers);
 }
 
-/* Write a file for each design of a [sweep]; returns the exit status. */
-static int run_variants(const options *o)
+/* The folder for a file of each design. */
+static const char *folder_of(const options *o)
 {
-    const char *folder = o->report ? o->report : o->output;
+    return o->report ? o->report : o->plot ? o->plot : o->output;
+}
+
+/* Write the file of design i; returns the exit status. */
+static int write_variant(const options *o, const variants *v, const input *deck, unsigned long i,
+                         const char *ending)
+{
+    const char *folder = folder_of(o);
+    char *path = variants_path(v, folder, deck, i, ending);
+    int status = path ? run_variant(o, path, variants_design(v, i), i > 0 || o->form)
+                      : command_lacks_memory("cannot write", folder);
+
+    free(path);
+    return status;
+}
+
+/* Write the files of all designs, and with decks for the students of a list the forms to fill in, and the list with their
+** designs; returns the exit status. */
+static int write_variants(const options *o, const variants *v, const input *deck)
+{
+    int is_class = o->names && o->print_deck, status = 0;
+    options of_form = *o, own = *o;
+    unsigned long i;
+
+    own.is_exercise = o->names && (o->print_deck || o->report);
+    of_form.content = SHEET_EXPECT;
+    of_form.form = 1;
+    of_form.print_deck = 0;
+    for (i = 0; i < v->n && status != EXIT_FILES && !system_caught(); i++) {
+        status = command_worse(status, write_variant(&own, v, deck, i,
+                                                     o->report       ? ".html"
+                                                     : o->plot       ? ".svg"
+                                                     : o->print_deck ? ".deck"
+                                                                     : ".expect"));
+        if (is_class && deck->problem.n_expected)
+            status = command_worse(status, write_variant(&of_form, v, deck, i, ".txt"));
+    }
+    if (is_class && status != EXIT_FILES && !system_caught())
+        status = command_worse(status, variants_write_list(v, o->output));
+    return status;
+}
+
+/* Write a file for each design of a [sweep]; returns the exit status. */
+static int run_variants(const options *o, grade_answers *answers)
+{
+    const char *folder = folder_of(o);
     options of_deck = *o;
     variants v;
-    int status, may_write = 0;
-    unsigned long i;
+    int status;
     input deck;
 
     memset(&v, 0, sizeof v);
     memset(&deck, 0, sizeof deck);
     of_deck.content = SHEET_ROWS;
-    of_deck.report = NULL;
+    of_deck.report = of_deck.plot = NULL;
     of_deck.is_again = 1;
     status = input_read(&deck, o->decks[0], &of_deck, &no_answers, NULL);
     if (deck.results) {
-        status = variants_open(&v, &deck);
-        may_write = status == 0;
+        status = variants_open(&v, &deck, &answers->names, folder);
+        if (!status)
+            status = files_make_folder(folder);
+        if (!status)
+            status = write_variants(o, &v, &deck);
     }
-    for (i = 0; i < v.n && may_write && status != EXIT_FILES && !system_caught(); i++) {
-        char *path = variants_path(&v, folder, &deck, i,
-                                   o->report       ? ".html"
-                                   : o->print_deck ? ".deck"
-                                                   : ".expect");
-
-        status = command_worse(status, path ? run_variant(o, path, i)
-                                            : command_lacks_memory("cannot write", folder));
-        free(path);
-    }
-    variants_close(&v);
     input_close(&deck);
     return status;
 }
@@ -203,15 +239,17 @@ static int run(options *o)
     grade_answers answers;
 
     status = grade_open(&answers, o);
-    o->is_class = answers.n_files > 0 && !o->answers;
+    o->is_class = answers.is_class && !o->answers;
     if (!status && rules_broken(o, NULL, message))
         status = refuse(message);
     if (!status)
-        status = o->lists_all      ? run_catalogue(o)
-                 : o->all_designs  ? run_variants(o)
-                 : answers.n_files ? run_class(o, &answers)
-                 : o->n_decks > 1  ? batch_run(o, &answers, NULL)
-                                   : run_one(o, &answers);
+        status = grade_match(&answers, o);
+    if (!status)
+        status = o->lists_all       ? run_catalogue(o)
+                 : o->all_designs   ? run_variants(o, &answers)
+                 : answers.is_class ? run_class(o, &answers)
+                 : o->n_decks > 1   ? batch_run(o, &answers, NULL)
+                                    : run_one(o, &answers);
     grade_close(&answers);
     if (system_caught()) {
         fflush(stdout);

@@ -2,9 +2,8 @@
 **
 ** marks.c - what is asked of many answers, and what each is worth.
 **
-** All answers are asked for the same values, so that one who leaves some out is not better off.  What
-** is asked is in the deck's own [expect].  If it has none, it is what a quarter of the answers have:
-** neither a slip of one student nor a value that many leave out changes it.
+** All answers are asked for the same values, those that the [expect] of the exercise names.  Nothing that an
+** answer says changes what is asked of it, or of others.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -16,21 +15,20 @@
 #include "system/memory.h"
 #include "command.h"
 #include "files.h"
+#include "handed.h"
 #include "copied.h"
 #include "marks.h"
 #include "view/results.h"
+#include "view/view.h"
 
 #define MOST_QUESTIONS 2000 /* in all answers together: each is compared with all */
 #define NO_ANSWER (-1)
 #define MOST_COMPARED 100000 /* answers with the decks of others, in all */
-#define SHARE 4              /* one answer in four makes a question */
 
 /* A value that is asked for. */
 typedef struct question {
-    fourlink_check value;  /* the first that was found */
-    unsigned long answers; /* how many have it */
-    unsigned long last;    /* number of the last one that has it, from 1 */
-    int is_right;          /* of the one that is marked: 1, 0 or NO_ANSWER */
+    fourlink_check value;
+    int is_right; /* of the answers that are marked: 1, 0 or NO_ANSWER */
 } question;
 
 static int is_asked(const fourlink_check *q, const fourlink_check *c)
@@ -51,29 +49,20 @@ static question *find(const marks *m, const fourlink_check *c)
     return NULL;
 }
 
-/* Add the values of an input. */
-static void add(marks *m, const input *in, unsigned long number)
+/* Ask for the values of a deck's [expect]. */
+static void ask(marks *m, const input *deck)
 {
     fourlink_check c;
     unsigned long i;
-    question *q;
 
-    for (i = 0; i < in->problem.n_expected; i++) {
-        results_check(in->results, i, &c);
+    for (i = 0; i < deck->problem.n_expected && m->n < MOST_QUESTIONS; i++) {
+        results_check(deck->results, i, &c);
+        if (find(m, &c))
+            continue;
         m->set_tolerances |=
             c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;
-        q = find(m, &c);
-        if (!q && m->n < MOST_QUESTIONS) {
-            q = &m->list[m->n++];
-            q->value = c;
-            q->value.file = q->value.unit = ""; /* its results are closed */
-            q->answers = 0;
-            q->last = 0;
-        }
-        if (q && q->last != number) {
-            q->answers++;
-            q->last = number;
-        }
+        c.file = c.unit = ""; /* its results may be closed */
+        m->list[m->n++].value = c;
     }
 }
 
@@ -108,94 +97,75 @@ static void put_name(char *note, size_t size, const char *title, int *n, const f
                     q->branch == FOURLINK_CROSSED ? " (crossed)" : "", angle));
 }
 
-/* Print notes on tolerances and on values that were found in the answers. */
-static void tell(const marks *m, const char *name, int is_class)
+/* Give the questions their names, for sheets. */
+static void name_questions(marks *m)
 {
-    char note[MESSAGE_SIZE] = "", words[MESSAGE_SIZE];
     unsigned long i;
-    int n = 0;
+    int none;
 
-    if (m->set_tolerances)
-        command_tell("note", name, 0,
-                     "answers set their own tolerance, by 'tolerance' or their last digit; "
-                     "--tolerance='1 %' or a [grading] section sets it for all",
-                     NULL);
-    if (!m->are_guessed)
-        return;
-    for (i = 0; i < m->n; i++)
-        put_name(note, 250, "", &n, &m->list[i].value);
-    flk_message(words, sizeof words,
-                "not all answers have the same values; %ld are asked, those that a quarter of them "
-                "have: %s%s",
-                (long)m->n, note, is_class ? "; an [expect] in the deck says what is asked" : "");
-    command_tell("note", name, 0, words, NULL);
+    for (i = 0; i < m->n; i++) {
+        none = 0;
+        put_name(m->questions[i].name, sizeof m->questions[i].name, "", &none, &m->list[i].value);
+        m->questions[i].of = m->list[i].value.marks;
+    }
 }
 
-/* Read the ids and the days late of a class; returns the exit status. */
-static int read_roster(marks *m, const char *path)
+/* Refuse to give marks where nothing says what is asked; returns the exit status. */
+static int refuse_unasked(const marks *m, const input *asks)
 {
-    int status = roster_read(&m->names, path);
-
-    if (status || m->names.has_header)
-        return status;
-    command_tell("error", path, 1, "expected the titles of columns: name, id, late", NULL);
+    command_tell("error", asks ? asks->name : m->o->check_file, 0,
+                 asks
+                     ? "no [expect] says what is asked: add one to this deck, with lines such as "
+                       "'at = 40 deg' and 'theta4 = 0 deg', whose values do not matter"
+                     : "no exercise says what is asked: add --exercise=DECK, a deck whose [expect] "
+                       "names the questions",
+                 NULL);
     return EXIT_USAGE;
 }
 
-int marks_begin(marks *m, const options *o, const input *deck)
+int marks_begin(marks *m, const options *o, const input *deck, const roster *names)
 {
-    int status;
+    const input *asks = deck;
+    const char *name;
+    view v;
+    int is_class = o->check_file && files_is_folder(o->check_file), status = 0;
 
     memset(m, 0, sizeof *m);
     m->o = o;
     m->deck = deck;
-    status = o->names && o->scores ? read_roster(m, o->names) : 0;
-    if (status)
+    m->names = names;
+    name = o->exercise                                         ? o->exercise
+           : !deck && o->n_decks == 1 && o->scores && is_class ? o->decks[0]
+                                                               : NULL;
+    if (name && strcmp(name, "-") != 0) {
+        status = exercise_read(&m->exercise, o, name);
+        asks = &m->exercise.deck;
+    }
+    if (status || !(asks || (o->scores && is_class)))
         return status;
-    if (!deck && !(o->scores && o->check_file && files_is_folder(o->check_file)))
-        return 0;
     m->list = memory_get(MOST_QUESTIONS, sizeof *m->list);
     m->questions = memory_get(MOST_QUESTIONS, sizeof *m->questions);
     if (!m->list || !m->questions)
         return command_lacks_memory("cannot start", "");
-    if (deck)
-        add(m, deck, 0);
-    m->n_of_deck = m->n;
-    m->set_tolerances = 0;
+    if (asks) {
+        view_take(&v, asks->results);
+        flk_text_copy(flk_text_of(v.units[QUANTITY_ANGLE].name), m->unit_of_angle,
+                      sizeof m->unit_of_angle);
+        ask(m, asks);
+    }
+    if (!m->n && o->scores)
+        return refuse_unasked(m, asks);
+    if (!m->n) {
+        free(m->list);
+        m->list = NULL;
+    }
+    name_questions(m);
+    if (m->set_tolerances && is_class)
+        command_tell("note", asks->name, 0,
+                     "answers set their own tolerance, by 'tolerance' or their last digit; "
+                     "--tolerance='1 %' or a [grading] section sets it for all",
+                     NULL);
     return 0;
-}
-
-void marks_add(marks *m, const input *in)
-{
-    m->number++;
-    if (!m->list || !in->results)
-        return;
-    add(m, in, m->number);
-    m->readable++;
-}
-
-/* Without questions of the deck, those that a quarter of the answers have. */
-void marks_end(marks *m)
-{
-    unsigned long i, kept = 0;
-
-    if (!m->list)
-        return;
-    for (i = 0; i < m->n && !m->n_of_deck; i++) {
-        if (SHARE * m->list[i].answers >= m->readable)
-            m->list[kept++] = m->list[i];
-        m->are_guessed |= m->list[i].answers < m->readable;
-    }
-    m->n = m->n_of_deck ? m->n_of_deck : kept;
-    for (i = 0; i < m->n; i++) {
-        char *name = m->questions[i].name;
-        int none = 0;
-
-        name[0] = '\0';
-        put_name(name, sizeof m->questions[i].name, "", &none, &m->list[i].value);
-        m->questions[i].of = m->list[i].value.marks;
-    }
-    tell(m, m->o->check_file, m->deck != NULL);
 }
 
 /* Find which questions an input answers, and whether all its answers to one are right. */
@@ -224,7 +194,7 @@ static text name_of(const char *path)
         name.length -= strlen(".deck");
         return name;
     }
-    return students_stem(path);
+    return handed_stem(path);
 }
 
 /* 1 if a note has no room for more. */
@@ -248,9 +218,27 @@ static int is_told(const input *in, unsigned long i, const fourlink_check *c)
     return 0;
 }
 
+/* Note right answers without a unit that are in another one than the table's. */
+static void note_units(const marks *m, const input *in, sheet_mark *mark)
+{
+    char words[MESSAGE_SIZE];
+    fourlink_check c;
+    unsigned long i;
+    int n;
+
+    for (i = 0; i < in->problem.n_expected && !is_full(mark); i++) {
+        results_check(in->results, i, &c);
+        if (c.verdict != FOURLINK_AGREES || !c.hint[0] || (m->list && !find(m, &c)))
+            continue;
+        n = 0;
+        put_name(mark->note, sizeof mark->note, "", &n, &c);
+        put(mark->note, sizeof mark->note, flk_message(words, sizeof words, " (%s)", c.hint));
+    }
+}
+
 /* Note what is wrong, names with the same reason together: "wrong: Ts at 60, 200 (the sign is the
 ** opposite)". */
-static void note_wrong(const input *in, sheet_mark *mark)
+static void note_wrong(const marks *m, const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;
     char words[MESSAGE_SIZE];
@@ -261,6 +249,8 @@ static void note_wrong(const input *in, sheet_mark *mark)
 
     for (i = 0; i < in->problem.n_expected && !is_full(mark); i++) {
         results_check(in->results, i, &c);
+        if (m->list && !find(m, &c))
+            continue;
         n_short += c.is_short;
         if (c.verdict != FOURLINK_DIFFERS || c.is_short || is_told(in, i, &c))
             continue;
@@ -277,6 +267,7 @@ static void note_wrong(const input *in, sheet_mark *mark)
         if (c.hint[0])
             put(mark->note, size, flk_message(words, sizeof words, " (%s)", c.hint));
     }
+    note_units(m, in, mark);
     if (n_short)
         put_part(mark->note, size,
                  flk_message(words, sizeof words,
@@ -302,12 +293,34 @@ static void note_copied(marks *m, const input *in, sheet_mark *mark)
                              (long)n, (long)in->problem.n_expected));
 }
 
+/* Note the rows that a column without a place may be meant for: those at which its name is asked. */
+static void note_row(const marks *m, const fourlink_check *c, sheet_mark *mark)
+{
+    size_t size = sizeof mark->note;
+    char words[MESSAGE_SIZE];
+    const fourlink_check *q;
+    unsigned long i;
+    int n = 0;
+
+    for (i = 0; i < m->n; i++) {
+        q = &m->list[i].value;
+        if (c->has_angle || !q->has_angle || strcmp(q->name, c->name) != 0 ||
+            q->branch != c->branch)
+            continue;
+        put(mark->note, size, n++ ? " or " : "; read as the row at ");
+        put(mark->note, size,
+            flk_message(words, sizeof words, "%g %s", q->has_place ? q->place : q->angle,
+                        q->has_place ? q->place_unit : m->unit_of_angle));
+    }
+    put(mark->note, size, n ? "?" : "");
+}
+
 /* Note what is odd in an answer: values that are not asked for, without a value, or known to be wrong. */
 static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 {
     size_t size = sizeof mark->note;
     char words[MESSAGE_SIZE + 40];
-    int n_extra = 0, has_mistake = 0, has_misprint = 0, sets_tolerance = 0, has_grading = 0;
+    int n_extra = 0, has_misprint = 0, sets_tolerance = 0, has_grading = 0;
     const question *q;
     fourlink_check c;
     unsigned long i;
@@ -317,11 +330,12 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         has_misprint |= c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT;
         sets_tolerance |= c.tolerance_from == FOURLINK_FROM_SECTION;
         q = m->list ? find(m, &c) : NULL;
-        has_grading |= q && c.tolerance_from == FOURLINK_FROM_GRADING &&
-                       q->value.tolerance_from != FOURLINK_FROM_GRADING;
-        if (c.verdict == FOURLINK_NO_VALUE && !has_mistake++) {
+        has_grading |= m->exercise.deck.results && c.tolerance_from == FOURLINK_FROM_GRADING;
+        if (c.verdict == FOURLINK_NO_VALUE && !is_full(mark)) {
             put_part(mark->note, size,
                      flk_message(words, sizeof words, "line %ld: %s", c.message_line, c.message));
+            if (m->list && !q)
+                note_row(m, &c, mark);
         } else if (c.verdict != FOURLINK_NO_VALUE && m->list && !q) {
             put_name(mark->note, size, "not asked: ", &n_extra, &c);
         }
@@ -330,9 +344,9 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
         put_part(mark->note, size, "a value of [misprint] is no answer");
     if (sets_tolerance && m->list)
         put_part(mark->note, size, "sets its own tolerance");
-    if (has_grading) /* the first deck has none: a student's own */
+    if (has_grading) /* which the exercise does not set: a student's own */
         put_part(mark->note, size, "by the [grading] of its deck");
-    note_wrong(in, mark);
+    note_wrong(m, in, mark);
     if (in->remarks[0])
         put_part(mark->note, size, in->remarks);
 }
@@ -340,8 +354,11 @@ static void note_checks(const marks *m, const input *in, sheet_mark *mark)
 /* The id and the days late of the list of names, and the marks after the deduction of [grading]. */
 static void take_entry(const marks *m, const input *in, sheet_mark *mark)
 {
-    const fourlink_problem *p = m->deck ? &m->deck->problem : &in->problem;
-    const roster_entry *e = roster_find(&m->names, flk_text_of(mark->name));
+    const fourlink_problem *p = m->exercise.deck.results ? &m->exercise.deck.problem
+                                : m->deck                ? &m->deck->problem
+                                                         : &in->problem;
+    const roster_entry *e =
+        in->student ? in->student->entry : roster_find(m->names, flk_text_of(mark->name));
 
     mark->total = mark->right;
     if (!e)
@@ -359,8 +376,9 @@ static void give(marks *m, const input *in, sheet_mark *mark)
     unsigned long i;
 
     memset(mark, 0, sizeof *mark);
-    mark->path = path ? path : "";
-    flk_text_copy(name_of(mark->path), mark->name, sizeof mark->name);
+    mark->path = path ? path : in->student ? in->student->name.start : "";
+    flk_text_copy(in->deck && in->student ? in->student->name : name_of(mark->path), mark->name,
+                  sizeof mark->name);
     for (i = 0; i < m->n; i++) {
         mark->of += m->list[i].value.marks;
         m->questions[i].got = GSL_NAN;
@@ -394,6 +412,11 @@ long marks_question(const marks *m, const fourlink_check *c)
     return q ? (long)(q - m->list) : -1;
 }
 
+const fourlink_check *marks_asked(const marks *m, unsigned long i)
+{
+    return &m->list[i].value;
+}
+
 void marks_give(marks *m, const input *in, sheet_mark *mark)
 {
     give(m, in, mark);
@@ -403,6 +426,6 @@ void marks_give(marks *m, const input *in, sheet_mark *mark)
 void marks_free(marks *m)
 {
     free(m->questions);
-    roster_free(&m->names);
+    exercise_close(&m->exercise);
     free(m->list);
 }

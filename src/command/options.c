@@ -43,6 +43,9 @@ static int set_format(options *o, const char *value, char message[400])
 {
     char names[FORMATS_NAMES];
 
+    o->is_html = strcmp(value, "html") == 0;
+    if (o->is_html)
+        return 1;
     o->format = formats_find(value);
     o->asks_for_table = o->has_format = 1;
     if (o->format)
@@ -96,7 +99,7 @@ static int set_plot(options *o, const char *value, char message[400])
     char names[100];
 
     o->plot = value;
-    o->drawing.file = plot_file_of(value);
+    o->drawing.file = options_is_folder(value) ? PLOT_SVG : plot_file_of(value);
     if (o->drawing.file == PLOT_FILE_COUNT)
         flk_message(message, 400, "--plot needs a file name that ends in %s, or -, not '%t'",
                     flk_text_list(plot_endings, ", ", " or ", names, sizeof names),
@@ -241,7 +244,8 @@ static const option_info table[] = {
     {0, "--import", "FILE", OWN(set_import),
      "print the deck of a PMKS+ link in FILE, by the places of its pins", NULL},
     {'c', "--columns", "NAME,NAME,...|all", KEY("table.columns="),
-     "columns to print, or values such as 'max(Ts), Ts at 30 deg', one line for each deck; --list shows "
+     "columns to print, or values such as 'max(Ts), Ts at 30 deg', one line for each deck; --list "
+     "shows "
      "their names",
      "Output:"},
     {0, "--at", "ANGLE,COLUMN=VALUE,...", MEMBER(at),
@@ -270,8 +274,12 @@ static const option_info table[] = {
     {0, "--scores", NULL, NULL, NULL, SHEET_CHECK, offsetof(options, scores),
      "print a score for each deck or file, not each value", NULL},
     {0, "--feedback", "FOLDER/", NULL, set_feedback, SHEET_CHECK, 0,
-     "print scores, and write a text for each student into FOLDER/: what was right or wrong, and "
-     "why",
+     "print scores, and write a text for each student, or with --format=html a page, into FOLDER/: "
+     "what was right or wrong, and why",
+     NULL},
+    {0, "--exercise", "DECK", MEMBER(exercise),
+     "ask for what the [expect] of this deck names, and grade by its [grading]: with a deck for "
+     "each student",
      NULL},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'", NULL},
@@ -298,8 +306,8 @@ static const option_info table[] = {
     {0, "--design", "N|all", OWN(set_design),
      "take design N of the deck's [sweep], from 1, as a deck", NULL},
     {0, "--names", "FILE", MEMBER(names),
-     "the class, for the files of --design=all and for --scores: names, one a line, or a csv with "
-     "headings name (or first name, surname), id, late",
+     "the class, for the files of --design=all and for marks: names, one a line, or a csv with "
+     "headings name (or first name, surname), id, late, design",
      NULL},
     {0, "--best", "'max|min NAME'", OWN(set_best),
      "print the best design of the deck's [sweep], refined, as a deck; with --format, or of "

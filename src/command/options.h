@@ -25,13 +25,16 @@ typedef struct options {
     const char *check_file; /* null: the deck's own expectations */
     const char *answers;    /* the folder of --answers, which check_file is then too */
     int is_class;           /* 1: all files of the folder of --check are answers to the deck */
-    int form;               /* 1: of --expect, the names without the values */
-    const char *feedback;   /* the folder of --feedback; null: none */
-    int scores;             /* 1: a line for each deck, or file of answers, instead of each value */
-    const char *at;         /* the crank angles of --expect; null: the rows */
-    const char *output;     /* null: standard output */
-    const char *units;      /* of results; null: those of the deck */
-    const char *best;       /* the name that --best asks for; null: it was not given */
+    const char *exercise;   /* the deck that says what is asked; null: the deck itself */
+    int is_exercise; /* 1: of a design only what students get, without [expect] and [grading] */
+    int form;        /* 1: of --expect, the names without the values */
+    int is_html;     /* 1: --format=html, of the texts of --feedback */
+    const char *feedback; /* the folder of --feedback; null: none */
+    int scores;           /* 1: a line for each deck, or file of answers, instead of each value */
+    const char *at;       /* the crank angles of --expect; null: the rows */
+    const char *output;   /* null: standard output */
+    const char *units;    /* of results; null: those of the deck */
+    const char *best;     /* the name that --best asks for; null: it was not given */
     int best_is_largest;
     const char *solve;         /* what --solve asks for; null: it was not given */
     unsigned long part, parts; /* --part=K/N; parts 0: not given */

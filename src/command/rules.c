@@ -52,15 +52,22 @@ static const rule table[] = {
      "it takes one deck"},
 
     /* a file for each design */
-    {"--design=all", "--output=FOLDER/ or --report=FOLDER/", NULL, NULL},
+    {"--design=all", "--output=FOLDER/, --report=FOLDER/ or --plot=FOLDER/", NULL, NULL},
     {"--output=FOLDER/", "--print-deck, --expect or --form", NULL, NULL},
-    {"--output=FOLDER/, --report=FOLDER/", "--design=all", NULL, NULL},
+    {"--output=FOLDER/, --report=FOLDER/, --plot=FOLDER/", "--design=all", NULL, NULL},
     {"--design=all", NULL, "--report=FILE.html, --report=FILE.htm", "it needs --report=FOLDER/"},
-    {"--report=FOLDER/", NULL, "--output, " FORMS, "one file is written for each design"},
-    {"--design=all", NULL, "--summary, --matrix, --list, " CHECKS ", --solve, --format, --plot",
+    {"--design=all", NULL,
+     "--plot=FILE.svg, --plot=FILE.png, --plot=FILE.pdf, --plot=FILE.txt, --plot=-",
+     "it needs --plot=FOLDER/"},
+    {"--plot=FOLDER/, --report=FOLDER/", NULL, "--output, " FORMS,
+     "one file is written for each design"},
+    {"--plot=FOLDER/", NULL, "--report", "one file is written for each design"},
+    {"--design=all", NULL, "--summary, --matrix, --list, " CHECKS ", --solve, --format",
      "it writes one file for each design"},
     {"--design=all", NULL, "standard input", "it reads the deck for each design"},
-    {"--names", "--design=all, --scores or --feedback", NULL, NULL},
+    {"--names", "--design=all, --answers, --scores or --feedback", NULL, NULL},
+    {"--exercise", "--scores or --feedback", NULL, NULL},
+    {"--format=html", "--feedback", NULL, NULL},
 
     /* what changes it */
     {"--at", "a table of rows, --expect or a form without [expect]", "--format=paper, " PICTURES,

@@ -3,11 +3,15 @@
 ** variants.c - the designs of a [sweep] as files, with numbers or with names from a list.
 */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
+#include "system/memory.h"
+#include "system/system.h"
 #include "command.h"
 #include "files.h"
+#include "output.h"
 #include "variants.h"
 
 #define LONGEST_NAME 200 /* bytes */
@@ -59,33 +63,105 @@ static int check_names(const roster *r, const char *file)
     return 0;
 }
 
-int variants_open(variants *v, const input *deck)
+/* The list that is written beside the files. */
+static char *list_path(const char *folder)
+{
+    return files_within(folder, flk_text_of("class"), ".csv");
+}
+
+/* Take the designs of the list that was written before, if there is one; returns the exit status. */
+static int take_earlier(roster *names, const char *folder)
+{
+    char *path = list_path(folder);
+    const roster_entry *e;
+    int status = 0;
+    roster before;
+    size_t i;
+
+    if (!path)
+        return command_lacks_memory("cannot read", folder);
+    if (system_kind_of(path) == SYSTEM_FILE) {
+        status = roster_read(&before, path);
+        for (i = 0; i < names->n && !status; i++) {
+            e = roster_find(&before, names->list[i].name);
+            names->list[i].design = e ? e->design : 0;
+        }
+        roster_free(&before);
+    }
+    free(path);
+    return status;
+}
+
+/* Give each student without a design the next free one; returns the exit status. */
+static int give_designs(roster *names, const input *deck)
+{
+    unsigned long designs = deck->problem.n_designs, next = 1;
+    char *is_taken = memory_get(names->n + 2, 1), words[MESSAGE_SIZE];
+    roster_entry *e;
+
+    if (!is_taken)
+        return command_lacks_memory("cannot start", "");
+    for (e = names->list; e < names->list + names->n; e++)
+        if (e->design <= names->n)
+            is_taken[e->design] = 1;
+    for (e = names->list; e < names->list + names->n; e++) {
+        while (!e->design && is_taken[next])
+            next++;
+        if (!e->design)
+            e->design = next++;
+        if (e->design > designs)
+            break;
+    }
+    free(is_taken);
+    if (e == names->list + names->n)
+        return 0;
+    flk_message(words, sizeof words, "%t has design %ld, but the [sweep] of %s has %ld designs",
+                e->name, (long)e->design, deck->name, (long)designs);
+    command_tell("error", deck->o->names, e->line, words, NULL);
+    return EXIT_USAGE;
+}
+
+int variants_open(variants *v, const input *deck, roster *names, const char *folder)
 {
     const char *file = deck->o->names;
-    unsigned long designs = deck->problem.n_designs;
     char words[MESSAGE_SIZE];
     int status;
 
-    v->n = designs;
+    v->names = names;
+    v->n = file ? (unsigned long)names->n : deck->problem.n_designs;
     if (!file)
         return 0;
-    status = roster_read(&v->names, file);
-    if (!status)
-        status = check_names(&v->names, file);
+    status = check_names(names, file);
+    if (!status && names->n && names->design_column < 0)
+        status = take_earlier(names, folder);
     if (status)
         return status;
-    v->n = (unsigned long)v->names.n;
-    if (v->n <= designs && v->n)
-        return 0;
+    if (v->n <= deck->problem.n_designs && v->n)
+        return give_designs(names, deck);
     flk_message(words, sizeof words, "%ld names, but the [sweep] of %s has %ld designs", (long)v->n,
-                deck->name, (long)designs);
+                deck->name, (long)deck->problem.n_designs);
     command_tell("error", file, 0, words, NULL);
     return EXIT_USAGE;
 }
 
-void variants_close(variants *v)
+unsigned long variants_design(const variants *v, unsigned long i)
 {
-    roster_free(&v->names);
+    return v->names->n ? v->names->list[i].design : i + 1;
+}
+
+int variants_write_list(const variants *v, const char *folder)
+{
+    char *path = list_path(folder);
+    output out;
+    int status;
+
+    status = path ? output_begin(&out, path) : command_lacks_memory("cannot write", folder);
+    if (!status) {
+        roster_write(v->names, out.file);
+        status = output_end(&out, path, 1);
+    }
+    free(path);
+    return status;
 }
 
 char *variants_path(const variants *v, const char *folder, const input *deck, unsigned long i,
@@ -95,8 +171,8 @@ char *variants_path(const variants *v, const char *folder, const input *deck, un
     char end[100];
     int digits = 1;
 
-    if (v->names.list)
-        return files_within(folder, v->names.list[i].name, ending);
+    if (v->names->n)
+        return files_within(folder, v->names->list[i].name, ending);
     for (; n > 9; n /= 10)
         digits++;
     sprintf(end, "-%0*lu%s", digits, i + 1, ending);

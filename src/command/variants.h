@@ -8,15 +8,22 @@
 #include "input.h"
 #include "roster.h"
 
-/* The names of the files.  Set it to zero first. */
+/* The names of the files. */
 typedef struct variants {
-    roster names;    /* without a list: the files have numbers */
+    roster *names;   /* empty: the files have numbers */
     unsigned long n; /* how many files are written */
 } variants;
 
-/* Read the list of --names, if it is given, for a deck with a [sweep].  Returns the exit status. */
-int variants_open(variants *v, const input *deck);
-void variants_close(variants *v);
+/* Take the list of --names, if it is given, for a deck with a [sweep], and give each student without a design the next
+** that is free, in the order of the list.  One without a column for designs has those of the list that was written into the
+** folder before.  Returns the exit status. */
+int variants_open(variants *v, const input *deck, roster *names, const char *folder);
+
+/* The design of file i, from 1. */
+unsigned long variants_design(const variants *v, unsigned long i);
+
+/* Write the list with a column for the designs into the folder, FOLDER/class.csv; returns the exit status. */
+int variants_write_list(const variants *v, const char *folder);
 
 /* FOLDER/NAME.ending or FOLDER/DECK-N.ending, N from 1 with as many digits as the largest has: memory
 ** to free, or null. */

@@ -134,6 +134,7 @@ void flk_build_expectations(parser *p)
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
         e->misprint = is_misprint;
+        e->is_answer = p->is_answers;
         e->has_at = IS_SET(at) || d->one_instant;
         read_at(p, use, is_misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT, e);
         take_angle(p, e);

@@ -81,7 +81,8 @@ typedef struct deck_expectation {
     text name, value; /* a column or a fact; the printed value */
     text tolerance;   /* empty: half a unit of the last printed digit */
     text_place tolerance_place;
-    int misprint; /* 1: known to be wrong */
+    int misprint;  /* 1: known to be wrong */
+    int is_answer; /* 1: of a file of answers, whose bare numbers have the units of a table */
     int has_at;
     double at;       /* crank angle in the deck's unit; */
     int at_is_place; /* 1: a place of what the rows go over, s, m or rad */
@@ -183,6 +184,7 @@ struct fourlink_deck {
     double pin_radius[4];        /* m, of A to D; 0: not given */
     double late;                 /* deduction for a day, of 1 */
     int shows_answers;           /* 1: feedback has the computed values */
+    int is_strict;               /* 1: a bare answer in another unit is wrong */
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
@@ -202,6 +204,7 @@ struct fourlink_deck {
     int digits;
     deck_unit units[QUANTITY_COUNT]; /* of results */
     deck_unit bare[QUANTITY_COUNT];  /* of bare numbers in the text */
+    deck_unit shown[QUANTITY_COUNT]; /* of results in a table, and of bare numbers in answers */
 
     mistakes mistakes;                 /* none: the deck is valid */
     mistakes defects;                  /* of the linkage found by synthesis */

@@ -176,12 +176,20 @@ static void refuse_line(parser *p, section_use *use, text line, text_place place
                 *meant ? meant : NULL);
 }
 
-/* 1 if answers go on in a new [expect] without its header: before the first, and at another `at`. */
-static int begins_answers(section_use *use, text key)
+/* 1 if a section has values with names, which are the last that were read. */
+static int has_values(const parser *p, const section_use *use)
 {
-    return use && (use->section == SECTION_TOP ||
-                   (use->section == SECTION_EXPECT && flk_text_equal(key, "at") &&
-                    IS_SET(flk_setting_of(use, KEY_EXPECT_AT))));
+    return p->n_named > 0 && p->named[p->n_named - 1].use == (size_t)(use - p->uses);
+}
+
+/* 1 if answers go on in a new [expect] without its header: before the first, and at another `at`.  Without headers an `at`
+** is for the values below it, not for those above. */
+static int begins_answers(const parser *p, section_use *use, text key, int has_header)
+{
+    if (!use || use->section == SECTION_TOP)
+        return use != NULL;
+    return use->section == SECTION_EXPECT && flk_text_equal(key, "at") &&
+           (IS_SET(flk_setting_of(use, KEY_EXPECT_AT)) || (!has_header && has_values(p, use)));
 }
 
 void flk_lines_read(parser *p)
@@ -190,6 +198,7 @@ void flk_lines_read(parser *p)
     section_use *use;
     text line;
     text_place place;
+    int has_header = 0;
 
     place = flk_reader_end(p);
     place.line = 1;
@@ -205,6 +214,7 @@ void flk_lines_read(parser *p)
             continue;
         if (line.start[0] == '[') {
             use = read_section(p, line, place);
+            has_header = 1;
             continue;
         }
         join_lines(p, &rest, &line);
@@ -214,8 +224,10 @@ void flk_lines_read(parser *p)
             refuse_line(p, use, line, place);
             continue;
         }
-        if (p->is_answers && begins_answers(use, flk_text_trim(key)))
+        if (p->is_answers && begins_answers(p, use, flk_text_trim(key), has_header)) {
             use = flk_section_open(p, SECTION_EXPECT, flk_text_of(""), place, line.start);
+            has_header = 0;
+        }
         if (use) /* keys of an unknown section are not checked */
             flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
     }

@@ -138,6 +138,21 @@ static void build(parser *p)
     }
 }
 
+/* Let units that are not given follow others: those of a table, and those of results. */
+static void set_units(parser *p, int deck_units)
+{
+    deck *d = p->d;
+    deck_unit given[QUANTITY_COUNT];
+
+    memcpy(given, d->units, sizeof given);
+    flk_values_follow_units(p, 1);
+    memcpy(d->shown, d->units, sizeof d->shown);
+    if (deck_units)
+        return;
+    memcpy(d->units, given, sizeof given);
+    flk_values_follow_units(p, 0);
+}
+
 /* Read a text of the source; null if out of memory. */
 static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
 {
@@ -175,7 +190,7 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     if (!p->out_of_memory && !p->not_text && !is_answers)
-        flk_values_follow_units(p, source->deck_units);
+        set_units(p, source->deck_units);
     p->is_sound = !flk_mistakes_count(p->mistakes);
     return p->out_of_memory ? NULL : p;
 }
@@ -229,6 +244,7 @@ static int build_again(const deck *from, unsigned long design, const deck_number
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
     memcpy(d->bare, from->bare, sizeof d->bare);
+    memcpy(d->shown, from->shown, sizeof d->shown);
     d->sweep = from->sweep;
     d->settings = share(d, from->settings);
     status = build_from(d, d->settings, design, set, n_set);

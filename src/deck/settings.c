@@ -335,7 +335,9 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     if (!grow_named(p))
         return;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && source == GIVEN_BY_TEXT) {
+    if (*slot && p->is_answers) {
+        *slot = 0; /* another answer: both have to be right */
+    } else if (*slot && source == GIVEN_BY_TEXT) {
         flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
         return;
     }

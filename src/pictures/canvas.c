@@ -177,11 +177,13 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
     va_start(values, format);
     n = strlen(flk_message_list(words, sizeof words, format, values));
     va_end(values);
-    put_in_box(c, "x", 0.5, 0, 0, 2.3 * CANVAS_LINE, DISPLAY_MIDDLE, name_axis(c, x, x_unit, axis));
+    if (!c->has_no_scale)
+        put_in_box(c, "x", 0.5, 0, 0, 2.3 * CANVAS_LINE, DISPLAY_MIDDLE,
+                   name_axis(c, x, x_unit, axis));
     name_axis(c, y, y_unit, axis);
-    if (c->is_text)
+    if (c->is_text && !c->has_no_scale)
         flk_message(words + n, sizeof words - n, "%s%s", n ? ", " : "", axis);
-    else
+    else if (!c->has_no_scale)
         put_in_box(c, "y", 0, 0.5, 2.2 * CANVAS_LETTER - LEFT, 0, DISPLAY_MIDDLE, axis)
             ->is_upright = 1;
     /* in the middle of the panel */
@@ -361,7 +363,7 @@ void canvas_end_panel(canvas *c)
 {
     int i;
 
-    if (!c->is_bare) {
+    if (!c->is_bare && !c->has_no_scale) {
         put_scale(c, c->axes.x_min, c->axes.x_max, c->x_step, 0);
         put_scale(c, c->axes.y_min, c->axes.y_max, c->y_step, 1);
         for (i = 0; i < 4; i++)

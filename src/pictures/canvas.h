@@ -41,6 +41,7 @@ typedef struct canvas {
     double x_step, y_step;        /* of their numbers */
     int has_zero_axes;            /* 1: lines through 0 in all panels */
     int is_bare;                  /* 1: no axes and no titles, but scales below the drawing */
+    int has_no_scale;             /* 1: no axes */
     int lines;                    /* above it */
     int has_key_below_title;      /* 1: its key is in lines above the axes; 0: at their right */
     canvas_entry entries[CANVAS_ENTRIES];

@@ -345,43 +345,79 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
         figure_letter(s, pins.D, pins.C, pins.C, "D");
 }
 
-/* Put the angle of a link beside the drawing, in the deck's unit, and draw it: a ray along x, and an arc;
-** in a motion that of the crank alone. */
-static void put_angle(sketch *s, const picture *p, fourlink_vector at, int link, double angle,
-                      double radius, const char *name)
-{
-    picture_number x;
-    char words[40];
-    double from = p->v.problem.axes_on_page ? -p->v.problem.x_angle : 0, half;
+/* Where the angle of a link stands, and its radius as a fraction of the drawing. */
+typedef struct link_angle {
+    fourlink_vector at;
+    double angle, radius;
+    const char *name;
+} link_angle;
 
-    angle = view_direction(&p->v, angle);
-    half = from + angle / 2;
-    picture_angle(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, &x);
-    sketch_show(s, SKETCH_ANGLE, (unsigned long)link);
-    sketch_value(s, flk_text_join(words, sizeof words, name, " = ", (char *)NULL), x.value, x.unit);
-    if (s->c->motion && link != FOURLINK_CRANK)
-        return;
-    radius *= s->size;
-    sketch_line(s, PEN_CONSTRUCTION, at, place_polar(at, 1.5 * radius, from));
-    sketch_arc(s, PEN_CONSTRUCTION, at, radius, from + GSL_MIN_DBL(angle, 0),
-               from + GSL_MAX_DBL(angle, 0));
+static link_angle angle_of(const picture *p, const fourlink_state *state, int link)
+{
+    static const char *const names[] = {"", "", FIGURE_THETA SUB_2, FIGURE_THETA SUB_3,
+                                        FIGURE_THETA SUB_4};
+    static const double radii[] = {0, 0, 0.09, 0.13, 0.09};
+    figure_pins pins = figure_place(p, state);
+    link_angle x;
+
+    x.at = link == FOURLINK_CRANK                  ? pins.A
+           : link == FOURLINK_FOLLOWER             ? pins.D
+           : p->v.kind.guided && p->v.kind.slotted ? pins.C
+                                                   : pins.B;
+    x.angle = state->link[link].theta;
+    if (link == FOURLINK_CRANK)
+        x.angle = fmod(x.angle, 2 * M_PI);
+    x.angle = view_direction(&p->v, x.angle);
+    x.radius = radii[link];
+    x.name = names[link];
+    return x;
+}
+
+/* Draw a ray along x, and an arc, with a symbol. */
+static void put_arc(sketch *s, const picture *p, const link_angle *x)
+{
+    double from = p->v.problem.axes_on_page ? -p->v.problem.x_angle : 0, half = from + x->angle / 2;
+    double radius = x->radius * s->size;
+
+    sketch_line(s, PEN_CONSTRUCTION, x->at, place_polar(x->at, 1.5 * radius, from));
+    sketch_arc(s, PEN_CONSTRUCTION, x->at, radius, from + GSL_MIN_DBL(x->angle, 0),
+               from + GSL_MAX_DBL(x->angle, 0));
     if (s->c->motion)
-        sketch_text_around(s, at, radius, half, name);
+        sketch_text_around(s, x->at, radius, half, x->name);
     else
-        sketch_text(s, place_polar(at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
+        sketch_text(s, place_polar(x->at, radius, half), 0.5, sin(half) >= 0 ? 0.4 : -0.4, x->name);
+}
+
+void figure_arc(sketch *s, const picture *p, const fourlink_state *state, int link)
+{
+    link_angle x = angle_of(p, state, link);
+
+    sketch_show(s, SKETCH_ANGLE, (unsigned long)link);
+    put_arc(s, p, &x);
+}
+
+/* Put the angle of a link beside the drawing, in the deck's unit, and draw it; in a motion that of the crank alone. */
+static void put_angle(sketch *s, const picture *p, const fourlink_state *state, int link)
+{
+    link_angle x = angle_of(p, state, link);
+    picture_number value;
+    char words[40];
+
+    picture_angle(p, view_value(&p->v, QUANTITY_ANGLE, x.angle), 4, &value);
+    sketch_show(s, SKETCH_ANGLE, (unsigned long)link);
+    sketch_value(s, flk_text_join(words, sizeof words, x.name, " = ", (char *)NULL), value.value,
+                 value.unit);
+    if (!s->c->motion || link == FOURLINK_CRANK)
+        put_arc(s, p, &x);
 }
 
 static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 {
-    figure_pins pins = figure_place(p, state);
-
-    put_angle(s, p, pins.A, FOURLINK_CRANK, fmod(state->link[2].theta, 2 * M_PI), 0.09,
-              FIGURE_THETA SUB_2);
+    put_angle(s, p, state, FOURLINK_CRANK);
     if (!p->v.kind.slotted || p->v.design->angle != 0)
-        put_angle(s, p, p->v.kind.guided && p->v.kind.slotted ? pins.C : pins.B, FOURLINK_COUPLER,
-                  state->link[3].theta, 0.13, FIGURE_THETA SUB_3);
+        put_angle(s, p, state, FOURLINK_COUPLER);
     if (!p->v.kind.guided)
-        put_angle(s, p, pins.D, FOURLINK_FOLLOWER, state->link[4].theta, 0.09, FIGURE_THETA SUB_4);
+        put_angle(s, p, state, FOURLINK_FOLLOWER);
 }
 
 /* Put the numbers of the links beside their middles; that of the ground below A. */

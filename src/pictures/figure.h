@@ -48,6 +48,9 @@ void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 
+/* Draw the angle of a link with its symbol alone: a ray along x, and an arc. */
+void figure_arc(sketch *s, const picture *p, const fourlink_state *state, int link);
+
 /* Draw the sense of rotation about A, ahead of the crank. */
 void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A);
 

@@ -317,7 +317,7 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
 
     if (is_column && !e->has_at) {
         flk_message(c->message, sizeof c->message,
-                    "a column needs a crank angle: add 'at = ...' to this section");
+                    "%s has no 'at' above it: a column needs a crank angle", c->name);
         return 0;
     }
     if (!is_column || !e->at_is_place)
@@ -361,7 +361,8 @@ static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
         t.length--;
         q = QUANTITY_NUMBER;
     }
-    if (!flk_quantity_read(flk_text_trim(t), t, q, d->bare[q].unit, &value, c->message))
+    if (!flk_quantity_read(flk_text_trim(t), t, q, (e->is_answer ? d->shown : d->bare)[q].unit,
+                           &value, c->message))
         return 0;
     *tolerance = is_percent ? value.si * (fabs(printed->si) / 100) : value.si;
     if (*tolerance >= 0)
@@ -501,6 +502,56 @@ static int are_words(text value, const char *words)
             flk_text_equal(given, without_hyphens(front, meant)));
 }
 
+/* Units in which people write numbers without saying so. */
+static const char *const common_units[] = {
+    "m",      "mm",    "cm",   "in",   "ft",   "rad",    "deg",    "rad/s", "rpm",
+    "deg/s",  "m/s",   "mm/s", "in/s", "ft/s", "rad/s2", "deg/s2", "m/s2",  "mm/s2",
+    "in/s2",  "ft/s2", "N",    "kN",   "lbf",  "N.m",    "N.mm",   "kN.m",  "lbf.in",
+    "lbf.ft", "W",     "kW",   "hp",   "J",    "kJ",     "kg",     "g",     "lb"};
+
+/* The unit in which a bare answer would agree, and its value in the unit of results in `printed`; null if there is none. */
+static const char *find_other_unit(const fourlink_check *c, double number, quantity q, unit own,
+                                   double turn, double *printed)
+{
+    fourlink_check other = *c;
+    size_t i;
+    text bad;
+    unit u;
+
+    if (fabs(c->computed) <= 2 * c->tolerance)
+        return NULL; /* every small number would agree */
+    for (i = 0; i < sizeof common_units / sizeof *common_units; i++) {
+        if (!flk_unit_read_as(flk_text_of(common_units[i]), flk_quantities[q].dim, &u, &bad) ||
+            !flk_dimension_equal(u.dim, flk_quantities[q].dim))
+            continue;
+        *printed = other.printed = flk_unit_from_si(flk_unit_to_si(number, u), own);
+        if (c->tolerance_from == FOURLINK_FROM_DIGIT) /* in the digits that were written */
+            other.tolerance = c->tolerance * fabs(other.printed / c->printed);
+        if (flk_expected_agrees(&other, c->computed, turn))
+            return common_units[i];
+    }
+    return NULL;
+}
+
+/* 1 if a bare answer agrees in another unit, and counts so; the hint says which. */
+static int agrees_in_other_unit(const deck *d, const deck_expectation *e, quantity q, double number,
+                                double turn, fourlink_check *c)
+{
+    const char *name;
+    double printed;
+
+    if (!e->is_answer || flk_quantity_unit_text(e->value).length || c->printed == 0)
+        return 0;
+    name = find_other_unit(c, number, q, d->units[q].unit, turn, &printed);
+    if (!name)
+        return 0;
+    flk_message(c->hint, sizeof c->hint, "right in %s", name);
+    if (d->is_strict)
+        return 0;
+    c->printed = printed;
+    return 1;
+}
+
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_name *n,
                    fourlink_check *c)
@@ -512,12 +563,13 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     const deck_unit *u;
     double tolerance = 0, turn;
     int infinite;
+    unit bare;
     quantity q;
     grading g;
 
     if (!find_values(o, e, is_hinted, c, n, &n_facts))
         return -1;
-    c->has_angle = n->kind == FLK_NAME_COLUMN;
+    c->has_angle = n->kind == FLK_NAME_COLUMN && e->has_at;
     c->has_place = c->has_angle && e->at_is_place;
     c->place_unit = o->d.prescribed ? o->d.units[flk_deck_over(&o->d)].name : "s";
     c->place = !c->has_place     ? 0
@@ -533,7 +585,8 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     find_grading(&o->d, e, q, c, &g);
     if (g.percent < 0 && g.tolerance < 0)
         c->tolerance_from = e->tolerance.length ? FOURLINK_FROM_SECTION : FOURLINK_FROM_DIGIT;
-    infinite = n_facts ? 0 : infinite_sign(e->value, q, o->d.bare[q].unit);
+    bare = e->is_answer ? o->d.shown[q].unit : o->d.bare[q].unit;
+    infinite = n_facts ? 0 : infinite_sign(e->value, q, bare);
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
         if (!value_there(o, e, n, c, &found))
@@ -541,7 +594,7 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
         c->computed = found.value;
         return flk_expected_agrees(c, c->computed, 0);
     }
-    if (!flk_quantity_read(e->value, e->value, q, o->d.bare[q].unit, &printed, c->message) ||
+    if (!flk_quantity_read(e->value, e->value, q, bare, &printed, c->message) ||
         (g.percent < 0 && g.tolerance < 0 && !read_tolerance(&o->d, e, q, &printed, &tolerance, c)))
         return -1;
     c->message_line = e->place.line;
@@ -568,7 +621,8 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
         flk_message(c->hint, sizeof c->hint, "it has fewer than %g digits", o->d.fewest_digits);
         return 0;
     }
-    return flk_expected_agrees(c, c->computed, turn);
+    return flk_expected_agrees(c, c->computed, turn) ||
+           agrees_in_other_unit(&o->d, e, q, printed.number, turn, c);
 }
 
 int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)

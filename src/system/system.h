@@ -49,6 +49,10 @@ int system_is_open_as(const char *path, FILE *stream);
 int system_list(const char *folder, int (*take)(void *host, const char *name), void *host);
 
 int system_may_write(const char *path);
+
+/* Make a folder, in one that is there; 1 also if it is there.  0 with errno set. */
+int system_make_folder(const char *path);
+
 FILE *system_open(const char *path, const char *mode);
 
 /* The same for reading, without waiting for another program; null with errno 0 if it is not a regular

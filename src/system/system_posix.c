@@ -139,6 +139,14 @@ int system_may_write(const char *path)
     return access(path, W_OK) == 0;
 }
 
+int system_make_folder(const char *path)
+{
+    if (mkdir(path, 0777) == 0 || system_kind_of(path) == SYSTEM_FOLDER)
+        return 1;
+    errno = errno == EEXIST ? ENOTDIR : errno;
+    return 0;
+}
+
 FILE *system_open(const char *path, const char *mode)
 {
     return fopen(path, mode);

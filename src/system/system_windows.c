@@ -224,6 +224,20 @@ int system_may_write(const char *path)
     return 0;
 }
 
+int system_make_folder(const char *path)
+{
+    wchar_t *w = wide(path);
+    int is_made = w && CreateDirectoryW(w, NULL);
+
+    if (w && !is_made)
+        fail();
+    free(w);
+    if (is_made || system_kind_of(path) == SYSTEM_FOLDER)
+        return 1;
+    errno = system_kind_of(path) == SYSTEM_FILE ? ENOTDIR : errno;
+    return 0;
+}
+
 int system_list(const char *folder, int (*take)(void *host, const char *name), void *host)
 {
     WIN32_FIND_DATAW entry;

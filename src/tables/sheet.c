@@ -71,8 +71,8 @@ void sheet_write_gap(sheet *s)
         line_put(&s->l, "# deck: %s\n",
                  flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
     if (s->mark)
-        line_put(&s->l, "# answers: %s\n",
-                 flk_text_copy(flk_text_of(s->mark->path), name, sizeof name));
+        line_put(&s->l, s->has_roster ? "# answers: %s, of %s\n" : "# answers: %s\n",
+                 flk_text_copy(flk_text_of(s->mark->path), name, sizeof name), s->mark->name);
 }
 
 int sheet_is_over(const sheet *s, const fourlink_instant *at)

@@ -203,16 +203,25 @@ for student in anna ben carla; do
     cp alvi-5.1.expect answers/$student.expect
 done
 sed -i 's/^length *= 66 mm/length = 67 mm/' class/ben.deck
+cat alvi-5.1.deck alvi-5.1.expect >asks.deck
 all 1 -f csv --check=../answers/ -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck
 all 1 --check=../answers/ ../class/anna.deck ../class/ben.deck ../class/carla.deck
-all 1 --answers=../answers --scores -f csv -o result ../class/anna.deck
+all 1 --answers=../answers --scores -f csv -o result ../asks.deck
 printf 'name,id,late\nanna,1,2\n' >names.csv
-all 1 --answers=../answers --scores --names=../names.csv -f csv -o result ../class/anna.deck
-all 1 --answers=../answers --feedback=./ -o result ../class/anna.deck
+all 1 --answers=../answers --scores --names=../names.csv -f csv -o result ../asks.deck
+all 1 --answers=../answers --feedback=./ -o result ../asks.deck
+all 1 --answers=../answers --feedback=./ --format=html ../asks.deck
 all 1 --answers=../answers --tolerance='1 %, 1 deg' -o result ../class/anna.deck
-all 1 --check=../answers/ --scores ../class/anna.deck ../class/ben.deck ../class/carla.deck
-all 1 --check=../answers/ --scores -f csv -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck
-all 1 --check=../answers/ --feedback=./ ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ --exercise=../asks.deck --scores ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ --exercise=../asks.deck --scores -f csv -o result ../class/anna.deck ../class/ben.deck ../class/carla.deck
+all 1 --check=../answers/ --exercise=../asks.deck --feedback=./ ../class/anna.deck ../class/ben.deck ../class/carla.deck
+{ cat asks.deck && printf '[grading]\ntolerance = 1 %%\n[sweep]\ncrank.length = 20 mm, 21 mm, 22 mm\n'; } >variants.deck
+mkdir -p platform/'Anna Abel_1_assignsubmission_file'
+cp answers/anna.expect 'platform/Anna Abel_1_assignsubmission_file/x.txt' && cp answers/anna.expect 'platform/Ben.txt' && cp answers/anna.expect 'platform/Bn.txt'
+printf 'Surname,First name,design\nAbel,Anna,2\n,Ben,\n,Carla,3\n' >designs.csv
+all 2 --answers=../platform --scores --names=../designs.csv -f csv -o result ../variants.deck
+all 0 --design=all --names=../designs.csv --print-deck -o ./ ../variants.deck
+all 0 --design=all --names=../designs.csv --plot=./ --plot-kind=exercise ../variants.deck
 echo 'crank = 20 mn' >>class/carla.deck
 all 2 -f csv --check=../answers/ -o result ../class/carla.deck ../class/anna.deck
 
@@ -245,7 +254,7 @@ all 0 -f csv "--solve=crank.length = 10 mm .. 30 mm where swing = 40 deg" -o res
 all 0 -f jsonl --summary -o result ../single.deck
 all 0 -f csv -c "mu_min, max(omega4), crank.length" -o result ../alvi-5.1.deck
 
-for kind in mechanism motion forces turning-moment polar vectors; do
+for kind in mechanism exercise motion forces turning-moment polar vectors; do
     all 0 --plot=plot.svg --plot-kind=$kind -o result $few ../single.deck
 done
 all 0 --plot=plot.txt --ascii -o result $few ../single.deck
@@ -340,8 +349,9 @@ for deck in single gas-engine rubbing-yoke slotted-lever springs card steady eng
     mkdir -p $deck
     cp $deck.answers $deck/anna.expect
     cp $deck.wrong $deck/ben.expect
-    each --answers=../$deck --scores -f csv -o result ../$deck.deck
-    each --answers=../$deck --feedback=./ ../$deck.deck
+    cat $deck.deck $deck.answers >$deck-asks.deck
+    each --answers=../$deck --scores -f csv -o result ../$deck-asks.deck
+    each --answers=../$deck --feedback=./ ../$deck-asks.deck
     { cat $deck.deck && printf '\n[sweep]\ncrank.mass = 0.1 kg, 0.2 kg\noutput = max(Ts), mean(Ts)\nyield = max(Ts) > 0 N m\n'; } >$deck-sweep.deck
     each -f csv -o result ../$deck-sweep.deck
     each --plot=plot.svg --plot-kind=columns ../$deck-sweep.deck

@@ -18,6 +18,7 @@ refused=0 failed_runs=0
 for deck in any-*.deck; do
     mkdir -p run/answers run/feedback && cp "$deck" card.csv run && cd run || exit 1
     printf '[expect]\nat = 30 deg\nomega2 = 3 rad/s\n' | tee answers.expect >answers/ada.expect
+    { cat "$deck"; printf '[expect]\nat = 30 deg\nomega2 = 3 rad/s\n'; } >asks.deck
     printf 'Ada\nBo\n' >names.txt
     set --
     while IFS= read -r option; do set -- "$@" "$option"; done <"../${deck%.deck}.options"

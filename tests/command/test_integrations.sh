@@ -64,7 +64,7 @@ END
 
 mkdir one three thirty
 for i in $(seq 30); do
-    printf 'omega2 = %d rad/s\nat = 40 deg\nTs = 3 N m\nmax(F12) = 80 N\nmean_speed = 9 rad/s\n' "$i" >thirty/"$i".txt
+    printf 'at = 40 deg\nomega2 = %d rad/s\nTs = 3 N m\nmax(F12) = 80 N\nmean_speed = 9 rad/s\n' "$i" >thirty/"$i".txt
 done
 cp thirty/1.txt one
 cp thirty/[12].txt thirty/30.txt three
@@ -73,15 +73,18 @@ for deck in unsteady stalls runs time; do
     once=$(runs "$deck.deck")
     check "$deck: $once integrations" test "$once" -gt 0
     for options in '-f csv' '-c theta2,omega2,Ts,F12,power' '-c max(Ts),min(F12),mean(omega2)' \
-        '-p a.svg --plot-kind=speed -f json' '-p a.svg --report=a.html -f csv' '--answers=one' '--answers=three --scores' \
-        '--answers=three --feedback=told/' '--check=one/1.txt'; do
+        '-p a.svg --plot-kind=speed -f json' '-p a.svg --report=a.html -f csv' '--answers=one' '--check=one/1.txt'; do
         # shellcheck disable=SC2086 # words
         as_often "$once" $options "$deck.deck"
     done
+    { cat $deck.deck; printf '[expect]\nat = 40 deg\nomega2 = 0 rad/s\nmean_speed = 0 rad/s\n'; } >asks.deck
+    as_often "$once" --answers=three --scores asks.deck
+    as_often "$once" --answers=three --feedback=told/ asks.deck
 done
 
 once=$(runs unsteady.deck)
-as_often "$once" --answers=thirty --scores unsteady.deck
+{ cat unsteady.deck; printf '[expect]\nat = 40 deg\nomega2 = 0 rad/s\n'; } >asks.deck
+as_often "$once" --answers=thirty --scores asks.deck
 
 # the reason is the same on each of thirty sheets
 run 2 --answers=thirty unsteady.deck

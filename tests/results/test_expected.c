@@ -528,7 +528,7 @@ TEST(test_mistakes_of_tolerances)
 TEST(test_mistakes_of_places)
 {
     check_mistake(engine(300, "[expect]\nx = 20 mm\n"), 10,
-                  "a column needs a crank angle: add 'at = ...' to this section");
+                  "x has no 'at' above it: a column needs a crank angle");
     check_mistake(engine(300, "[expect]\nn = 3\nat = 40 mm\n"), 11,
                   "'40 mm' is a length; expected an angle, such as 40 deg");
     check_mistake(four_bar(0.3, 0.4, 0.5, 0.75,

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** handout.h - what students get of a deck.
+*/
+#ifndef FOURLINK_HANDOUT_H
+#define FOURLINK_HANDOUT_H
+
+#include <stddef.h>
+
+/* Take out of the text of a deck what students do not get: `solver`, [expect], [misprint] and [grading].  Returns its new
+** length. */
+size_t handout_strip(char *deck, size_t length);
+
+#endif
