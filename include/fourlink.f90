@@ -80,6 +80,8 @@ module fourlink
     real(c_double) :: offset = 0
     type(fourlink_vector) :: gravity
     real(c_double) :: angle = 0
+    type(c_ptr) :: group = c_null_ptr ! an array of n_groups
+    integer(c_int) :: n_groups = 0
   end type fourlink_design
 
   type, bind(c) :: fourlink_mechanism
@@ -101,9 +103,9 @@ module fourlink
   end type fourlink_link_state
 
   type, bind(c) :: fourlink_state
-    type(fourlink_link_state) :: link(0:4) ! (0) and (1) are unused
-    integer(c_int) :: branch
-    real(c_double) :: sine, mu, phi, x, v, a, slide, slide_v, slide_a, coriolis, s
+    integer(c_int) :: branch, last
+    real(c_double) :: sine, mu, phi, x, v, a, slide, slide_v, slide_a, coriolis, s, group_sine
+    type(fourlink_link_state) :: link(0:20) ! (0), (1) and those after `last` are unused
   end type fourlink_state
 
   type, bind(c) :: fourlink_load

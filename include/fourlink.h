@@ -745,6 +745,7 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_OVERFLOW, 17, "a speed or a torque grows beyond all numbers")                      \
     X(FOURLINK_LONG_SEARCH, 18,                                                                   \
       "the search takes too many rows: give fewer turns, less time or fewer columns")             \
+    X(FOURLINK_GROUP_APART, 19, "an output cannot be assembled: its rod does not reach")          \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
@@ -792,6 +793,8 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
     X(FOURLINK_BAD_TIME_RATIO, 59,                                                                \
       "a time ratio is at least 1: slow stroke / quick stroke, in time")                          \
+    X(FOURLINK_BAD_GROUP, 62,                                                                     \
+      "an output has no such kind or side, is one too many, or hangs on a link after its own")    \
     X(FOURLINK_BAD_CHOICE, 60,                                                                    \
       "too much or too little is given, or a choice that the task does not have")
 

@@ -83,6 +83,32 @@ typedef struct fourlink_link {
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
 } fourlink_link;
 
+#define FOURLINK_MOST_GROUPS 8
+#define FOURLINK_LINKS (5 + 2 * FOURLINK_MOST_GROUPS)
+
+/* What the last link of a group does. */
+typedef enum fourlink_group_end {
+    FOURLINK_GROUP_SLIDES = 1, /* on a fixed line */
+    FOURLINK_GROUP_TURNS       /* about a pin */
+} fourlink_group_end;
+
+/* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.  It
+** has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links 5 + 2 i,
+** the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along `direction`; the
+** rocker's from its pin D to Q.  Set it to zero first. */
+typedef struct fourlink_group {
+    fourlink_group_end end;
+    int link;              /* that carries it: 2, 3, 4, or one of a group before it */
+    fourlink_vector at;    /* m, P in that link's own axes */
+    int to;                /* rocker: the link with its pin, 0 or 1 the ground */
+    fourlink_vector pivot; /* m, in the axes of that link: this pin; slider: a point of its line */
+    fourlink_vector direction; /* 1, slider: unit vector along its line */
+    double rod, length;        /* m, of rod and rocker */
+    int side;                  /* slider: 1 ahead of P along `direction`, -1 behind; rocker: Q is to
+                                  the left (1) or right (-1) of the line from P to its pin */
+    fourlink_link body[2];     /* masses of the rod and of slider or rocker */
+} fourlink_group;
+
 /* The data of a mechanism.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_design {
     fourlink_kind kind;
@@ -95,6 +121,8 @@ typedef struct fourlink_design {
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
     double angle; /* rad, inverted, lever with a length: angle of the slide from the line DC; Scotch
                      yoke: angle of the slot from the guide, not a multiple of pi */
+    const fourlink_group *group; /* an array of n_groups, kept by the caller */
+    int n_groups;                /* up to FOURLINK_MOST_GROUPS */
 } fourlink_design;
 
 /* A checked design, with the constants that every crank position needs.  fourlink_prepare fills it; the
@@ -141,8 +169,8 @@ typedef struct fourlink_link_state {
 /* A crank position, filled in three steps by fourlink_position, fourlink_velocity and fourlink_acceleration,
 ** or in one by fourlink_analyse. */
 typedef struct fourlink_state {
-    fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
+    int last;       /* the number of the last link: 4, with groups 6, 8 ... */
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted:
                        s / BD; Scotch yoke: sine of the slot's angle. Positive on the open branch,
                        negative on the crossed one; beyond a change point the signs are swapped
@@ -153,13 +181,17 @@ typedef struct fourlink_state {
     double x, v, a; /* m, m/s, m/s2, slider-crank, Scotch yoke: displacement of piston or yoke from
                        its inner dead centre, positive away from it, and its derivatives */
     double slide, slide_v,
-        slide_a;     /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
+        slide_a;       /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
                         if the lever has no length, from the foot of the perpendicular
                         from D; its derivatives, the motion of B relative to the lever; Scotch
                         yoke: coordinate of B along the slot from C */
-    double coriolis; /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
-    double s;        /* m, inverted: coordinate of B from the foot of that perpendicular; Scotch
+    double coriolis;   /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
+    double s;          /* m, inverted: coordinate of B from the foot of that perpendicular; Scotch
                         yoke: slide */
+    double group_sine; /* 1, of groups: the smallest sine, as `sine`, in size; 1 without */
+    fourlink_link_state
+        link[FOURLINK_LINKS]; /* by link number; [0], [1] and those after the last are
+                        unused */
 } fourlink_state;
 
 /* ---------------------------------------------------------------------------------------------
@@ -174,7 +206,7 @@ typedef enum fourlink_frame {
 
 /* A force and a torque on a moving link, in addition to its weight. */
 struct fourlink_load {
-    int link; /* 2, 3 or 4 */
+    int link; /* 2, 3, 4, or one of a group */
     fourlink_frame frame;
     fourlink_vector force; /* N */
     fourlink_vector at;    /* m, the point of the link where it acts, in the link's own axes */
@@ -562,10 +594,10 @@ struct fourlink_instant {
     fourlink_row row;
     fourlink_branch branch;
     int status; /* not FOURLINK_OK: why there is no position; the members below are not filled */
-    fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
     fourlink_losses losses; /* without friction Ts0 is Ts, the efficiency 1, the rest 0 */
+    fourlink_state state;
 };
 
 /* An area between the turning moment and its mean. */
@@ -777,7 +809,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 */
 FOURLINK_API int fourlink_bodies(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                  const fourlink_load *loads, unsigned long n_loads,
-                                 fourlink_body body[5]);
+                                 fourlink_body body[FOURLINK_LINKS]);
 
 /* Pin forces and driving torque: solves the nine Newton-Euler equations of a crank position.
 **

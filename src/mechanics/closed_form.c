@@ -7,6 +7,7 @@
 
 #include "free_body.h"
 #include "closed_form.h"
+#include "group.h"
 
 /* F34 comes from the kind.  With e2 the axis of the crank,
 **
@@ -41,7 +42,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
 {
     flk_body body[3];
 
-    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_cut_free(mechanism, state, loads, n_loads, 1, body);
     solve_dyad(kind, mechanism, state, body, forces);
     flk_virtual_work(state, body, forces);
 }
@@ -65,10 +66,10 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
     int status = flk_kind_find(mechanism, forces, &kind);
 
     if (status == FOURLINK_OK)
-        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    if (is_singular(state))
+    if (is_singular(state) || flk_groups_are_singular(mechanism, state))
         return FOURLINK_SINGULAR;
     flk_dyad(kind, mechanism, state, loads, n_loads, &result);
     if (!flk_is_finite(&result))
@@ -82,8 +83,9 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
 static int check_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
                       const fourlink_state *state, flk_factors *factors)
 {
-    (void)kind, (void)mechanism, (void)factors;
-    return is_singular(state) ? FOURLINK_SINGULAR : FOURLINK_OK;
+    (void)kind, (void)factors;
+    return is_singular(state) || flk_groups_are_singular(mechanism, state) ? FOURLINK_SINGULAR
+                                                                           : FOURLINK_OK;
 }
 
 static void solve_dyad_again(const flk_kind *kind, const fourlink_mechanism *mechanism,

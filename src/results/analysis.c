@@ -196,7 +196,7 @@ static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
 {
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     int i;
 
     fourlink_bodies(mechanism, state, NULL, 0, body);
@@ -253,9 +253,11 @@ static int solve_at_standstill(const fourlink_mechanism *mechanism, const fourli
                                const fourlink_friction *friction, fourlink_forces *forces,
                                fourlink_losses *losses)
 {
-    fourlink_state rest = *state;
-    int status = fourlink_velocity(mechanism, 0, &rest);
+    fourlink_state rest;
+    int status;
 
+    FLK_COPY_STATE(mechanism, &rest, state);
+    status = fourlink_velocity(mechanism, 0, &rest);
     if (status == FOURLINK_OK)
         status = fourlink_acceleration(mechanism, 0, &rest);
     if (status != FOURLINK_OK)

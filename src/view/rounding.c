@@ -31,7 +31,7 @@ static double largest_force(const view *v, const fourlink_instant *now, const fo
                             int all)
 {
     double largest = 0, x[9];
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     unsigned long k;
     int i;
 
