@@ -36,6 +36,15 @@ typedef struct kept {
     double contents[1]; /* aligned for any contents */
 } kept;
 
+const char *flk_deck_link_text(const deck *d, int link)
+{
+    int i = link - FLK_ROD_OF(0);
+
+    return i >= 0 && i < 2 * d->machine.mechanism.design.n_groups
+               ? d->outputs[i / 2].name[i % 2]
+               : fourlink_link_text((int)d->machine.mechanism.design.kind, link);
+}
+
 void *flk_deck_keep(deck *d, size_t size)
 {
     kept *k = calloc(1, sizeof *k + size);

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "mechanics/machine.h"
 #include "mechanics/program.h"
+#include "output_columns.h"
 
 #define DECK_NAME_SIZE 64
 
@@ -72,6 +73,12 @@ typedef struct deck_point {
     fourlink_vector at;                     /* m, in the link's own axes */
     char *column_names[DECK_POINT_COLUMNS]; /* NAME.x ... */
 } deck_point;
+
+/* An [output]: the names of its links, of its columns.  Its data are those of the group with its number. */
+typedef struct deck_output {
+    const char *name[2]; /* NAME.rod, NAME */
+    const char *column_names[OUTPUT_COLUMNS];
+} deck_output;
 
 /* A value that a source printed. */
 typedef struct deck_expectation {
@@ -154,6 +161,8 @@ struct fourlink_deck {
     int one_instant;        /* 1: motion.at */
     int one_revolution;     /* 1: from the first row to the last */
     deck_balance balance;
+    deck_output *outputs; /* as many as the mechanism has groups */
+    fourlink_group *groups;
     deck_point *points;
     size_t n_points;
     int has_forces; /* 1: the deck has masses, loads or gas */
@@ -216,6 +225,9 @@ double flk_deck_drawn(const deck *d);
 
 /* A direction in the axes of link 1 in those of the deck, rad: (-pi, pi]. */
 double flk_deck_direction(const deck *d, double angle);
+
+/* The name of a link, 1 to the last; of one of an output, NAME or NAME.rod. */
+const char *flk_deck_link_text(const deck *d, int link);
 
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_deck_keep(deck *d, size_t size);

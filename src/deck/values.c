@@ -22,6 +22,11 @@ static void read_word(parser *p, key_code key, setting *s)
     const char *known[MOST_WORDS], *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
+    if (!word && flk_key_table[key].form != FORM_WORD) {
+        s->word = flk_output_link(p, s->value);
+        if (s->word)
+            return;
+    }
     if (word) {
         s->word = word->value;
         return;
