@@ -23,6 +23,11 @@ int flk_groups_follow(const fourlink_mechanism *mechanism, fourlink_state *state
 ** state are written. */
 double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *state);
 
+/* The crank angles, increasing from 0 to `period`, at which the groups begin or cease to be assembled on a
+** branch: a list of `most`, and their number (group_ends.c). */
+size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
+                       double *list, size_t most);
+
 /* 1 if the forces of groups cannot be found in a state from a caller. */
 int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_state *state);
 

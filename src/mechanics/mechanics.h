@@ -71,6 +71,10 @@ int flk_check_link(const fourlink_link *link);
     ((i) <= FOURLINK_FOLLOWER ? &(mechanism)->design.link[i] \
                               : &(mechanism)->design.group[((i)-5) / 2].body[((i)-5) % 2])
 
+/* The smallest sine of a position, in size: how near it is to a dead position of links 3 and 4, or of a group. */
+#define FLK_SINE(state) \
+    (fabs((state)->sine) < (state)->group_sine ? fabs((state)->sine) : (state)->group_sine)
+
 /* Copy a state as far as a mechanism uses it: links of groups that it does not have take most of the room. */
 #define FLK_STATE_SIZE(mechanism)     \
     (offsetof(fourlink_state, link) + \

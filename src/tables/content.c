@@ -18,7 +18,8 @@
 ** times. */
 static void find_status(sheet_row *row)
 {
-    int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
+    int is_near = row->at->status == FOURLINK_OK &&
+                  (row->at->state.mu < M_PI / 180 || row->at->state.group_sine < M_PI / 180);
 
     row->status = is_near ? "near a dead position: the transmission angle is less than 1 deg"
                           : fourlink_status_text(row->at->status);

@@ -17,7 +17,7 @@
 
 static double growth_of(const fourlink_state *state)
 {
-    return GSL_MAX_DBL(1, 1 / (CONDITION * fabs(state->sine)));
+    return GSL_MAX_DBL(1, 1 / (CONDITION * GSL_MIN_DBL(fabs(state->sine), state->group_sine)));
 }
 
 /* The deck's loads, with `all` of friction too, which comes last. */
