@@ -5,7 +5,7 @@
 **    random_decks SORT N FOLDER [FIRST]
 **    random_decks options
 **
-** SORT is `given`, motions that are given (random_deck.h), `machines`, of all kinds, `motors`, whose motion follows
+** SORT is `given`, motions that are given (random_deck.h), `machines`, of all kinds, `outputs`, machines with outputs, `motors`, whose motion follows
 ** from what drives them (random_machine.h), or `any`, with keys of every section of the schema (random_schema.h).  The decks
 ** are FOLDER/SORT-FIRST.deck and on.  Those of `any` depend on those before them in the run, so that all keys are drawn
 ** as often: FIRST and N give them again.  Beside a deck of the sort `any` stand options for it, one a line, in .options, and the
@@ -65,7 +65,7 @@ int main(int argc, char **argv)
     }
 
     if (argc < 4) {
-        fprintf(stderr, "usage: random_decks given|machines|motors|any N FOLDER [FIRST]\n");
+        fprintf(stderr, "usage: random_decks given|machines|outputs|motors|any N FOLDER [FIRST]\n");
         return 2;
     }
     n = atol(argv[2]);
@@ -77,6 +77,8 @@ int main(int argc, char **argv)
             make_deck();
         else if (strcmp(argv[1], "machines") == 0)
             make_any_machine(i);
+        else if (strcmp(argv[1], "outputs") == 0)
+            make_machine_with_outputs(i);
         else if (strcmp(argv[1], "motors") == 0)
             make_driven_machine(i);
         else if (is_any)

@@ -35,6 +35,7 @@ ROUNDING = ('residual', 'superposition', 'energy_residual')  # are 0 but for rou
 UNCERTAIN = 1e9  # a value that is so many times less certain than others is not compared
 WORDS = {'cannot be assembled: B and D are too far apart': 'apart', 'cannot be assembled: B and D are too close together': 'apart',
          'the rod does not reach the line of stroke': 'apart', 'dead position: the motion is not determined by the crank': 'dead',
+         'an output cannot be assembled: its rod does not reach': 'apart',
          'change point: the motion can continue in two ways': 'change', 'friction locks the mechanism': 'locked'}
 
 
