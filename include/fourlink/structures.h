@@ -1353,6 +1353,16 @@ FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i
                                       fourlink_spring *spring);
 FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
 
+/* The name of a link.
+**
+** Given:
+**    deck    from fourlink_deck_read or fourlink_results_deck
+**    link    1 to the last
+** Returned (function value):
+**    crank, coupler ...; of a link of an [output] NAME or NAME.rod; "unknown link"
+*/
+FOURLINK_API const char *fourlink_deck_link_text(const fourlink_deck *deck, int link);
+
 /* A tracer point of a deck.
 **
 ** Given:

@@ -51,7 +51,7 @@ const char *flk_build_length_in(parser *p, const setting *s, double length, char
 static void place_by_distances(parser *p, const setting *s, int link, fourlink_vector *at)
 {
     double length = FLK_LINK(&p->d->machine.mechanism, link)->length;
-    const char *name = flk_deck_link_text(p->d, link);
+    const char *name = fourlink_deck_link_text(p->d, link);
     const deck_unit *u = &p->d->units[QUANTITY_LENGTH];
 
     at->x = at->y = 0;
@@ -89,7 +89,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
         if (!(data->mass > 0))
             flk_mistake(p->mistakes, s->place,
                         "'%t' is from the centre of mass, and the %s has no mass", s->value,
-                        flk_deck_link_text(p->d, link));
+                        fourlink_deck_link_text(p->d, link));
     }
     if (!s->of_length || !link)
         return;
@@ -97,7 +97,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
         flk_mistake(p->mistakes, s->place,
                     "'%t' is a part of the length, and the %s has none: give the point in a unit "
                     "of length",
-                    s->value, flk_deck_link_text(p->d, link));
+                    s->value, fourlink_deck_link_text(p->d, link));
     else
         flk_piece_size(p, s, QUANTITY_LENGTH, flk_length(at->x, at->y));
 }
@@ -111,7 +111,7 @@ int flk_build_point(parser *p, const setting *at, const setting *place, int link
     if (IS_SET(place) && link > FOURLINK_FOLLOWER)
         return flk_mistake(p->mistakes, place->place,
                            "[pins] draw the four links: give the point of %s with 'at'",
-                           flk_deck_link_text(p->d, link));
+                           fourlink_deck_link_text(p->d, link));
     if (IS_SET(place))
         return link && flk_pins_place(p, place, link, on_link);
     flk_build_place(p, at, link, on_link);

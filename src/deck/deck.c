@@ -36,7 +36,7 @@ typedef struct kept {
     double contents[1]; /* aligned for any contents */
 } kept;
 
-const char *flk_deck_link_text(const deck *d, int link)
+const char *fourlink_deck_link_text(const deck *d, int link)
 {
     int i = link - FLK_ROD_OF(0);
 

@@ -226,9 +226,6 @@ double flk_deck_drawn(const deck *d);
 /* A direction in the axes of link 1 in those of the deck, rad: (-pi, pi]. */
 double flk_deck_direction(const deck *d, double angle);
 
-/* The name of a link, 1 to the last; of one of an output, NAME or NAME.rod. */
-const char *flk_deck_link_text(const deck *d, int link);
-
 /* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_deck_keep(deck *d, size_t size);
 

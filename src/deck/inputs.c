@@ -54,7 +54,7 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     else if (word)
         x->words = word->word;
     else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
-        x->words = flk_deck_link_text(d, s->word);
+        x->words = fourlink_deck_link_text(d, s->word);
     else if (s->word)
         x->words = key->form == FORM_CRANK
                        ? "drawn"

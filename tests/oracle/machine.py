@@ -2,6 +2,8 @@
 #
 # machine.py - the machine of a deck as a chain (chain.py): its links and joints, what acts on them, friction.  Links
 # have their numbers less 1: the ground is body 0, the crank 1.
+import copy
+
 import numpy as np
 
 from chain import (REAL, Along, Angle, Chain, Pin, Slide, cross, meet, reach, root, solve, turned)
@@ -195,6 +197,11 @@ class Machine:
         for name, keys in deck.named('output'):
             self.outputs.append(Output(self, name, keys, len(self.masses)))
         self.build_chain()
+        self.alone = self  # the four links, which springs wind up from where these can be assembled
+        if self.outputs:
+            bare = copy.copy(deck)
+            bare.sections = [section for section in deck.sections if section[0] not in ('output', 'load', 'point', 'spring')]
+            self.alone = Machine(bare)
         self.springs = [Spring(self, *section) for section in deck.named('spring')]
         self.loads = [Load(self, keys) for _, keys in deck.named('load')]
         self.points = [(name, self.body(keys['link']), self.point(self.body(keys['link']), keys.get('at', '')))
@@ -354,14 +361,15 @@ class Machine:
     def first_state(self, label):
         """The first position from theta2 = 0."""
         theta2 = np.arange(0, 3601) * (TURN / 3600) + 1e-6
-        s = self.state(theta2, 1, 0, label)
+        m = self.alone
+        s = m.state(theta2, 1, 0, label)
         low = theta2[s.which][0]
         if low > 1e-5:  # where it begins
             high = low - TURN / 3600
             for _ in range(60):
                 middle = (low + high) / 2
-                low, high = (middle, high) if self.state(middle, 1, 0, label).which[0] else (low, middle)
-        return self.state(low + 1e-7, 1, 0, label)
+                low, high = (middle, high) if m.state(middle, 1, 0, label).which[0] else (low, middle)
+        return m.state(low + 1e-7, 1, 0, label)
 
     def winding(self, s, body):
         """The angle of a body, which goes on over turns and is smooth where the linkage can be assembled."""
@@ -371,7 +379,7 @@ class Machine:
             self.windings = {}
         if (s.label, body) not in self.windings:  # over two turns, the period with a change point
             theta2 = np.arange(-7200, 7201) * (TURN / 7200) + 1e-7
-            t = self.state(theta2, 1, 0, s.label)
+            t = self.alone.state(theta2, 1, 0, s.label)
             self.windings[s.label, body] = theta2[t.which], np.unwrap(t.phi[body].astype(float)), not t.which.all()
         x, y, gap = self.windings[s.label, body]
         turns = 0 if gap else np.floor(s.theta2 / (2 * TURN) + 0.25)
