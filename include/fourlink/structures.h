@@ -1353,6 +1353,17 @@ FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i
                                       fourlink_spring *spring);
 FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
 
+/* The status of a row in words: as fourlink_status_text, and which output cannot be assembled.
+**
+** Given:
+**    deck    from fourlink_deck_read or fourlink_results_deck
+**    at      a row of it
+** Returned (function value):
+**    the words, valid as long as the deck
+*/
+FOURLINK_API const char *fourlink_deck_status_text(const fourlink_deck *deck,
+                                                   const fourlink_instant *at);
+
 /* The name of a link.
 **
 ** Given:

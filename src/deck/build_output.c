@@ -165,6 +165,7 @@ static void build_slider(parser *p, const section_use *use, fourlink_group *g)
     require(p, use, KEY_OUTPUT_ANGLE, "the direction of the line of stroke");
     refuse(p, use, KEY_OUTPUT_LENGTH, why);
     refuse(p, use, KEY_OUTPUT_TO_AT, why);
+    refuse(p, use, KEY_OUTPUT_TO_PLACE, why);
     at.x = line->si[0];
     at.y = line->si[1];
     g->pivot = flk_build_on_ground(p, at);
@@ -176,7 +177,8 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
 {
     static const char why[] = "belongs to a slider; 'pivot' and 'to' make a rocker";
     const setting *to = flk_setting_of(use, KEY_OUTPUT_TO),
-                  *pivot = flk_setting_of(use, KEY_OUTPUT_PIVOT);
+                  *pivot = flk_setting_of(use, KEY_OUTPUT_PIVOT),
+                  *place = flk_setting_of(use, KEY_OUTPUT_TO_PLACE);
     fourlink_vector at;
 
     g->end = FOURLINK_GROUP_TURNS;
@@ -186,18 +188,20 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
     g->length = g->body[1].length = flk_setting_of(use, KEY_OUTPUT_LENGTH)->si[0];
     if (!IS_SET(to)) {
         refuse(p, use, KEY_OUTPUT_TO_AT, "needs 'to', the link that the pin is on");
+        refuse(p, use, KEY_OUTPUT_TO_PLACE, "needs 'to', the link that the pin is on");
         at.x = pivot->si[0];
         at.y = pivot->si[1];
         g->pivot = flk_build_on_ground(p, at);
         return;
     }
     refuse(p, use, KEY_OUTPUT_PIVOT, "is a fixed pin, and 'to' puts the pin on a link: give one");
-    require(p, use, KEY_OUTPUT_TO_AT, "the pin of the rocker, on the link 'to'");
+    if (!IS_SET(place))
+        require(p, use, KEY_OUTPUT_TO_AT, "the pin of the rocker, on the link 'to'");
     g->to = read_link(p, use, number, to);
     if (g->to && g->to == g->link)
         flk_mistake(p->mistakes, to->place,
                     "both pins are on the %t: the output would not move on it", to->value);
-    flk_build_place(p, flk_setting_of(use, KEY_OUTPUT_TO_AT), g->to, &g->pivot);
+    flk_build_point(p, flk_setting_of(use, KEY_OUTPUT_TO_AT), place, g->to, &g->pivot);
 }
 
 /* ----------------------------------------------------------------------------------------------- names */
@@ -229,6 +233,7 @@ static void build_output(parser *p, const section_use *use, int number)
 
     o->name[0] = flk_reader_copy(p, use->name, ".rod");
     o->name[1] = flk_reader_copy(p, use->name, "");
+    o->apart = flk_reader_copy(p, use->name, " cannot be assembled: its rod does not reach");
     check_name(p, use);
     g->link = read_link(p, use, number, link);
     if (!IS_SET(at) && !IS_SET(place) && !use->is_mistaken)
@@ -243,7 +248,7 @@ static void build_output(parser *p, const section_use *use, int number)
                     "turns");
     if (is_slider && !is_rocker)
         build_slider(p, use, g);
-    else
+    else if (is_rocker)
         build_rocker(p, use, number, g);
     g->side = side_of(p, use, is_slider);
     build_masses(p, use, number, 0);

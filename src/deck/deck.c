@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "deck.h"
+#include "mechanics/group.h"
 #include "mechanics/kind.h"
 
 void flk_deck_set_si(deck_unit *units)
@@ -35,6 +36,15 @@ typedef struct kept {
     struct kept *next;
     double contents[1]; /* aligned for any contents */
 } kept;
+
+const char *fourlink_deck_status_text(const fourlink_deck *d, const fourlink_instant *at)
+{
+    int i = at && at->status == FOURLINK_GROUP_APART
+                ? flk_groups_apart(&d->machine.mechanism, at->branch, at->row.crank.theta2)
+                : -1;
+
+    return !at ? "unknown status" : i < 0 ? fourlink_status_text(at->status) : d->outputs[i].apart;
+}
 
 const char *fourlink_deck_link_text(const deck *d, int link)
 {

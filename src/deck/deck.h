@@ -77,6 +77,7 @@ typedef struct deck_point {
 /* An [output]: the names of its links, of its columns.  Its data are those of the group with its number. */
 typedef struct deck_output {
     const char *name[2]; /* NAME.rod, NAME */
+    const char *apart;   /* that it cannot be assembled */
     const char *column_names[OUTPUT_COLUMNS];
 } deck_output;
 

@@ -175,6 +175,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(OUTPUT, PIVOT, "pivot", PLACE, LENGTH, ANY, ANY_KIND, "rocker: its fixed pin")               \
     X(OUTPUT, TO, "to", LINK, NUMBER, ANY, ANY_KIND, "rocker: the link that its pin is on")        \
     X(OUTPUT, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "rocker: its pin on that link")        \
+    X(OUTPUT, TO_PLACE, "to_place", PLACE, LENGTH, ANY, ANY_KIND, "its pin there as drawn")        \
     X(OUTPUT, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "rocker: length")            \
     X(OUTPUT, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")                      \
     OUTPUT_MASS_KEYS(X, END_, "", "")                                                              \

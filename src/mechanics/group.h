@@ -28,6 +28,20 @@ double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *st
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
                        double *list, size_t most);
 
+/* The first group without a position at a crank angle at which the four links have one; -1: none. */
+int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2);
+
+#define FLK_GROUPS_ENDS 64 /* at most, in a turn or two */
+
+/* The ranges of crank angles, rad, in which the mechanism can be assembled on a branch with its groups: a list of
+** `most`, and their number.  A range is 0 to 2 pi, or ends at dead positions. */
+typedef struct flk_range {
+    double from, to;
+} flk_range;
+
+size_t flk_groups_ranges(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                         flk_range *list, size_t most);
+
 /* 1 if the forces of groups cannot be found in a state from a caller. */
 int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_state *state);
 

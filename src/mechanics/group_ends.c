@@ -99,6 +99,36 @@ static void search_range(search *x, double from, double to, int is_whole)
     }
 }
 
+int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2)
+{
+    fourlink_mechanism some = *mechanism;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+
+    crank.theta2 = theta2;
+    for (some.design.n_groups = 0; some.design.n_groups < mechanism->design.n_groups;) {
+        some.design.n_groups++;
+        if (fourlink_analyse_dyad(&some, branch, &crank, NULL, 0, &state, NULL) != FOURLINK_OK)
+            return some.design.n_groups - 1;
+    }
+    return -1;
+}
+
+static void begin(search *x, const fourlink_mechanism *mechanism, fourlink_branch branch,
+                  double period, double *list, size_t most)
+{
+    x->bare = *mechanism;
+    x->bare.design.n_groups = 0;
+    x->mechanism = mechanism;
+    x->branch = branch;
+    x->period = period;
+    x->list = list;
+    x->n = 0;
+    x->most = most;
+}
+
+#define IS_TURN(reach, i) ((reach).to[i] - (reach).from[i] >= 2 * M_PI * (1 - 1e-15))
+
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
                        double *list, size_t most)
 {
@@ -106,21 +136,63 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
     search x;
     int i;
 
-    x.bare = *mechanism;
-    x.bare.design.n_groups = 0;
-    x.mechanism = mechanism;
-    x.branch = branch;
-    x.period = period;
-    x.list = list;
-    x.n = 0;
-    x.most = most;
+    begin(&x, mechanism, branch, period, list, most);
     if (!mechanism->design.n_groups || fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;
     for (i = 0; i < reach.n_ranges; i++)
-        if (reach.to[i] - reach.from[i] < 2 * M_PI * (1 - 1e-15))
-            search_range(&x, reach.from[i], reach.to[i], 0);
-        else
+        if (IS_TURN(reach, i))
             search_range(&x, 1e-3, period + 1e-3, 1);
+        else
+            search_range(&x, reach.from[i], reach.to[i], 0);
     gsl_sort(list, 1, x.n);
     return x.n;
+}
+
+/* Add the ranges between `from` and `to` in which all is assembled, cut at the ends that are there. */
+static size_t add_ranges(search *x, const double *ends, size_t n_ends, double from, double to,
+                         flk_range *list, size_t n, size_t most)
+{
+    double begin = from, end;
+    size_t i;
+
+    for (i = 0; i <= n_ends; i++) {
+        end = to;
+        if (i < n_ends) {
+            end = flk_cycle_place(ends[i], from, 2 * M_PI);
+            if (!(end > begin && end < to))
+                continue;
+        }
+        if (n < most && margin_at(0.5 * (begin + end), x) > 0) {
+            double turn = end > 2 * M_PI * (1 + 1e-15) ? 2 * M_PI : 0;
+
+            list[n].from = begin - turn;
+            list[n++].to = end - turn;
+        }
+        begin = end;
+    }
+    return n;
+}
+
+size_t flk_groups_ranges(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                         flk_range *list, size_t most)
+{
+    double ends[FLK_GROUPS_ENDS], inside[FLK_GROUPS_ENDS];
+    size_t n_ends = flk_groups_ends(mechanism, branch, 2 * M_PI, ends, FLK_GROUPS_ENDS), n = 0, k;
+    fourlink_reach reach;
+    search x;
+    int i;
+
+    begin(&x, mechanism, branch, 2 * M_PI, NULL, 0);
+    if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
+        return 0;
+    for (i = 0; i < reach.n_ranges; i++) {
+        double from = IS_TURN(reach, i) && n_ends ? ends[0] : reach.from[i];
+        double to = IS_TURN(reach, i) ? from + 2 * M_PI : reach.to[i];
+
+        for (k = 0; k < n_ends; k++)
+            inside[k] = flk_cycle_place(ends[k], from, 2 * M_PI);
+        gsl_sort(inside, 1, n_ends);
+        n = add_ranges(&x, inside, n_ends, from, to, list, n, most);
+    }
+    return n;
 }

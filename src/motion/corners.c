@@ -18,7 +18,6 @@
 #include "base/cycle.h"
 #include "base/solve.h"
 #include "corners.h"
-#include "mechanics/group.h"
 #include "mechanics/kind.h"
 
 #define SAMPLES 720 /* of a turn */
@@ -199,7 +198,7 @@ static void offer_ends(search *s)
 
     if (!c->are_ends_known[i])
         c->n_ends[i] = flk_groups_ends(&c->d->machine.mechanism, s->p->branch, c->period,
-                                       c->ends[i], FLK_CORNERS_ENDS);
+                                       c->ends[i], FLK_GROUPS_ENDS);
     c->are_ends_known[i] = 1;
     for (k = 0; k < c->n_ends[i]; k++)
         offer_angle(s, c->ends[i][k], c->period, FLK_END_DEAD);
@@ -320,7 +319,7 @@ size_t flk_corners_most(const flk_corners *c, double angle)
     size_t n = 8, j; /* positions: dead, in line */
 
     if (c->d->machine.mechanism.design.n_groups)
-        n += FLK_CORNERS_ENDS * ((size_t)ceil(angle / c->period) + 1);
+        n += FLK_GROUPS_ENDS * ((size_t)ceil(angle / c->period) + 1);
     for (j = 0; j < c->n_over_theta2; j++)
         n += c->switches[j].n * ((size_t)ceil(angle / c->switches[j].period) + 1);
     return n + c->most * ((size_t)ceil(angle / c->period) + 1);

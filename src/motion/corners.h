@@ -6,6 +6,7 @@
 #define FOURLINK_CORNERS_H
 
 #include "deck/deck.h"
+#include "mechanics/group.h"
 #include "mechanics/switch.h"
 
 /* How columns behave at the end of a piece. */
@@ -19,8 +20,6 @@ typedef enum flk_piece_end {
     FLK_END_NOWHERE      /* after the last piece */
 } flk_piece_end;
 
-#define FLK_CORNERS_ENDS 64
-
 /* The switches of a deck's machine, and the crank angles at which each branch crosses their levels.  They are
 ** found when first needed, so that columns of the motion alone never pay for them. */
 typedef struct flk_corners {
@@ -31,8 +30,8 @@ typedef struct flk_corners {
     double *theta2[2]; /* rad, increasing, of the open and the crossed branch */
     size_t n[2], most;
     int is_known[2];
-    double *work;                     /* values of the switches */
-    double ends[2][FLK_CORNERS_ENDS]; /* rad, of outputs: where they cease to be assembled */
+    double *work;                    /* values of the switches */
+    double ends[2][FLK_GROUPS_ENDS]; /* rad, of outputs: where they cease to be assembled */
     size_t n_ends[2];
     int are_ends_known[2];
 } flk_corners;
