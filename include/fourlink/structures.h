@@ -657,10 +657,11 @@ FOURLINK_API int fourlink_kind_of(int kind, fourlink_kind_facts *facts);
 **    mechanism  the checked design, with the constants of every position
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
-**    FOURLINK_BAD_MASS
-** Note:
-**    A design that cannot be assembled at some or all angles is accepted; the status of each position reports
+**    FOURLINK_BAD_MASS, FOURLINK_BAD_GROUP
+** Notes:
+** 1) A design that cannot be assembled at some or all angles is accepted; the status of each position reports
 **    it.
+** 2) `group` of the design is not copied: it must stay as long as the mechanism is used.
 ** Reference:
 **    The triangle BCD, law of cosines: it exists where |b - c| <= BD <= b + c.
 */
@@ -726,7 +727,7 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    state      theta, axis and origin of each link; sine, mu; slider-crank: phi, x
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_TOO_FAR, FOURLINK_TOO_NEAR, FOURLINK_ROD_TOO_SHORT,
-**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING;
+**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING, FOURLINK_GROUP_APART;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH, FOURLINK_BAD_KIND
 ** Notes:
 ** 1) A position counts as dead if sine^2 <= 1e-14, the level of rounding error.
@@ -775,7 +776,7 @@ FOURLINK_API int fourlink_acceleration(const fourlink_mechanism *mechanism, doub
 **
 ** Given:
 **    state         from fourlink_acceleration
-**    link          2, 3 or 4
+**    link          2 to the last
 **    at            m, the point in the link's own axes
 ** Returned (each may be null):
 **    position      m, in the frame of link 1
@@ -797,7 +798,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 **    loads      forces and torques in addition to the weights; may be null if n_loads is 0
 **    n_loads    how many
 ** Returned:
-**    body       5 bodies, by link number; [0] and [1] stay as they are
+**    body       by link number, 2 to the last; the others stay as they are
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
 ** Note:
