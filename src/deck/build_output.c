@@ -59,8 +59,8 @@ enum { MASS, UNIFORM, CG, GYRATION, INERTIA, KEYS };
     }
 static const key_code keys_of[2][KEYS] = {KEYS_OF(ROD_), KEYS_OF(END_)};
 
-static void build_bar(parser *p, const section_use *use, const key_code keys[KEYS],
-                      fourlink_link *link)
+static void build_uniform(parser *p, const section_use *use, const key_code keys[KEYS],
+                          fourlink_link *link)
 {
     const setting *uniform = flk_setting_of(use, keys[UNIFORM]);
     int i;
@@ -92,7 +92,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
         flk_mistake(p->mistakes, other->place, "%s needs a mass",
                     IS_SET(gyration) ? "the radius of gyration" : "a uniform link");
     if (uniform->word) {
-        build_bar(p, use, keys, link);
+        build_uniform(p, use, keys, link);
         return;
     }
     if (cg->of_centre)
@@ -117,7 +117,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
 
 /* -------------------------------------------------------------------------------------------- geometry */
 
-static void refuse(parser *p, const section_use *use, key_code key, const char *why)
+static void refuse_setting(parser *p, const section_use *use, key_code key, const char *why)
 {
     const setting *s = flk_setting_of(use, key);
 
@@ -163,9 +163,9 @@ static void build_slider(parser *p, const section_use *use, fourlink_group *g)
     g->end = FOURLINK_GROUP_SLIDES;
     require(p, use, KEY_OUTPUT_LINE, "a point of the line of stroke");
     require(p, use, KEY_OUTPUT_ANGLE, "the direction of the line of stroke");
-    refuse(p, use, KEY_OUTPUT_LENGTH, why);
-    refuse(p, use, KEY_OUTPUT_TO_AT, why);
-    refuse(p, use, KEY_OUTPUT_TO_PLACE, why);
+    refuse_setting(p, use, KEY_OUTPUT_LENGTH, why);
+    refuse_setting(p, use, KEY_OUTPUT_TO_AT, why);
+    refuse_setting(p, use, KEY_OUTPUT_TO_PLACE, why);
     at.x = line->si[0];
     at.y = line->si[1];
     g->pivot = flk_build_on_ground(p, at);
@@ -182,19 +182,20 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
     fourlink_vector at;
 
     g->end = FOURLINK_GROUP_TURNS;
-    refuse(p, use, KEY_OUTPUT_LINE, why);
-    refuse(p, use, KEY_OUTPUT_ANGLE, why);
+    refuse_setting(p, use, KEY_OUTPUT_LINE, why);
+    refuse_setting(p, use, KEY_OUTPUT_ANGLE, why);
     require(p, use, KEY_OUTPUT_LENGTH, "the length of the rocker, from its pin to Q");
     g->length = g->body[1].length = flk_setting_of(use, KEY_OUTPUT_LENGTH)->si[0];
     if (!IS_SET(to)) {
-        refuse(p, use, KEY_OUTPUT_TO_AT, "needs 'to', the link that the pin is on");
-        refuse(p, use, KEY_OUTPUT_TO_PLACE, "needs 'to', the link that the pin is on");
+        refuse_setting(p, use, KEY_OUTPUT_TO_AT, "needs 'to', the link that the pin is on");
+        refuse_setting(p, use, KEY_OUTPUT_TO_PLACE, "needs 'to', the link that the pin is on");
         at.x = pivot->si[0];
         at.y = pivot->si[1];
         g->pivot = flk_build_on_ground(p, at);
         return;
     }
-    refuse(p, use, KEY_OUTPUT_PIVOT, "is a fixed pin, and 'to' puts the pin on a link: give one");
+    refuse_setting(p, use, KEY_OUTPUT_PIVOT,
+                   "is a fixed pin, and 'to' puts the pin on a link: give one");
     if (!IS_SET(place))
         require(p, use, KEY_OUTPUT_TO_AT, "the pin of the rocker, on the link 'to'");
     g->to = read_link(p, use, number, to);

@@ -221,15 +221,6 @@ static const type types[] = {{NULL, NULL, NULL, NULL},
 
 /* ----------------------------------------------------------------------------------------------- check */
 
-static int check_length(double length)
-{
-    if (!FLK_WITHIN(length, FOURLINK_LENGTH_MAX))
-        return FOURLINK_BAD_NUMBER;
-    if (length <= 0)
-        return FOURLINK_BAD_LENGTH;
-    return length < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_NUMBER : FOURLINK_OK;
-}
-
 #define UNIT 1e-9 /* by which the length of a unit vector may differ from 1 */
 
 static int check_group(const fourlink_group *g, int first)
@@ -240,9 +231,9 @@ static int check_group(const fourlink_group *g, int first)
         g->link < FOURLINK_CRANK || g->link >= first || g->to < 0 || g->to >= first ||
         (g->to > FOURLINK_GROUND && (is_slider || g->to == g->link)))
         return FOURLINK_BAD_GROUP;
-    status = check_length(g->rod);
+    status = flk_check_length(g->rod);
     if (status == FOURLINK_OK && !is_slider)
-        status = check_length(g->length);
+        status = flk_check_length(g->length);
     if (status != FOURLINK_OK)
         return status;
     if (!FLK_BOTH_WITHIN(g->at, FOURLINK_LENGTH_MAX) ||

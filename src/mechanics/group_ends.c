@@ -114,8 +114,8 @@ int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch
     return -1;
 }
 
-static void begin(search *x, const fourlink_mechanism *mechanism, fourlink_branch branch,
-                  double period, double *list, size_t most)
+static void set_up(search *x, const fourlink_mechanism *mechanism, fourlink_branch branch,
+                   double period, double *list, size_t most)
 {
     x->bare = *mechanism;
     x->bare.design.n_groups = 0;
@@ -136,7 +136,7 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
     search x;
     int i;
 
-    begin(&x, mechanism, branch, period, list, most);
+    set_up(&x, mechanism, branch, period, list, most);
     if (!mechanism->design.n_groups || fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;
     for (i = 0; i < reach.n_ranges; i++)
@@ -182,7 +182,7 @@ size_t flk_groups_ranges(const fourlink_mechanism *mechanism, fourlink_branch br
     search x;
     int i;
 
-    begin(&x, mechanism, branch, 2 * M_PI, NULL, 0);
+    set_up(&x, mechanism, branch, 2 * M_PI, NULL, 0);
     if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;
     for (i = 0; i < reach.n_ranges; i++) {

@@ -61,8 +61,9 @@ double flk_motion_angle(const fourlink_motion *motion, const fourlink_range *ran
 int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *loads,
                     unsigned long n_loads);
 
-/* The same for mass, moment of inertia and centre of mass of a link (mechanism.c). */
+/* The same for mass, moment of inertia and centre of mass of a link; for a length (mechanism.c). */
 int flk_check_link(const fourlink_link *link);
+int flk_check_length(double length);
 
 /* The number of the rod of group i, of the last link; the data of a moving link. */
 #define FLK_ROD_OF(i) (FOURLINK_FOLLOWER + 1 + 2 * (i))

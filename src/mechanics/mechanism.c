@@ -25,7 +25,7 @@ int flk_check_link(const fourlink_link *link)
     return FOURLINK_OK;
 }
 
-static int check_length(double length)
+int flk_check_length(double length)
 {
     if (!FLK_WITHIN(length, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
@@ -72,7 +72,7 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
         int has_length = kind->has_length[i] == FLK_LENGTH ||
                          (kind->has_length[i] == FLK_LENGTH_OR_NONE && length != 0);
 
-        if (has_length && (status = check_length(length)) != FOURLINK_OK)
+        if (has_length && (status = flk_check_length(length)) != FOURLINK_OK)
             return status;
         if (i != FOURLINK_GROUND && (status = flk_check_link(&design->link[i])) != FOURLINK_OK)
             return status;
