@@ -264,13 +264,6 @@ static void put_bar(sketch *s, const picture *p, const fourlink_state *state, in
     sketch_line(s, kind, geometry_joint(&p->v, state, from), geometry_joint(&p->v, state, to));
 }
 
-pen figure_pen(int link)
-{
-    return (pen)(link <= FOURLINK_FOLLOWER ? link
-                 : link % 2                ? FOURLINK_COUPLER
-                                           : FOURLINK_FOLLOWER);
-}
-
 static void put_outputs(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     int i;
@@ -278,10 +271,10 @@ static void put_outputs(sketch *s, const picture *p, const fourlink_state *state
     for (i = 0; i < p->v.design->n_groups; i++) {
         geometry_output x = geometry_find_output(&p->v, state, i);
         int rod = FOURLINK_FOLLOWER + 1 + 2 * i;
-        pen of_end = kind ? kind : figure_pen(rod + 1);
+        pen of_end = kind ? kind : FIGURE_PEN(rod + 1);
 
         sketch_show(s, SKETCH_LINK, (unsigned long)rod);
-        sketch_line(s, kind ? kind : figure_pen(rod), x.P, x.Q);
+        sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
         sketch_show(s, SKETCH_LINK, (unsigned long)rod + 1);
         if (p->v.design->group[i].end == FOURLINK_GROUP_SLIDES)
             figure_piston(s, of_end, x.Q, &p->v.design->group[i].direction);

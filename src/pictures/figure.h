@@ -65,7 +65,10 @@ void figure_slope(sketch *s, const picture *p);
 void figure_gravity(sketch *s, const picture *p);
 
 /* The pen of a link: of an output, that of link 3 for the rod, of link 4 for slider or rocker. */
-pen figure_pen(int link);
+#define FIGURE_PEN(link)                                  \
+    ((pen)((link) <= FOURLINK_FOLLOWER ? (link)           \
+           : (link) % 2                ? FOURLINK_COUPLER \
+                                       : FOURLINK_FOLLOWER))
 
 /* Draw the outline of a link with tracer points, or with pins of outputs: hull.c. */
 void hull_draw(sketch *s, const picture *p, const fourlink_state *state, int link);

@@ -62,7 +62,7 @@ static void put_hull(sketch *s, const fourlink_state *state, int link, fourlink_
     if (s->c->motion)
         place_points(state, link, corners, m + 1);
     for (i = 0; i < m; i++)
-        sketch_line(s, figure_pen(link), corners[i], corners[i + 1]);
+        sketch_line(s, FIGURE_PEN(link), corners[i], corners[i + 1]);
 }
 
 /* Add the pins of outputs on a link, in its own axes; returns the number of points. */
