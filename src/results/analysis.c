@@ -88,7 +88,7 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     const fourlink_link *link = mechanism->design.link;
     const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
 
-    e->condition = 1 / FLK_SINE(state);
+    e->condition = 1 / fabs(state->sine);
     e->I13.x = coupler->origin.x - quotient(coupler->k_origin.y, coupler->k);
     e->I13.y = coupler->origin.y + quotient(coupler->k_origin.x, coupler->k);
     if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {

@@ -28,7 +28,7 @@ def columns(m, s, forces=True):
         if size:
             v[name], v[name + '_dir'] = abs(F), np.angle(F)
 
-    v.update(theta2=s.theta2, omega2=s.omega2, alpha2=s.alpha2, condition=1 / s.sine)
+    v.update(theta2=s.theta2, omega2=s.omega2, alpha2=s.alpha2, condition=1 / m.own_sine(s))
     for k in (3, 4):
         v['theta%d' % k], v['omega%d' % k], v['alpha%d' % k] = s.phi[k - 1] + 0 * s.theta2, s.omega[k - 1], s.alpha[k - 1]
     sine = m.own_sine(s)
