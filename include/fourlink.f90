@@ -32,6 +32,7 @@ module fourlink
     fourlink_locked = 10, fourlink_no_direction = 11, fourlink_does_not_start = 12, &
     fourlink_stalls = 13, fourlink_no_steady = 14, fourlink_no_inertia = 15, &
     fourlink_too_long = 16, fourlink_overflow = 17, fourlink_long_search = 18, &
+    fourlink_group_apart = 19, &
     fourlink_null = 20, fourlink_bad_number = 21, fourlink_bad_kind = 22, &
     fourlink_bad_length = 23, fourlink_bad_mass = 24, fourlink_bad_branch = 25, &
     fourlink_bad_link = 26, fourlink_bad_frame = 27, fourlink_bad_interval = 28, &
@@ -45,7 +46,8 @@ module fourlink
     fourlink_constant = 50, fourlink_not_a_number = 51, fourlink_dependent = 52, &
     fourlink_infinite_link = 53, fourlink_no_linkage = 54, fourlink_no_length = 55, &
     fourlink_no_full_turn = 56, fourlink_none_found = 57, fourlink_bad_points = 58, &
-    fourlink_bad_time_ratio = 59, fourlink_bad_choice = 60, fourlink_parallel_slot = 61
+    fourlink_bad_time_ratio = 59, fourlink_bad_choice = 60, fourlink_parallel_slot = 61, &
+    fourlink_bad_group = 62
 
   ! Kinds of mechanisms, branches, links, frames of loads.
   integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2, &
@@ -80,6 +82,8 @@ module fourlink
     real(c_double) :: offset = 0
     type(fourlink_vector) :: gravity
     real(c_double) :: angle = 0
+    type(c_ptr) :: group = c_null_ptr ! an array of n_groups
+    integer(c_int) :: n_groups = 0
   end type fourlink_design
 
   type, bind(c) :: fourlink_mechanism
@@ -101,9 +105,9 @@ module fourlink
   end type fourlink_link_state
 
   type, bind(c) :: fourlink_state
-    type(fourlink_link_state) :: link(0:4) ! (0) and (1) are unused
-    integer(c_int) :: branch
-    real(c_double) :: sine, mu, phi, x, v, a, slide, slide_v, slide_a, coriolis, s
+    integer(c_int) :: branch, last
+    real(c_double) :: sine, mu, phi, x, v, a, slide, slide_v, slide_a, coriolis, s, group_sine
+    type(fourlink_link_state) :: link(0:20) ! (0), (1) and those after `last` are unused
   end type fourlink_state
 
   type, bind(c) :: fourlink_load

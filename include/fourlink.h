@@ -489,9 +489,9 @@ typedef struct fourlink_check {
     double place; /* ... in this unit */
     const char *place_unit;
     fourlink_branch branch;
-    long message_line;  /* FOURLINK_NO_VALUE: line of the mistake in `file` */
-    char message[400];  /* FOURLINK_NO_VALUE: why */
-    char hint[200];     /* FOURLINK_DIFFERS: a possible reason, or ""; FOURLINK_AGREES: in which unit */
+    long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
+    char message[400]; /* FOURLINK_NO_VALUE: why */
+    char hint[200]; /* FOURLINK_DIFFERS: a possible reason, or ""; FOURLINK_AGREES: in which unit */
     int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
     double marks;       /* that it is worth, of [grading]; otherwise 1 */
     int is_short;       /* 1: it has fewer digits than [grading] asks for */
@@ -772,7 +772,8 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_OVERFLOW, 17, "a speed or a torque grows beyond all numbers")                      \
     X(FOURLINK_LONG_SEARCH, 18,                                                                   \
       "the search takes too many rows: give fewer turns, less time or fewer columns")             \
-    X(FOURLINK_INPUT_DEAD_CENTRE, 19,                                                             \
+    X(FOURLINK_GROUP_APART, 19, "an output cannot be assembled: its rod does not reach")          \
+    X(FOURLINK_INPUT_DEAD_CENTRE, 63,                                                             \
       "dead centre: the input or the drive stands still while the crank turns")                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
@@ -821,6 +822,8 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_BAD_POINTS, 58, "the number of precision points is below 3 or above 100")          \
     X(FOURLINK_BAD_TIME_RATIO, 59,                                                                \
       "a time ratio is at least 1: slow stroke / quick stroke, in time")                          \
+    X(FOURLINK_BAD_GROUP, 62,                                                                     \
+      "an output has no such kind or side, is one too many, or hangs on a link after its own")    \
     X(FOURLINK_BAD_CHOICE, 60,                                                                    \
       "too much or too little is given, or a choice that the task does not have")
 

@@ -312,6 +312,14 @@ static int mirror(deck_lines *d)
             swap_names(b, KEY_LOAD_BACK, KEY_LOAD_FORCE);
             swap_names(b, KEY_LOAD_BACK, KEY_LOAD_TORQUE);
         }
+        if (line_of(b, KEY_OUTPUT_PIVOT) || line_of(b, KEY_OUTPUT_TO)) {
+            int is_right = strcmp(value_of(b, KEY_OUTPUT_SIDE, "left"), "right") == 0;
+
+            if (!line_of(b, KEY_OUTPUT_SIDE))
+                add_line(b, "side", "left");
+            snprintf(line_of(b, KEY_OUTPUT_SIDE)->value, LONG_VALUE, "%s",
+                     is_right ? "left" : "right");
+        }
         if (*only && is_torsional(b))
             snprintf(line_of(b, KEY_SPRING_ONLY)->value, LONG_VALUE, "%s",
                      strcmp(only, "pushes") == 0 ? "pulls" : "pushes");
@@ -332,13 +340,13 @@ static double factor_mirrored(const fourlink_value *of)
 
     if (kind == FOURLINK_SCOTCH_YOKE && ends_in(name, "3_along"))
         return -1;
-    if (is_one_of(name, without_sign) || strncmp(name, "friction_", 9) == 0)
+    if (is_one_of(name, without_sign) || strncmp(name, "friction_", 9) == 0 || ends_in(name, ".mu"))
         return 1;
     if (kind == FOURLINK_SCOTCH_YOKE &&
         (is_one_of(name, " N34 ") || (ends_in(name, "_across") && strstr(name, "3_"))))
         return 1;
     return is_component || is_one_of(name, to_the_left) || ends_in(name, "_across") ||
-                   q == QUANTITY_TORQUE || flk_quantities[q].dim.rad == 1 ||
+                   ends_in(name, ".N") || q == QUANTITY_TORQUE || flk_quantities[q].dim.rad == 1 ||
                    strncmp(name, "rubbing_", 8) == 0 ||
                    is_one_of(name, " klein_OM klein_QN klein_IX klein_IY klein_FT crank_effort ") ||
                    (strcmp(name, "mechanical_advantage") == 0 &&
@@ -539,8 +547,8 @@ static int reverse_time(deck_lines *d)
 
 static double factor_reversed(const fourlink_value *of)
 {
-    if (ends_in(of->name, ".v"))
-        return 1;
+    if (ends_in(of->name, ".v") && strncmp(of->meaning, "speed of", 8) == 0)
+        return 1; /* the size of a velocity, not that of an output along its line */
     return flk_quantities[flk_quantity_find(of->quantity)].dim.s % 2 ? -1 : 1;
 }
 

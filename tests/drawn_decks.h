@@ -319,6 +319,45 @@ static void set_ground_ends(deck_lines *d)
     fourlink_results_free(r);
 }
 
+/* A value of the block of this header, if it has the key. */
+static void set_of(deck_lines *d, const char *header, key_code key, const char *format, double x,
+                   double y)
+{
+    int j;
+
+    for (j = 0; j < d->n; j++)
+        if (strcmp(d->block[j].header, header) == 0 && line_of(&d->block[j], key))
+            snprintf(line_of(&d->block[j], key)->value, LONG_VALUE, format, x, y);
+}
+
+/* The same of the lines of stroke and the fixed pins of outputs. */
+static void set_outputs(deck_lines *d)
+{
+    static const char place[] = "(%.17g, %.17g) m", in_rad[] = "%.17g rad";
+    fourlink_results *r = opened(base_text, NULL);
+    const fourlink_group *g = r ? problem_of(r).mechanism.design.group : NULL;
+    int i;
+
+    for (i = 0; g && i < base.n; i++) {
+        const char *header = base.block[i].header;
+        fourlink_vector at;
+        double direction;
+
+        if (base.block[i].section != SECTION_OUTPUT)
+            continue;
+        at = on_page(g->pivot);
+        direction = atan2(g->direction.y, g->direction.x);
+        set_of(&base, header, KEY_OUTPUT_LINE, place, g->pivot.x, g->pivot.y);
+        set_of(&base, header, KEY_OUTPUT_PIVOT, place, g->pivot.x, g->pivot.y);
+        set_of(&base, header, KEY_OUTPUT_ANGLE, in_rad, direction, 0);
+        set_of(d, header, KEY_OUTPUT_LINE, place, at.x, at.y);
+        set_of(d, header, KEY_OUTPUT_PIVOT, place, at.x, at.y);
+        set_of(d, header, KEY_OUTPUT_ANGLE, in_rad, direction + turned, 0);
+        g++;
+    }
+    fourlink_results_free(r);
+}
+
 /* By pins, or by lengths on a page whose origin is A. */
 static int put_on_page(deck_lines *d)
 {
@@ -353,6 +392,7 @@ static int put_on_page(deck_lines *d)
         write_lines(&base, base_text, sizeof base_text);
     }
     set_ground_ends(d);
+    set_outputs(d);
     for (i = 0; i < d->n; i++)
         for (k = 0; k < d->block[i].n; k++) {
             deck_line *line = &d->block[i].line[k];
@@ -382,7 +422,8 @@ static int other_component(const columns *c, int j, char own, char other)
 
 static int is_direction(const char *name)
 {
-    return is_one_of(name, " theta2 theta3 theta4 ") || ends_in(name, "_dir");
+    return is_one_of(name, " theta2 theta3 theta4 ") || ends_in(name, "_dir") ||
+           ends_in(name, ".theta") || ends_in(name, ".rod_theta");
 }
 
 /* A row of the page in the axes of link 1, in the units of its columns. */

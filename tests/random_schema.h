@@ -390,6 +390,10 @@ static const struct {
     {SECTION_FRICTION, "mu = 0.05\nradius = 5 mm\n"},
     {SECTION_GAS, "bore = 30 mm\npressure = 2 bar\n"},
     {SECTION_POINT, "link = crank\nat = 50 %\n"},
+    {SECTION_OUTPUT,
+     "link = crank\nat = (9, 4) mm\nrod = 200 mm\nline = (20, 10) mm\nangle = 15 deg\n"},
+    {SECTION_OUTPUT,
+     "link = crank\nat = (9, 4) mm\nrod = 90 mm\npivot = (140, 30) mm\nlength = 120 mm\n"},
     {SECTION_FLYWHEEL, "inertia = 0.3 kg m2\n"},
     {SECTION_BALANCE, "radius = 30 mm\n"},
     {SECTION_SYNTHESIS, "task = quick-return\ntime_ratio = 1.2\nswing = 50 deg\n"}};

@@ -83,6 +83,32 @@ typedef struct fourlink_link {
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
 } fourlink_link;
 
+#define FOURLINK_MOST_GROUPS 8
+#define FOURLINK_LINKS (5 + 2 * FOURLINK_MOST_GROUPS)
+
+/* What the last link of a group does. */
+typedef enum fourlink_group_end {
+    FOURLINK_GROUP_SLIDES = 1, /* on a fixed line */
+    FOURLINK_GROUP_TURNS       /* about a pin */
+} fourlink_group_end;
+
+/* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.  It
+** has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links 5 + 2 i,
+** the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along `direction`; the
+** rocker's from its pin D to Q.  Set it to zero first. */
+typedef struct fourlink_group {
+    fourlink_group_end end;
+    int link;              /* that carries it: 2, 3, 4, or one of a group before it */
+    fourlink_vector at;    /* m, P in that link's own axes */
+    int to;                /* rocker: the link with its pin, 0 or 1 the ground */
+    fourlink_vector pivot; /* m, in the axes of that link: this pin; slider: a point of its line */
+    fourlink_vector direction; /* 1, slider: unit vector along its line */
+    double rod, length;        /* m, of rod and rocker */
+    int side;                  /* slider: 1 ahead of P along `direction`, -1 behind; rocker: Q is to
+                                  the left (1) or right (-1) of the line from P to its pin */
+    fourlink_link body[2];     /* masses of the rod and of slider or rocker */
+} fourlink_group;
+
 /* The data of a mechanism.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_design {
     fourlink_kind kind;
@@ -95,6 +121,8 @@ typedef struct fourlink_design {
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
     double angle; /* rad, inverted, lever with a length: angle of the slide from the line DC; Scotch
                      yoke: angle of the slot from the guide, not a multiple of pi */
+    const fourlink_group *group; /* an array of n_groups, kept by the caller */
+    int n_groups;                /* up to FOURLINK_MOST_GROUPS */
 } fourlink_design;
 
 /* A checked design, with the constants that every crank position needs.  fourlink_prepare fills it; the
@@ -144,8 +172,8 @@ typedef struct fourlink_link_state {
 /* A crank position, filled in three steps by fourlink_position, fourlink_velocity and fourlink_acceleration,
 ** or in one by fourlink_analyse. */
 typedef struct fourlink_state {
-    fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
+    int last;       /* the number of the last link: 4, with groups 6, 8 ... */
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted:
                        s / BD; Scotch yoke: sine of the slot's angle. Positive on the open branch,
                        negative on the crossed one; beyond a change point the signs are swapped
@@ -156,13 +184,17 @@ typedef struct fourlink_state {
     double x, v, a; /* m, m/s, m/s2, slider-crank, Scotch yoke: displacement of piston or yoke from
                        its inner dead centre, positive away from it, and its derivatives */
     double slide, slide_v,
-        slide_a;     /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
+        slide_a;       /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
                         if the lever has no length, from the foot of the perpendicular
                         from D; its derivatives, the motion of B relative to the lever; Scotch
                         yoke: coordinate of B along the slot from C */
-    double coriolis; /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
-    double s;        /* m, inverted: coordinate of B from the foot of that perpendicular; Scotch
+    double coriolis;   /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
+    double s;          /* m, inverted: coordinate of B from the foot of that perpendicular; Scotch
                         yoke: slide */
+    double group_sine; /* 1, of groups: the smallest sine, as `sine`, in size; 1 without */
+    fourlink_link_state
+        link[FOURLINK_LINKS]; /* by link number; [0], [1] and those after the last are
+                        unused */
 } fourlink_state;
 
 /* ---------------------------------------------------------------------------------------------
@@ -177,7 +209,7 @@ typedef enum fourlink_frame {
 
 /* A force and a torque on a moving link, in addition to its weight. */
 struct fourlink_load {
-    int link; /* 2, 3 or 4 */
+    int link; /* 2, 3, 4, or one of a group */
     fourlink_frame frame;
     fourlink_vector force; /* N */
     fourlink_vector at;    /* m, the point of the link where it acts, in the link's own axes */
@@ -571,10 +603,10 @@ struct fourlink_instant {
     fourlink_row row;
     fourlink_branch branch;
     int status; /* not FOURLINK_OK: why there is no position; the members below are not filled */
-    fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
     fourlink_losses losses; /* without friction Ts0 is Ts, the efficiency 1, the rest 0 */
+    fourlink_state state;
 };
 
 /* An area between the turning moment and its mean. */
@@ -634,10 +666,11 @@ FOURLINK_API int fourlink_kind_of(int kind, fourlink_kind_facts *facts);
 **    mechanism  the checked design, with the constants of every position
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
-**    FOURLINK_BAD_MASS
-** Note:
-**    A design that cannot be assembled at some or all angles is accepted; the status of each position reports
+**    FOURLINK_BAD_MASS, FOURLINK_BAD_GROUP
+** Notes:
+** 1) A design that cannot be assembled at some or all angles is accepted; the status of each position reports
 **    it.
+** 2) `group` of the design is not copied: it must stay as long as the mechanism is used.
 ** Reference:
 **    The triangle BCD, law of cosines: it exists where |b - c| <= BD <= b + c.
 */
@@ -703,7 +736,7 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    state      theta, axis and origin of each link; sine, mu; slider-crank: phi, x
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_TOO_FAR, FOURLINK_TOO_NEAR, FOURLINK_ROD_TOO_SHORT,
-**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING;
+**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING, FOURLINK_GROUP_APART;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH, FOURLINK_BAD_KIND
 ** Notes:
 ** 1) A position counts as dead if sine^2 <= 1e-14, the level of rounding error.
@@ -752,7 +785,7 @@ FOURLINK_API int fourlink_acceleration(const fourlink_mechanism *mechanism, doub
 **
 ** Given:
 **    state         from fourlink_acceleration
-**    link          2, 3 or 4
+**    link          2 to the last
 **    at            m, the point in the link's own axes
 ** Returned (each may be null):
 **    position      m, in the frame of link 1
@@ -774,7 +807,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 **    loads      forces and torques in addition to the weights; may be null if n_loads is 0
 **    n_loads    how many
 ** Returned:
-**    body       5 bodies, by link number; [0] and [1] stay as they are
+**    body       by link number, 2 to the last; the others stay as they are
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
 ** Note:
@@ -786,7 +819,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 */
 FOURLINK_API int fourlink_bodies(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                  const fourlink_load *loads, unsigned long n_loads,
-                                 fourlink_body body[5]);
+                                 fourlink_body body[FOURLINK_LINKS]);
 
 /* Pin forces and driving torque: solves the nine Newton-Euler equations of a crank position.
 **
@@ -1328,6 +1361,27 @@ FOURLINK_API int fourlink_deck_analyse(const fourlink_deck *deck, fourlink_branc
 FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i, const char **name,
                                       fourlink_spring *spring);
 FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
+
+/* The status of a row in words: as fourlink_status_text, and which output cannot be assembled.
+**
+** Given:
+**    deck    from fourlink_deck_read or fourlink_results_deck
+**    at      a row of it
+** Returned (function value):
+**    the words, valid as long as the deck
+*/
+FOURLINK_API const char *fourlink_deck_status_text(const fourlink_deck *deck,
+                                                   const fourlink_instant *at);
+
+/* The name of a link.
+**
+** Given:
+**    deck    from fourlink_deck_read or fourlink_results_deck
+**    link    1 to the last
+** Returned (function value):
+**    crank, coupler ...; of a link of an [output] NAME or NAME.rod; "unknown link"
+*/
+FOURLINK_API const char *fourlink_deck_link_text(const fourlink_deck *deck, int link);
 
 /* A tracer point of a deck.
 **

@@ -46,6 +46,16 @@ static int is_piston(const parser *p, int link)
     return fourlink_slides((int)p->d->machine.mechanism.design.kind, link) == FOURLINK_GROUND;
 }
 
+/* 1 if a force on a link needs the point where it acts. */
+static int has_length(const parser *p, int link)
+{
+    const fourlink_mechanism *m = &p->d->machine.mechanism;
+
+    return link > FOURLINK_FOLLOWER
+               ? FLK_LINK(m, link)->length > 0
+               : flk_kind_of(m->design.kind)->has_length[link] != FLK_NO_LENGTH;
+}
+
 /* The argument of the curves of a load. */
 static int over_of(const section_use *use)
 {
@@ -91,8 +101,7 @@ static void build_force(parser *p, const section_use *use, flk_given_load *given
                     "not '%t'",
                     force->value);
     else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) && link &&
-             !use->is_mistaken &&
-             flk_kind_of(p->d->machine.mechanism.design.kind)->has_length[link] != FLK_NO_LENGTH)
+             !use->is_mistaken && has_length(p, link))
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)

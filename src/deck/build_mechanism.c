@@ -536,7 +536,7 @@ int flk_build_check_link(parser *p, const section_use *use, const setting *link)
     if (!IS_SET(link) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
-    else if (link->word &&
+    else if (link->word && link->word <= FOURLINK_FOLLOWER &&
              !flk_text_equal(flk_link_meant((int)kind->kind, link->value), own[link->word]))
         return flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
                            flk_text_article(kind->words), kind->words, link->value, own[2], own[3],

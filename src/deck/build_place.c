@@ -50,8 +50,8 @@ const char *flk_build_length_in(parser *p, const setting *s, double length, char
 /* A point by its distances from the two pins of its link. */
 static void place_by_distances(parser *p, const setting *s, int link, fourlink_vector *at)
 {
-    double length = p->d->machine.mechanism.design.link[link].length;
-    const char *name = flk_kind_of(p->d->machine.mechanism.design.kind)->link[link];
+    double length = FLK_LINK(&p->d->machine.mechanism, link)->length;
+    const char *name = fourlink_deck_link_text(p->d, link);
     const deck_unit *u = &p->d->units[QUANTITY_LENGTH];
 
     at->x = at->y = 0;
@@ -71,7 +71,8 @@ static void place_by_distances(parser *p, const setting *s, int link, fourlink_v
 
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
 {
-    double length = p->d->machine.mechanism.design.link[link].length;
+    const fourlink_link *data = FLK_LINK(&p->d->machine.mechanism, link);
+    double length = data->length;
     const flk_kind *kind = flk_kind_of(p->d->machine.mechanism.design.kind);
 
     if (s->of_pins) {
@@ -83,20 +84,20 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
     if (link == FOURLINK_GROUND && !s->of_length && !flk_text_equal(s->value, "origin"))
         *at = flk_build_on_ground(p, *at);
     if (s->of_centre && link) {
-        at->x += p->d->machine.mechanism.design.link[link].cg.x;
-        at->y += p->d->machine.mechanism.design.link[link].cg.y;
-        if (!(p->d->machine.mechanism.design.link[link].mass > 0))
+        at->x += data->cg.x;
+        at->y += data->cg.y;
+        if (!(data->mass > 0))
             flk_mistake(p->mistakes, s->place,
                         "'%t' is from the centre of mass, and the %s has no mass", s->value,
-                        kind->link[link]);
+                        fourlink_deck_link_text(p->d, link));
     }
     if (!s->of_length || !link)
         return;
-    if (flk_build_is_without_length(p, kind, link))
+    if (link > FOURLINK_FOLLOWER ? !(length > 0) : flk_build_is_without_length(p, kind, link))
         flk_mistake(p->mistakes, s->place,
                     "'%t' is a part of the length, and the %s has none: give the point in a unit "
                     "of length",
-                    s->value, kind->link[link]);
+                    s->value, fourlink_deck_link_text(p->d, link));
     else
         flk_piece_size(p, s, QUANTITY_LENGTH, flk_length(at->x, at->y));
 }
@@ -107,6 +108,10 @@ int flk_build_point(parser *p, const setting *at, const setting *place, int link
     if (IS_SET(at) && IS_SET(place))
         return flk_mistake(p->mistakes, place->place,
                            "give the point either on its link or by its place as drawn, not both");
+    if (IS_SET(place) && link > FOURLINK_FOLLOWER)
+        return flk_mistake(p->mistakes, place->place,
+                           "[pins] draw the four links: give the point of %s with 'at'",
+                           fourlink_deck_link_text(p->d, link));
     if (IS_SET(place))
         return link && flk_pins_place(p, place, link, on_link);
     flk_build_place(p, at, link, on_link);

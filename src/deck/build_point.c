@@ -24,14 +24,16 @@ void flk_build_check_name(parser *p, const section_use *use, const char *columns
     size_t i;
 
     if (!use->name.length)
-        flk_mistake(p->mistakes, use->place, "a %s needs a name: [%s %s]", what, what,
-                    use->section == SECTION_POINT ? "P" : "S");
+        flk_mistake(p->mistakes, use->place, "%s %s needs a name: [%s %s]", flk_text_article(what),
+                    what, what, use->section == SECTION_POINT ? "P" : "S");
     if (use->name.length > LONGEST_NAME)
-        flk_mistake(p->mistakes, use->place, "the name of a %s is too long", what);
+        flk_mistake(p->mistakes, use->place, "the name of %s %s is too long",
+                    flk_text_article(what), what);
     for (i = 0; i < use->name.length; i++)
         if (!flk_text_is_word(use->name.start[i])) {
             flk_mistake(p->mistakes, use->place,
-                        "the name of a %s must be one word: its columns are %s", what, columns);
+                        "the name of %s %s must be one word: its columns are %s",
+                        flk_text_article(what), what, columns);
             break;
         }
 }

@@ -43,6 +43,13 @@ static int read_spring_link(parser *p, const section_use *use, key_code key)
                         "[spring] has no 'to': the ground or another link");
         return 0;
     }
+    if (link->word > FOURLINK_FOLLOWER) {
+        flk_mistake(p->mistakes, link->place,
+                    "springs are between the four links and the ground, not on %t, which is of an "
+                    "[output]",
+                    link->value);
+        return 0;
+    }
     return link->word == FOURLINK_GROUND || flk_build_check_link(p, use, link) ? link->word : 0;
 }
 

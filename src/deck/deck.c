@@ -10,6 +10,7 @@
 
 #include "base/quantity.h"
 #include "deck.h"
+#include "mechanics/group.h"
 #include "mechanics/kind.h"
 
 void flk_deck_set_si(deck_unit *units)
@@ -36,6 +37,24 @@ typedef struct kept {
     struct kept *next;
     double contents[1]; /* aligned for any contents */
 } kept;
+
+const char *fourlink_deck_status_text(const fourlink_deck *d, const fourlink_instant *at)
+{
+    int i = at && at->status == FOURLINK_GROUP_APART
+                ? flk_groups_apart(&d->machine.mechanism, at->branch, at->row.crank.theta2)
+                : -1;
+
+    return !at ? "unknown status" : i < 0 ? fourlink_status_text(at->status) : d->outputs[i].apart;
+}
+
+const char *fourlink_deck_link_text(const deck *d, int link)
+{
+    int i = link - FLK_ROD_OF(0);
+
+    return i >= 0 && i < 2 * d->machine.mechanism.design.n_groups
+               ? d->outputs[i / 2].name[i % 2]
+               : fourlink_link_text((int)d->machine.mechanism.design.kind, link);
+}
 
 void *flk_deck_keep(deck *d, size_t size)
 {

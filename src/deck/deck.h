@@ -12,6 +12,7 @@
 #include "mechanics/drive.h"
 #include "mechanics/machine.h"
 #include "mechanics/program.h"
+#include "output_columns.h"
 
 #define DECK_NAME_SIZE 64
 
@@ -74,6 +75,13 @@ typedef struct deck_point {
     fourlink_vector at;                     /* m, in the link's own axes */
     char *column_names[DECK_POINT_COLUMNS]; /* NAME.x ... */
 } deck_point;
+
+/* An [output]: the names of its links, of its columns.  Its data are those of the group with its number. */
+typedef struct deck_output {
+    const char *name[2]; /* NAME.rod, NAME */
+    const char *apart;   /* that it cannot be assembled */
+    const char *column_names[OUTPUT_COLUMNS];
+} deck_output;
 
 /* A value that a source printed. */
 typedef struct deck_expectation {
@@ -170,6 +178,8 @@ struct fourlink_deck {
     int one_instant;        /* 1: motion.at */
     int one_revolution;     /* 1: from the first row to the last */
     deck_balance balance;
+    deck_output *outputs; /* as many as the mechanism has groups */
+    fourlink_group *groups;
     deck_point *points;
     size_t n_points;
     flk_actuator *actuators;

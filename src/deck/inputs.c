@@ -9,6 +9,14 @@
 #include "settings.h"
 #include "vector.h"
 
+/* The link that a point of an [output] is on. */
+static int link_of_output(const deck *d, const section_use *use, key_code key)
+{
+    if (key == KEY_OUTPUT_AT || key == KEY_OUTPUT_TO_AT)
+        return flk_setting_of(use, key == KEY_OUTPUT_AT ? KEY_OUTPUT_LINK : KEY_OUTPUT_TO)->word;
+    return flk_output_link(d->settings, use->name) - (key == KEY_OUTPUT_ROD_CG);
+}
+
 /* The link that a point in a section is on: the link that the section names, or its own. */
 static const fourlink_link *link_of(const deck *d, const section_use *use, key_code key)
 {
@@ -18,13 +26,15 @@ static const fourlink_link *link_of(const deck *d, const section_use *use, key_c
         link = flk_setting_of(use, KEY_LOAD_LINK)->word;
     else if (use->section == SECTION_POINT)
         link = flk_setting_of(use, KEY_POINT_LINK)->word;
+    else if (use->section == SECTION_OUTPUT)
+        link = link_of_output(d, use, key);
     else if (use->section == SECTION_SPRING)
         link = flk_setting_of(use, key == KEY_SPRING_AT ? KEY_SPRING_LINK : KEY_SPRING_TO)->word;
     else
         while (link < FOURLINK_FOLLOWER &&
                flk_section_of_link(d->machine.mechanism.design.kind, link) != use->section)
             link++;
-    return &d->machine.mechanism.design.link[link];
+    return FLK_LINK(&d->machine.mechanism, link);
 }
 
 /* The meaning of a key where another coordinate than the crank angle is prescribed. */
@@ -66,6 +76,8 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
         x->words = word->word;
     else if (t->key == KEY_MOTION_INPUT)
         x->words = d->over->name; /* NAME.length */
+    else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
+        x->words = fourlink_deck_link_text(d, s->word);
     else if (s->word)
         x->words = key->form == FORM_CRANK
                        ? "drawn"

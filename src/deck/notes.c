@@ -325,6 +325,21 @@ static void check_instant(parser *p)
         motion->from, angle->name, flk_unit_from_si(from, angle->unit), angle->name, row);
 }
 
+/* Note what is of the four links alone in a deck with outputs. */
+static void check_outputs(parser *p)
+{
+    const section_use *friction = flk_section_find(p, SECTION_FRICTION, NULL),
+                      *balance = flk_section_find(p, SECTION_BALANCE, NULL);
+
+    if (!p->d->machine.mechanism.design.n_groups)
+        return;
+    if (friction)
+        flk_mistake(NOTES(p), friction->place, "the joints of outputs have no friction");
+    if (balance)
+        flk_mistake(NOTES(p), balance->place,
+                    "the counterweights are for the four links, without the outputs");
+}
+
 void flk_build_notes(parser *p)
 {
     const section_use *use = NULL;
@@ -342,6 +357,7 @@ void flk_build_notes(parser *p)
         check_spring(p, use);
     while ((use = flk_section_next(p, SECTION_LOAD, use)) != NULL)
         check_load(p, use, use->element->data);
+    check_outputs(p);
     check_friction(p);
     check_pressure(p, KEY_GAS_PRESSURE);
     check_pressure(p, KEY_GAS_BACK_PRESSURE);

@@ -59,6 +59,12 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, ROCKER_UNIFORM)                                              \
     YES_WORDS(X, ROD_UNIFORM)                                                 \
     YES_WORDS(X, LEVER_UNIFORM)                                               \
+    YES_WORDS(X, OUTPUT_END_UNIFORM)                                          \
+    YES_WORDS(X, OUTPUT_ROD_UNIFORM)                                          \
+    X(OUTPUT_SIDE, "ahead", SIDE_AHEAD)                                       \
+    X(OUTPUT_SIDE, "behind", SIDE_BEHIND)                                     \
+    X(OUTPUT_SIDE, "left", SIDE_LEFT)                                         \
+    X(OUTPUT_SIDE, "right", SIDE_RIGHT)                                       \
     X(GRADING_FEEDBACK, "hints", 0)                                           \
     X(GRADING_FEEDBACK, "answers", 1)                                         \
     X(GRADING_UNITS, "lenient", 0)                                            \

@@ -32,6 +32,7 @@
     X(SLIDER, "slider", 0, WITH_SLOT, KEY_SLIDER_MASS)              \
     X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                \
     X(YOKE, "yoke", 0, SCOTCH_YOKE, KEY_YOKE_ANGLE)                 \
+    X(OUTPUT, "output", 1, ANY_KIND, KEY_OUTPUT_LINK)               \
     X(GAS, "gas", 0, WITH_GUIDE, KEY_GAS_BORE)                      \
     X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
     X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                \
@@ -54,7 +55,7 @@
 typedef enum value_form {
     FORM_TEXT,     /* as written, or in double quotes */
     FORM_WORD,     /* one of a list of words */
-    FORM_LINK,     /* a link that moves */
+    FORM_LINK,     /* a link that moves, NAME or NAME.rod of an [output] */
     FORM_BODY,     /* a link that moves, or the ground */
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
@@ -85,6 +86,16 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, CG_PLACE, "cg_place", PLACE, LENGTH, ANY, ANY_KIND, "centre of mass as drawn")            \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND, "period as a pendulum") \
     X(S, SWING_PIN, "swing_pin", POINT, LENGTH, ANY, ANY_KIND, "where it hangs as a pendulum")
+
+/* The masses of the links of an [output]: of slider or rocker, of the rod. */
+#define OUTPUT_MASS_KEYS(X, CODE, name, of)                                               \
+    X(OUTPUT, CODE##MASS, name "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND, "mass" of) \
+    X(OUTPUT, CODE##GYRATION, name "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,  \
+      "gyration about the centre of mass" of)                                             \
+    X(OUTPUT, CODE##INERTIA, name "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND,   \
+      "inertia about the centre of mass" of)                                              \
+    X(OUTPUT, CODE##CG, name "cg", POINT, LENGTH, ANY, ANY_KIND, "centre of mass" of)     \
+    X(OUTPUT, CODE##UNIFORM, name "uniform", WORD, NUMBER, ANY, ANY_KIND, "a uniform bar" of)
 
 /* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section)                                                                       \
@@ -158,6 +169,20 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     LINK_KEYS(X, LEVER)                                                                            \
     X(YOKE, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "angle of the slot from the guide")    \
     MASS_KEYS(X, YOKE)                                                                             \
+    X(OUTPUT, LINK, "link", LINK, NUMBER, ANY, ANY_KIND, "the link that carries it")               \
+    X(OUTPUT, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "the point P of that link")                  \
+    X(OUTPUT, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "P as drawn")                          \
+    X(OUTPUT, ROD, "rod", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "length of its rod, from P to Q")  \
+    X(OUTPUT, LINE, "line", PLACE, LENGTH, ANY, ANY_KIND, "slider: a point of its line of stroke") \
+    X(OUTPUT, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "slider: direction of that line")    \
+    X(OUTPUT, PIVOT, "pivot", PLACE, LENGTH, ANY, ANY_KIND, "rocker: its fixed pin")               \
+    X(OUTPUT, TO, "to", LINK, NUMBER, ANY, ANY_KIND, "rocker: the link that its pin is on")        \
+    X(OUTPUT, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "rocker: its pin on that link")        \
+    X(OUTPUT, TO_PLACE, "to_place", PLACE, LENGTH, ANY, ANY_KIND, "its pin there as drawn")        \
+    X(OUTPUT, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "rocker: length")            \
+    X(OUTPUT, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")                      \
+    OUTPUT_MASS_KEYS(X, END_, "", "")                                                              \
+    OUTPUT_MASS_KEYS(X, ROD_, "rod_", ", of the rod")                                              \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \
@@ -359,6 +384,8 @@ typedef struct key_info {
 
 /* By key_code. */
 extern const key_info flk_key_table[];
+
+enum { SIDE_AHEAD = 1, SIDE_BEHIND, SIDE_LEFT, SIDE_RIGHT }; /* of an [output] */
 
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 

@@ -259,6 +259,22 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
     return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
 
+int flk_output_link(const parser *p, text name)
+{
+    const section_use *use = NULL;
+    text rod;
+    int i;
+
+    for (i = 0; (use = flk_section_next(p, SECTION_OUTPUT, use)) != NULL; i++) {
+        rod = flk_text_from(name, name.length < use->name.length ? name.length : use->name.length);
+        if (use->name.length && name.length >= use->name.length &&
+            memcmp(name.start, use->name.start, use->name.length) == 0 &&
+            i < FOURLINK_MOST_GROUPS && (!rod.length || flk_text_same(rod, ".rod")))
+            return FLK_ROD_OF(i) + !rod.length;
+    }
+    return 0;
+}
+
 int flk_setting_kind(const parser *p)
 {
     const section_use *top = flk_section_find(p, SECTION_TOP, NULL);

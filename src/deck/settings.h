@@ -13,6 +13,9 @@
 section_use *flk_section_find(const parser *p, section_code section, const text *name);
 section_use *flk_section_next(const parser *p, section_code section, const section_use *after);
 
+/* The number of the link that NAME or NAME.rod of an [output] is; 0 if there is none. */
+int flk_output_link(const parser *p, text name);
+
 /* The kind of mechanism that the deck has; 0 if it is not known. */
 int flk_setting_kind(const parser *p);
 

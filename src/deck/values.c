@@ -31,6 +31,11 @@ static void read_word(parser *p, key_code key, setting *s)
     const char *listed[MOST_WORDS];
     char list[MESSAGE_SIZE];
 
+    if (!word && flk_key_table[key].form != FORM_WORD) {
+        s->word = flk_output_link(p, s->value);
+        if (s->word)
+            return;
+    }
     if (word || (key == KEY_MOTION_INPUT && is_length_of_actuator(s->value))) {
         s->word = word ? word->value : FLK_ACTUATOR_INPUT;
         return;

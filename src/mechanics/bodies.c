@@ -5,18 +5,19 @@
 #include "kind.h"
 
 int fourlink_bodies(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                    const fourlink_load *loads, unsigned long n_loads, fourlink_body body[5])
+                    const fourlink_load *loads, unsigned long n_loads,
+                    fourlink_body body[FOURLINK_LINKS])
 {
     const flk_kind *kind;
     unsigned long n;
     int i, status = flk_kind_find(mechanism, body, &kind);
 
     if (status == FOURLINK_OK)
-        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        const fourlink_link *data = &mechanism->design.link[i];
+    for (i = FOURLINK_CRANK; i <= FLK_LAST_LINK(mechanism); i++) {
+        const fourlink_link *data = FLK_LINK(mechanism, i);
         const fourlink_link_state *link = &state->link[i];
         fourlink_body *b = &body[i];
 

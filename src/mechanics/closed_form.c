@@ -9,6 +9,7 @@
 #include "free_body.h"
 #include "closed_form.h"
 #include "drive.h"
+#include "group.h"
 
 /* F34 comes from the kind.  With e2 the axis of the crank,
 **
@@ -97,7 +98,7 @@ int flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism, const fo
 
     if (status != FOURLINK_OK)
         return status;
-    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_cut_free(mechanism, state, loads, n_loads, 1, body);
     solve_dyad(kind, mechanism, state, &factors, body, forces);
     flk_virtual_work(state, body, forces);
     return FOURLINK_OK;
@@ -122,10 +123,10 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
     int status = flk_kind_find(mechanism, forces, &kind);
 
     if (status == FOURLINK_OK)
-        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    if (is_singular(state))
+    if (is_singular(state) || flk_groups_are_singular(mechanism, state))
         return FOURLINK_SINGULAR;
     status = flk_dyad(kind, mechanism, state, loads, n_loads, &result);
     if (status != FOURLINK_OK)
@@ -141,7 +142,7 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
 static int check_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
                       const fourlink_state *state, flk_factors *factors)
 {
-    if (is_singular(state))
+    if (is_singular(state) || flk_groups_are_singular(mechanism, state))
         return FOURLINK_SINGULAR;
     return mechanism->drive ? drive_with_one(kind, mechanism, state, factors) : FOURLINK_OK;
 }

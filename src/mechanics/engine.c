@@ -141,7 +141,7 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
         return FOURLINK_BAD_APPROXIMATION;
     status = find_masses(mechanism, &rod);
     if (status == FOURLINK_OK)
-        status = flk_check_loads(loads, n_loads);
+        status = flk_check_loads(mechanism, loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     crank = &state->link[2];

@@ -12,61 +12,12 @@
 #include <float.h>
 #include <math.h>
 
-#include "kind.h"
+#include "body.h"
 
-static double flk_larger(double x, double y)
-{
-    return x > y ? x : y;
-}
-
-/* The size of the terms of u . v, whose sum may be mere rounding error. */
-static double flk_dot_size(fourlink_vector u, fourlink_vector v)
-{
-    return fabs(u.x * v.x) + fabs(u.y * v.y);
-}
-
-static void flk_apply_load(const fourlink_load *load, const fourlink_link_state *link,
-                           flk_body *body)
-{
-    fourlink_vector F, r, k;
-    double by_force, by_torque = load->torque * link->k;
-
-    FLK_PLACE_LOAD(load, link, r, F, k);
-    by_force = FLK_DOT(F, k);
-    r.x -= body->arm.x;
-    r.y -= body->arm.y;
-    body->force.x -= F.x;
-    body->force.y -= F.y;
-    body->moment -= load->torque + FLK_CROSS(r, F);
-    body->work += by_force + by_torque;
-    body->largest = flk_larger(body->largest, flk_larger(flk_dot_size(F, k), fabs(by_torque)));
-}
-
-/* Right-hand sides (ME3491 eqs. 1 to 11) and terms of virtual work.  The coupler's a_G includes the
-** acceleration of B, which the ME3491 program omits. */
-static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *link,
-                         const fourlink_vector *gravity, flk_body *body)
-{
-    double turning = data->inertia * link->alpha;
-    double by_weight, by_inertia, by_turning;
-    fourlink_vector r, a, k;
-
-    FLK_PLACE_MASS(data, link, r, k, a);
-    by_weight = data->mass * FLK_DOT(*gravity, k);
-    by_inertia = data->mass * FLK_DOT(a, k);
-    by_turning = turning * link->k;
-    body->arm = r;
-    body->force.x = data->mass * (a.x - gravity->x);
-    body->force.y = data->mass * (a.y - gravity->y);
-    body->moment = turning;
-    body->work = by_weight - by_inertia - by_turning;
-    body->largest = flk_larger(
-        data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
-}
-
-/* Free bodies of links 2, 3 and 4, with valid loads. */
+/* Free bodies of links 2, 3 and 4, with valid loads.  `closed_form` is how the forces of groups are found. */
 static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                         const fourlink_load *loads, unsigned long n_loads, flk_body body[3])
+                         const fourlink_load *loads, unsigned long n_loads, int closed_form,
+                         flk_body body[3])
 {
     unsigned long n;
     int i;
@@ -74,16 +25,13 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
     for (i = 0; i < 3; i++)
         flk_cut_link(&mechanism->design.link[i + 2], &state->link[i + 2],
                      &mechanism->design.gravity, &body[i]);
+    if (mechanism->design.n_groups) {
+        flk_groups_cut(mechanism, state, loads, n_loads, closed_form, body);
+        return;
+    }
     for (n = 0; n < n_loads; n++)
         flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
 }
-
-/* The moment equation of a link about its origin O instead of G: with f the right-hand side of its force
-** equations, m that of its moment equation, and r = G - O,
-**
-**    M_O = m + r x f
-*/
-#define FLK_MOMENT_ABOUT_ORIGIN(body) ((body)->moment + FLK_CROSS((body)->arm, (body)->force))
 
 /* Virtual work: with the velocities at unit crank speed,
 **

@@ -551,7 +551,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
 
     if (status != FOURLINK_OK)
         return status;
-    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_cut_free(mechanism, state, loads, n_loads, solver == &flk_closed_form, body);
     solver->solve(kind, mechanism, state, &factors, body, &found);
     Ts0 = found.at_crank;
     list_rubbing_joints(kind, mechanism, state, held, friction, &e);
@@ -582,7 +582,8 @@ int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state
     int status = flk_kind_find(mechanism, forces, &kind);
 
     if (status == FOURLINK_OK)
-        status = state && friction && losses ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state && friction && losses ? flk_check_loads(mechanism, loads, n_loads)
+                                             : FOURLINK_NULL;
     if (status == FOURLINK_OK)
         status = check_friction(friction);
     if (status == FOURLINK_OK)

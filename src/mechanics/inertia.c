@@ -12,24 +12,34 @@
 **
 ** The last is Lagrange's equation for one coordinate, theta2.
 */
+#include <string.h>
+
 #include "inertia.h"
 #include "kind.h"
 
+static void add_link(const fourlink_link *data, const fourlink_link_state *link, double *J,
+                     double *turning)
+{
+    fourlink_vector r, k, a;
+
+    FLK_PLACE_MASS(data, link, r, k, a);
+    *J += data->mass * FLK_DOT(k, k) + data->inertia * link->k * link->k;
+    *turning += data->mass * FLK_DOT(k, a) + data->inertia * link->k * link->alpha;
+}
+
+/* The loop over three links, with sums in locals, is the one that takes time. */
 void flk_inertia_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
                            double *J, double *turning)
 {
+    double inertia = 0, half_slope = 0;
     int i;
 
-    *J = *turning = 0;
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        const fourlink_link *data = &mechanism->design.link[i];
-        const fourlink_link_state *link = &state->link[i];
-        fourlink_vector r, k, a;
-
-        FLK_PLACE_MASS(data, link, r, k, a);
-        *J += data->mass * FLK_DOT(k, k) + data->inertia * link->k * link->k;
-        *turning += data->mass * FLK_DOT(k, a) + data->inertia * link->k * link->alpha;
-    }
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        add_link(&mechanism->design.link[i], &state->link[i], &inertia, &half_slope);
+    for (; i <= FLK_LAST_LINK(mechanism); i++)
+        add_link(FLK_LINK(mechanism, i), &state->link[i], &inertia, &half_slope);
+    *J = inertia;
+    *turning = half_slope;
 }
 
 int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *state, double *J,
@@ -44,7 +54,7 @@ int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *
         return status;
     if (!state)
         return FOURLINK_NULL;
-    unit = *state;
+    FLK_COPY_STATE(mechanism, &unit, state);
     fourlink_velocity(mechanism, 1, &unit);
     fourlink_acceleration(mechanism, 0, &unit);
     flk_inertia_of_motion(mechanism, &unit, &inertia, &half);
@@ -52,6 +62,16 @@ int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *
     if (slope)
         *slope = 2 * half;
     return FOURLINK_OK;
+}
+
+static double by_weight(const fourlink_link *data, const fourlink_link_state *link,
+                        const fourlink_vector *g)
+{
+    fourlink_vector r, k;
+
+    FLK_TURN(r, link, data->cg);
+    FLK_UNIT_VELOCITY(k, link, r);
+    return data->mass * FLK_DOT(*g, k);
 }
 
 double flk_inertia_force(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -63,13 +83,10 @@ double flk_inertia_force(const fourlink_mechanism *mechanism, const fourlink_sta
     unsigned long n;
     int i;
 
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        const fourlink_link_state *link = &state->link[i];
-
-        FLK_TURN(r, link, mechanism->design.link[i].cg);
-        FLK_UNIT_VELOCITY(k, link, r);
-        Q += mechanism->design.link[i].mass * FLK_DOT(*g, k);
-    }
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        Q += by_weight(&mechanism->design.link[i], &state->link[i], g);
+    for (; i <= FLK_LAST_LINK(mechanism); i++)
+        Q += by_weight(FLK_LINK(mechanism, i), &state->link[i], g);
     for (n = 0; n < n_loads; n++) {
         const fourlink_link_state *link = &state->link[loads[n].link];
 
@@ -86,7 +103,7 @@ int fourlink_generalised_force(const fourlink_mechanism *mechanism, const fourli
     int status = flk_kind_find(mechanism, Q, &kind);
 
     if (status == FOURLINK_OK)
-        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status == FOURLINK_OK)
         *Q = flk_inertia_force(mechanism, state, loads, n_loads);
     return status;

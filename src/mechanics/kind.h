@@ -145,6 +145,12 @@ typedef struct flk_factors {
     fourlink_forces unit; /* of a drive with the effort 1 */
 } flk_factors;
 
+/* Apply the loads to the free bodies of links 2 to 4, with the forces of the groups on them, and the groups'
+** virtual work (group.c). */
+void flk_groups_cut(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    const fourlink_load *loads, unsigned long n_loads, int closed_form,
+                    flk_body body[3]);
+
 /* How the nine unknowns are found from the free bodies, without checking them.
 **
 ** factor    FOURLINK_OK, FOURLINK_SINGULAR; of a drive FOURLINK_INPUT_DEAD_CENTRE, FOURLINK_NO_DIRECTION

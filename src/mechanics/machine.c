@@ -250,7 +250,7 @@ static int move_loads(const flk_machine *m, const flk_machine_place *place, doub
 {
     if (!m->needs_motion)
         return set_loads(m, &place->state, omega2, acting);
-    *moving = place->state;
+    FLK_COPY_STATE(&m->mechanism, moving, &place->state);
     fourlink_velocity(&m->mechanism, omega2, moving);
     return set_loads(m, moving, moving->link[FOURLINK_CRANK].omega, acting);
 }

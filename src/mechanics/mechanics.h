@@ -5,6 +5,8 @@
 #ifndef FOURLINK_MECHANICS_H
 #define FOURLINK_MECHANICS_H
 
+#include <stddef.h>
+
 #include "fourlink.h"
 #include "base/arithmetic.h"
 
@@ -56,7 +58,32 @@ double flk_motion_angle(const fourlink_motion *motion, const fourlink_range *ran
                         unsigned long i);
 
 /* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
-int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
+int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *loads,
+                    unsigned long n_loads);
+
+/* The same for mass, moment of inertia and centre of mass of a link; for a length (mechanism.c). */
+int flk_check_link(const fourlink_link *link);
+int flk_check_length(double length);
+
+/* The number of the rod of group i, of the last link; the data of a moving link. */
+#define FLK_ROD_OF(i) (FOURLINK_FOLLOWER + 1 + 2 * (i))
+#define FLK_LAST_LINK(mechanism) (FOURLINK_FOLLOWER + 2 * (mechanism)->design.n_groups)
+#define FLK_LINK(mechanism, i)                               \
+    ((i) <= FOURLINK_FOLLOWER ? &(mechanism)->design.link[i] \
+                              : &(mechanism)->design.group[((i)-5) / 2].body[((i)-5) % 2])
+
+/* The smallest sine of a position, in size: how near it is to a dead position of links 3 and 4, or of a group. */
+#define FLK_SINE(state) \
+    (fabs((state)->sine) < (state)->group_sine ? fabs((state)->sine) : (state)->group_sine)
+
+/* Copy a state as far as a mechanism uses it: links of groups that it does not have take most of the room. */
+#define FLK_STATE_SIZE(mechanism)     \
+    (offsetof(fourlink_state, link) + \
+     ((size_t)FLK_LAST_LINK(mechanism) + 1) * sizeof(fourlink_link_state))
+#define FLK_COPY_STATE(mechanism, to, from) memcpy((to), (from), FLK_STATE_SIZE(mechanism))
+
+/* The angle of an axis, in (-pi, pi]: rounding does not turn 180 deg into -180 deg (mechanism.c). */
+double flk_angle_of_axis(const fourlink_vector *axis);
 
 /* F12x, F12y, F23x ... F14y, M14, M34, Ts (kind.c). */
 #define FLK_FORCES 11

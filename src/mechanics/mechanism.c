@@ -11,9 +11,10 @@
 #include "base/trig.h"
 #include "kind.h"
 #include "closed_form.h"
+#include "group.h"
 #include "mechanism.h"
 
-static int check_link(const fourlink_link *link)
+int flk_check_link(const fourlink_link *link)
 {
     if (!FLK_WITHIN(link->mass, FOURLINK_NUMBER_MAX) ||
         !FLK_WITHIN(link->inertia, FOURLINK_NUMBER_MAX) ||
@@ -24,7 +25,7 @@ static int check_link(const fourlink_link *link)
     return FOURLINK_OK;
 }
 
-static int check_length(double length)
+int flk_check_length(double length)
 {
     if (!FLK_WITHIN(length, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
@@ -71,15 +72,18 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
         int has_length = kind->has_length[i] == FLK_LENGTH ||
                          (kind->has_length[i] == FLK_LENGTH_OR_NONE && length != 0);
 
-        if (has_length && (status = check_length(length)) != FOURLINK_OK)
+        if (has_length && (status = flk_check_length(length)) != FOURLINK_OK)
             return status;
-        if (i != FOURLINK_GROUND && (status = check_link(&design->link[i])) != FOURLINK_OK)
+        if (i != FOURLINK_GROUND && (status = flk_check_link(&design->link[i])) != FOURLINK_OK)
             return status;
     }
     if (!FLK_WITHIN(design->offset, FOURLINK_LENGTH_MAX) ||
         !FLK_WITHIN(design->angle, FOURLINK_NUMBER_MAX) ||
         !FLK_BOTH_WITHIN(design->gravity, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
+    status = flk_groups_check(design);
+    if (status != FOURLINK_OK)
+        return status;
 
     memset(&prepared, 0, sizeof prepared);
     prepared.design = *design;
@@ -131,13 +135,14 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     coupler->origin.x = a * crank->axis.x;
     coupler->origin.y = a * crank->axis.y;
     state->branch = branch;
+    state->last = FLK_LAST_LINK(mechanism);
     state->sine = at->sine;
+    state->group_sine = 1;
     state->phi = state->x = state->slide = state->s = 0;
     kind->position(mechanism, state);
 }
 
-/* The angle of an axis, in (-pi, pi]: rounding does not turn 180 deg into -180 deg. */
-static double angle_of(const fourlink_vector *axis)
+double flk_angle_of_axis(const fourlink_vector *axis)
 {
     if (fabs(axis->y) < 4e-16)
         return axis->x < 0 ? M_PI : 0;
@@ -147,9 +152,11 @@ static double angle_of(const fourlink_vector *axis)
 static void measure_angles(const flk_kind *kind, const fourlink_mechanism *mechanism,
                            fourlink_state *state)
 {
-    state->link[3].theta = angle_of(&state->link[3].axis);
-    state->link[4].theta = angle_of(&state->link[4].axis);
+    state->link[3].theta = flk_angle_of_axis(&state->link[3].axis);
+    state->link[4].theta = flk_angle_of_axis(&state->link[4].axis);
     kind->angles(mechanism, state);
+    if (mechanism->design.n_groups)
+        flk_groups_angles(mechanism, state);
 }
 
 /* omega x r for the pin B of the crank */
@@ -185,6 +192,22 @@ static void accelerate_pin_B(const flk_kind *kind, const fourlink_mechanism *mec
     kind->acceleration(mechanism, state);
 }
 
+/* The position of every link where there are groups, which may not be assembled; other members are kept. */
+static int place_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                     fourlink_branch branch, double theta2, const half_angle *at,
+                     fourlink_state *state)
+{
+    fourlink_state found;
+    int status;
+
+    FLK_COPY_STATE(mechanism, &found, state);
+    place(kind, mechanism, branch, theta2, at, &found);
+    status = flk_groups_place(mechanism, &found);
+    if (status == FOURLINK_OK)
+        FLK_COPY_STATE(mechanism, state, &found);
+    return status;
+}
+
 int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                       fourlink_state *state)
 {
@@ -194,9 +217,12 @@ int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branc
 
     if (status == FOURLINK_OK)
         status = find_reach(kind, mechanism, branch, theta2, &at);
+    if (status == FOURLINK_OK && mechanism->design.n_groups)
+        status = place_all(kind, mechanism, branch, theta2, &at, state);
     if (status != FOURLINK_OK)
         return status;
-    place(kind, mechanism, branch, theta2, &at, state);
+    if (!mechanism->design.n_groups)
+        place(kind, mechanism, branch, theta2, &at, state);
     measure_angles(kind, mechanism, state);
     return FOURLINK_OK;
 }
@@ -211,6 +237,8 @@ int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourli
     if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     move(kind, mechanism, omega2, state);
+    if (mechanism->design.n_groups)
+        flk_groups_move(mechanism, state);
     return FOURLINK_OK;
 }
 
@@ -224,6 +252,8 @@ int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fo
     if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     accelerate_pin_B(kind, mechanism, alpha2, state);
+    if (mechanism->design.n_groups)
+        flk_groups_accelerate(mechanism, state);
     return FOURLINK_OK;
 }
 
@@ -240,7 +270,7 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
 
     if (!state || !at)
         return FOURLINK_NULL;
-    if (link < FOURLINK_CRANK || link > FOURLINK_FOLLOWER)
+    if (link < FOURLINK_CRANK || link > state->last)
         return FOURLINK_BAD_LINK;
     if (!FLK_BOTH_WITHIN(*at, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
@@ -257,6 +287,23 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
     if (acceleration)
         FLK_ACCELERATION(*acceleration, body, r);
     return FOURLINK_OK;
+}
+
+/* The motion of every link where there are groups, which may not be assembled. */
+static int move_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                    fourlink_branch branch, const fourlink_crank *crank, const half_angle *at,
+                    fourlink_state *state)
+{
+    fourlink_state found;
+    int status;
+
+    place(kind, mechanism, branch, crank->theta2, at, &found);
+    move(kind, mechanism, crank->omega2, &found);
+    accelerate_pin_B(kind, mechanism, crank->alpha2, &found);
+    status = flk_groups_follow(mechanism, &found);
+    if (status == FOURLINK_OK)
+        FLK_COPY_STATE(mechanism, state, &found);
+    return status;
 }
 
 /* Find the motion of every link, except the angles.  The state is written only if everything is valid,
@@ -276,9 +323,11 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
     if (!FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) ||
         !FLK_WITHIN(crank->alpha2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    status = flk_check_loads(loads, n_loads);
+    status = flk_check_loads(mechanism, loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
+    if (mechanism->design.n_groups)
+        return move_all(kind, mechanism, branch, crank, &at, state);
     place(kind, mechanism, branch, crank->theta2, &at, state);
     move(kind, mechanism, crank->omega2, state);
     accelerate_pin_B(kind, mechanism, crank->alpha2, state);
@@ -332,7 +381,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
     if (status != FOURLINK_OK)
         return status;
     measure_angles(kind, mechanism, &result);
-    *state = result;
+    FLK_COPY_STATE(mechanism, state, &result);
     return FOURLINK_OK;
 }
 

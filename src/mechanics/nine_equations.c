@@ -11,10 +11,11 @@
 
 #include "drive.h"
 #include "free_body.h"
+#include "group.h"
 
-static int check_load(const fourlink_load *load)
+static int check_load(const fourlink_load *load, int last)
 {
-    if (load->link < FOURLINK_CRANK || load->link > FOURLINK_FOLLOWER)
+    if (load->link < FOURLINK_CRANK || load->link > last)
         return FOURLINK_BAD_LINK;
     if (load->frame != FOURLINK_FRAME_GROUND && load->frame != FOURLINK_FRAME_LINK)
         return FOURLINK_BAD_FRAME;
@@ -25,14 +26,15 @@ static int check_load(const fourlink_load *load)
     return FOURLINK_OK;
 }
 
-int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
+int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *loads,
+                    unsigned long n_loads)
 {
     unsigned long n;
 
     if (n_loads && !loads)
         return FOURLINK_NULL;
     for (n = 0; n < n_loads; n++) {
-        int status = check_load(&loads[n]);
+        int status = check_load(&loads[n], FLK_LAST_LINK(mechanism));
 
         if (status != FOURLINK_OK)
             return status;
@@ -235,6 +237,8 @@ static int factor_matrix(const flk_kind *kind, const fourlink_mechanism *mechani
     }
     memcpy(factors->moment, scale.moment, sizeof factors->moment);
     put_joints(kind, mechanism, state, origins, &scale, at, 9 * b->size, factors->A);
+    if (flk_groups_are_singular(mechanism, state))
+        return FOURLINK_SINGULAR;
     if (mechanism->drive) {
         status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
         if (status != FOURLINK_OK)
@@ -290,10 +294,10 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
 
     status = flk_kind_find(mechanism, A, &kind);
     if (status == FOURLINK_OK)
-        status = state && b ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state && b ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_cut_free(mechanism, state, loads, n_loads, 0, body);
     for (i = 0; i < 3; i++) {
         centre[i] = body[i].arm;
         b[3 * i] = body[i].force.x;
@@ -357,13 +361,13 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
 
     status = flk_kind_find(mechanism, forces, &kind);
     if (status == FOURLINK_OK)
-        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
+        status = state ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     status = factor_matrix(kind, mechanism, state, &factors);
     if (status != FOURLINK_OK)
         return status;
-    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_cut_free(mechanism, state, loads, n_loads, 0, body);
     solve_matrix(kind, mechanism, state, &factors, body, &result);
     flk_virtual_work(state, body, &result);
     if (!flk_is_finite(&result))

@@ -192,6 +192,15 @@ static int check_spring(const fourlink_spring *spring)
 #define BESIDE \
     1e-6 /* of the reachable range, and rad: a position that is neither dead nor a change point */
 
+/* The four links alone, which have positions where groups cannot be assembled. */
+static fourlink_mechanism without_groups(const fourlink_mechanism *mechanism)
+{
+    fourlink_mechanism bare = *mechanism;
+
+    bare.design.n_groups = 0;
+    return bare;
+}
+
 /* The first reachable crank angle from 0, or one just after it. */
 static double first_reached(const fourlink_mechanism *mechanism)
 {
@@ -214,16 +223,18 @@ static double first_reached(const fourlink_mechanism *mechanism)
 int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring *spring)
 {
     const flk_kind *kind;
+    fourlink_mechanism bare;
     fourlink_state state;
     int status = flk_kind_find(mechanism, spring, &kind), i;
 
     if (status == FOURLINK_OK)
         status = check_spring(spring);
+    if (status == FOURLINK_OK)
+        bare = without_groups(mechanism);
     for (i = 0; i < 2 && status == FOURLINK_OK; i++) {
         spring->turns[i] = 0;
-        if (spring->is_torsional &&
-            fourlink_position(mechanism, branches[i], first_reached(mechanism), &state) ==
-                FOURLINK_OK) {
+        if (spring->is_torsional && fourlink_position(&bare, branches[i], first_reached(mechanism),
+                                                      &state) == FOURLINK_OK) {
             double angle = angle_between(mechanism, &state, spring) - spring->free_length;
 
             spring->turns[i] = -2 * M_PI * flk_cycle_nearest(angle, 2 * M_PI);
@@ -236,12 +247,13 @@ int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring 
                      double period)
 {
     double theta2 = first_reached(mechanism);
+    fourlink_mechanism bare = without_groups(mechanism);
     fourlink_state first, last;
     int i, winds = 0;
 
     for (i = 0; i < 2 && spring->is_torsional && spring->stiffness != 0; i++)
-        winds |= fourlink_position(mechanism, branches[i], theta2, &first) == FOURLINK_OK &&
-                 fourlink_position(mechanism, branches[i], theta2 + period, &last) == FOURLINK_OK &&
+        winds |= fourlink_position(&bare, branches[i], theta2, &first) == FOURLINK_OK &&
+                 fourlink_position(&bare, branches[i], theta2 + period, &last) == FOURLINK_OK &&
                  fabs(angle_between(mechanism, &last, spring) -
                       angle_between(mechanism, &first, spring)) > 1;
     return winds;

@@ -2,6 +2,8 @@
 **
 ** variable.c - the variables of a state that a load can follow.
 */
+#include <string.h>
+
 #include "variable.h"
 
 #define STANDSTILL 1e-12 /* relative to unit crank speed: a slower variable is reversing */
@@ -33,8 +35,9 @@ int flk_variable_falls(const fourlink_mechanism *mechanism, const fourlink_state
 {
     int is_length = position == FLK_X || position == FLK_SLIDE;
     double r = is_length ? mechanism->design.link[FOURLINK_CRANK].length : 1;
-    fourlink_state moved = *state;
+    fourlink_state moved;
 
+    FLK_COPY_STATE(mechanism, &moved, state);
     fourlink_velocity(mechanism, sense, &moved);
     return flk_variable_value(&moved, FLK_RATE_OF(position)) < -STANDSTILL * r;
 }

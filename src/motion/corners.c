@@ -262,6 +262,21 @@ static void offer_working_range(search *s)
         offer_angle(s, theta2[i], 2 * M_PI, FLK_END_PLAIN);
 }
 
+/* Outputs are dead where they cease to be assembled. */
+static void offer_ends(search *s)
+{
+    flk_corners *c = s->p->corners;
+    int i = index_of(s->p->branch);
+    size_t k;
+
+    if (!c->are_ends_known[i])
+        c->n_ends[i] = flk_groups_ends(&c->d->machine.mechanism, s->p->branch, c->period,
+                                       c->ends[i], FLK_GROUPS_ENDS);
+    c->are_ends_known[i] = 1;
+    for (k = 0; k < c->n_ends[i]; k++)
+        offer_angle(s, c->ends[i][k], c->period, FLK_END_DEAD);
+}
+
 /* Dead positions are the ends of the reachable ranges; change points are where a range could end, at 0 and
 ** 180 deg or at +-90 deg, and positions where the links come close to one line. */
 static void offer_positions(search *s)
@@ -280,6 +295,8 @@ static void offer_positions(search *s)
     offer_angle(s, line, 2 * M_PI, mechanism->change_folded ? FLK_END_CHANGE : FLK_END_PLAIN);
     offer_angle(s, line + M_PI, 2 * M_PI,
                 mechanism->change_stretched ? FLK_END_CHANGE : FLK_END_PLAIN);
+    if (mechanism->design.n_groups)
+        offer_ends(s);
 }
 
 double flk_corners_next(const flk_direction *direction, double after, const double *more, size_t n,
@@ -379,6 +396,8 @@ size_t flk_corners_most(const flk_corners *c, double angle)
     size_t turns = (size_t)ceil(angle / (2 * M_PI)) + 1, j;
     size_t n = 8 * turns; /* dead positions, in line, ends of a working range */
 
+    if (c->d->machine.mechanism.design.n_groups)
+        n += FLK_GROUPS_ENDS * ((size_t)ceil(angle / c->period) + 1);
     for (j = 0; j < c->n_over_theta2; j++)
         n += c->switches[j].n * ((size_t)ceil(angle / c->switches[j].period) + 1);
     return n + c->most * ((size_t)ceil(angle / c->period) + 1);

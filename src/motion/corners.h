@@ -6,6 +6,7 @@
 #define FOURLINK_CORNERS_H
 
 #include "deck/deck.h"
+#include "mechanics/group.h"
 #include "mechanics/switch.h"
 
 /* How columns behave at the end of a piece. */
@@ -35,6 +36,9 @@ typedef struct flk_corners {
     double dead[2][FLK_DRIVE_DEAD]; /* rad, within a period: where the drive stands still */
     size_t n_dead[2];
     int knows_dead[2];
+    double ends[2][FLK_GROUPS_ENDS]; /* rad, of outputs: where they cease to be assembled */
+    size_t n_ends[2];
+    int are_ends_known[2];
 } flk_corners;
 
 /* A motion that passes corners. */

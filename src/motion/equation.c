@@ -78,20 +78,20 @@ static int find_places(const flk_equation *e, double s, double *places, double *
     return PLACES;
 }
 
-static int derive_at(const flk_equation *e, double s, const double *y, double *dy, double *total)
+static int derive_at(const flk_equation *e, double s, const double *y, flk_machine_place *place,
+                     double *dy, double *total)
 {
-    flk_machine_place place;
     flk_machine_torque torque;
-    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
+    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), place);
 
     if (status == FOURLINK_OK)
-        status = flk_equation_torque(e, &place, y[FLK_SPEED], &torque);
+        status = flk_equation_torque(e, place, y[FLK_SPEED], &torque);
     if (status != FOURLINK_OK)
         return status;
     dy[FLK_PASSED] = y[FLK_SPEED];
     dy[FLK_SPEED] = torque.alpha2;
     dy[FLK_ENERGY] = torque.net * y[FLK_SPEED];
-    *total = place.total;
+    *total = place->total;
     return FOURLINK_OK;
 }
 
@@ -100,14 +100,15 @@ int flk_equation_derive(void *equation, double t, const double *y, double *dy)
     flk_equation *e = equation;
     double places[PLACES], weights[PLACES], values[FLK_UNKNOWNS], sum[FLK_UNKNOWNS] = {0, 0, 0};
     double total;
+    flk_machine_place place;
     int n = find_places(e, y[FLK_PASSED], places, weights), i, k, status;
 
     (void)t;
     if (n == 1)
-        return derive_at(e, y[FLK_PASSED], y, dy, &e->total);
+        return derive_at(e, y[FLK_PASSED], y, &place, dy, &e->total);
     e->total = 0;
     for (i = 0; i < n; i++) {
-        status = derive_at(e, places[i], y, values, &total);
+        status = derive_at(e, places[i], y, &place, values, &total);
         if (status != FOURLINK_OK)
             return status;
         e->total += weights[i] * total;

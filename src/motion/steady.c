@@ -108,7 +108,7 @@ static double growth_at(double t, void *data)
     speed = at.y[FLK_SPEED];
     if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
         return GSL_NAN;
-    held = place.state;
+    FLK_COPY_STATE(&e->machine.mechanism, &held, &place.state);
     fourlink_velocity(&e->machine.mechanism, e->sense, &held);
     e->acting->held = &held;
     e->acting->held_speed = e->sense * speed;

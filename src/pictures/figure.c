@@ -90,6 +90,13 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     for (i = 0; i < TRACK_COUNT; i++)
         if (tracks_is_outline(&places, i))
             sketch_include(s, places.list[i].v);
+    for (i = 0; i < p->v.design->n_groups; i++) {
+        geometry_output x = geometry_find_output(&p->v, state, i);
+
+        sketch_include(s, place_beside(x.Q, -margin, -margin));
+        sketch_include(s, place_beside(x.Q, margin, margin));
+        sketch_include(s, x.D);
+    }
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
@@ -153,6 +160,24 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch)
         include_all(s, p, branch, p->v.kind.guided || p->v.kind.slotted ? 2 * figure_block(s) : 0);
 }
 
+/* The fixed pins of outputs, and their lines of stroke beside the sliders. */
+static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_state *state)
+{
+    double beside = 3 * figure_block(s);
+    int i;
+
+    for (i = 0; i < p->v.design->n_groups; i++) {
+        const fourlink_group *g = &p->v.design->group[i];
+        geometry_output x = geometry_find_output(&p->v, state, i);
+
+        if (g->end == FOURLINK_GROUP_SLIDES)
+            sketch_line(s, PEN_CONSTRUCTION, place_in(x.Q, g->direction, -beside, 0),
+                        place_in(x.Q, g->direction, beside, 0));
+        else if (g->to <= FOURLINK_GROUND)
+            sketch_support(s, x.D);
+    }
+}
+
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
@@ -169,6 +194,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_ground(s, from, to, y - h, -1);
         sketch_ground(s, from, to, y + h, 1);
     }
+    put_frame_of_outputs(s, p, state);
 }
 
 /* Draw a rectangle along an axis, from one distance to another, around the line through a place. */
@@ -238,6 +264,25 @@ static void put_bar(sketch *s, const picture *p, const fourlink_state *state, in
     sketch_line(s, kind, geometry_joint(&p->v, state, from), geometry_joint(&p->v, state, to));
 }
 
+static void put_outputs(sketch *s, const picture *p, const fourlink_state *state, pen kind)
+{
+    int i;
+
+    for (i = 0; i < p->v.design->n_groups; i++) {
+        geometry_output x = geometry_find_output(&p->v, state, i);
+        int rod = FOURLINK_FOLLOWER + 1 + 2 * i;
+        pen of_end = kind ? kind : FIGURE_PEN(rod + 1);
+
+        sketch_show(s, SKETCH_LINK, (unsigned long)rod);
+        sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
+        sketch_show(s, SKETCH_LINK, (unsigned long)rod + 1);
+        if (p->v.design->group[i].end == FOURLINK_GROUP_SLIDES)
+            figure_piston(s, of_end, x.Q, &p->v.design->group[i].direction);
+        else
+            sketch_line(s, of_end, x.D, x.Q);
+    }
+}
+
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     int i;
@@ -255,12 +300,33 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
         if (p->v.kind.slides_on[link])
             figure_piston(s, own, x->origin, &x->axis);
     }
+    put_outputs(s, p, state, kind);
 }
 
 static void put_pin(sketch *s, unsigned long joint, fourlink_vector at, const char *letter)
 {
     sketch_show(s, SKETCH_PIN, joint);
     sketch_pin(s, at, letter);
+}
+
+/* The pins of outputs, with their names at Q. */
+static void put_pins_of_outputs(sketch *s, const picture *p, const fourlink_state *state)
+{
+    char fitting[LABELS_WORDS];
+    int i;
+
+    for (i = 0; i < p->v.design->n_groups; i++) {
+        geometry_output x = geometry_find_output(&p->v, state, i);
+        int end = FOURLINK_FOLLOWER + 2 + 2 * i, first = FOURLINK_FOLLOWER + 3 * i;
+
+        put_pin(s, (unsigned long)first, x.P, "");
+        put_pin(s, (unsigned long)first + 1, x.Q, "");
+        if (p->v.design->group[i].end == FOURLINK_GROUP_TURNS)
+            put_pin(s, (unsigned long)first + 2, x.D, "");
+        sketch_name(s, x.Q, 0.8, 0.8,
+                    canvas_shorten(fourlink_deck_link_text(p->v.deck, end), FIGURE_NAME, 0, fitting,
+                                   sizeof fitting));
+    }
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -271,7 +337,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     const char *name;
     int link;
 
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+    for (link = FOURLINK_CRANK; link <= state->last; link++)
         hull_draw(s, p, state, link);
     figure_outline(s, p, state, PEN_OF_LINK);
     for (i = 0; i < p->v.problem.n_points; i++) {
@@ -289,6 +355,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
             sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg),
                           tracks_name("G", (unsigned long)link, own));
         }
+    put_pins_of_outputs(s, p, state);
     put_pin(s, 0, pins.A, "A");
     put_pin(s, 1, pins.B, "B");
     if (!p->v.kind.slotted) /* C is B */

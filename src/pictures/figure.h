@@ -67,7 +67,13 @@ void figure_slope(sketch *s, const picture *p);
 /* Draw the direction of gravity, if a link has weight, and the x axis, if it rises. */
 void figure_gravity(sketch *s, const picture *p);
 
-/* Draw the outline of a link with tracer points: hull.c. */
+/* The pen of a link: of an output, that of link 3 for the rod, of link 4 for slider or rocker. */
+#define FIGURE_PEN(link)                                  \
+    ((pen)((link) <= FOURLINK_FOLLOWER ? (link)           \
+           : (link) % 2                ? FOURLINK_COUPLER \
+                                       : FOURLINK_FOLLOWER))
+
+/* Draw the outline of a link with tracer points, or with pins of outputs: hull.c. */
 void hull_draw(sketch *s, const picture *p, const fourlink_state *state, int link);
 
 /* Draw the springs of a deck at one position: spring.c.  `has_values`: with their forces beside the

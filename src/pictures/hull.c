@@ -6,7 +6,8 @@
 
 #include "figure.h"
 
-#define CORNERS (TRACKS_POINTS + 2) /* of a link: its points and pins */
+/* Of a link: its points, its pins, and those of outputs on it. */
+#define CORNERS (TRACKS_POINTS + 2 + 2 * FOURLINK_MOST_GROUPS)
 
 /* Twice the area of the triangle o, p, q; above 0 if it is counter-clockwise. */
 static double turn(fourlink_vector o, fourlink_vector p, fourlink_vector q)
@@ -61,24 +62,50 @@ static void put_hull(sketch *s, const fourlink_state *state, int link, fourlink_
     if (s->c->motion)
         place_points(state, link, corners, m + 1);
     for (i = 0; i < m; i++)
-        sketch_line(s, (pen)link, corners[i], corners[i + 1]);
+        sketch_line(s, FIGURE_PEN(link), corners[i], corners[i + 1]);
+}
+
+/* Add the pins of outputs on a link, in its own axes; returns the number of points. */
+static int add_outputs(const picture *p, int link, fourlink_vector *points, int n)
+{
+    const fourlink_group *g = p->v.design->group;
+    int i;
+
+    for (i = 0; i < p->v.design->n_groups; i++) {
+        if (g[i].link == link)
+            points[n++] = g[i].at;
+        if (g[i].to == link && link != FOURLINK_GROUND)
+            points[n++] = g[i].pivot;
+    }
+    return n;
+}
+
+/* The length of a link, of one of an output too. */
+static double length_of(const picture *p, int link)
+{
+    const fourlink_group *g = p->v.design->group;
+    int i = link - FOURLINK_FOLLOWER - 1;
+
+    return i < 0 ? p->v.design->link[link].length : i % 2 ? g[i / 2].length : g[i / 2].rod;
 }
 
 void hull_draw(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
     fourlink_vector points[CORNERS];
     unsigned long i;
-    int n = 0, is_off = 0, on;
+    int n = 0, is_off = 0, on, k;
 
     for (i = 0; i < p->v.problem.n_points; i++) {
         fourlink_deck_point(p->v.deck, i, NULL, &on, &points[n]);
-        if (on == link)
-            is_off |= points[n++].y != 0;
+        n += on == link;
     }
+    n = add_outputs(p, link, points, n);
+    for (k = 0; k < n; k++)
+        is_off |= points[k].y != 0;
     if (n == 0)
         return;
     points[n++] = place_at(0, 0);
-    points[n++] = place_at(p->v.design->link[link].length, 0);
+    points[n++] = place_at(length_of(p, link), 0);
     sketch_show(s, SKETCH_HULL, (unsigned long)link);
     if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
         put_hull(s, state, link, points, n);

@@ -56,7 +56,7 @@ static int list_forces(arrow_list *arrows, const picture_row *r)
     int link, n;
 
     arrows->n = 0;
-    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
+    for (link = FOURLINK_GROUND; link <= r->now.state.last; link++)
         add_forces(arrows, r, link);
     n = arrows->n;
     add_springs(arrows, r);
@@ -80,7 +80,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r, doubl
             arrow_note_missing(s, p, largest);
         arrow_draw_scale(s, p, QUANTITY_FORCE, scale, largest);
     }
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+    for (link = FOURLINK_CRANK; link <= r->now.state.last; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
     arrow_draw_torque(s, p, 0, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));

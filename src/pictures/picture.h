@@ -30,14 +30,15 @@
       "F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"                 \
       "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                   \
       "polar diagrams of the pin forces")                                                         \
-    X(VECTORS, "vectors", 2, 5, 620, 400, PLOT_DRAWING | PLOT_AT, picture_vectors, NULL,          \
-      "polygons of velocity, acceleration and forces")                                            \
-    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT, picture_limits, NULL,             \
-      "limits, transmission angle, instantaneous centres")                                        \
+    X(VECTORS, "vectors", 2, 5, 620, 400, PLOT_DRAWING | PLOT_AT | PLOT_OF_FOUR, picture_vectors, \
+      NULL, "polygons of velocity, acceleration and forces")                                      \
+    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT | PLOT_OF_FOUR, picture_limits,    \
+      NULL, "limits, transmission angle, instantaneous centres")                                  \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_STROKE | PLOT_AT, picture_klein, NULL,                \
       "Klein's construction")                                                                     \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,            \
-      picture_animation, NULL, "mechanism in motion")                                             \
+    X(ANIMATION, "animation", 1, 1, 860, 540,                                                     \
+      PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED | PLOT_OF_FOUR, picture_animation, NULL,            \
+      "mechanism in motion")                                                                      \
     X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,  \
       "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")          \
     X(ERROR, "error", 1, 1, 900, 480, PLOT_WANTED | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER,     \
@@ -56,7 +57,8 @@ enum {
     PLOT_OVER = 256,     /* over the crank angle or over time */
     PLOT_BY_ANGLE = 512, /* not over time */
     PLOT_AT = 1024,      /* of one position */
-    PLOT_WANTED = 2048   /* a linkage found for a function */
+    PLOT_WANTED = 2048,  /* a linkage found for a function */
+    PLOT_OF_FOUR = 4096  /* of the four links alone, which are not all that there is with outputs */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,

@@ -21,7 +21,7 @@
 
 int size_lines_beside(const picture *p, int each_link)
 {
-    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link;
+    int lines[FOURLINK_LINKS] = {0}, most = 0, sum = 0, link;
     fourlink_load_info load;
     unsigned long i;
 
@@ -36,8 +36,8 @@ int size_lines_beside(const picture *p, int each_link)
         lines[FOURLINK_FOLLOWER] += (int)p->v.problem.n_springs;
     if (p->v.problem.has_friction) /* of the guide, and the circles of the pins */
         lines[FOURLINK_FOLLOWER] += 2;
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        sum += lines[link] + (p->v.design->link[link].mass > 0);
+    for (link = FOURLINK_CRANK; link < FOURLINK_LINKS; link++) {
+        sum += lines[link] + (link <= FOURLINK_FOLLOWER && p->v.design->link[link].mass > 0);
         most = lines[link] > most ? lines[link] : most;
     }
     if (p->v.problem.has_forces)
@@ -65,6 +65,12 @@ static place_box box_of_motion(const picture *p, fourlink_branch branch)
 
             if (tracks_is_outline(&places, i))
                 place_grow(&b, c * at->x - s * at->y, s * at->x + c * at->y);
+        }
+        for (i = 0; i < p->v.design->n_groups; i++) {
+            geometry_output x = geometry_find_output(&p->v, &now.state, i);
+
+            place_grow(&b, c * x.Q.x - s * x.Q.y, s * x.Q.x + c * x.Q.y);
+            place_grow(&b, c * x.D.x - s * x.D.y, s * x.D.x + c * x.D.y);
         }
     }
     return b;

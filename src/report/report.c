@@ -178,6 +178,10 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     unsigned long n;
 
     view_take(&r->v, r->request->opened);
+    if (r->v.design->n_groups)
+        return view_refuse(mistake, "--report",
+                           "a report has the equations of four links; the deck has an [output]",
+                           "");
     if (!view_find_motion(&r->v))
         return -1;
     r->has_rows = view_count_missing(&r->v, &n, &why) < n;

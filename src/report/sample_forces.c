@@ -244,7 +244,7 @@ static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
 void sample_put_forces(report *r, math *m)
 {
     double A[9][9], b[9];
-    fourlink_body bodies[5];
+    fourlink_body bodies[FOURLINK_LINKS];
 
     fourlink_bodies(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, bodies);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);

@@ -196,7 +196,7 @@ static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
 {
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     int i;
 
     fourlink_bodies(mechanism, state, NULL, 0, body);
@@ -253,9 +253,11 @@ static int solve_at_standstill(const fourlink_mechanism *mechanism, const fourli
                                const fourlink_friction *friction, fourlink_forces *forces,
                                fourlink_losses *losses)
 {
-    fourlink_state rest = *state;
-    int status = fourlink_velocity(mechanism, 0, &rest);
+    fourlink_state rest;
+    int status;
 
+    FLK_COPY_STATE(mechanism, &rest, state);
+    status = fourlink_velocity(mechanism, 0, &rest);
     if (status == FOURLINK_OK)
         status = fourlink_acceleration(mechanism, 0, &rest);
     if (status != FOURLINK_OK)
@@ -360,10 +362,22 @@ void flk_analysis_close(flk_analysis *a)
     memset(a, 0, sizeof *a);
 }
 
+/* The forces in the outputs, and what these exert on the ground. */
+static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
+{
+    const fourlink_mechanism *mechanism = &a->d->machine.mechanism;
+
+    flk_groups_forces(mechanism, &row->at.state, a->acting.load, a->d->machine.n_loads, closed_form,
+                      row->group);
+    flk_groups_shake(mechanism, &row->at.state, row->group, &a->acting.ground,
+                     &a->acting.ground_moment);
+}
+
 /* Compute the motion, and with `forces` the loads and forces; returns a status. */
 static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
-                   fourlink_instant *at)
+                   flk_row *row)
 {
+    fourlink_instant *at = &row->at;
     const flk_machine *machine = &a->d->machine;
     int closed_form = a->is_fast || a->d->solver == SOLVER_DYAD;
     int angles = machine->needs_angles || (needs & NEED_ANGLES);
@@ -377,6 +391,8 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
     else if (needs & (NEED_ENGINE | NEED_GAS))
         flk_machine_loads_at(machine, at->branch, crank->theta2, crank->omega2, &a->acting);
     at->gas_force = a->acting.gas_force;
+    if (forces && status == FOURLINK_OK && machine->mechanism.design.n_groups)
+        find_group_forces(a, closed_form, row);
     return status;
 }
 
@@ -415,7 +431,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     fourlink_instant *at = &row->at;
 
     at->branch = branch;
-    at->status = compute(a, needs, forces, crank, at);
+    at->status = compute(a, needs, forces, crank, row);
     if (at->status == FOURLINK_OK && (needs & NEED_ENGINE)) {
         at->status = fourlink_engine_method(mechanism, &at->state, 0, a->acting.load,
                                             machine->n_loads, a->d->approximation, &row->engine);

@@ -6,6 +6,7 @@
 #define FOURLINK_ANALYSIS_H
 
 #include "mechanics/element.h"
+#include "mechanics/group.h"
 #include "motion/course.h"
 #include "deck/deck.h"
 
@@ -97,6 +98,7 @@ typedef struct flk_row {
     fourlink_klein klein;
     flk_derived derived;   /* from the motion, and from the forces if needed */
     flk_actual_row actual; /* of a deck whose motion is not given */
+    flk_group_forces group[FOURLINK_MOST_GROUPS]; /* of outputs, with the forces */
 } flk_row;
 
 /* Mean and root mean square of a column on a branch, in this order, computed once. */

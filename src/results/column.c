@@ -12,9 +12,9 @@
 #include "column_list.h"
 
 /* The one place that knows their order: that of possible columns. */
-static const flk_column_source *const sources[] = {&flk_table_columns, &flk_own_point_columns,
-                                                   &flk_point_columns, &flk_spring_columns,
-                                                   &flk_drive_columns, &flk_opposite_columns};
+static const flk_column_source *const sources[] = {
+    &flk_table_columns, &flk_own_point_columns, &flk_point_columns,   &flk_spring_columns,
+    &flk_drive_columns, &flk_output_columns,    &flk_opposite_columns};
 
 #define SOURCES (sizeof sources / sizeof sources[0])
 

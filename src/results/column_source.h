@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** column_source.h - where columns come from: the table, the points that every deck has, the deck's points,
-** its springs, what drives and the actuators, the forces opposite to those of the table.
+** its springs, what drives and the actuators, its outputs, the forces opposite to those of the table.
 */
 #ifndef FOURLINK_COLUMN_SOURCE_H
 #define FOURLINK_COLUMN_SOURCE_H
@@ -29,6 +29,7 @@ typedef struct flk_column {
         } point;
         const fourlink_spring *spring;
         const flk_actuator *actuator;
+        int output;
     } of;          /* whose it is, in a source that repeats its columns */
     int component; /* which of these columns */
 } flk_column;
@@ -56,7 +57,7 @@ struct flk_column_source {
 };
 
 extern const flk_column_source flk_table_columns, flk_own_point_columns, flk_point_columns,
-    flk_spring_columns, flk_drive_columns, flk_opposite_columns;
+    flk_spring_columns, flk_drive_columns, flk_output_columns, flk_opposite_columns;
 
 /* A number of a row, by its place in it. */
 #define FLK_ROW_NUMBER(row, place) (*(const double *)(const void *)((const char *)(row) + (place)))

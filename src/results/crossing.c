@@ -14,6 +14,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/solve.h"
+#include "mechanics/mechanics.h"
 #include "crossing.h"
 
 #define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
@@ -102,7 +103,7 @@ static void keep_crossing(crossings *k, double s, double around)
     if (fabs(passed - k->last) < SAME)
         return;
     off = off_of_row(s, k, &row);
-    if (fabs(row.at.state.sine) < FLK_SAMPLES_NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
+    if (FLK_SINE(&row.at.state) < FLK_SAMPLES_NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
         around = 0; /* the values around the row are no smoother than it is */
     if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;

@@ -239,6 +239,31 @@ static int is_asked(const deck *d, int branch, int called)
     return called ? branch == called : branch == FOURLINK_OPEN ? d->open : d->crossed;
 }
 
+/* The ranges that outputs leave of those of the four links, on each branch that is asked for. */
+static void add_reach_with_outputs(listing *t, int branch)
+{
+    flk_range ranges[FLK_GROUPS_ENDS];
+    size_t n, k;
+    double turn;
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        t->branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+        if (!is_asked(t->d, t->branch, branch) ||
+            !flk_kind_has_branch(flk_kind_of(t->d->machine.mechanism.design.kind),
+                                 (fourlink_branch)t->branch))
+            continue;
+        n = flk_groups_ranges(&t->d->machine.mechanism, (fourlink_branch)t->branch, ranges,
+                              FLK_FACT_RANGES);
+        for (k = 0; k < n; k++) {
+            turn = turn_of_range(t, ranges[k].from, ranges[k].to);
+            add_fact(t, FACT_THETA2_FROM, ranges[k].from + turn);
+            add_fact(t, FACT_THETA2_TO, ranges[k].to + turn);
+        }
+    }
+    t->branch = 0;
+}
+
 /* The branch of one of two ranges of link 4; 0 if both have it.  The rocker of a crank-rocker never comes
 ** into the line of the ground: on the open branch it is above that line. */
 static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
@@ -545,7 +570,10 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         if (!has_slide)
             add_fact(&t, FACT_FREUDENSTEIN,
                      flk_derive_freudenstein(&t.d->machine.mechanism.design));
-        add_reach(&t);
+        if (t.d->machine.mechanism.design.n_groups)
+            add_reach_with_outputs(&t, branch);
+        else
+            add_reach(&t);
         if (!has_slide && is_any_wanted(&t, FACT_THETA4_FROM, FACT_THETA4_SWING) &&
             (handle || !has_swing(&t.d->machine.mechanism)))
             add_reach_of_rocker(&t, branch);

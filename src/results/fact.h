@@ -9,7 +9,8 @@
 #include "list.h"
 
 /* The largest number of facts besides extremes, on both branches. */
-#define FLK_FACT_LIMIT 100
+#define FLK_FACT_RANGES 16 /* of crank angles on a branch, of decks with outputs */
+#define FLK_FACT_LIMIT (100 + 4 * FLK_FACT_RANGES)
 
 /* The handle of a fact, which is negative; 0 if no deck has one of this name. */
 int flk_fact_find(text name);

@@ -339,7 +339,8 @@ static int copy_row(const flk_opened *o, const flk_row *row, double *values,
     if (values)
         flk_column_values(o->columns, o->n_columns, row, values);
     if (instant) {
-        *instant = row->at;
+        memcpy(instant, &row->at,
+               offsetof(fourlink_instant, state) + FLK_STATE_SIZE(&o->d.machine.mechanism));
         if (!(o->a.possible & NEED_FORCES)) {
             memset(&instant->forces, 0, sizeof instant->forces);
             instant->gas_force = 0;

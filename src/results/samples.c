@@ -12,6 +12,7 @@
 #include "base/scale.h"
 #include "base/solve.h"
 #include "base/trig.h"
+#include "mechanics/mechanics.h"
 #include "samples.h"
 
 #define STEP (M_PI / 48) /* rad, */
@@ -260,7 +261,7 @@ static int is_fast_beside(const flk_samples *x, double s, flk_piece_end end)
     if (flk_follow_has_limit(end))
         return 1;
     flk_follow_row(&x->f, 0, flk_follow_corner(&x->f, s), &row);
-    return row.at.status == FOURLINK_OK && fabs(row.at.state.sine) < FLK_SAMPLES_NEAR_LINE;
+    return row.at.status == FOURLINK_OK && FLK_SINE(&row.at.state) < FLK_SAMPLES_NEAR_LINE;
 }
 
 static size_t sample_steps(const flk_samples *x)

@@ -87,7 +87,7 @@ int fourlink_extreme(const fourlink_mechanism *mechanism, const fourlink_motion 
         return FOURLINK_BAD_KIND;
     status = fourlink_motion_range(motion, &range);
     if (status == FOURLINK_OK)
-        status = flk_check_loads(loads, n_loads);
+        status = flk_check_loads(mechanism, loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     memset(&a, 0, sizeof a);

@@ -16,12 +16,13 @@
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
 ** times. */
-static void find_status(sheet_row *row)
+static void find_status(const sheet *s, sheet_row *row)
 {
-    int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
+    int is_near = row->at->status == FOURLINK_OK &&
+                  (row->at->state.mu < M_PI / 180 || row->at->state.group_sine < M_PI / 180);
 
     row->status = is_near ? "near a dead position: the transmission angle is less than 1 deg"
-                          : fourlink_status_text(row->at->status);
+                          : fourlink_deck_status_text(s->v.deck, row->at);
     row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
 }
 
@@ -33,7 +34,7 @@ static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *a
     row->branch = branch;
     row->at = at;
     row->last = at->row.angle;
-    find_status(row);
+    find_status(s, row);
 }
 
 /* Compute row k of a branch. */

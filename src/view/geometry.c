@@ -22,6 +22,17 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
     return geometry_of_link(state, link, &at);
 }
 
+geometry_output geometry_find_output(const view *v, const fourlink_state *state, int i)
+{
+    const fourlink_link_state *rod = &state->link[FOURLINK_FOLLOWER + 1 + 2 * i];
+    geometry_output x;
+
+    x.P = rod->origin;
+    x.Q = place_in(rod->origin, rod->axis, v->design->group[i].rod, 0);
+    x.D = rod[1].origin;
+    return x;
+}
+
 fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int joint)
 {
     const fourlink_joint *j = &v->kind.joint[joint];

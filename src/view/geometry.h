@@ -14,6 +14,13 @@ fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fo
 /* The place of a joint, by its number in the kind. */
 fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int joint);
 
+/* The pins of output i: P, Q, and that of a rocker, or Q again. */
+typedef struct geometry_output {
+    fourlink_vector P, Q, D;
+} geometry_output;
+
+geometry_output geometry_find_output(const view *v, const fourlink_state *state, int i);
+
 /* A link's second pin. */
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link);
 

@@ -17,7 +17,7 @@
 
 static double growth_of(const fourlink_state *state)
 {
-    return GSL_MAX_DBL(1, 1 / (CONDITION * fabs(state->sine)));
+    return GSL_MAX_DBL(1, 1 / (CONDITION * GSL_MIN_DBL(fabs(state->sine), state->group_sine)));
 }
 
 /* The deck's loads, with `all` of friction too, which comes last. */
@@ -31,7 +31,7 @@ static double largest_force(const view *v, const fourlink_instant *now, const fo
                             int all)
 {
     double largest = 0, x[9];
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     unsigned long k;
     int i;
 

@@ -191,8 +191,9 @@ static int is_inner(const fourlink_load_info *load, const fourlink_joint *joint)
     return joint ? !is_guide(joint) : load->sort == FOURLINK_LOAD_SPRING;
 }
 
-/* Where the torque of a load is drawn: at the first pin of its link, that of a spring at the spring's. */
-static int place_of_torque(const view *v, const fourlink_load_info *load)
+/* Where the torque of load i is drawn: at the first pin of its link, on one of an output where the load acts, that
+** of a spring at the spring's. */
+static int place_of_torque(const view *v, const fourlink_load_info *load, int i)
 {
     fourlink_spring spring;
 
@@ -201,6 +202,8 @@ static int place_of_torque(const view *v, const fourlink_load_info *load)
         if (spring.is_torsional)
             return TRACK_OF_JOINT(&v->kind.joint[scene_joint_of(&spring)]);
     }
+    if (load->link > FOURLINK_FOLLOWER)
+        return TRACK_LOAD + i;
     return TRACK_OF_JOINT(&v->kind.joint[v->kind.begins[load->link]]);
 }
 
@@ -222,7 +225,7 @@ static void add_loads(scene *s, const view *v)
             f->load = load.sort;
         }
         f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", TRACK_LOAD_TORQUE + i, 1,
-                place_of_torque(v, &load), load.link);
+                place_of_torque(v, &load, i), load.link);
         f->is_inner = joint || is_inner(&load, joint);
         f->load = load.sort;
         if (joint) {

@@ -177,7 +177,7 @@ static void put_loads(tracks *t, const fourlink_state *state, const fourlink_loa
 /* Put weight, -m a_G and -I alpha of each link. */
 static void put_inertia(tracks *t, const fourlink_state *state)
 {
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     int link;
 
     fourlink_bodies(t->v->mechanism, state, NULL, 0, body);

@@ -61,6 +61,12 @@ static void find_reach(view *v)
         if (link == FOURLINK_FOLLOWER)
             stretch(v, &at);
     }
+    for (link = 0; link < v->design->n_groups; link++) {
+        if (v->design->group[link].link == FOURLINK_FOLLOWER)
+            stretch(v, &v->design->group[link].at);
+        if (v->design->group[link].to == FOURLINK_FOLLOWER)
+            stretch(v, &v->design->group[link].pivot);
+    }
     if (v->problem.n_loads <= VIEW_LOADS &&
         fourlink_deck_loads(v->deck, FOURLINK_OPEN, 0, loads, NULL) == FOURLINK_OK)
         for (i = 0; fourlink_deck_load(v->deck, i, &info) == FOURLINK_OK; i++)

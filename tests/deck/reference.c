@@ -141,8 +141,8 @@ static void put_section(section_code section, section_code last)
 {
     section_code model = model_of(section);
     char difference[400] = "", before[400] = "";
-    int is_same,
-        has_name = section == SECTION_LOAD || section == SECTION_SPRING || section == SECTION_POINT;
+    int is_same, has_name = section == SECTION_OUTPUT || section == SECTION_LOAD ||
+                            section == SECTION_SPRING || section == SECTION_POINT;
     key_code k, end = flk_first_key(section + 1);
 
     if (model != SECTION_COUNT) {

@@ -1015,7 +1015,7 @@ TEST(test_bodies)
     int n, i;
 
     for (n = 0; n < 2000; n++) {
-        fourlink_body body[5];
+        fourlink_body body[FOURLINK_LINKS];
         double power = 0, size = 0;
         sample s;
 
@@ -1175,7 +1175,7 @@ TEST(test_no_allocation)
     assert_true(allocations > before); /* the counter sees what GSL allocates */
     for (n = 0; n < 200; n++) {
         double A[9][9], b[9];
-        fourlink_body body[5];
+        fourlink_body body[FOURLINK_LINKS];
         sample s;
         int status;
 
@@ -1267,7 +1267,7 @@ static void assert_refused(const sample *s, const fourlink_load *loads, unsigned
         fourlink_state state;
         fourlink_forces forces;
         double A[9][9], b[9];
-        fourlink_body body[5];
+        fourlink_body body[FOURLINK_LINKS];
     } out, pattern;
 
     memset(&out, 0xa5, sizeof out);
@@ -1306,7 +1306,7 @@ TEST(test_null)
 {
     uint64_t seed = 12;
     double A[9][9], b[9];
-    fourlink_body body[5];
+    fourlink_body body[FOURLINK_LINKS];
     sample s;
 
     draw(&seed, 0, 0.1, &s);

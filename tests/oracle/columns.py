@@ -28,11 +28,14 @@ def columns(m, s, forces=True):
         if size:
             v[name], v[name + '_dir'] = abs(F), np.angle(F)
 
-    v.update(theta2=s.theta2, omega2=s.omega2, alpha2=s.alpha2, condition=1 / s.sine)
+    v.update(theta2=s.theta2, omega2=s.omega2, alpha2=s.alpha2, condition=1 / m.own_sine(s))
     for k in (3, 4):
         v['theta%d' % k], v['omega%d' % k], v['alpha%d' % k] = s.phi[k - 1] + 0 * s.theta2, s.omega[k - 1], s.alpha[k - 1]
-    v['mu'] = np.arcsin(np.minimum(s.sine, 1))
-    small['mu'] = np.maximum(np.sqrt(np.maximum(1 - s.sine ** 2, 0)), 1e-8)
+    sine = m.own_sine(s)
+    v['mu'] = np.arcsin(np.minimum(sine, 1))
+    small['mu'] = np.maximum(np.sqrt(np.maximum(1 - sine ** 2, 0)), 1e-8)
+    for output in m.outputs:
+        move_output(s, output, v, small)
     if m.kind == 'four-bar':
         v['gamma'] = np.arctan2(abs(cross(e[2], e[3])), turned(e[2], e[3]))
         K = (m.a ** 2 - m.b ** 2 + m.c ** 2 + m.d ** 2) / 2
@@ -67,7 +70,7 @@ def columns(m, s, forces=True):
             v[spring.name + key] = value
         v[spring.name + '.energy'], v[spring.name + '.power'] = energy, -T * rate
     for name, joint in m.joints.items():
-        if not joint.guide:
+        if not joint.guide and '.' not in name:
             high, low = max(joint.i, joint.j), min(joint.i, joint.j)
             v['rubbing_' + name] = m.radius[name] * (s.omega[high] - s.omega[low])
     v['J'] = sum(mass * abs(one.v[k]) ** 2 + inertia * one.omega[k] ** 2 for k, (mass, inertia, _) in enumerate(m.masses))
@@ -84,6 +87,20 @@ def columns(m, s, forces=True):
     if forces:
         add_forces(m, s, v, vector)
     return v, small
+
+
+def move_output(s, o, v, small):
+    rod, end = o.first, o.first + 1
+    for front, k in (('.rod_', rod), ('.', end)):
+        if front == '.rod_' or not o.slides:
+            for key, value in (('theta', np.angle(s.e[k])), ('omega', s.omega[k]), ('alpha', s.alpha[k])):
+                v[o.name + front + key] = value + 0 * s.theta2
+    if o.slides:
+        v[o.name + '.x'] = turned(o.u, s.place(end, 0) - o.q)
+        v[o.name + '.v'], v[o.name + '.a'] = turned(o.u, s.velocity(end, 0)), turned(o.u, s.acceleration(end, 0))
+    sine = o.sine(s)
+    v[o.name + '.mu'] = np.arcsin(np.minimum(sine, 1))
+    small[o.name + '.mu'] = np.maximum(np.sqrt(np.maximum(1 - sine ** 2, 0)), 1e-8)
 
 
 def pole(s, i, j):
@@ -121,13 +138,23 @@ def add_forces(m, s, v, vector):
         v[name + '_along'], v[name + '_across'] = turned(e[k], F), cross(e[k], F)
     # what acts on the machine besides the frame is what loads and weights exert; the rest of m a is the frame's
     outside = sum((load.efforts(s) for load in m.loads), s.weight) + s.inertial * -1
-    force = sum(outside[:, k] + 1j * outside[:, k + 1] for k in (0, 3, 6))
-    v['Ms'] = sum(outside[:, k + 2] + cross(s.r[k // 3 + 1], outside[:, k] + 1j * outside[:, k + 1]) for k in (0, 3, 6))
+    bodies = range(0, outside.shape[1], 3)
+    force = sum(outside[:, k] + 1j * outside[:, k + 1] for k in bodies)
+    v['Ms'] = sum(outside[:, k + 2] + cross(s.r[k // 3 + 1], outside[:, k] + 1j * outside[:, k + 1]) for k in bodies)
     vector('Fs', force)
     s.parts = abs(F12) + abs(F14)
     v['power_friction'] = sum((s.y[name] * abs(m.joint_speed(s, m.joints[name])) for name in s.y), 0 * Ts)
     for name in m.joints:
-        v['friction_' + name] = s.y.get(name, 0 * Ts)
+        if '.' not in name:
+            v['friction_' + name] = s.y.get(name, 0 * Ts)
+    for output in m.outputs:
+        (FP, _), (FQ, _), (FD, M) = (at[output.name + end] for end in ('.P', '.Q', '.D'))
+        vector(output.name + '.FP', FP)
+        vector(output.name + '.FQ', FQ)
+        if output.slides:
+            v[output.name + '.N'], v[output.name + '.M'] = cross(output.u, FD), M + 0 * Ts
+        else:
+            vector(output.name + '.FD', FD)
     T, T0 = Ts * s.sense, v['Ts0'] * s.sense
     with np.errstate(all='ignore'):
         v['efficiency'] = np.where(T > 0, np.where(T0 > 0, T0 / T, 0), np.where(T0 < 0, T / T0, np.where(T == T0, UNDEFINED, 0)))

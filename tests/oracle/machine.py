@@ -2,6 +2,8 @@
 #
 # machine.py - the machine of a deck as a chain (chain.py): its links and joints, what acts on them, friction.  Links
 # have their numbers less 1: the ground is body 0, the crank 1.
+import copy
+
 import numpy as np
 
 from chain import (REAL, Along, Angle, Chain, Pin, Slide, cross, meet, reach, root, solve, turned)
@@ -60,12 +62,56 @@ class Spring:
         return act(s, self.i, s.place(self.i, self.p), T * u) + act(s, self.j, s.place(self.j, self.q), -T * u)
 
 
+class Output:
+    """A rod on a point P of a body, and a slider or a rocker on the rod: bodies first and first + 1."""
+
+    def __init__(self, machine, name, keys, first):
+        deck = machine.deck
+        self.name, self.first = name, first
+        self.i, self.p = machine.body(keys['link']), machine.point(machine.body(keys['link']), keys['at'])
+        self.rod, self.slides = deck.number(keys, 'rod', 'length'), 'line' in keys
+        self.r = 0 if self.slides else deck.number(keys, 'length', 'length')
+        self.side = -1 if keys.get('side') in ('behind', 'right') else 1
+        self.j = machine.body(keys['to']) if 'to' in keys else 0
+        self.q = machine.point(self.j, keys['to_at']) if 'to' in keys else deck.vector(keys['line' if self.slides else 'pivot'], 'length')
+        self.angle = deck.number(keys, 'angle', 'angle')
+        self.u = np.exp(1j * REAL(self.angle))
+        masses = []
+        for front, length in (('rod_', self.rod), ('', self.r)):
+            own = {key[len(front):]: value for key, value in keys.items() if key.startswith(front) and (front or not key.startswith('rod_'))}
+            m = deck.number(own, 'mass', 'mass')
+            if own.get('uniform') == 'yes':
+                masses.append((m, m * length ** 2 / 12, complex(length / 2)))
+            else:
+                masses.append((m, deck.number(own, 'inertia', 'inertia', m * deck.number(own, 'gyration', 'length') ** 2), deck.point(own.get('cg', ''), length)))
+        machine.masses += masses
+        machine.length += [self.rod, self.r]
+
+    def joints(self):
+        guide = Slide(self.first + 1, 0, 0, self.q, self.u, self.angle) if self.slides else Pin(self.first + 1, 0, self.j, self.q)
+        return {self.name + '.P': Pin(self.first, 0, self.i, self.p), self.name + '.Q': Pin(self.first + 1, self.r, self.first, self.rod),
+                self.name + '.D': guide}
+
+    def guess(self, point):
+        """Origins and angles of both bodies; point(body, at) is where a point of a body is."""
+        P, R = point(self.i, self.p), point(self.j, self.q)
+        if self.slides:
+            Q = reach(P, self.rod, R, self.u, self.side)
+            return (P, Q), (np.angle(Q - P), self.angle + 0 * P.real)
+        Q = meet(P, self.rod, R, self.r, self.side)
+        return (P, R), (np.angle(Q - P), np.angle(Q - R))
+
+    def sine(self, s):
+        rod, end = s.e[self.first], s.e[self.first + 1]
+        return abs(turned(rod, end)) if self.slides else abs(cross(rod, end))
+
+
 class Load:
     """A given force and torque."""
 
     def __init__(self, machine, keys):
         deck, self.machine = machine.deck, machine
-        self.body = machine.links.index(keys['link'].lower())
+        self.body = machine.body(keys['link'])
         self.at = machine.point(self.body, keys.get('at', ''))
         self.in_link = keys.get('frame') == 'link'
         self.window = [deck.number(keys, key, 'angle', None) for key in ('from', 'to')]
@@ -147,10 +193,18 @@ class Machine:
         self.g = g * np.exp(1j * (number('gravity', 'direction', 'angle', -float(PI) / 2) - number('ground', 'angle', 'angle')))
         self.masses = [(0, 0, 0j)] + [self.mass_of(k, g) for k in (1, 2, 3)]
         self.balance()
+        self.outputs = []
+        for name, keys in deck.named('output'):
+            self.outputs.append(Output(self, name, keys, len(self.masses)))
         self.build_chain()
+        self.alone = self  # the four links, which springs wind up from where these can be assembled
+        if self.outputs:
+            bare = copy.copy(deck)
+            bare.sections = [section for section in deck.sections if section[0] not in ('output', 'load', 'point', 'spring')]
+            self.alone = Machine(bare)
         self.springs = [Spring(self, *section) for section in deck.named('spring')]
         self.loads = [Load(self, keys) for _, keys in deck.named('load')]
-        self.points = [(name, self.links.index(keys['link'].lower()), self.point(self.links.index(keys['link'].lower()), keys.get('at', '')))
+        self.points = [(name, self.body(keys['link']), self.point(self.body(keys['link']), keys.get('at', '')))
                        for name, keys in deck.named('point')]
         self.read_gas()
         self.read_friction()
@@ -198,6 +252,13 @@ class Machine:
             inertia = m * (b * (g or 9.81) * (deck.number(keys, 'swing_period', 'time') / float(TURN)) ** 2 - b * b)
         return m, inertia, cg
 
+    def body(self, text):
+        """Of one of the four links, or NAME or NAME.rod of an output."""
+        for output in self.outputs:
+            if text in (output.name, output.name + '.rod'):
+                return output.first + (text == output.name)
+        return self.links.index(text.lower())
+
     def point(self, body, text):
         return self.deck.point(text, float(self.length[body]), self.masses[body][2]) if body else self.deck.point(text, float(self.d))
 
@@ -212,6 +273,8 @@ class Machine:
             self.joints.update(slot=Slide(2, 0, 3, 0, np.exp(1j * REAL(self.beta)), self.beta), guide=Slide(3, 0, 0, 1j * self.e, 1, 0))
         else:
             self.joints.update(guide=Slide(2, 0, 3, self.tip, np.exp(1j * REAL(self.gamma)), self.gamma), D=Pin(3, 0, 0, d))
+        for output in self.outputs:
+            self.joints.update(output.joints())
         self.chain = Chain(self.masses[1:], list(self.joints.values()), Angle(1, 0))
 
     # ------------------------------------------------------------------------------------------------- motion
@@ -240,7 +303,10 @@ class Machine:
         theta2 = np.atleast_1d(np.asarray(theta2, REAL))
         side = self.side(theta2, label)
         origins, angles = self.guess(theta2, side)
-        which = np.isfinite(angles[1])
+        for output in self.outputs:
+            more, turns = output.guess(lambda body, at: origins[body - 1] + np.exp(1j * angles[body - 1]) * at if body else at + 0 * origins[0])
+            origins, angles = origins + more, angles + turns
+        which = np.isfinite(sum(angles[1::2]))
         status = np.where(which, OK, APART).astype(object)
         pick = (lambda x: (x + 0 * theta2)[which])
         s = self.chain.begin([pick(o) for o in origins], [pick(x) for x in angles])
@@ -260,7 +326,14 @@ class Machine:
         return self.chain.scale(s, s.omega2, s.alpha2)
 
     def sine(self, s):
-        """The sine of the transmission angle."""
+        """The smallest sine of a transmission angle."""
+        found = self.own_sine(s)
+        for output in self.outputs:
+            found = np.minimum(found, output.sine(s))
+        return found
+
+    def own_sine(self, s):
+        """That of the four links."""
         if self.kind == 'four-bar':
             return abs(cross(s.e[2], s.e[3]))
         if self.kind == 'slider-crank':
@@ -288,14 +361,15 @@ class Machine:
     def first_state(self, label):
         """The first position from theta2 = 0."""
         theta2 = np.arange(0, 3601) * (TURN / 3600) + 1e-6
-        s = self.state(theta2, 1, 0, label)
+        m = self.alone
+        s = m.state(theta2, 1, 0, label)
         low = theta2[s.which][0]
         if low > 1e-5:  # where it begins
             high = low - TURN / 3600
             for _ in range(60):
                 middle = (low + high) / 2
-                low, high = (middle, high) if self.state(middle, 1, 0, label).which[0] else (low, middle)
-        return self.state(low + 1e-7, 1, 0, label)
+                low, high = (middle, high) if m.state(middle, 1, 0, label).which[0] else (low, middle)
+        return m.state(low + 1e-7, 1, 0, label)
 
     def winding(self, s, body):
         """The angle of a body, which goes on over turns and is smooth where the linkage can be assembled."""
@@ -305,7 +379,7 @@ class Machine:
             self.windings = {}
         if (s.label, body) not in self.windings:  # over two turns, the period with a change point
             theta2 = np.arange(-7200, 7201) * (TURN / 7200) + 1e-7
-            t = self.state(theta2, 1, 0, s.label)
+            t = self.alone.state(theta2, 1, 0, s.label)
             self.windings[s.label, body] = theta2[t.which], np.unwrap(t.phi[body].astype(float)), not t.which.all()
         x, y, gap = self.windings[s.label, body]
         turns = 0 if gap else np.floor(s.theta2 / (2 * TURN) + 0.25)
@@ -343,6 +417,8 @@ class Machine:
         keys, self.rubs, self.radius = deck.section('friction'), {}, {}
         self.direction = -1 if keys.get('direction') == 'backward' else 1
         for name, joint in self.joints.items():
+            if '.' in name:  # of an output: no friction
+                continue
             if joint.guide:
                 self.rubs[name] = deck.number(keys, name, 'number'), deck.number(keys, name + '_length', 'length')
             else:

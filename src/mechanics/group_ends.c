@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** group_ends.c - the crank angles at which the groups of a mechanism begin or cease to be assembled.
+**
+** There is no closed form: the margin of the groups is sampled over the ranges in which the four links can be
+** assembled, more closely towards their ends, where it can change as the root of the distance.  Between two
+** samples of other signs base/solve finds its zero.  Where three samples of one sign show a peak towards 0,
+** the peak is found first, as two zeros may be beside it.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+
+#include "base/cycle.h"
+#include "base/solve.h"
+#include "group.h"
+
+#define SAMPLES 720 /* of a turn */
+#define NEAR 0.5    /* of a sample: a peak that may pass it towards 0 */
+
+typedef struct search {
+    fourlink_mechanism bare; /* without groups */
+    const fourlink_mechanism *mechanism;
+    fourlink_branch branch;
+    double sign; /* of the margin about a peak */
+    double period, *list;
+    size_t n, most;
+} search;
+
+static double margin_at(double theta2, void *data)
+{
+    search *x = data;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+
+    crank.theta2 = theta2;
+    if (fourlink_analyse_dyad(&x->bare, x->branch, &crank, NULL, 0, &state, NULL) != FOURLINK_OK)
+        return GSL_NAN;
+    return flk_groups_margin(x->mechanism, &state);
+}
+
+/* Its negative distance from 0, which has a peak where the margin comes near to 0. */
+static double nearness_at(double theta2, void *data)
+{
+    search *x = data;
+
+    return -x->sign * margin_at(theta2, x);
+}
+
+static void take_zero(search *x, const flk_sample *a, const flk_sample *b)
+{
+    flk_bracket bracket = flk_bracket_of(a->x, b->x, a->value, b->value);
+
+    if (x->n < x->most && a->value * b->value <= 0 && a->value != b->value)
+        x->list[x->n++] = flk_cycle_place(flk_find_zero(margin_at, x, &bracket, 0), 0, x->period);
+}
+
+/* The zeros beside a peak towards 0 between three samples of one sign. */
+static void take_peak(search *x, const flk_sample p[3])
+{
+    flk_sample turned[3], top;
+    double bend = p[0].value - 2 * p[1].value + p[2].value, slope = p[2].value - p[0].value;
+    int i;
+
+    x->sign = p[1].value > 0 ? 1 : -1;
+    if (!(x->sign * bend > 0) || !(x->sign * p[1].value <= x->sign * p[0].value) ||
+        !(x->sign * p[1].value <= x->sign * p[2].value) ||
+        !(slope * slope / (8 * fabs(bend)) > NEAR * fabs(p[1].value)))
+        return;
+    for (i = 0; i < 3; i++) {
+        turned[i].x = p[i].x;
+        turned[i].value = -x->sign * p[i].value;
+    }
+    top = flk_find_peak(nearness_at, x, turned, 0);
+    top.value *= -x->sign;
+    take_zero(x, &p[0], &top);
+    take_zero(x, &top, &p[2]);
+}
+
+static void search_range(search *x, double from, double to, int is_whole)
+{
+    int n = (int)ceil(SAMPLES * (to - from) / (2 * M_PI)) + 8, i;
+    flk_sample p[3];
+
+    p[0].value = p[1].value = GSL_NAN;
+    p[0].x = p[1].x = from;
+    for (i = 0; i <= n; i++) {
+        double part = (double)i / n;
+
+        p[2].x = from + (to - from) * (is_whole ? part : (1 - cos(M_PI * part)) / 2);
+        p[2].value = margin_at(p[2].x, x);
+        if (p[1].value * p[2].value < 0)
+            take_zero(x, &p[1], &p[2]);
+        else if (p[0].value * p[1].value > 0)
+            take_peak(x, p);
+        p[0] = p[1];
+        p[1] = p[2];
+    }
+}
+
+int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2)
+{
+    fourlink_mechanism some = *mechanism;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+
+    crank.theta2 = theta2;
+    for (some.design.n_groups = 0; some.design.n_groups < mechanism->design.n_groups;) {
+        some.design.n_groups++;
+        if (fourlink_analyse_dyad(&some, branch, &crank, NULL, 0, &state, NULL) != FOURLINK_OK)
+            return some.design.n_groups - 1;
+    }
+    return -1;
+}
+
+static void set_up(search *x, const fourlink_mechanism *mechanism, fourlink_branch branch,
+                   double period, double *list, size_t most)
+{
+    x->bare = *mechanism;
+    x->bare.design.n_groups = 0;
+    x->mechanism = mechanism;
+    x->branch = branch;
+    x->period = period;
+    x->list = list;
+    x->n = 0;
+    x->most = most;
+}
+
+#define IS_TURN(reach, i) ((reach).to[i] - (reach).from[i] >= 2 * M_PI * (1 - 1e-15))
+
+size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
+                       double *list, size_t most)
+{
+    fourlink_reach reach;
+    search x;
+    int i;
+
+    set_up(&x, mechanism, branch, period, list, most);
+    if (!mechanism->design.n_groups || fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
+        return 0;
+    for (i = 0; i < reach.n_ranges; i++)
+        if (IS_TURN(reach, i))
+            search_range(&x, 1e-3, period + 1e-3, 1);
+        else
+            search_range(&x, reach.from[i], reach.to[i], 0);
+    gsl_sort(list, 1, x.n);
+    return x.n;
+}
+
+/* Add the ranges between `from` and `to` in which all is assembled, cut at the ends that are there. */
+static size_t add_ranges(search *x, const double *ends, size_t n_ends, double from, double to,
+                         flk_range *list, size_t n, size_t most)
+{
+    double begin = from, end;
+    size_t i;
+
+    for (i = 0; i <= n_ends; i++) {
+        end = to;
+        if (i < n_ends) {
+            end = flk_cycle_place(ends[i], from, 2 * M_PI);
+            if (!(end > begin && end < to))
+                continue;
+        }
+        if (n < most && margin_at(0.5 * (begin + end), x) > 0) {
+            double turn = end > 2 * M_PI * (1 + 1e-15) ? 2 * M_PI : 0;
+
+            list[n].from = begin - turn;
+            list[n++].to = end - turn;
+        }
+        begin = end;
+    }
+    return n;
+}
+
+size_t flk_groups_ranges(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                         flk_range *list, size_t most)
+{
+    double ends[FLK_GROUPS_ENDS], inside[FLK_GROUPS_ENDS];
+    size_t n_ends = flk_groups_ends(mechanism, branch, 2 * M_PI, ends, FLK_GROUPS_ENDS), n = 0, k;
+    fourlink_reach reach;
+    search x;
+    int i;
+
+    set_up(&x, mechanism, branch, 2 * M_PI, NULL, 0);
+    if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
+        return 0;
+    for (i = 0; i < reach.n_ranges; i++) {
+        double from = IS_TURN(reach, i) && n_ends ? ends[0] : reach.from[i];
+        double to = IS_TURN(reach, i) ? from + 2 * M_PI : reach.to[i];
+
+        for (k = 0; k < n_ends; k++)
+            inside[k] = flk_cycle_place(ends[k], from, 2 * M_PI);
+        gsl_sort(inside, 1, n_ends);
+        n = add_ranges(&x, inside, n_ends, from, to, list, n, most);
+    }
+    return n;
+}
