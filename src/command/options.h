@@ -43,6 +43,7 @@ typedef struct options {
     int lists_all;             /* 1: --list without a deck */
     int print_deck;            /* 1: print the deck instead of rows */
     int synthesis;             /* 1: find the linkage of the deck's [synthesis] */
+    unsigned long effort;      /* --effort=K; 0: not given */
     unsigned long solution;    /* --solution=K, from 1; 0: not given */
     int has_format;            /* 1: --format was given */
     int no_kind;               /* 1: --plot without --plot-kind */

@@ -24,6 +24,8 @@
 
 static int run_task(deck_synthesis *t, unsigned long max)
 {
+    if (t->has_points)
+        return fourlink_synthesis_points(&t->points, max, t->solutions, &t->n);
     switch (t->task) {
     case TASK_FUNCTION:
         return fourlink_synthesis_function(&t->function, max, t->solutions, &t->n);
@@ -96,7 +98,7 @@ int flk_synthesis_run(parser *p)
     const deck_synthesis *solved = p->d->solved;
     unsigned long max = p->d->solution > MOST_LISTED ? p->d->solution : MOST_LISTED;
 
-    max = t->task == TASK_PATH && t->path.search ? max : 1;
+    max = t->has_points || (t->task == TASK_PATH && t->path.search) ? max : 1;
     t->solutions = flk_reader_keep(p, max * sizeof *t->solutions);
     if (!t->solutions)
         return 0;
