@@ -1434,7 +1434,8 @@ typedef struct fourlink_precision {
     fourlink_vector point; /* m, wanted position of the coupler point; motion, path, cognate */
     double error;    /* what the linkage has there minus what is wanted: rad, or m for a piston;
                         motion, path, cognate: distance of the point from its place, m; NaN: not reached */
-    double residual; /* 1, function: error F of the linear equation (see fourlink_function_task) */
+    double residual; /* 1, function: error F of the linear equation (see fourlink_function_task);
+                        rad, many poses: the coupler's angle there minus theta3 */
     double mu;       /* rad, transmission angle; NaN: not reached */
     int branch;      /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: neither, as `status` says */
     int status;      /* FOURLINK_OK, or why there is no position: FOURLINK_DEAD_POSITION ... */
@@ -1464,11 +1465,12 @@ typedef struct fourlink_solution {
     double mu_positions; /* rad, smallest at the precision positions */
     double
         max_error; /* rad or m, function: largest |structural error|, with the sign of the error: in
-                            the working range if the wanted function is given, else at the points */
+                            the working range if the wanted function is given, else at the points; rad,
+                      many poses: largest error of the coupler's angle */
     double max_error_at;  /* rad, crank angle of the linkage there */
     int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: longer links would fit better, but the
                              longest is as long as it may be, see fourlink_synthesis_function */
-    double sum;          /* m2, points: sum of w distance^2; rad2 m2 of the coupler's angle in it */
+    double sum;          /* m2, points: the sum that is made small, see fourlink_synthesis_points */
     double rms, largest; /* m, points: root mean square and largest distance */
     unsigned long starts; /* points: how many starts were tried */
     int is_swapped;       /* 1, points: the crank stands on the pivot given as right */
@@ -1719,7 +1721,8 @@ FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigne
 **    FOURLINK_NO_MEMORY, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_POINTS, FOURLINK_BAD_CHOICE
 ** Notes:
 ** 1) The sum is that of w distance^2: without timing the distance from the curve, else that from the place of
-**    the coupler point at the given crank angle.
+**    the coupler point at the given crank angle.  With angles, w (size error)^2 is added, where size is the root
+**    mean square distance of the points from their centre, and the poses are met where this sum is least.
 ** 2) The search descends from a fixed number of starts, the same on each run.  It finds the best linkage of
 **    these starts; a better one may exist.
 ** 3) The crank may run either way.  A timing that rises is that of a crank that turns counter-clockwise.

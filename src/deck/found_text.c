@@ -204,8 +204,9 @@ static void put_position(page *g, const fourlink_precision *at, const char *poin
                t->has_points ? (1 + 1e-6) * s->largest + small * size : small * size,
                QUANTITY_LENGTH);
     put_line(g, "%s.y = %s", point_name, flk_found_value(g->p, at->point.y, QUANTITY_LENGTH));
-    if (!t->has_points)
-        put_expect(g, &at->theta2, at->branch, "theta3", at->theta3, small, QUANTITY_ANGLE);
+    if (t->task != TASK_PATH || !t->has_points)
+        put_expect(g, &at->theta2, at->branch, "theta3", at->theta3,
+                   t->has_points ? (1 + 1e-6) * fabs(s->max_error) + small : small, QUANTITY_ANGLE);
 }
 
 /* 1 if the motion of the deck reaches a crank angle, whatever its turns. */
@@ -344,6 +345,8 @@ static void put_distances(page *g)
              t->points.timing ? "at the given crank angles" : "from the curve",
              flk_unit_from_si(s->rms, u), t->length.name, flk_unit_from_si(s->largest, u),
              t->length.name, s->sum / (one * one));
+    if (t->task == TASK_MOTION)
+        put_line(g, "#   angle of the coupler: largest error %.6g deg", FLK_DEGREES(s->max_error));
     if (s->is_swapped)
         put_line(g, "#   the crank stands on the pivot given as right");
 }

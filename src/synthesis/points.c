@@ -373,8 +373,12 @@ static int check_trial(search *s, const flk_trial *at, int is_swapped, fourlink_
         x += link[FOURLINK_COUPLER].length * pose.coupler.x;
         y += link[FOURLINK_COUPLER].length * pose.coupler.y;
         to->output = slides ? x : atan2(y, x);
-        if (p->has_angle)
-            to->theta3 = flk_reduced(p->angle[j] + at->x[FLK_ATTITUDE] - found->direction);
+        if (p->has_angle) {
+            double wanted = flk_reduced(p->angle[j] + at->x[FLK_ATTITUDE] - found->direction);
+
+            to->residual = flk_reduced(to->theta3 - wanted);
+            to->theta3 = wanted;
+        }
     }
     status = flk_check_solution(found, !p->has_timing);
     if (status == FOURLINK_OK && found->ratio > LONGEST_LINK)
@@ -400,11 +404,12 @@ static int is_better(const search *s, const candidate *a, const candidate *b)
     return a->trial.sum < b->trial.sum;
 }
 
-static int is_same(const candidate *a, const candidate *b)
+static int is_same(const search *s, const candidate *a, const candidate *b)
 {
     int k;
 
-    if (a->trial.sign != b->trial.sign || a->trial.sense != b->trial.sense ||
+    if (a->trial.sign != b->trial.sign ||
+        (s->points.has_timing && a->trial.sense != b->trial.sense) ||
         a->trial.turns_fully != b->trial.turns_fully || a->is_swapped != b->is_swapped)
         return 0;
     for (k = 0; k < FLK_START; k++)
@@ -418,7 +423,7 @@ static void keep(search *s, const candidate *c)
 {
     unsigned long i;
 
-    for (i = 0; i < s->n_kept && !is_same(&s->kept[i], c); i++)
+    for (i = 0; i < s->n_kept && !is_same(s, &s->kept[i], c); i++)
         ;
     if (i < s->n_kept && !is_better(s, c, &s->kept[i]))
         return;
@@ -500,18 +505,24 @@ static void run(search *s)
     }
 }
 
-/* Sum, root mean square and largest distance, m. */
-static void measure(const fourlink_points_task *task, fourlink_solution *found)
+/* Sum, root mean square and largest distance, m; largest error of the coupler's angle. */
+static void measure(const search *s, fourlink_solution *found)
 {
-    double squares = 0;
+    double squares = 0, square;
     int i;
 
     for (i = 0; i < found->n_positions; i++) {
-        double square = gsl_pow_2(found->position[i].error);
+        const fourlink_precision *p = &found->position[i];
 
+        square = gsl_pow_2(p->error);
         squares += square;
-        found->sum += (task->weight ? task->weight[i] : 1) * square;
-        found->largest = GSL_MAX_DBL(found->largest, found->position[i].error);
+        square += gsl_pow_2(s->points.size * p->residual);
+        found->sum += (s->task->weight ? s->task->weight[i] : 1) * square;
+        found->largest = GSL_MAX_DBL(found->largest, p->error);
+        if (fabs(p->residual) > fabs(found->max_error)) {
+            found->max_error = p->residual;
+            found->max_error_at = p->theta2;
+        }
     }
     found->rms = sqrt(squares / found->n_positions);
 }
@@ -543,7 +554,7 @@ int fourlink_synthesis_points(const fourlink_points_task *task, unsigned long ma
         status = FOURLINK_NONE_FOUND;
     for (i = 0; status == FOURLINK_OK && i < s->n_kept && i < max; i++) {
         check_trial(s, &s->kept[i].trial, s->kept[i].is_swapped, &solutions[i]);
-        measure(task, &solutions[i]);
+        measure(s, &solutions[i]);
         solutions[i].starts = s->n_starts;
     }
     if (status == FOURLINK_OK)

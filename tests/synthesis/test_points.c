@@ -277,6 +277,66 @@ TEST(slider_crank)
     assert_near(fabs(found[0].design.offset), 0.3, 1e-7);
 }
 
+/* The angle of the coupler in the linkage's frame, from two of its points. */
+static double attitude(const fourlink_solution *s, double theta2)
+{
+    fourlink_solution pin = *s;
+
+    pin.point = (fourlink_vector){length_of(s, 3), 0};
+    return carg(walked(&pin, theta2) - length_of(s, 2) * cexp(I * theta2));
+}
+
+/* Poses of a known linkage, in axes of the designer's: it is found again.  Four and five poses have others. */
+static void find_poses(int n, double from, double turn)
+{
+    static const double lengths[] = {0, 60, 25, 70, 55};
+    fourlink_vector at[25];
+    double angle[25];
+    fourlink_solution s = {.branch = FOURLINK_OPEN, .point = {30, 25}};
+    fourlink_points_task t = {
+        .kind = FOURLINK_FOUR_BAR, .n = (unsigned long)n, .point = at, .angle = angle};
+    unsigned long found_n = 0;
+    int is_found = 0;
+
+    s.design.kind = FOURLINK_FOUR_BAR;
+    for (int i = 1; i <= 4; i++)
+        s.design.link[i].length = lengths[i];
+    for (int j = 0; j < n; j++) {
+        double theta2 = from + turn * j / (n - 1);
+        double complex z = walked(&s, theta2) * cexp(0.4 * I) + 7;
+
+        at[j] = (fourlink_vector){creal(z), cimag(z)};
+        angle[j] = attitude(&s, theta2) + 0.4 + 1.1;
+    }
+    assert_int_equal(fourlink_synthesis_points(&t, COUNT(found), found, &found_n), FOURLINK_OK);
+    for (unsigned long k = 0; k < found_n; k++) {
+        const fourlink_solution *f = &found[k];
+        int is_it = 1;
+
+        for (int j = 0; j < n; j++) {
+            const fourlink_precision *p = &f->position[j];
+
+            assert_near(cabs(walked(f, p->theta2) - in_frame(f, at[j])), p->error,
+                        1e-6 * size_of(f));
+            assert_near(remainder(attitude(f, p->theta2) - p->theta3 - p->residual, 2 * PI), 0,
+                        1e-6 * f->ratio);
+        }
+        for (int i = 1; i <= 4; i++)
+            is_it &= fabs(length_of(f, i) / lengths[i] - 1) < 1e-6;
+        if (is_it && !f->defects && f->sum < 1e-16)
+            is_found++;
+    }
+    assert_int_equal(is_found, 1);
+}
+
+TEST(poses_of_a_linkage)
+{
+    find_poses(25, 0.4, 6);
+    find_poses(25, 2, -2);
+    find_poses(5, 0.4, 2);
+    find_poses(5, 1, 5);
+}
+
 TEST(the_same_on_each_run)
 {
     fourlink_points_task t = {.kind = FOURLINK_FOUR_BAR, .n = 18, .point = eighteen};
