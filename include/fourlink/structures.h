@@ -1725,7 +1725,9 @@ FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigne
 **    mean square distance of the points from their centre, and the poses are met where this sum is least.
 ** 2) The search descends from a fixed number of starts, the same on each run.  It finds the best linkage of
 **    these starts; a better one may exist.
-** 3) The crank may run either way.  A timing that rises is that of a crank that turns counter-clockwise.
+** 3) Linkages whose transmission angle falls below 0.1 deg, or whose longest link is more than 100 times as long
+**    as the shortest, do not count.
+** 4) The crank may run either way.  A timing that rises is that of a crank that turns counter-clockwise.
 ** Reference:
 **    see synthesis/points.c.
 */

@@ -342,7 +342,9 @@ static void put_distances(page *g)
 
     put_line(g, "#   the best of %ld starts; a better linkage may exist", (long)s->starts);
     put_line(g, "#   distance %s: root mean square %.6g %s, largest %.6g %s, sum of squares %.6g",
-             t->points.timing ? "at the given crank angles" : "from the curve",
+             t->task == TASK_MOTION ? "of the point"
+             : t->points.timing     ? "at the given crank angles"
+                                    : "from the curve",
              flk_unit_from_si(s->rms, u), t->length.name, flk_unit_from_si(s->largest, u),
              t->length.name, s->sum / (one * one));
     if (t->task == TASK_MOTION)

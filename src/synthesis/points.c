@@ -21,7 +21,7 @@
 
 /* Bounds in units of the size of the path, and of the shape: what lies near a change point is no linkage. */
 #define FAR 50.0
-#define LEAST 1e-6
+#define LEAST 1e-5
 #define SHORTEST 0.02
 #define LONGEST 20.0
 
@@ -38,9 +38,10 @@
 
 /* The transmission angle is aimed at by so much more, rad; what a smaller one counts grows until it holds. */
 #define CLOSE_TO_MU 1e-6
+#define DEAD (0.1 * M_PI / 180) /* a linkage with less is as good as dead, whatever is asked for */
 #define STIFFEST 1e5
 
-#define SAME 1e-3        /* linkages whose unknowns differ by less are the same */
+#define SAME 5e-3        /* linkages whose unknowns differ by less are the same */
 #define EXACT 1e-20      /* a sum below it is rounding, for each position */
 #define LONGEST_LINK 100 /* times the shortest */
 
@@ -447,7 +448,7 @@ static int take(search *s, const flk_trial *at, int is_swapped, double least_mu)
     c.is_swapped = is_swapped;
     c.defects = s->checked.defects;
     c.mu_min = s->checked.mu_min;
-    if (!(c.mu_min >= least_mu))
+    if (!(c.mu_min >= GSL_MAX_DBL(least_mu, c.defects ? 0 : DEAD)))
         return 0;
     keep(s, &c);
     return 1;

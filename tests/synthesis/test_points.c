@@ -146,7 +146,8 @@ TEST(eighteen_points_with_timing)
 
     for (int i = 0; i < 17; i++)
         timing[i] = 20 * (i + 1) * DEG;
-    assert_true(search(&t) <= 0.009912);
+    if (tries_all())
+        assert_true(search(&t) <= 0.009912);
     t.either_way = 1;
     assert_true(search(&t) <= 0.009912);
     t.mu_min = 30 * DEG;
@@ -332,9 +333,11 @@ static void find_poses(int n, double from, double turn)
 TEST(poses_of_a_linkage)
 {
     find_poses(25, 0.4, 6);
-    find_poses(25, 2, -2);
     find_poses(5, 0.4, 2);
-    find_poses(5, 1, 5);
+    if (tries_all()) {
+        find_poses(25, 2, -2);
+        find_poses(5, 1, 5);
+    }
 }
 
 TEST(the_same_on_each_run)
@@ -348,6 +351,49 @@ TEST(the_same_on_each_run)
     fourlink_synthesis_points(&t, COUNT(again), again, &m);
     assert_int_equal(n, m);
     assert_memory_equal(found, again, sizeof found);
+}
+
+/* Points that no linkage passes well: of any size, far from their axes, on a line, in two places, with weights of
+** any size.  Whatever is found is what it says. */
+TEST(wild_points)
+{
+    uint64_t state = 7;
+
+    for (int k = 0; k < (n_random + 1) / 2 + 4; k++) {
+        fourlink_vector at[12];
+        double weight[12], size = pow(10, uniform(&state, -6, 6));
+        double far = k % 3 ? 0 : size * pow(10, uniform(&state, 0, 4));
+        int n = (int)uniform(&state, 3, 13);
+        fourlink_points_task t = {.kind = k % 5 == 4 ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR,
+                                  .n = (unsigned long)n,
+                                  .point = at,
+                                  .weight = k % 2 ? weight : NULL,
+                                  .may_rock = k % 4 == 3};
+        unsigned long found_n = 0;
+        int status;
+
+        for (int j = 0; j < n; j++) {
+            at[j].x = far + size * uniform(&state, -1, 1);
+            at[j].y = far + size *
+                                (k % 7 == 5            ? 0
+                                 : k % 7 == 6 && j % 2 ? 1e-3
+                                                       : 1) *
+                                uniform(&state, -1, 1);
+            weight[j] = pow(10, uniform(&state, -4, 4));
+        }
+        status = fourlink_synthesis_points(&t, COUNT(found), found, &found_n);
+        assert_true(status == FOURLINK_OK || status == FOURLINK_NONE_FOUND);
+        for (unsigned long i = 0; status == FOURLINK_OK && i < found_n; i++) {
+            assert_true(is_sound(&found[i]));
+            assert_true(found[i].ratio <= 100);
+            for (int j = 0; j < n && found[i].mu_min > 0.01; j++) {
+                const fourlink_precision *p = &found[i].position[j];
+
+                assert_near(cabs(walked(&found[i], p->theta2) - in_frame(&found[i], at[j])),
+                            p->error, 1e-6 * size_of(&found[i]));
+            }
+        }
+    }
 }
 
 TEST(bad_tasks)
