@@ -83,8 +83,10 @@ static void walk(const fourlink_points_task *t, const fourlink_solution *s)
     assert_int_equal(!(s->defects & FOURLINK_DEFECT_ORDER), rises || falls);
     if (!s->defects)
         assert_true(reaches);
-    if (!s->defects && s->mu_min > 0.01)
-        assert_near(s->mu_min, mu_min, 1e-3);
+    if (!s->defects) { /* the least angle may lie between two steps */
+        assert_true(mu_min >= s->mu_min - 1e-6);
+        assert_near(mu_min, s->mu_min, 5e-3);
+    }
     assert_true(s->mu_min >= t->mu_min);
     if (!t->may_rock)
         assert_true(length_of(s, 1) == 0 || s->type == FOURLINK_CRANK_ROCKER ||
