@@ -22,6 +22,7 @@
 /* Bounds in units of the size of the path, and of the shape: what lies near a change point is no linkage. */
 #define FAR 50.0
 #define LEAST 1e-5
+#define TINY 1e-12 /* a share of the path that is none */
 #define SHORTEST 0.02
 #define LONGEST 20.0
 
@@ -237,7 +238,7 @@ static void descend_roughly(search *s)
     for (j = 0; j < s->points.n; j++) {
         k += k + 2 < FEW && j > s->pick[k + 1];
         part = (s->share[j] - s->share[s->pick[k]]) /
-               GSL_MAX_DBL(s->share[s->pick[k + 1]] - s->share[s->pick[k]], LEAST / FAR);
+               GSL_MAX_DBL(s->share[s->pick[k + 1]] - s->share[s->pick[k]], TINY);
         s->trial.theta2[j] =
             s->points.has_timing
                 ? s->trial.x[FLK_START] + s->trial.sense * s->points.timing[j]
