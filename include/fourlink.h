@@ -174,6 +174,8 @@ typedef struct fourlink_source {
     int whole_cycle; /* for fourlink_results_open; 1: a deck with one crank angle is run over the
                              cycle that has it, from a whole number of cycles, with the same speed and
                              acceleration at every row */
+    unsigned long effort; /* a search of [synthesis] from many starts has so many times the usual
+                             number of them; 0: once */
 } fourlink_source;
 
 /* A deck opened for results; it owns all memory that columns, searches and lists need. */

@@ -194,9 +194,12 @@ static const struct {
     {KEY_SYNTHESIS_PISTON, "90 mm to 40 mm"},
     {KEY_SYNTHESIS_POSITIONS, "(0, 0) m 0 deg, (1.1, 0.6) m 20 deg, (2.2, 1.5) m 45 deg"},
     {KEY_SYNTHESIS_POSITIONS, "(10, 20) mm, (26, 24) mm, (44, 22) mm"},
+    {KEY_SYNTHESIS_POSITIONS, "(10, 20) mm, (26, 24) mm, (44, 22) mm, (60, 12) mm"},
     {KEY_SYNTHESIS_TIMING, "25 deg, 55 deg"},
+    {KEY_SYNTHESIS_TIMING, "equal"},
     {KEY_SYNTHESIS_LEFT, "fixed (0.4, 3.4) m"},
-    {KEY_SYNTHESIS_RIGHT, "fixed (0.6, -1.1) m"}};
+    {KEY_SYNTHESIS_RIGHT, "fixed (0.6, -1.1) m"},
+    {KEY_SYNTHESIS_RIGHT, "within (0, -90) mm to (120, 0) mm"}};
 
 static void append_text(char *out, key_code key)
 {
@@ -684,7 +687,8 @@ static const struct {
     {"--best", {"max max(mu)", "min mean(omega2)"}, NULL, SECTION_SWEEP},
     {"--solve", {"crank.length = 10 mm .. 30 mm where max(omega4) = 3 rad/s"}, NULL, SECTION_TOP},
     {"--synthesis", {""}, NULL, SECTION_SYNTHESIS},
-    {"--solution", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS}};
+    {"--solution", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS},
+    {"--effort", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS}};
 
 #define N_OPTIONS ((int)(sizeof known_options / sizeof known_options[0]))
 

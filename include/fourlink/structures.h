@@ -1520,6 +1520,9 @@ FOURLINK_API const char *fourlink_defect_text(int defect);
 /* The most precision points of a task. */
 #define FOURLINK_PRECISION_MAX 100
 
+/* The most positions of a solution, and of a search through many points. */
+#define FOURLINK_POSITIONS_MAX 500
+
 /* A precision position of a solution, in the frame of the linkage. */
 typedef struct fourlink_precision {
     double theta2; /* rad, crank angle, continuous along the motion */
@@ -1528,7 +1531,8 @@ typedef struct fourlink_precision {
     fourlink_vector point; /* m, wanted position of the coupler point; motion, path, cognate */
     double error;    /* what the linkage has there minus what is wanted: rad, or m for a piston;
                         motion, path, cognate: distance of the point from its place, m; NaN: not reached */
-    double residual; /* 1, function: error F of the linear equation (see fourlink_function_task) */
+    double residual; /* 1, function: error F of the linear equation (see fourlink_function_task);
+                        rad, many poses: the coupler's angle there minus theta3 */
     double mu;       /* rad, transmission angle; NaN: not reached */
     int branch;      /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: neither, as `status` says */
     int status;      /* FOURLINK_OK, or why there is no position: FOURLINK_DEAD_POSITION ... */
@@ -1549,7 +1553,6 @@ typedef struct fourlink_solution {
     fourlink_vector point;  /* m, coupler point in the coupler's own axes */
     double from, to;        /* rad, working range: crank angles where the motion begins and ends */
     int n_positions;
-    fourlink_precision position[FOURLINK_PRECISION_MAX];
     int defects; /* sum of FOURLINK_DEFECT_BRANCH ...; 0: none */
     fourlink_type type;
     double ratio;  /* 1, longest / shortest link */
@@ -1559,10 +1562,16 @@ typedef struct fourlink_solution {
     double mu_positions; /* rad, smallest at the precision positions */
     double
         max_error; /* rad or m, function: largest |structural error|, with the sign of the error: in
-                            the working range if the wanted function is given, else at the points */
+                            the working range if the wanted function is given, else at the points; rad,
+                      many poses: largest error of the coupler's angle */
     double max_error_at;  /* rad, crank angle of the linkage there */
     int is_better_longer; /* 1: function, FOURLINK_FIT_ANGLE: longer links would fit better, but the
                              longest is as long as it may be, see fourlink_synthesis_function */
+    double sum;          /* m2, points: the sum that is made small, see fourlink_synthesis_points */
+    double rms, largest; /* m, points: root mean square and largest distance */
+    unsigned long starts; /* points: how many starts were tried */
+    int is_swapped;       /* 1, points: the crank stands on the pivot given as right */
+    fourlink_precision position[FOURLINK_POSITIONS_MAX];
 } fourlink_solution;
 
 /* The wanted output of a function generator, for the structural error between the points.
@@ -1629,6 +1638,28 @@ typedef struct fourlink_path_task {
     double step;              /* rad, search: step of the rotations; 0: 5 deg */
     fourlink_dyad right;      /* the rocker, or a slider */
 } fourlink_path_task;
+
+/* Where a fixed pivot may be: at `low`, or in the box from `low` to `high`. */
+typedef struct fourlink_ground {
+    int is_given;              /* 0: anywhere */
+    fourlink_vector low, high; /* m, in the designer's axes */
+} fourlink_ground;
+
+/* Many points of a path, or poses of the coupler.  Set it to zero first: members that stay 0 are absent. */
+typedef struct fourlink_points_task {
+    fourlink_kind kind;           /* FOURLINK_FOUR_BAR or FOURLINK_SLIDER_CRANK */
+    unsigned long n;              /* 3 to FOURLINK_POSITIONS_MAX */
+    const fourlink_vector *point; /* m, in the designer's axes */
+    const double *angle;          /* rad, of the coupler, only differences count; null: a path */
+    const double *timing;        /* rad, n - 1 rotations of the crank from the first position to the
+                                     others, which rise or fall; null: any */
+    int either_way;              /* 1: the crank may also turn by the opposite of `timing` */
+    const double *weight;        /* 1, > 0, w; null: all are 1 */
+    fourlink_ground left, right; /* the pivots A and D, of which the crank takes the better one */
+    int may_rock;                /* 1: the crank need not turn fully */
+    double mu_min;               /* rad, least transmission angle in the working range; 0: any */
+    unsigned long effort;        /* so many times the usual number of starts; 0: once */
+} fourlink_points_task;
 
 /* The stroke that is the slow one. */
 enum {
@@ -1771,6 +1802,35 @@ FOURLINK_API int fourlink_synthesis_motion(const fourlink_motion_task *task, uns
 */
 FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigned long max,
                                          fourlink_solution *solutions, unsigned long *n);
+
+/* A four-bar linkage or a slider-crank whose coupler point passes many points, or whose coupler passes many
+** poses, as closely as possible.
+**
+** Given:
+**    task       points, timing, weights, where the pivots may be
+**    max        length of `solutions`
+** Returned:
+**    solutions  the first `max` linkages: those without defects, then others, each by its sum of squares, and
+**               those that are met within rounding by mu_min
+**    n          how many there are; may be more than `max`
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NONE_FOUND, FOURLINK_DEPENDENT (two points are equal); FOURLINK_NULL,
+**    FOURLINK_NO_MEMORY, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_POINTS, FOURLINK_BAD_CHOICE
+** Notes:
+** 1) The sum is that of w distance^2: without timing the distance from the curve, else that from the place of
+**    the coupler point at the given crank angle.  With angles, w (size error)^2 is added, where size is the root
+**    mean square distance of the points from their centre, and the poses are met where this sum is least.
+** 2) The search descends from a fixed number of starts, the same on each run.  It finds the best linkage of
+**    these starts; a better one may exist.
+** 3) Linkages whose transmission angle falls below 0.1 deg, or whose longest link is more than 100 times as long
+**    as the shortest, do not count.
+** 4) The crank may run either way.  A timing that rises is that of a crank that turns counter-clockwise.
+** 5) The search allocates about a megabyte, and frees it.  With 20 points it takes one or two seconds.
+** Reference:
+**    see synthesis/points.c.
+*/
+FOURLINK_API int fourlink_synthesis_points(const fourlink_points_task *task, unsigned long max,
+                                           fourlink_solution *solutions, unsigned long *n);
 
 /* A mechanism with a given time ratio.
 **

@@ -147,13 +147,17 @@ static int has_no_sweep(const input *in)
     return !in->o->synthesis && !has_word(in->source.text, in->source.length, "sweep");
 }
 
-/* 1 if the linkage of the deck was found by synthesis. */
-static int has_task(const input *in)
+/* Whether the linkage of the deck was found by synthesis, and by a search from many starts. */
+static void find_task(input *in)
 {
     unsigned long chosen, n;
+    fourlink_solution first;
 
-    return fourlink_deck_solutions(fourlink_results_deck(in->results), 0, NULL, &chosen, &n) ==
-           FOURLINK_OK;
+    if (fourlink_deck_solutions(fourlink_results_deck(in->results), 1, &first, &chosen, &n) !=
+        FOURLINK_OK)
+        return;
+    in->has_task = 1;
+    in->has_starts = n > 0 && first.starts > 0;
 }
 
 int input_has_values(const input *in)
@@ -200,6 +204,7 @@ static int serves_options(input *in)
         deck.problem = *p;
         deck.has_sweep = in->has_sweep;
         deck.has_task = in->has_task;
+        deck.has_starts = in->has_starts;
         deck.has_values = input_has_values(in);
         why = rules_broken(o, &deck, message);
     }
@@ -500,6 +505,7 @@ static int open_input(input *in)
         in->source.changes = o->changes;
         in->source.n_changes = (unsigned long)o->n_changes;
         in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
+        in->source.effort = o->effort;
         in->source.synthesis = !o->synthesis ? 0 : o->solution ? o->solution : 1;
     }
     status = open_results(in);
@@ -509,7 +515,8 @@ static int open_input(input *in)
     in->has_sweep |= in->problem.n_designs > 0;
     if (in->problem.n_designs)
         in->n_designs = in->problem.n_designs;
-    in->has_task |= o->synthesis && has_task(in);
+    if (o->synthesis)
+        find_task(in);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
         if (o->report && !view_find_solution(fourlink_results_deck(in->results), &in->found)) {
@@ -555,6 +562,7 @@ int input_read_answers(input *in, const input *deck, const options *o, const gra
     in->is_design = deck->is_design;
     in->has_sweep = deck->has_sweep;
     in->has_task = deck->has_task;
+    in->has_starts = deck->has_starts;
     status = take_answers(in, in->name, answers, x);
     return status ? status : open_input(in);
 }

@@ -22,7 +22,8 @@ typedef struct input {
     int is_design; /* 1: a design of a [sweep], or a linkage found, is in place of the deck */
     fourlink_solution *found; /* by synthesis, for a report; or null */
     int has_sweep,
-        has_task; /* 1: the deck has a [sweep]; its linkage was found for a [synthesis] */
+        has_task,   /* 1: the deck has a [sweep]; its linkage was found for a [synthesis], */
+        has_starts; /* ... from many starts */
     unsigned long n_designs; /* of that [sweep] */
     int has_defects;         /* 1: the linkage found by synthesis has some */
     int has_mistakes;        /* 1: because its text has mistakes */

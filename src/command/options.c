@@ -18,6 +18,7 @@
 
 #define MOST_DESIGNS 4294967295.0
 #define MOST_SOLUTIONS 1000
+#define MOST_EFFORT 1000
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
 /* Returns 0, for the caller to return. */
@@ -156,6 +157,12 @@ static int set_design(options *o, const char *value, char message[400])
     o->design = 0;
     return o->all_designs || is_whole(flk_text_of(value), MOST_DESIGNS, &o->design) ||
            refuse(message, "--design must be a number from 1, or all, not '%t'", value);
+}
+
+static int set_effort(options *o, const char *value, char message[400])
+{
+    return is_whole(flk_text_of(value), MOST_EFFORT, &o->effort) ||
+           refuse(message, "--effort must be a number from 1 to 1000, not '%t'", value);
 }
 
 static int set_solution(options *o, const char *value, char message[400])
@@ -323,6 +330,8 @@ static const option_info table[] = {
      "solutions",
      "Synthesis:"},
     {0, "--solution", "K", OWN(set_solution), "take solution K, from 1", NULL},
+    {0, "--effort", "K", OWN(set_effort),
+     "search from K times as many starts, for positions that are met as closely as possible", NULL},
     {'h', "--help", NULL, MEMBER(help), "print this text", "Help:"},
     {'V', "--version", NULL, MEMBER(version), "print the version", NULL}};
 

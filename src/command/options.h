@@ -48,6 +48,7 @@ typedef struct options {
     int pins;                  /* 1: by the places of its pins */
     const char *import;        /* the file of another tool that is the deck; null: none */
     int synthesis;             /* 1: find the linkage of the deck's [synthesis] */
+    unsigned long effort;      /* --effort=K; 0: not given */
     unsigned long solution;    /* --solution=K, from 1; 0: not given */
     int has_format;            /* 1: --format was given */
     int no_kind;               /* 1: --plot without --plot-kind */

@@ -92,6 +92,8 @@ static const rule table[] = {
     {"--plot-x", "--plot-kind=columns", NULL, NULL},
     {"--ascii", "--plot=FILE.txt or --plot=-", NULL, NULL},
     {"--solution", "--synthesis", "a list of solutions alone", NULL},
+    {"--effort", "--synthesis", NULL, NULL},
+    {"--effort", "a search from many starts", NULL, NULL},
     {"--part", NULL, "--design, --list", "it is a part of the [sweep]"},
 
     /* what the deck must have */
@@ -174,6 +176,7 @@ static void find_facts(known *k, const rules_deck *d)
     add_of_deck(k, "a whole [sweep]", !o->all_designs, is_sweep);
     add_of_deck(k, "rows of a [sweep]", 1, is_sweep && !d->has_values);
     add_of_deck(k, "a [synthesis]", 1, d->has_task);
+    add_of_deck(k, "a search from many starts", 1, d->has_starts);
     add_of_deck(k, "masses", 1, p->has_forces);
     add_of_deck(k, "loads", 1, p->has_forces);
     add_of_deck(k, "links that slide", 1,

@@ -12,7 +12,8 @@
 typedef struct rules_deck {
     fourlink_problem problem;
     int has_sweep;  /* 1: it has a [sweep], or was taken from one */
-    int has_task;   /* 1: its linkage was found for a [synthesis] */
+    int has_task;   /* 1: its linkage was found for a [synthesis], */
+    int has_starts; /* ... from many starts */
     int has_values; /* 1: its columns are values of the deck */
 } rules_deck;
 

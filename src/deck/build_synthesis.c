@@ -118,10 +118,13 @@ static int read_positions(parser *p, key_code other, const char *example,
 static int build_motion(parser *p)
 {
     fourlink_motion_task *t = &p->d->synthesis->motion;
-    int n_angles = read_positions(p, KEY_SYNTHESIS_LEFT, DYAD, t->point, t->angle);
-    int has_dyads =
-        read_dyad(p, KEY_SYNTHESIS_LEFT, &t->left) & read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
+    int n_angles, has_dyads;
 
+    if (flk_task_has_points(p))
+        return flk_task_points(p);
+    n_angles = read_positions(p, KEY_SYNTHESIS_LEFT, DYAD, t->point, t->angle);
+    has_dyads =
+        read_dyad(p, KEY_SYNTHESIS_LEFT, &t->left) & read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
     if (n_angles >= 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "each position needs an angle of the coupler, such as (24, 10) mm -30 deg");
@@ -132,9 +135,12 @@ static int build_path(parser *p)
 {
     fourlink_path_task *t = &p->d->synthesis->path;
     double angle[POSITIONS] = {0, 0, 0};
-    int n_angles = read_positions(p, KEY_SYNTHESIS_TIMING, "40 deg, 85 deg", t->point, angle);
-    int has_dyad = read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
+    int n_angles, has_dyad;
 
+    if (flk_task_has_points(p))
+        return flk_task_points(p);
+    n_angles = read_positions(p, KEY_SYNTHESIS_TIMING, "40 deg, 85 deg", t->point, angle);
+    has_dyad = read_dyad(p, KEY_SYNTHESIS_RIGHT, &t->right);
     if (n_angles > 0 && n_angles < POSITIONS)
         flk_mistake(p->mistakes, flk_task_find(p, KEY_SYNTHESIS_POSITIONS)->place,
                     "give the angle of the coupler at all positions, or at none: then they are "
@@ -254,11 +260,13 @@ static const struct {
     {"motion",
      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK,
      build_motion,
-     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_LEFT, KEY_SYNTHESIS_RIGHT, KEY_COUNT}},
+     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_LEFT, KEY_SYNTHESIS_RIGHT, KEY_SYNTHESIS_WEIGHTS,
+      KEY_SYNTHESIS_CRANK_TURNS, KEY_COUNT}},
     {"path",
      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK,
      build_path,
-     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_TIMING, KEY_SYNTHESIS_RIGHT, KEY_COUNT}},
+     {KEY_SYNTHESIS_POSITIONS, KEY_SYNTHESIS_TIMING, KEY_SYNTHESIS_LEFT, KEY_SYNTHESIS_RIGHT,
+      KEY_SYNTHESIS_WEIGHTS, KEY_SYNTHESIS_CRANK_TURNS, KEY_COUNT}},
     {"quick-return",
      FLK_EVERY_KIND,
      build_quick_return,

@@ -204,6 +204,7 @@ struct fourlink_deck {
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
+    unsigned long effort;   /* how many times the usual starts a search has; 0: once */
     struct deck_synthesis *synthesis;    /* its task, and what was found; null: there is none */
     const struct deck_synthesis *solved; /* the same task, solved before; null: it was not */
     int solver;                          /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */

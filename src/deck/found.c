@@ -24,6 +24,8 @@
 
 static int run_task(deck_synthesis *t, unsigned long max)
 {
+    if (t->has_points)
+        return fourlink_synthesis_points(&t->points, max, t->solutions, &t->n);
     switch (t->task) {
     case TASK_FUNCTION:
         return fourlink_synthesis_function(&t->function, max, t->solutions, &t->n);
@@ -76,6 +78,10 @@ static void note(parser *p)
         flk_mistake(NOTES(p), t->place,
                     "longer links would fit better; this is the best fit with the longest link at "
                     "most 100 times as long as the shortest");
+    if (t->has_points && s->defects && !t->points.may_rock)
+        flk_mistake(NOTES(p), t->place,
+                    "no start led to a crank that turns fully and has no defect: crank_turns = any "
+                    "allows others");
     if (s->ratio > RATIO_USUAL)
         flk_mistake(NOTES(p), t->place,
                     "the longest link is %.4g times as long as the shortest one", s->ratio);
@@ -96,7 +102,7 @@ int flk_synthesis_run(parser *p)
     const deck_synthesis *solved = p->d->solved;
     unsigned long max = p->d->solution > MOST_LISTED ? p->d->solution : MOST_LISTED;
 
-    max = t->task == TASK_PATH && t->path.search ? max : 1;
+    max = t->has_points || (t->task == TASK_PATH && t->path.search) ? max : 1;
     t->solutions = flk_reader_keep(p, max * sizeof *t->solutions);
     if (!t->solutions)
         return 0;
@@ -104,6 +110,15 @@ int flk_synthesis_run(parser *p)
     if (t->status == FOURLINK_BAD_CHOICE)
         return flk_mistake(p->mistakes, t->place, "%s: the task takes %s",
                            fourlink_status_text(t->status), t->kind->quick_return);
+    p->out_of_memory |= t->status == FOURLINK_NO_MEMORY;
+    if (p->out_of_memory)
+        return 0;
+    if (t->has_points && t->status == FOURLINK_NONE_FOUND)
+        return flk_mistake(
+            p->mistakes, t->place,
+            "no start led to a linkage: allow a smaller mu_min, larger boxes or%s, or "
+            "more starts by --effort",
+            t->points.may_rock ? " other timing" : " crank_turns = any");
     if (t->status != FOURLINK_OK)
         return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));
     t->n_kept = GSL_MIN(solved ? solved->n_kept : t->n, max);

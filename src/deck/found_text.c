@@ -200,9 +200,13 @@ static void put_position(page *g, const fourlink_precision *at, const char *poin
         return;
     }
     flk_text_join(name, sizeof name, point_name, ".x", (char *)NULL);
-    put_expect(g, &at->theta2, at->branch, name, at->point.x, small * size, QUANTITY_LENGTH);
+    put_expect(g, &at->theta2, at->branch, name, at->point.x,
+               t->has_points ? (1 + 1e-6) * s->largest + small * size : small * size,
+               QUANTITY_LENGTH);
     put_line(g, "%s.y = %s", point_name, flk_found_value(g->p, at->point.y, QUANTITY_LENGTH));
-    put_expect(g, &at->theta2, at->branch, "theta3", at->theta3, small, QUANTITY_ANGLE);
+    if (t->task != TASK_PATH || !t->has_points)
+        put_expect(g, &at->theta2, at->branch, "theta3", at->theta3,
+                   t->has_points ? (1 + 1e-6) * fabs(s->max_error) + small : small, QUANTITY_ANGLE);
 }
 
 /* 1 if the motion of the deck reaches a crank angle, whatever its turns. */
@@ -271,6 +275,8 @@ static void put_solution(page *g, unsigned long number)
             append(lengths, " %s %.6g", is_link ? kind->link[i] : "offset",
                    flk_unit_from_si(length, t->length.unit));
     }
+    if (t->has_points)
+        append(lengths, " rms distance %.4g", flk_unit_from_si(s->rms, t->length.unit));
     put_line(g, "#   %ld:%s (%s); %s, %s; mu_min %.4g deg; %s", (long)number + 1, lengths,
              t->length.name, fourlink_branch_text((int)s->branch), fourlink_type_text((int)s->type),
              FLK_DEGREES(s->mu_min), s->defects ? "with a defect" : "no defect");
@@ -326,6 +332,27 @@ static void put_error(page *g)
                  error * (w->y[1] - w->y[0]) / (w->output[1] - w->output[0]));
 }
 
+/* How closely many positions are met, and what was searched. */
+static void put_distances(page *g)
+{
+    const deck_synthesis *t = g->p->d->synthesis;
+    const fourlink_solution *s = t->chosen;
+    const unit u = t->length.unit;
+    double one = flk_unit_to_si(1, u);
+
+    put_line(g, "#   the best of %ld starts; a better linkage may exist", (long)s->starts);
+    put_line(g, "#   distance %s: root mean square %.6g %s, largest %.6g %s, sum of squares %.6g",
+             t->task == TASK_MOTION ? "of the point"
+             : t->points.timing     ? "at the given crank angles"
+                                    : "from the curve",
+             flk_unit_from_si(s->rms, u), t->length.name, flk_unit_from_si(s->largest, u),
+             t->length.name, s->sum / (one * one));
+    if (t->task == TASK_MOTION)
+        put_line(g, "#   angle of the coupler: largest error %.6g deg", FLK_DEGREES(s->max_error));
+    if (s->is_swapped)
+        put_line(g, "#   the crank stands on the pivot given as right");
+}
+
 static void put_checks(page *g)
 {
     const deck_synthesis *t = g->p->d->synthesis;
@@ -356,6 +383,8 @@ static void put_checks(page *g)
         put_line(g, "#   condition of the linear equations: %.4g", s->condition);
     if (t->task == TASK_FUNCTION && (t->function.wanted || t->function.n > 3))
         put_error(g);
+    if (t->has_points)
+        put_distances(g);
     put_line(g, "");
 }
 
@@ -371,8 +400,9 @@ void flk_found_write(parser *p, const char *point_name)
     put_checks(&head);
     put_line(&tail, "");
     put_line(&tail, "# The wanted values, met within %s: fourlink --check",
-             t->task == TASK_FUNCTION && t->function.n > 3 ? "the largest error of the fit"
-                                                           : "rounding");
+             t->has_points || (t->task == TASK_FUNCTION && t->function.n > 3)
+                 ? "the largest error of the fit"
+                 : "rounding");
     if (t->task == TASK_QUICK_RETURN)
         put_facts(&tail);
     else

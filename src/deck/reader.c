@@ -226,6 +226,7 @@ int flk_deck_read(const fourlink_source *source, deck *d)
 
     flk_deck_start(d);
     d->solution = source->synthesis;
+    d->effort = source->effort;
     d->settings = read_text(d, source, 0);
     status = build_from(d, d->settings, source->design, NULL, 0);
     if (!source->answers || status != 1)
@@ -259,6 +260,7 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
 {
     memset(d, 0, sizeof *d);
     d->solution = from->solution;
+    d->effort = from->effort;
     return build_again(from, design, set, n_set, d);
 }
 

@@ -333,6 +333,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, TIMING, "timing", TEXT, ANGLE, ANY, WITH_PIN_C, "crank angles of the positions")  \
     X(SYNTHESIS, LEFT, "left", TEXT, LENGTH, ANY, WITH_PIN_C, "the left fixed pin")                \
     X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C, "the right fixed pin")             \
+    X(SYNTHESIS, CRANK_TURNS, "crank_turns", WORD, NUMBER, ANY, WITH_PIN_C,                        \
+      "whether the crank must turn fully")                                                         \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "time ratio")     \
     X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D,                            \
       "swing of the rocker or lever")                                                              \

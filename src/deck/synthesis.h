@@ -48,6 +48,8 @@ typedef struct deck_synthesis {
     fourlink_function_task function;
     fourlink_motion_task motion;
     fourlink_path_task path;
+    fourlink_points_task points;
+    int has_points; /* 1: motion or path through many positions, by `points` */
     fourlink_quick_return_task quick_return;
     fourlink_cognate_task cognate;
     deck_wanted wanted;

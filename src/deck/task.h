@@ -40,4 +40,11 @@ const section_use *flk_task_coupler_point(const parser *p);
 /* Build the task of a function generator. */
 int flk_task_function(parser *p);
 
+/* Whether a motion or a path is one that is searched for from many starts: it has more than three positions,
+** or leaves open what three need. */
+int flk_task_has_points(parser *p);
+
+/* Build such a task. */
+int flk_task_points(parser *p);
+
 #endif

@@ -149,6 +149,49 @@ static void put_guided(report *r, math *m)
     math_let(m, "e", "( yC - yA ) * cos gamma - ( xC - xA ) * sin gamma", s->design.offset);
 }
 
+/* An error in degrees or m; 0 if it is rounding. */
+static double shown_error(double error, int is_angle)
+{
+    return format_settled(is_angle ? DEGREES(error) : error, 100);
+}
+
+/* -------------------------------------------------------------------------------- many positions */
+
+static void put_many(report *r, math *m)
+{
+    const fourlink_solution *s = r->request->found;
+    const fourlink_precision *first = &s->position[0];
+    double theta3 = first->theta3 + first->residual, a = s->design.link[FOURLINK_CRANK].length;
+    fourlink_vector p = s->point;
+    int slides = is_slider_crank(s);
+
+    page_print(
+        &r->page,
+        "<p>The linkage with the least sum of squared distances of the coupler point from the "
+        "%d wanted positions, of the descents from %d starts. A better one may exist.</p>\n",
+        s->n_positions, (int)s->starts);
+    page_print(&r->page,
+               "<ul>\n<li>Root mean square distance: %.6g m</li>\n<li>Largest distance: %.6g "
+               "m</li>\n<li>Sum: %.6g m\302\262</li>\n",
+               shown_error(s->rms, 0), shown_error(s->largest, 0), s->sum);
+    if (s->max_error != 0)
+        page_print(&r->page, "<li>Largest error of the coupler's angle: %.6g\302\260</li>\n",
+                   shown_error(s->max_error, 1));
+    page_print(&r->page, "</ul>\n");
+    put_words(r, "The coupler point in the first position, in the frame of the linkage:");
+    math_set(m, "theta2", first->theta2);
+    math_set(m, "theta3", theta3);
+    set_point(m, "xQ", "yQ", p);
+    math_let(m, "xP",
+             slides ? "r * cos theta2 + xQ * cos theta3 - yQ * sin theta3"
+                    : "a * cos theta2 + xQ * cos theta3 - yQ * sin theta3",
+             a * cos(first->theta2) + p.x * cos(theta3) - p.y * sin(theta3));
+    math_let(m, "yP",
+             slides ? "r * sin theta2 + xQ * sin theta3 + yQ * cos theta3"
+                    : "a * sin theta2 + xQ * sin theta3 + yQ * cos theta3",
+             a * sin(first->theta2) + p.x * sin(theta3) + p.y * cos(theta3));
+}
+
 /* ------------------------------------------------------------------------------- quick returns */
 
 static void put_quick_return(report *r, math *m)
@@ -208,12 +251,6 @@ static void put_quick_return(report *r, math *m)
 }
 
 /* ---------------------------------------------------------------------------------------- checks */
-
-/* An error in degrees or m; 0 if it is rounding. */
-static double shown_error(double error, int is_angle)
-{
-    return format_settled(is_angle ? DEGREES(error) : error, 100);
-}
 
 /* The wanted positions, in the frame of the linkage, and what it has there. */
 static void put_positions(report *r)
@@ -282,6 +319,8 @@ void report_put_synthesis(report *r)
     set_lengths(s, &m);
     if (s->K[0] != 0)
         put_function(r, &m);
+    else if (s->starts > 0)
+        put_many(r, &m);
     else if (s->has_point)
         put_guided(r, &m);
     else

@@ -9,6 +9,7 @@
 ** relative to P_1.
 */
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include <gsl/gsl_complex_math.h>
@@ -249,7 +250,8 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
     positions at;
     int status = set_relative_positions(point, alpha, &at);
 
-    memset(s, 0, sizeof *s);
+    memset(s, 0, offsetof(fourlink_solution, position)); /* a search makes thousands */
+    memset(s->position, 0, 3 * sizeof *s->position);
     if (status == FOURLINK_OK)
         status = find_pivots(left, &at, &point[0], &first);
     if (status == FOURLINK_OK)

@@ -302,6 +302,8 @@ for task in osu-lecture-12 three-positions khurmi-5.3 power-nine quadratic-slide
     all $? --synthesis -o result ../task/$task.deck
     all $? --synthesis --summary -o result ../task/$task.deck
 done
+printf 'mechanism = four-bar\n[synthesis]\ntask = path\npositions = (0, 0) mm, (60, 25) mm, (105, 80) mm\n' >task/many.deck
+all 0 --synthesis --effort=1 -o result ../task/many.deck
 all 0 --synthesis --solution=1 -o result ../task/three-positions.deck
 all 0 --synthesis -f csv -o result ../task/three-positions.deck
 all 0 --synthesis --check=../task/osu-lecture-12.expect -o result ../task/osu-lecture-12.deck

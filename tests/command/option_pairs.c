@@ -82,7 +82,8 @@ static const sample samples[] = {
     {"--best", "max mu_min", 0},
     {"--solve", "crank.length = 10 mm .. 30 mm where min(mu) = 64 deg", 0},
     {"--synthesis", NULL, 0},
-    {"--solution", "2", 0}};
+    {"--solution", "2", 0},
+    {"--effort", "2", 0}};
 
 #define SAMPLES (sizeof samples / sizeof *samples)
 

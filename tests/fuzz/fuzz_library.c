@@ -567,6 +567,35 @@ static void ask_function(unsigned long *n)
     must_be_a_solution(fourlink_synthesis_function(&f, 1, &solution, n));
 }
 
+/* A search takes a while: seldom. */
+static void ask_points(unsigned long *n)
+{
+    fourlink_vector point[6];
+    double angle[6], timing[6], weight[6];
+    fourlink_points_task t;
+    int i;
+
+    memset(&t, 0, sizeof t);
+    for (i = 0; i < 6; i++) {
+        point[i] = next_vector();
+        angle[i] = next_number();
+        timing[i] = next_number();
+        weight[i] = next_number();
+    }
+    t.kind = (fourlink_kind)next_code(1, 2);
+    t.n = (unsigned long)(next_byte() % 7);
+    t.point = point;
+    t.angle = next_byte() & 1 ? angle : NULL;
+    t.timing = next_byte() & 1 ? timing : NULL;
+    t.weight = next_byte() & 1 ? weight : NULL;
+    t.left.is_given = next_byte() & 1;
+    t.left.low = next_vector();
+    t.left.high = next_byte() & 1 ? next_vector() : t.left.low;
+    t.may_rock = next_byte() & 1;
+    t.mu_min = next_byte() & 1 ? next_number() : 0;
+    must_be_a_solution(fourlink_synthesis_points(&t, 1, &solution, n));
+}
+
 static void ask_synthesis(void)
 {
     fourlink_motion_task m;
@@ -579,7 +608,10 @@ static void ask_synthesis(void)
     PREPARE(solution);
     switch (next_byte() % 5) {
     case 0:
-        ask_function(&n);
+        if (next_byte() % 64 == 1)
+            ask_points(&n);
+        else
+            ask_function(&n);
         break;
     case 1:
         for (i = 0; i < 3; i++) {
