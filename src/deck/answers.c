@@ -93,7 +93,8 @@ static int is_place(const deck *d, int is_branch, text value)
     if (is_branch)
         return flk_text_equal(value, "open") || flk_text_equal(value, "crossed");
     for (i = 0; i < sizeof places / sizeof places[0]; i++)
-        if (flk_quantity_read(value, value, places[i], d->bare[places[i]].unit, &read, why))
+        if ((places[i] != QUANTITY_LENGTH || flk_deck_over(d) == QUANTITY_LENGTH) &&
+            flk_quantity_read(value, value, places[i], d->bare[places[i]].unit, &read, why))
             return 1;
     return 0;
 }

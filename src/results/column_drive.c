@@ -30,7 +30,7 @@ static const flk_column_info of_actuator[FLK_ACTUATOR_COLUMNS] = {
 
 static size_t count_drives(const deck *d)
 {
-    return 1 + FLK_ACTUATOR_COLUMNS * d->n_actuators;
+    return (d->machine.mechanism.drive != NULL) + FLK_ACTUATOR_COLUMNS * d->n_actuators;
 }
 
 static int make_of_drive(const flk_analysis *a, size_t i, flk_column *c)
@@ -39,14 +39,14 @@ static int make_of_drive(const flk_analysis *a, size_t i, flk_column *c)
     const flk_actuator *actuator;
     int component;
 
-    if (i == 0) {
-        flk_column_start(a->d, &effort[drive && flk_drive_is_torque(drive)], c);
+    if (drive && i-- == 0) {
+        flk_column_start(a->d, &effort[flk_drive_is_torque(drive)], c);
         c->of.actuator = NULL;
         c->is_usual = 1;
-        return drive != NULL;
+        return 1;
     }
-    actuator = &a->d->actuators[(i - 1) / FLK_ACTUATOR_COLUMNS];
-    component = (int)((i - 1) % FLK_ACTUATOR_COLUMNS);
+    actuator = &a->d->actuators[i / FLK_ACTUATOR_COLUMNS];
+    component = (int)(i % FLK_ACTUATOR_COLUMNS);
     flk_column_start(a->d, &of_actuator[component], c);
     c->name = actuator->column_names[component];
     c->of.actuator = actuator;
