@@ -32,7 +32,7 @@ module fourlink
     fourlink_locked = 10, fourlink_no_direction = 11, fourlink_does_not_start = 12, &
     fourlink_stalls = 13, fourlink_no_steady = 14, fourlink_no_inertia = 15, &
     fourlink_too_long = 16, fourlink_overflow = 17, fourlink_long_search = 18, &
-    fourlink_group_apart = 19, &
+    fourlink_group_apart = 19, fourlink_input_dead_centre = 63, &
     fourlink_null = 20, fourlink_bad_number = 21, fourlink_bad_kind = 22, &
     fourlink_bad_length = 23, fourlink_bad_mass = 24, fourlink_bad_branch = 25, &
     fourlink_bad_link = 26, fourlink_bad_frame = 27, fourlink_bad_interval = 28, &
@@ -92,6 +92,7 @@ module fourlink
     integer(c_int) :: change_stretched, change_folded
     real(c_double) :: dead_centre, h
     type(fourlink_vector) :: lever, slot
+    type(c_ptr) :: drive = c_null_ptr ! of a deck
   end type fourlink_mechanism
 
   ! A crank position.
@@ -119,7 +120,7 @@ module fourlink
 
   type, bind(c) :: fourlink_forces
     real(c_double) :: F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y
-    real(c_double) :: M14, Ts, Ts_work, residual, N34, M34
+    real(c_double) :: M14, Ts, drive, at_crank, Ts_work, residual, N34, M34
   end type fourlink_forces
 
   ! The motion of the crank.
@@ -159,6 +160,7 @@ module fourlink
     integer(c_int) :: deck_units = 0
     integer(c_long) :: synthesis = 0
     integer(c_int) :: whole_cycle = 0
+    integer(c_long) :: effort = 0
   end type fourlink_source
 
   ! Results by name.  Results themselves are a type(c_ptr).

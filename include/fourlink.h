@@ -343,7 +343,7 @@ FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *na
 ** Returned:
 **    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why a column has no value, or why the actual motion ends before a fact is known;
+**    FOURLINK_OK; 1 to 19 or 63, why a column has no value, or why the actual motion ends before a fact is known;
 **    FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
 ** Notes:
 ** 1) Extremes are those of the deck's motion, refined between its rows.
@@ -387,10 +387,10 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 **    instant    the motion and the forces of the row
 **    loads      the problem.n_loads loads at its crank angle, including springs and friction
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why only the crank has values in this row; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
+**    FOURLINK_OK; 1 to 19 or 63, why only the crank has values in this row; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
 **    FOURLINK_NO_SUCH_ROW
 ** Note:
-**    The crank's columns, `instant->row` and `instant->status` are returned with codes 1 to 19 too.
+**    The crank's columns, `instant->row` and `instant->status` are returned with codes 1 to 19 and 63 too.
 */
 FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch branch,
                                       unsigned long i, double *values, fourlink_instant *instant,
@@ -625,7 +625,7 @@ FOURLINK_API int fourlink_results_crossings(fourlink_results *results, const cha
 **    1 to 19, why it does not: FOURLINK_DOES_NOT_START, FOURLINK_STALLS, FOURLINK_NO_STEADY ...;
 **    FOURLINK_NULL, FOURLINK_BAD_BRANCH
 ** Note:
-**    `angle` is returned with codes 1 to 19 too.  The rows from there on have the same status.
+**    `angle` is returned with codes 1 to 19 and 63 too.  The rows from there on have the same status.
 */
 FOURLINK_API int fourlink_results_end(fourlink_results *results, fourlink_branch branch,
                                       double *angle);
@@ -749,8 +749,8 @@ FOURLINK_API const char *fourlink_version(void);
 ** Status codes
 ** ------------------------------------------------------------------------------------------- */
 
-/* The codes and their texts come from one list.  1 to 19 concern one crank position; others may still
-** succeed.  20 and above mean that the call or its data are wrong. */
+/* The codes and their texts come from one list.  1 to 19 and 63 concern one crank position; others may still
+** succeed.  Others from 20 mean that the call or its data are wrong. */
 #define FOURLINK_STATUS_LIST(X)                                                                   \
     X(FOURLINK_OK, 0, "ok")                                                                       \
     X(FOURLINK_TOO_FAR, 1, "cannot be assembled: B and D are too far apart")                      \

@@ -80,7 +80,7 @@ static int read_file(parser *p, const setting *s, text name, lists *l)
     return 1;
 }
 
-static int read_list(parser *p, setting *s, lists *l)
+static int read_list_of_points(parser *p, setting *s, lists *l)
 {
     text rest = s->value, item, after;
 
@@ -129,7 +129,7 @@ static int check_positions(parser *p, const setting *s, const lists *l)
                        "the coupler only turns about a point: no four links are needed for that");
 }
 
-static int read_positions(parser *p, lists *l)
+static int read_points(parser *p, lists *l)
 {
     setting *s = flk_task_find(p, KEY_SYNTHESIS_POSITIONS);
     text name;
@@ -138,7 +138,8 @@ static int read_positions(parser *p, lists *l)
     flk_task_check_lengths(p, 0, "no lengths");
     if (!flk_task_require(p, KEY_SYNTHESIS_POSITIONS, "(0, 0) mm, (24, 10) mm, (40, 5) mm"))
         return 0;
-    is_read = flk_curve_text_file(s->value, &name) ? read_file(p, s, name, l) : read_list(p, s, l);
+    is_read = flk_curve_text_file(s->value, &name) ? read_file(p, s, name, l)
+                                                   : read_list_of_points(p, s, l);
     return is_read && check_positions(p, s, l);
 }
 
@@ -175,7 +176,7 @@ static int read_timing(parser *p, lists *l, fourlink_points_task *t)
     return 1;
 }
 
-static int read_weights(parser *p, lists *l, fourlink_points_task *t)
+static int read_weights_of_points(parser *p, lists *l, fourlink_points_task *t)
 {
     const setting *s = flk_task_find(p, KEY_SYNTHESIS_WEIGHTS);
     unsigned long i;
@@ -255,7 +256,7 @@ int flk_task_points(parser *p)
         return 0;
     memset(l, 0, sizeof *l);
     t->has_points = 1;
-    if (!read_positions(p, l))
+    if (!read_points(p, l))
         return 0;
     task->kind = p->d->machine.mechanism.design.kind;
     task->n = l->n;
@@ -267,7 +268,7 @@ int flk_task_points(parser *p)
     if (task->mu_min >= M_PI_2)
         return flk_mistake(p->mistakes, mu_min->place,
                            "a transmission angle is at most 90 deg: expected less, such as 40 deg");
-    return read_timing(p, l, task) & read_weights(p, l, task) &
+    return read_timing(p, l, task) & read_weights_of_points(p, l, task) &
            read_pivot(p, KEY_SYNTHESIS_LEFT, &task->left) &
            read_pivot(p, KEY_SYNTHESIS_RIGHT, &task->right);
 }

@@ -67,7 +67,7 @@ typedef struct page {
     char *lines;
 } page;
 
-static void put(page *g, const char *words)
+static void put_words(page *g, const char *words)
 {
     strncat(g->lines, words, PINS_SIZE - 1 - strlen(g->lines));
 }
@@ -79,27 +79,27 @@ static void put_coordinate(page *g, double si)
     if (fabs(si) <= GSL_DBL_EPSILON * g->size)
         si = 0;
     flk_number_in_unit(si, &g->u, number);
-    put(g, number);
+    put_words(g, number);
 }
 
 /* (x, y), of a place in the axes of link 1 */
 static void put_place(page *g, fourlink_vector at)
 {
-    put(g, "(");
+    put_words(g, "(");
     put_coordinate(g, g->x.x * at.x - g->x.y * at.y);
-    put(g, ", ");
+    put_words(g, ", ");
     put_coordinate(g, g->x.y * at.x + g->x.x * at.y);
-    put(g, ")");
+    put_words(g, ")");
 }
 
 static void put_pin(page *g, const char *name, fourlink_vector at)
 {
-    put(g, name);
-    put(g, " = ");
+    put_words(g, name);
+    put_words(g, " = ");
     put_place(g, at);
-    put(g, " ");
-    put(g, g->unit_name);
-    put(g, "\n");
+    put_words(g, " ");
+    put_words(g, g->unit_name);
+    put_words(g, "\n");
 }
 
 /* guide = (x, y), (x, y) mm: from the foot of A on the line of the guide, along x */
@@ -108,14 +108,14 @@ static void put_guide(page *g, const fourlink_design *design)
     fourlink_vector on = {0, 0};
 
     on.y = design->offset;
-    put(g, "guide = ");
+    put_words(g, "guide = ");
     put_place(g, on);
-    put(g, ", ");
+    put_words(g, ", ");
     on.x = g->size;
     put_place(g, on);
-    put(g, " ");
-    put(g, g->unit_name);
-    put(g, "\n");
+    put_words(g, " ");
+    put_words(g, g->unit_name);
+    put_words(g, "\n");
 }
 
 int flk_write_pins(parser *p, const deck *d, double theta2, char lines[PINS_SIZE])
@@ -144,7 +144,7 @@ int flk_write_pins(parser *p, const deck *d, double theta2, char lines[PINS_SIZE
     }
     g.lines = lines;
     lines[0] = '\0';
-    put(&g, "\n[pins]\n");
+    put_words(&g, "\n[pins]\n");
     put_pin(&g, "A", A);
     put_pin(&g, "B", state.link[FOURLINK_COUPLER].origin);
     if (kind == FOURLINK_FOUR_BAR) {
@@ -162,9 +162,9 @@ int flk_write_pins(parser *p, const deck *d, double theta2, char lines[PINS_SIZE
         put_guide(&g, design);
     word = flk_write_word(p, d, KEY_TABLE_BRANCH);
     if (word && !flk_section_find(p, SECTION_TABLE, NULL)) {
-        put(&g, "\n[table]\nbranch = ");
-        put(&g, word);
-        put(&g, "\n");
+        put_words(&g, "\n[table]\nbranch = ");
+        put_words(&g, word);
+        put_words(&g, "\n");
     }
     return FOURLINK_OK;
 }

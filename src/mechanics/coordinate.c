@@ -293,7 +293,7 @@ static int add_stretch(const rate_search *s, double from, double to, double way,
 }
 
 /* The stretches of a range of crank angles, sampled where cosines of equal steps are. */
-static int add_range(const rate_search *s, double from, double to, flk_stretch *list, int n)
+static int add_crank_range(const rate_search *s, double from, double to, flk_stretch *list, int n)
 {
     double begin = from, last = 0, before = from, way = 0, x, rate;
     int i;
@@ -352,7 +352,8 @@ int flk_coordinate_stretches(const flk_coordinate *q, const fourlink_mechanism *
     for (i = 0; i < reach.n_ranges; i++) {
         int is_full = reach.to[i] - reach.from[i] >= 2 * M_PI * (1 - 1e-15);
 
-        n = add_range(&s, reach.from[i], is_full ? reach.from[i] + turn : reach.to[i], list, n);
+        n = add_crank_range(&s, reach.from[i], is_full ? reach.from[i] + turn : reach.to[i], list,
+                            n);
         if (is_full)
             n = join_ends(q, turn, list, n);
     }

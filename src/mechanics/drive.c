@@ -13,8 +13,8 @@
 #define DEAD 1e-7 /* of the crank's length, or of 1: K below it is 0 */
 
 /* The place, velocity and acceleration of an end. */
-static void find_end(const fourlink_state *state, int link, const fourlink_vector *at,
-                     fourlink_vector end[3])
+static void find_end_of_drive(const fourlink_state *state, int link, const fourlink_vector *at,
+                              fourlink_vector end[3])
 {
     memset(end, 0, 3 * sizeof *end);
     if (link == FOURLINK_GROUND)
@@ -33,8 +33,8 @@ int flk_actuator_at(const flk_actuator *actuator, const fourlink_state *state,
     fourlink_vector P[3], Q[3], r[3];
     int i;
 
-    find_end(state, actuator->link, &actuator->at, P);
-    find_end(state, actuator->to, &actuator->to_at, Q);
+    find_end_of_drive(state, actuator->link, &actuator->at, P);
+    find_end_of_drive(state, actuator->to, &actuator->to_at, Q);
     for (i = 0; i < 3; i++) {
         r[i].x = P[i].x - Q[i].x;
         r[i].y = P[i].y - Q[i].y;

@@ -16,7 +16,7 @@
     X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_AT | PLOT_FILLED,               \
       picture_mechanism, NULL, "mechanism with its loads and pin forces")                         \
     X(EXERCISE, "exercise", 1, 0, 760, 460, PLOT_DRAWING | PLOT_AT, picture_exercise, NULL,       \
-      "figure of an exercise, without answers")                         \
+      "figure of an exercise, without answers")                                                   \
     X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_motion, \
       "slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",                    \
       "positions, velocities and accelerations")                                                  \

@@ -71,27 +71,27 @@ int flk_solve_normal(int n, double H[][FLK_UNKNOWNS], const double *g, double *x
     return 1;
 }
 
-static void put(rows *row, int k, double x, double y)
+static void put_part(rows *row, int k, double x, double y)
 {
     row->J[X][k] = x;
     row->J[Y][k] = y;
 }
 
 /* P = A + (D - A) m and its derivatives. */
-static void set_derivatives(const flk_shape *shape, const double *x, const flk_pose *pose,
-                            fourlink_vector m, rows *row)
+static void set_derivatives_of_pose(const flk_shape *shape, const double *x, const flk_pose *pose,
+                                    fourlink_vector m, rows *row)
 {
     double zx = x[FLK_DX] - x[FLK_AX], zy = x[FLK_DY] - x[FLK_AY], ground = zx * zx + zy * zy;
     fourlink_vector e = pose->coupler, turned; /* turned: i q e^(i theta3) */
     double mx, my;
     int k;
 
-    put(row, FLK_AX, 1 - m.x, -m.y);
-    put(row, FLK_AY, m.y, 1 - m.x);
-    put(row, FLK_DX, m.x, m.y);
-    put(row, FLK_DY, -m.y, m.x);
-    put(row, FLK_QX, zx * e.x - zy * e.y, zx * e.y + zy * e.x);
-    put(row, FLK_QY, -row->J[Y][FLK_QX], row->J[X][FLK_QX]);
+    put_part(row, FLK_AX, 1 - m.x, -m.y);
+    put_part(row, FLK_AY, m.y, 1 - m.x);
+    put_part(row, FLK_DX, m.x, m.y);
+    put_part(row, FLK_DY, -m.y, m.x);
+    put_part(row, FLK_QX, zx * e.x - zy * e.y, zx * e.y + zy * e.x);
+    put_part(row, FLK_QY, -row->J[Y][FLK_QX], row->J[X][FLK_QX]);
     turned.x = -(x[FLK_QX] * e.y + x[FLK_QY] * e.x);
     turned.y = x[FLK_QX] * e.x - x[FLK_QY] * e.y;
     for (k = 0; k < 4; k++) {
@@ -99,7 +99,7 @@ static void set_derivatives(const flk_shape *shape, const double *x, const flk_p
         my = turned.y * pose->turn[k];
         mx += k < 3 ? shape->by[0][k] * pose->crank.x : -shape->ratio[0] * pose->crank.y;
         my += k < 3 ? shape->by[0][k] * pose->crank.y : shape->ratio[0] * pose->crank.x;
-        put(row, FLK_SHAPE + k, zx * mx - zy * my, zx * my + zy * mx);
+        put_part(row, FLK_SHAPE + k, zx * mx - zy * my, zx * my + zy * mx);
         row->J[TURN][FLK_SHAPE + k] = pose->turn[k];
     }
     row->J[TURN][FLK_AX] = zy / ground; /* of the direction of AD */
@@ -150,7 +150,7 @@ static int set_rows(const flk_points *p, const flk_trial *at, const flk_shape *s
                                 : 0;
     memset(row->J, 0, sizeof row->J);
     if (with_derivatives)
-        set_derivatives(shape, x, &pose, m, row);
+        set_derivatives_of_pose(shape, x, &pose, m, row);
     for (i = X; i <= TURN && with_derivatives; i++)
         for (k = 0; k < FLK_UNKNOWNS; k++)
             row->J[i][k] *= p->root[j];
@@ -191,7 +191,7 @@ static int set_extremes(const flk_points *p, const flk_trial *at, const flk_shap
 }
 
 /* The sum of squares of a trial, or any above `most`; infinite if a position is not reached. */
-static double sum_at(const flk_points *p, const flk_trial *at, double most)
+static double sum_of_squares(const flk_points *p, const flk_trial *at, double most)
 {
     unsigned long j;
     flk_shape shape;
@@ -272,7 +272,7 @@ static int set_sums(const flk_points *p, const flk_trial *at, sums *s)
 
 /* ------------------------------------------------------------------------------------- the descent */
 
-static double bounded(double x, double low, double high)
+static double within_bounds(double x, double low, double high)
 {
     return GSL_MAX_DBL(low, GSL_MIN_DBL(x, high));
 }
@@ -285,8 +285,8 @@ static int is_held(const flk_points *p, const flk_trial *at, int k, double downh
 }
 
 /* A step from `at`; 0 if there is none. */
-static int step_from(const flk_points *p, const flk_trial *at, const sums *s, double damping,
-                     flk_trial *next)
+static int damped_step(const flk_points *p, const flk_trial *at, const sums *s, double damping,
+                       flk_trial *next)
 {
     double A[FLK_UNKNOWNS][FLK_UNKNOWNS], g[FLK_UNKNOWNS], dx[FLK_UNKNOWNS], turn;
     int held[FLK_UNKNOWNS], k, l;
@@ -303,7 +303,7 @@ static int step_from(const flk_points *p, const flk_trial *at, const sums *s, do
     if (!flk_solve_normal(FLK_UNKNOWNS, A, g, dx))
         return 0;
     for (k = 0; k < FLK_UNKNOWNS; k++) {
-        next->x[k] = bounded(at->x[k] + dx[k], p->low[k], p->high[k]);
+        next->x[k] = within_bounds(at->x[k] + dx[k], p->low[k], p->high[k]);
         dx[k] = next->x[k] - at->x[k];
     }
     for (j = 0; j < p->n; j++) {
@@ -315,7 +315,7 @@ static int step_from(const flk_points *p, const flk_trial *at, const sums *s, do
         for (k = 0; k < FLK_UNKNOWNS; k++)
             turn -= s->c[j][k] * dx[k];
         next->theta2[j] =
-            at->theta2[j] + bounded(turn / (s->s[j] * (1 + damping)), -WIDEST, WIDEST);
+            at->theta2[j] + within_bounds(turn / (s->s[j] * (1 + damping)), -WIDEST, WIDEST);
     }
     next->sign = at->sign;
     next->sense = at->sense;
@@ -329,13 +329,13 @@ void flk_descend(const flk_points *p, flk_trial *at, int steps, double last_decr
     flk_trial next;
     sums s;
 
-    at->sum = sum_at(p, at, GSL_POSINF);
+    at->sum = sum_of_squares(p, at, GSL_POSINF);
     for (; steps > 0 && at->sum > 0 && at->sum < GSL_POSINF; steps--) {
         if (!set_sums(p, at, &s))
             return;
         do {
-            next.sum =
-                step_from(p, at, &s, damping, &next) ? sum_at(p, &next, at->sum) : GSL_POSINF;
+            next.sum = damped_step(p, at, &s, damping, &next) ? sum_of_squares(p, &next, at->sum)
+                                                              : GSL_POSINF;
             damping *= 3;
         } while (!(next.sum < at->sum) && damping < 1e8);
         if (!(next.sum < at->sum))
@@ -369,7 +369,7 @@ static void settle(const flk_points *p, flk_trial *at, const flk_shape *shape, u
         for (turn = 0, i = X; i <= TURN; i++)
             turn -= row.t[i] * row.r[i];
         turn /= row.t[X] * row.t[X] + row.t[Y] * row.t[Y] + row.t[TURN] * row.t[TURN] + TINY;
-        for (turn = bounded(turn, -WIDEST, WIDEST); fabs(turn) > SETTLED; turn /= 2) {
+        for (turn = within_bounds(turn, -WIDEST, WIDEST); fabs(turn) > SETTLED; turn /= 2) {
             at->theta2[j] = theta2 + turn;
             if (set_rows(p, at, shape, j, 1, &row) && square_of(&row) < square)
                 break;
@@ -391,7 +391,7 @@ void flk_settle(const flk_points *p, flk_trial *at)
     flk_shape_of(p, at, &shape);
     for (j = 0; j < p->n; j++)
         settle(p, at, &shape, j);
-    at->sum = sum_at(p, at, GSL_POSINF);
+    at->sum = sum_of_squares(p, at, GSL_POSINF);
 }
 
 /* P = A + (D - A) r2 e^(i theta2) + Y e^(i theta3), Y = (D - A) q: linear in A, D and Y. */
@@ -454,6 +454,6 @@ int flk_fit_pivots(const flk_points *p, flk_trial *at)
     at->x[FLK_QX] = (y[4] * y[0] + y[5] * y[1]) / ground;
     at->x[FLK_QY] = (y[5] * y[0] - y[4] * y[1]) / ground;
     for (k = 0; k < FLK_SHAPE; k++)
-        at->x[k] = bounded(at->x[k], p->low[k], p->high[k]);
+        at->x[k] = within_bounds(at->x[k], p->low[k], p->high[k]);
     return 1;
 }

@@ -106,7 +106,7 @@ static int check_ground(const fourlink_ground *ground)
 }
 
 /* The points in units of their size, their weights with a mean of 1. */
-static int set_points(search *s)
+static int set_positions(search *s)
 {
     const fourlink_points_task *task = s->task;
     flk_points *p = &s->points;
@@ -439,7 +439,7 @@ static void keep(search *s, const candidate *c)
 }
 
 /* Keep a linkage if it passes the checks; 0 if it does not. */
-static int take(search *s, const flk_trial *at, int is_swapped, double least_mu)
+static int take_trial(search *s, const flk_trial *at, int is_swapped, double least_mu)
 {
     candidate c;
 
@@ -489,7 +489,7 @@ static void run(search *s)
         if (!(s->trial.sum < promising(s)))
             continue;
         flk_descend(&s->points, &s->trial, CLOSE_STEPS, CLOSELY);
-        take(s, &s->trial, s->is_swapped, 0);
+        take_trial(s, &s->trial, s->is_swapped, 0);
     }
     n = s->n_kept;
     memcpy(s->rough, s->kept, n * sizeof *s->kept);
@@ -502,13 +502,13 @@ static void run(search *s)
         stiffen(s, at);
         flk_settle(&s->points, at);
         flk_settle(&s->points, &s->trial);
-        if (!take(s, at, s->is_swapped, s->task->mu_min)) /* a link has become too long */
-            take(s, &s->trial, s->is_swapped, s->task->mu_min);
+        if (!take_trial(s, at, s->is_swapped, s->task->mu_min)) /* a link has become too long */
+            take_trial(s, &s->trial, s->is_swapped, s->task->mu_min);
     }
 }
 
 /* Sum, root mean square and largest distance, m; largest error of the coupler's angle. */
-static void measure(const search *s, fourlink_solution *found)
+static void measure_sizes(const search *s, fourlink_solution *found)
 {
     double squares = 0, square;
     int i;
@@ -549,14 +549,14 @@ int fourlink_synthesis_points(const fourlink_points_task *task, unsigned long ma
     if (!s)
         return FOURLINK_NO_MEMORY;
     s->task = task;
-    status = set_points(s);
+    status = set_positions(s);
     if (status == FOURLINK_OK)
         run(s);
     if (status == FOURLINK_OK && s->n_kept == 0)
         status = FOURLINK_NONE_FOUND;
     for (i = 0; status == FOURLINK_OK && i < s->n_kept && i < max; i++) {
         check_trial(s, &s->kept[i].trial, s->kept[i].is_swapped, &solutions[i]);
-        measure(s, &solutions[i]);
+        measure_sizes(s, &solutions[i]);
         solutions[i].starts = s->n_starts;
     }
     if (status == FOURLINK_OK)
