@@ -1362,6 +1362,26 @@ FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i
                                       fourlink_spring *spring);
 FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
 
+/* An actuator of a deck, between points of two links. */
+typedef struct fourlink_actuator {
+    const char *name;          /* null-terminated, valid as long as the deck */
+    int link, to;              /* FOURLINK_GROUND, FOURLINK_CRANK ... */
+    fourlink_vector at, to_at; /* m, in the axes of these links */
+    double bore, rod_diameter; /* m; 0: not given */
+    int drives;                /* 1: its force drives the machine */
+} fourlink_actuator;
+
+/* Given:
+**    deck       from fourlink_deck_read
+**    i          from 0
+** Returned:
+**    actuator   the actuator
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_POINT if there is no such actuator
+*/
+FOURLINK_API int fourlink_deck_actuator(const fourlink_deck *deck, unsigned long i,
+                                        fourlink_actuator *actuator);
+
 /* The status of a row in words: as fourlink_status_text, and which output cannot be assembled.
 **
 ** Given:

@@ -356,6 +356,26 @@ int fourlink_deck_spring(const fourlink_deck *d, unsigned long i, const char **n
     return FOURLINK_OK;
 }
 
+int fourlink_deck_actuator(const fourlink_deck *d, unsigned long i, fourlink_actuator *actuator)
+{
+    const flk_actuator *x;
+
+    if (!d || !actuator)
+        return FOURLINK_NULL;
+    if (i >= d->n_actuators)
+        return FOURLINK_NO_SUCH_POINT;
+    x = &d->actuators[i];
+    actuator->name = x->name;
+    actuator->link = x->link;
+    actuator->to = x->to;
+    actuator->at = x->at;
+    actuator->to_at = x->to_at;
+    actuator->bore = x->bore;
+    actuator->rod_diameter = x->rod_diameter;
+    actuator->drives = d->machine.mechanism.drive && d->machine.mechanism.drive->actuator == x;
+    return FOURLINK_OK;
+}
+
 int fourlink_deck_friction(const fourlink_deck *d, fourlink_friction *friction)
 {
     if (!d || !friction)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** spring.c - springs as a zigzag, dampers as a cylinder with its piston, torsional springs as a spiral.
+** spring.c - what joins two points: springs as a zigzag, dampers as a cylinder with its piston, actuators as a cylinder with
+** its rod; torsional springs as a spiral.
 */
 #include <math.h>
 
@@ -143,6 +144,36 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     sketch_text(s, place(&x, 0.5, end + 1), -x.axis.y, x.axis.x, name);
 }
 
+/* As fractions of the length of an actuator: the end of its cylinder, and its piston. */
+#define BARREL 0.6
+#define HEAD 0.5
+
+static void draw_actuator(sketch *s, const picture *p, const fourlink_state *state,
+                          const fourlink_actuator *actuator)
+{
+    fourlink_vector to = geometry_of_link(state, actuator->link, &actuator->at);
+    strand x;
+
+    x.s = s;
+    x.side = 0;
+    x.from = geometry_of_link(state, actuator->to, &actuator->to_at);
+    x.length = place_distance(x.from, to);
+    x.half = HALF_WIDTH * s->size;
+    if (x.length == 0)
+        return;
+    x.axis = place_at((to.x - x.from.x) / x.length, (to.y - x.from.y) / x.length);
+    put_end(&x, p, state, actuator->to, 0);
+    put_end(&x, p, state, actuator->link, 1);
+    put_line(&x, 0, -1, 0, 1);
+    put_line(&x, 0, -1, BARREL, -1);
+    put_line(&x, 0, 1, BARREL, 1);
+    put_line(&x, BARREL, -1, BARREL, -0.3);
+    put_line(&x, BARREL, 0.3, BARREL, 1);
+    put_line(&x, HEAD, -1, HEAD, 1);
+    put_line(&x, HEAD, 0, 1, 0);
+    sketch_text(s, place(&x, 0.3, 1), -x.axis.y, x.axis.x, actuator->name);
+}
+
 /* The direction of a link from a pin; of the ground downwards. */
 static double direction_from(const picture *p, const fourlink_state *state, int link,
                              fourlink_vector pin)
@@ -171,8 +202,13 @@ void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int h
     fourlink_spring spring;
     fourlink_spring_state at;
     const char *name = "";
+    fourlink_actuator actuator;
     unsigned long i;
 
+    for (i = 0; fourlink_deck_actuator(p->v.deck, i, &actuator) == FOURLINK_OK; i++) {
+        sketch_show(s, SKETCH_SPRING, p->v.problem.n_springs + i);
+        draw_actuator(s, p, state, &actuator);
+    }
     for (i = 0; i < p->v.problem.n_springs; i++) {
         fourlink_deck_spring(p->v.deck, i, &name, &spring);
         sketch_show(s, SKETCH_SPRING, i);

@@ -205,6 +205,7 @@ static int is_known(text name)
 
     flk_at_angle_cut(name, &name, &angle);
     return flk_column_is_known(name) || flk_text_equal(name, "all") ||
+           flk_text_equal(name, flk_drive_columns.infos[0].name) ||
            memchr(name.start, '.', name.length) != NULL || flk_column_statistic_of(name, &name);
 }
 

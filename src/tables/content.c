@@ -33,7 +33,7 @@ static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *a
     row->values = s->values;
     row->branch = branch;
     row->at = at;
-    row->last = at->row.angle;
+    row->last = view_shown_place(&s->v, &at->row);
     find_status(s, row);
 }
 

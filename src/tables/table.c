@@ -174,10 +174,11 @@ static void put_reason(sheet *s, const sheet_row *row)
 
     line_put(&s->l, "# ");
     if (row->at) {
-        line_put(&s->l, "%12g ", row->at->row.angle);
-        if (row->last != row->at->row.angle)
+        line_put(&s->l, "%12g ", view_shown_place(&s->v, &row->at->row));
+        if (row->last != view_shown_place(&s->v, &row->at->row))
             line_put(&s->l, "to %12g ", row->last);
-        line_put(&s->l, "%s: %s", s->v.units[QUANTITY_ANGLE].name,
+        line_put(&s->l, "%s: %s",
+                 s->v.units[s->v.problem.is_prescribed ? s->v.over : QUANTITY_ANGLE].name,
                  is_not_reached(row->at->status) ? "not reached: " : "");
     }
     if (strncmp(why, cannot, sizeof cannot - 1) == 0)

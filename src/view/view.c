@@ -385,6 +385,11 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
                          format_general(of, 9, last), " loads act", (char *)NULL);
 }
 
+double view_shown_place(const view *v, const fourlink_row *row)
+{
+    return v->problem.is_prescribed ? view_over(v, row->place) : row->angle;
+}
+
 int view_goes_to(const view *v, int status)
 {
     return status == FOURLINK_INPUT_DEAD_CENTRE && v->problem.is_prescribed &&

@@ -111,6 +111,9 @@ int view_find_position(const view *v, fourlink_branch branch, const view_spot *s
 const char *view_tell_position(const view *v, const fourlink_instant *now,
                                const fourlink_load *loads, char out[VIEW_WHY]);
 
+/* Where a row is, in the deck's unit: the crank angle, or the value of what is prescribed. */
+double view_shown_place(const view *v, const fourlink_row *row);
+
 /* 1 for a row at an end of the range, which goes to a dead centre of what is prescribed: nothing is missing there. */
 int view_goes_to(const view *v, int status);
 
