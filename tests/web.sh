@@ -11,7 +11,7 @@ install cmake make gcc libgsl-dev libcmocka-dev dpkg-dev man-db bsdextrautils em
 sh "$source/web/build.sh" fourlink.html "$work"
 status=0
 [ "$(wc -c <fourlink.html)" -lt 900000 ] || status=1
-count $status 'the page has 750 kB or more'
+count $status 'the page has 900 kB or more'
 
 configure native
 build native all

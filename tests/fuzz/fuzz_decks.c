@@ -37,7 +37,8 @@ static void ask_rows(fourlink_results *r, const fourlink_problem *p, double *val
         for (i = 0; i <= p->n_rows; i++) {
             status = fourlink_results_row(r, branches[b], i, values, &now, loads);
             MUST((i == p->n_rows) == (status == FOURLINK_NO_SUCH_ROW));
-            MUST(status < 20 || status == FOURLINK_NO_SUCH_ROW);
+            MUST(status < 20 || status == FOURLINK_INPUT_DEAD_CENTRE ||
+                 status == FOURLINK_NO_SUCH_ROW);
             if (status != FOURLINK_OK)
                 continue;
             MUST(isfinite(now.state.sine) && isfinite(now.row.time));
@@ -46,7 +47,8 @@ static void ask_rows(fourlink_results *r, const fourlink_problem *p, double *val
             status = fourlink_results_along(r, branches[b], now.row.place, values, &now, loads);
             MUST(status == FOURLINK_OK);
             status = fourlink_results_at(r, branches[b], now.row.angle, values, &now, loads);
-            MUST(status < 20 || status == FOURLINK_NO_SUCH_ANGLE);
+            MUST(status < 20 || status == FOURLINK_INPUT_DEAD_CENTRE ||
+                 status == FOURLINK_NO_SUCH_ANGLE);
         }
 }
 

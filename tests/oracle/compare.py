@@ -426,6 +426,10 @@ def main(arguments):
     warnings.simplefilter('ignore')
     for path in decks:
         begin = time.process_time()
+        with open(path, encoding='utf-8', errors='replace') as text:
+            if re.search(r'^ *(drive|input) *=|^ *\[actuator', text.read(), re.M):
+                tally.left_out.append('%s: it is driven elsewhere than at the crank' % os.path.basename(path))
+                continue
         try:
             compare_deck(tally, fourlink, path, rows_only)
         except (ArithmeticError, Stops) as why:
