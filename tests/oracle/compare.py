@@ -427,8 +427,8 @@ def main(arguments):
     for path in decks:
         begin = time.process_time()
         with open(path, encoding='utf-8', errors='replace') as text:
-            if re.search(r'^ *(drive|input) *=|^ *\[actuator', text.read(), re.M):
-                tally.left_out.append('%s: it is driven elsewhere than at the crank' % os.path.basename(path))
+            if re.search(r'^ *(drive|input|program) *=|^ *\[actuator', text.read(), re.M):
+                tally.left_out.append('%s: its drive, input or program is not known' % os.path.basename(path))
                 continue
         try:
             compare_deck(tally, fourlink, path, rows_only)
