@@ -198,7 +198,7 @@ double handed_date(text stem)
     double date = 0;
     size_t i;
 
-    for (i = 0; i < stem.length && !date; i++)
+    for (i = 0; i < stem.length && date == 0; i++)
         if (i == 0 || !flk_text_is_word(stem.start[i - 1]) || stem.start[i - 1] == '_') {
             text rest = flk_text_from(stem, i);
 

@@ -435,7 +435,7 @@ static void give(student *x, const char *folder, const char *name)
     } else {
         date = handed_date(flk_text_of(name));
         other = handed_date(flk_text_of(x->file));
-        marked = !date || !other || date == other ? NULL : date > other ? name : x->file;
+        marked = date == 0 || other == 0 || date == other ? NULL : date > other ? name : x->file;
         told = marked == name ? x->file : name;
         if (!marked)
             x->second = name;
