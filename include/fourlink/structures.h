@@ -1033,6 +1033,8 @@ FOURLINK_API int fourlink_motor_torque(const fourlink_motor *motor, double omega
 **    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts),
 **    for an inverted one (... F23y M34 N34 F14x F14y Ts),
 **    where N is the force of the guide on the piston along +y.
+**
+**    Of a deck whose drive is not the crank the ninth is the effort of what drives, in place of Ts.
 ** Reference:
 **    ME3491, eq. 15 and the matrix below it, corrected.
 */

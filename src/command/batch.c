@@ -194,7 +194,13 @@ static int begin_marks(batch *b)
 
     if (b->m.exercise.deck.results)
         b->o = &b->m.exercise.of_answers;
-    return !status && b->o->feedback ? files_make_folder(b->o->feedback) : status;
+    if (!status && b->o->feedback)
+        status = files_make_folder(b->o->feedback);
+    if (!status && b->o->feedback && b->o->check_file &&
+        system_is_same(b->o->feedback, b->o->check_file))
+        status =
+            command_complain("cannot write", b->o->feedback, "the answers of the class are there");
+    return status;
 }
 
 /* Write an input, or its score alone; returns the exit status. */

@@ -11,6 +11,7 @@
 #include "system/memory.h"
 #include "command.h"
 #include "exercise.h"
+#include "handout.h"
 
 #define KEY "grading."
 
@@ -52,7 +53,7 @@ static int take_grading(exercise *x, const options *o)
     unsigned long length = 0;
     char *deck = input_deck_text(x->deck.results, &length), *out;
     int is_grading = 0;
-    text rest, row;
+    text rest, row, name;
     size_t n_lines;
 
     rest.start = deck;
@@ -65,8 +66,8 @@ static int take_grading(exercise *x, const options *o)
         x->of_answers.changes = x->changes;
         while (flk_text_split(&rest, '\n', &row)) {
             row = flk_text_trim(row);
-            if (row.length && row.start[0] == '[')
-                is_grading = flk_text_equal(row, "[grading]");
+            if (handout_section(row, &name))
+                is_grading = flk_text_equal(name, "grading");
             else if (is_grading && row.length)
                 out = add_change(x, row, out);
         }

@@ -250,7 +250,9 @@ int files_tell_clash(const options *o)
 
     list_outputs(o, outputs);
     for (i = 0; i < OUTPUTS; i++) {
-        is_read = o->check_file && replaces(outputs[i], o->check_file);
+        is_read = (o->check_file && replaces(outputs[i], o->check_file)) ||
+                  (o->names && replaces(outputs[i], o->names)) ||
+                  (o->exercise && replaces(outputs[i], o->exercise));
         for (deck = 0; deck < o->n_decks; deck++)
             is_read |= replaces(outputs[i], o->decks[deck]);
         if (is_read)

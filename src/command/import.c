@@ -162,6 +162,12 @@ static const char *word_of(const import *m, int number)
     return words[m->slide != NULL][number - 2];
 }
 
+/* 1 for a piston, which does not turn. */
+static int is_piston(const import *m, int number)
+{
+    return number == 4 && m->slide;
+}
+
 static int is_pin(const import *m, const pmks_joint *x)
 {
     int i;
@@ -313,7 +319,8 @@ static void put_masses(import *m)
         add_words(m, word_of(m, number));
         add_words(m, "]\n");
         put_quantity(m, "mass", b->mass, m->from.units->mass);
-        put_quantity(m, "inertia", b->inertia, m->from.units->inertia);
+        if (!is_piston(m, number))
+            put_quantity(m, "inertia", b->inertia, m->from.units->inertia);
         put_place(m, "cg_place", b->x, b->y);
     }
     if (!m->from.has_gravity)
@@ -362,17 +369,16 @@ static void put_loads(import *m)
     for (i = 0; i < m->from.n_forces; i++) {
         const pmks_force *a = &m->from.forces[i];
         double along = direction(a->x, a->y, a->to_x, a->to_y);
-        int number = number_of(m, a->link);
+        int number = number_of(m, a->link), is_fixed = a->is_fixed || is_piston(m, number);
 
-        if (!number || (number == 4 && m->slide) || !m->from.units->force ||
-            (a->x == a->to_x && a->y == a->to_y)) {
+        if (!number || !m->from.units->force || (a->x == a->to_x && a->y == a->to_y)) {
             pmks_note(&m->from, "force %t is left out: %s", a->name,
-                      !m->from.units->force                  ? "its unit is not known"
-                      : number && !(number == 4 && m->slide) ? "it has no direction"
-                                                             : "its link is none of the four");
+                      !m->from.units->force ? "its unit is not known"
+                      : number              ? "it has no direction"
+                                            : "its link is none of the four");
             continue;
         }
-        if (!a->is_fixed)
+        if (!is_fixed)
             along -= axis_of(m, number);
         add_words(m, "\n[load ");
         add_text(m, a->name);
@@ -386,7 +392,7 @@ static void put_loads(import *m)
         add_words(m, m->from.units->force);
         add_words(m, " at ");
         put_number(m, along);
-        add_words(m, a->is_fixed ? " deg\n" : " deg\nframe = link\n");
+        add_words(m, is_fixed ? " deg\n" : " deg\nframe = link\n");
     }
 }
 

@@ -161,6 +161,39 @@ static int usual_drive(parser *p, flk_drive *drive)
     return drive_of_link(p, flk_text_of(drive->name), drive);
 }
 
+/* The place of a link of an [output] on which a drive acts; null if there is none. */
+static const setting *find_output_link(parser *p, const flk_drive *drive)
+{
+    static const key_code keys[] = {KEY_ACTUATOR_LINK, KEY_ACTUATOR_TO, KEY_LOAD_LINK};
+    text name = flk_text_of(drive->name);
+    size_t i;
+
+    for (i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        int is_load = keys[i] == KEY_LOAD_LINK;
+        const section_use *use =
+            is_load == (drive->sort == FLK_DRIVE_LOAD)
+                ? flk_section_find(p, is_load ? SECTION_LOAD : SECTION_ACTUATOR, &name)
+                : NULL;
+        const setting *link = use ? flk_setting_of(use, keys[i]) : NULL;
+
+        if (link && link->word > FOURLINK_FOLLOWER)
+            return link;
+    }
+    return NULL;
+}
+
+/* Refuse a drive on a link of an [output]: the nine equations have the four links alone. */
+static void check_links(parser *p, const flk_drive *drive)
+{
+    const setting *link = find_output_link(p, drive);
+
+    if (link)
+        flk_mistake(p->mistakes, link->place,
+                    "what drives acts on the four links, not on %t, which is of an [output]: "
+                    "[motion] drive = crank",
+                    link->value);
+}
+
 /* Refuse what needs a torque on the crank. */
 static void check_others(parser *p, text_place place)
 {
@@ -232,8 +265,10 @@ void flk_build_drive(parser *p)
         drive = NULL;
     }
     check_unknown(p, drive);
-    if (drive)
+    if (drive) {
+        check_links(p, drive);
         check_others(p, IS_SET(s) ? s->place : second ? second->place : flk_reader_end(p));
+    }
     p->d->machine.mechanism.drive = drive;
     p->d->has_forces |= drive != NULL;
 }

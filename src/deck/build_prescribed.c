@@ -87,6 +87,11 @@ static const flk_actuator *find_actuator(parser *p, const setting *input)
             "the crank does not follow in one way from the length of an actuator that joins "
             "two moving links, or is on the %s: --at='%t = ...' finds the places of a length",
             fourlink_link_text(kind, FOURLINK_COUPLER), input->value);
+    else if (link > FOURLINK_FOLLOWER)
+        flk_mistake(p->mistakes, input->place,
+                    "the length of an actuator that is prescribed is between the ground and the "
+                    "crank or %s, not a link of an [output]",
+                    fourlink_link_text(kind, FOURLINK_FOLLOWER));
     else if (fourlink_slides(kind, link))
         flk_mistake(p->mistakes, input->place,
                     "an actuator on the %s, which slides: input = x prescribes its place",
@@ -143,14 +148,14 @@ static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch bran
             r->list[r->n++] = all[i];
 }
 
-/* A value of the coordinate moved by whole turns, if it is an angle, to where a stretch has it; 0 if it is not
-** there. */
+/* A value of the coordinate moved by whole turns, if it is an angle outside a stretch, to where the stretch has it; 0 if it
+** is not there. */
 static int move_into(const deck_prescribed *x, const flk_stretch *s, double *value)
 {
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
     double close = CLOSE * (high - low), at = *value - x->motion.x_at;
 
-    if (x->q->is_angle)
+    if (x->q->is_angle && !(low - close <= at && at <= high + close))
         at = flk_cycle_place(at, low - close, 2 * M_PI);
     *value = GSL_MIN(GSL_MAX(at, low), high) + x->motion.x_at;
     return low - close <= at && at <= high + close;
@@ -175,18 +180,41 @@ static const char *list_reach(parser *p, const deck_prescribed *x, const reach *
     return out;
 }
 
+/* Let a stretch of a whole turn begin at the lower end of a range. */
+static void turn_stretch(parser *p, const deck_prescribed *x, fourlink_branch branch,
+                         const double *from, const double *to, flk_stretch *s)
+{
+    double low = from && to ? GSL_MIN(*from, *to) : from ? *from : *to - 2 * M_PI;
+    flk_prescribed at = {0, 0, 0};
+    fourlink_crank crank;
+
+    at.value = low - x->motion.x_at;
+    if (flk_coordinate_crank(x->q, &p->d->machine.mechanism, branch, s, &at, &crank) != FOURLINK_OK)
+        return;
+    s->theta2_to = crank.theta2 + (s->theta2_to - s->theta2_from);
+    s->theta2_from = crank.theta2;
+    s->from = at.value + (s->side > 0 ? 0 : 2 * M_PI);
+    s->to = at.value + (s->side > 0 ? 2 * M_PI : 0);
+}
+
 /* The stretch in which both ends of a range are; null if there is none. */
-static const flk_stretch *find_stretch(const deck_prescribed *x, const reach *r, const double *from,
-                                       const double *to)
+static const flk_stretch *find_stretch(parser *p, const deck_prescribed *x, fourlink_branch branch,
+                                       reach *r, const double *from, const double *to)
 {
     double at[2];
     int i;
 
     for (i = 0; i < r->n; i++) {
-        at[0] = from ? *from : r->list[i].from + x->motion.x_at;
-        at[1] = to ? *to : r->list[i].to + x->motion.x_at;
-        if (move_into(x, &r->list[i], &at[0]) && move_into(x, &r->list[i], &at[1]))
-            return &r->list[i];
+        flk_stretch *s = &r->list[i];
+        double width = fabs(s->to - s->from);
+
+        if ((from || to) && x->q->is_angle && fabs(width - 2 * M_PI) <= CLOSE * width)
+            turn_stretch(p, x, branch, from, to, s);
+        at[0] = from ? *from : s->from + x->motion.x_at;
+        at[1] = to ? *to : s->to + x->motion.x_at;
+        if (move_into(x, s, &at[0]) && move_into(x, s, &at[1]) &&
+            (!from || !to || fabs((at[1] - at[0]) - (*to - *from)) <= 2 * CLOSE * width))
+            return s;
     }
     return NULL;
 }
@@ -225,7 +253,7 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
             fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges));
         return 0;
     }
-    found = find_stretch(x, &r, from, to);
+    found = find_stretch(p, x, branch, &r, from, to);
     if (found)
         *DECK_STRETCH(x, branch) = *found;
     else
@@ -254,6 +282,14 @@ static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
     p->d->open = open;
     p->d->crossed = crossed;
     return open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+}
+
+/* Refuse a place by the crank as it is drawn: it is one of the coordinate. */
+static void check_drawn(parser *p, const deck_prescribed *x, const setting *s)
+{
+    if (IS_DRAWN(s))
+        flk_mistake(p->mistakes, s->place, "'drawn' is a crank angle: give a value of %s",
+                    x->q->words);
 }
 
 /* The rows: without `from` and `to`, from end to end of the stretch, in the sense of the speed. */
@@ -296,6 +332,17 @@ static void build_range(parser *p, deck_prescribed *x, fourlink_branch branch)
                     fourlink_status_text(status != FOURLINK_OK ? status : FOURLINK_TOO_MANY_ROWS));
 }
 
+/* The stretch of a branch in which a crank angle is. */
+static void choose_by_crank(const parser *p, deck_prescribed *x, fourlink_branch branch)
+{
+    flk_stretch all[FLK_STRETCHES];
+    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i;
+
+    for (i = 0; i < n; i++)
+        if (i == 0 || has_angle(&all[i], x->theta2))
+            *DECK_STRETCH(x, branch) = all[i];
+}
+
 /* One instant: at a value of the coordinate or at a crank angle. */
 static void build_instant(parser *p, deck_prescribed *x, const setting *at)
 {
@@ -303,9 +350,14 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
 
     p->d->one_instant = 1;
     x->motion.interval = 1; /* any value */
-    x->is_at_crank = !x->q->is_angle && flk_quantity_of_key(use, KEY_MOTION_AT) == QUANTITY_ANGLE;
+    x->is_at_crank = IS_DRAWN(at) ||
+                     (!x->q->is_angle && flk_quantity_of_key(use, KEY_MOTION_AT) == QUANTITY_ANGLE);
     x->motion.from = x->motion.to = x->is_at_crank ? 0 : at->si[0];
     x->theta2 = flk_setting_crank_angle(p, at) - p->d->axes.angle;
+    if (x->is_at_crank) {
+        choose_by_crank(p, x, FOURLINK_OPEN);
+        choose_by_crank(p, x, FOURLINK_CROSSED);
+    }
 }
 
 void flk_build_prescribed(parser *p)
@@ -332,6 +384,10 @@ void flk_build_prescribed(parser *p)
     x->motion.acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
     x->motion.hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;
     p->d->prescribed = x;
+    check_drawn(p, x, flk_setting_find(p, KEY_MOTION_FROM));
+    check_drawn(p, x, flk_setting_find(p, KEY_MOTION_TO));
+    if (flk_mistakes_count(p->mistakes))
+        return;
     if (IS_SET(at))
         build_instant(p, x, at);
     if (!x->is_at_crank) {

@@ -198,9 +198,8 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
-    const flk_program *program; /* of the crank over time; null: the motion is another */
-    const deck_prescribed
-        *prescribed;               /* in place of the crank angle; null: it is the crank angle */
+    const flk_program *program;    /* of the crank over time; null: the motion is another */
+    deck_prescribed *prescribed;   /* in place of the crank angle; null: it is the crank angle */
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */

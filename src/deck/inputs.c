@@ -30,11 +30,20 @@ static const fourlink_link *link_of(const deck *d, const section_use *use, key_c
         link = link_of_output(d, use, key);
     else if (use->section == SECTION_SPRING)
         link = flk_setting_of(use, key == KEY_SPRING_AT ? KEY_SPRING_LINK : KEY_SPRING_TO)->word;
+    else if (use->section == SECTION_ACTUATOR)
+        link =
+            flk_setting_of(use, key == KEY_ACTUATOR_AT ? KEY_ACTUATOR_LINK : KEY_ACTUATOR_TO)->word;
     else
         while (link < FOURLINK_FOLLOWER &&
                flk_section_of_link(d->machine.mechanism.design.kind, link) != use->section)
             link++;
     return FLK_LINK(&d->machine.mechanism, link);
+}
+
+/* 1 for the force or torque of the load that drives, whose size is unknown. */
+static int is_unknown(key_code key, const setting *s)
+{
+    return (key == KEY_LOAD_FORCE || key == KEY_LOAD_TORQUE) && s->word != 0;
 }
 
 /* The meaning of a key where another coordinate than the crank angle is prescribed. */
@@ -79,9 +88,10 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
         x->words = fourlink_deck_link_text(d, s->word);
     else if (s->word)
-        x->words = key->form == FORM_CRANK
-                       ? "drawn"
-                       : "constant"; /* the torque of a motor that balances the loads */
+        x->words = key->form == FORM_CRANK ? "drawn"
+                   : is_unknown(t->key, s)
+                       ? "unknown"
+                       : "constant"; /* torque of a motor that balances the loads */
     else
         x->number = flk_target_number(t);
     if (s->of_pins) {
@@ -117,8 +127,8 @@ void flk_inputs_walk(const deck *d, section_code section, deck_input_taker *take
         for (t.key = flk_first_key(section); t.key < flk_first_key(section + 1); t.key++) {
             const setting *s = flk_setting_of(use, t.key);
             value_form form = flk_key_table[t.key].form;
-            int has_parts =
-                (form == FORM_VECTOR || form == FORM_POINT || form == FORM_PLACE) && !s->curve;
+            int has_parts = (form == FORM_VECTOR || form == FORM_POINT || form == FORM_PLACE) &&
+                            !s->curve && !is_unknown(t.key, s);
             int part = has_parts ? PART_X : PART_NONE, last = has_parts ? PART_Y : PART_NONE;
 
             t.use = (size_t)(use - p->uses);

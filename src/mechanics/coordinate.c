@@ -19,8 +19,10 @@
 #define DEAD 1e-7      /* of the crank's length, or of 1: K below it is 0 */
 #define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
 #define ON_BRANCH 1e-9 /* of the crank's length, or rad: a value found again */
-#define INSIDE 1e-6    /* rad: what rounding puts beside a stretch, near its ends */
-#define LEAST 1e-12    /* of the same: the length of a stretch */
+#define END 1e-13      /* of the length of a stretch: what counts as its end */
+#define AT_END 1e-5 /* at an end K below this is 0: it grows with the root of the way from there */
+#define INSIDE 1e-6 /* rad: what rounding puts beside a stretch, near its ends */
+#define LEAST 1e-12 /* of the same: the length of a stretch */
 
 const flk_coordinate flk_coordinates[FLK_COORDINATES] = {
     {"theta4", "\316\270\342\202\204", "theta4", 1,
@@ -167,6 +169,13 @@ static int list_cranks(const flk_coordinate *q, const fourlink_mechanism *mechan
     return 2;
 }
 
+static int is_at_end(const flk_stretch *stretch, double value)
+{
+    double close = END * fabs(stretch->to - stretch->from);
+
+    return fabs(value - stretch->from) <= close || fabs(value - stretch->to) <= close;
+}
+
 /* Move a crank angle by whole periods to where a stretch has it; 0 if that does not. */
 static int move_into(const flk_stretch *stretch, double period, double *theta2)
 {
@@ -195,8 +204,11 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
             tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
             if (tried != FOURLINK_OK)
                 status = tried;
-            else if (is_same(q, mechanism, unit->value, value))
+            else if (is_same(q, mechanism, unit->value, value)) {
+                if (is_at_end(stretch, value) && fabs(unit->rate) < AT_END * scale_of(q, mechanism))
+                    unit->rate = 0;
                 return FOURLINK_OK;
+            }
         }
     }
     return status;
@@ -241,6 +253,40 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
     return set_rates(q, mechanism, &unit, at, crank);
 }
 
+double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, double theta2)
+{
+    fourlink_state state;
+    flk_prescribed at;
+
+    flk_mechanism_place(mechanism, branch, theta2, &state);
+    state.link[FOURLINK_FOLLOWER].omega = state.link[FOURLINK_FOLLOWER].alpha = 0;
+    memset(&state.link[FOURLINK_FOLLOWER].velocity, 0, sizeof(fourlink_vector));
+    memset(&state.link[FOURLINK_FOLLOWER].acceleration, 0, sizeof(fourlink_vector));
+    state.v = state.a = state.slide_v = state.slide_a = 0;
+    flk_coordinate_of(q, &state, &at);
+    return at.value;
+}
+
+double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                              fourlink_branch branch, const flk_stretch *stretch, double value)
+{
+    double from = stretch->theta2_from, to = stretch->theta2_to, middle, at;
+    double low = GSL_MIN(stretch->from, stretch->to) - INSIDE;
+
+    for (;;) {
+        middle = 0.5 * (from + to);
+        if (middle <= from || middle >= to)
+            return middle;
+        at = flk_coordinate_value(q, mechanism, branch, middle);
+        at = q->is_angle ? flk_cycle_place(at, low, 2 * M_PI) : at;
+        if ((at < value) == (stretch->side > 0))
+            from = middle;
+        else
+            to = middle;
+    }
+}
+
 /* ------------------------------------------------------------------------------------------------- stretches */
 
 /* K as a function of theta2. */
@@ -259,21 +305,6 @@ static double rate_at(double theta2, void *data)
                                                                                       : GSL_NAN;
 }
 
-/* The value at an end of a stretch, where the position may be dead: links 3 and 4 are in line then. */
-static double value_at(const rate_search *s, double theta2)
-{
-    fourlink_state state;
-    flk_prescribed at;
-
-    flk_mechanism_place(s->mechanism, s->branch, theta2, &state);
-    state.link[FOURLINK_FOLLOWER].omega = state.link[FOURLINK_FOLLOWER].alpha = 0;
-    memset(&state.link[FOURLINK_FOLLOWER].velocity, 0, sizeof(fourlink_vector));
-    memset(&state.link[FOURLINK_FOLLOWER].acceleration, 0, sizeof(fourlink_vector));
-    state.v = state.a = state.slide_v = state.slide_a = 0;
-    flk_coordinate_of(s->q, &state, &at);
-    return at.value;
-}
-
 /* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length. */
 static int add_stretch(const rate_search *s, double from, double to, double way, flk_stretch *list,
                        int n)
@@ -285,8 +316,8 @@ static int add_stretch(const rate_search *s, double from, double to, double way,
     x->theta2_from = from;
     x->theta2_to = to;
     x->side = way > 0 ? FLK_RISING : FLK_FALLING;
-    x->from = value_at(s, from);
-    x->to = value_at(s, to);
+    x->from = flk_coordinate_value(s->q, s->mechanism, s->branch, from);
+    x->to = flk_coordinate_value(s->q, s->mechanism, s->branch, to);
     if (s->q->is_angle)
         x->to += 2 * M_PI * flk_cycle_nearest(way - (x->to - x->from), 2 * M_PI);
     return fabs(x->to - x->from) > LEAST * scale_of(s->q, s->mechanism) ? n + 1 : n;

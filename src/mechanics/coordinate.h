@@ -64,6 +64,15 @@ int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mech
 int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);
 
+/* The value where a crank angle is, also at a dead position, a change point, or where an output cannot be assembled; an angle
+** is that of the principal turn. */
+double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, double theta2);
+
+/* The crank angle of a value in a stretch, at those places too: by bisection. */
+double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                              fourlink_branch branch, const flk_stretch *stretch, double value);
+
 #define FLK_STRETCHES 16 /* at most */
 
 /* List the stretches of a branch, and return their number. */

@@ -78,6 +78,7 @@ static void take_peak(search *x, const flk_sample p[3])
     take_zero(x, &top, &p[2]);
 }
 
+/* A whole turn has one more sample, for the peaks about its first and last angle. */
 static void search_range(search *x, double from, double to, int is_whole)
 {
     int n = (int)ceil(SAMPLES * (to - from) / (2 * M_PI)) + 8, i;
@@ -85,12 +86,12 @@ static void search_range(search *x, double from, double to, int is_whole)
 
     p[0].value = p[1].value = GSL_NAN;
     p[0].x = p[1].x = from;
-    for (i = 0; i <= n; i++) {
+    for (i = 0; i <= n + is_whole; i++) {
         double part = (double)i / n;
 
         p[2].x = from + (to - from) * (is_whole ? part : (1 - cos(M_PI * part)) / 2);
         p[2].value = margin_at(p[2].x, x);
-        if (p[1].value * p[2].value < 0)
+        if (i <= n && p[1].value * p[2].value < 0)
             take_zero(x, &p[1], &p[2]);
         else if (p[0].value * p[1].value > 0)
             take_peak(x, p);

@@ -141,6 +141,8 @@ int fourlink_unknowns(const fourlink_mechanism *mechanism, const fourlink_forces
         return FOURLINK_NULL;
     for (i = 0; i < 9; i++)
         x[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_JOINT_OF(kind, i)]);
+    if (mechanism->drive)
+        x[8] = forces->drive;
     return FOURLINK_OK;
 }
 

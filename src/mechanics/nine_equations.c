@@ -290,6 +290,7 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     flk_body body[3];
     fourlink_vector centre[3];
     flk_unit_drive drive;
+    double largest;
     int i, status;
 
     status = flk_kind_find(mechanism, A, &kind);
@@ -309,8 +310,9 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
         status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
         if (status != FOURLINK_OK)
             return status;
-        A[2][8] = 0;
-        put_drive(&drive, state, centre, &none, &dense, A[0]);
+        largest = put_drive(&drive, state, centre, &none, &dense, A[0]);
+        for (i = 0; i < 9; i++)
+            A[i][8] *= largest;
     }
     return FOURLINK_OK;
 }

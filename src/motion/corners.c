@@ -330,7 +330,8 @@ flk_piece_end flk_corners_first(const flk_direction *direction)
     s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;
     offer_positions(&s);
-    offer_drive(&s);
+    if (direction->has_loads)
+        offer_drive(&s);
     return s.at > CLOSEST ? FLK_END_PLAIN : s.end;
 }
 

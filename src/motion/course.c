@@ -337,12 +337,11 @@ static int without_crank(int status, fourlink_row *row)
     return status;
 }
 
-/* The motion of the coordinate at a place, and the row's place and time. */
-static void prescribed_at(const deck_prescribed *x, double place, flk_prescribed *at,
-                          fourlink_row *row)
+void flk_course_prescribed_at(const deck_prescribed *x, double place, flk_prescribed *at,
+                              fourlink_row *row)
 {
-    fourlink_motion_at(&x->motion, place, row);
-    at->value = row->crank.theta2;
+    fourlink_motion_at(&x->motion, x->is_at_crank ? x->motion.from : place, row);
+    at->value = x->is_at_crank ? place - x->motion.x_at : row->crank.theta2;
     at->rate = row->crank.omega2;
     at->second = row->crank.alpha2;
 }
@@ -367,7 +366,7 @@ static int at_coordinate(const flk_course *c, fourlink_branch branch, double pla
     int status;
 
     (void)actual;
-    prescribed_at(x, place, &at, row);
+    flk_course_prescribed_at(x, place, &at, row);
     row->crank.theta2 = x->theta2;
     if (x->is_at_crank) {
         status = flk_coordinate_crank_at(x->q, &d->machine.mechanism, branch, &at, &row->crank);
@@ -410,7 +409,7 @@ static double theta2_at(const flk_course *c, fourlink_branch branch, double plac
     if (fabs(value - s->to) <= INSIDE_STRETCH * fabs(s->to - s->from))
         return s->theta2_to;
     if (flk_coordinate_crank(x->q, &c->d->machine.mechanism, branch, s, &at, &crank) != FOURLINK_OK)
-        return fabs(value - s->from) < fabs(value - s->to) ? s->theta2_from : s->theta2_to;
+        return flk_coordinate_between(x->q, &c->d->machine.mechanism, branch, s, value);
     return crank.theta2;
 }
 
@@ -434,7 +433,7 @@ static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, d
     flk_prescribed at;
     fourlink_row row;
 
-    prescribed_at(x, place, &at, &row);
+    flk_course_prescribed_at(x, place, &at, &row);
     if (fabs(value - s->from) <= close || fabs(value - s->to) <= close)
         return FLK_END_DEAD;
     return join(at.rate == 0 && at.second != 0 && !x->motion.hold ? FLK_END_ROOT : FLK_END_PLAIN,
@@ -447,8 +446,7 @@ static void next_over_coordinate(const flk_pieces *x, flk_piece *piece)
     const flk_course *c = x->course;
     const deck_prescribed *of = c->d->prescribed;
     double from = x->first + piece->from * x->rate, way, passed;
-    flk_prescribed at = {0, 0, 0};
-    fourlink_crank crank = {0, 0, 0};
+    double value, to;
     flk_direction p;
 
     p.corners = c->corners;
@@ -461,12 +459,11 @@ static void next_over_coordinate(const flk_pieces *x, flk_piece *piece)
     if (!(piece->from > 0))
         piece->begin = end_at_place(c, x->branch, from, flk_corners_first(&p));
     passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
-    crank.theta2 = p.from + p.sense * passed;
-    if (passed < way - FLK_CORNERS_CLOSE(way) &&
-        flk_coordinate_crank_at(of->q, &c->d->machine.mechanism, x->branch, &at, &crank) ==
-            FOURLINK_OK) {
-        find_coordinate(c, at.value + of->motion.x_at, &at.value);
-        piece->to = (at.value - x->first) / x->rate;
+    if (passed < way - FLK_CORNERS_CLOSE(way)) {
+        value = flk_coordinate_value(of->q, &c->d->machine.mechanism, x->branch,
+                                     p.from + p.sense * passed);
+        find_coordinate(c, value + of->motion.x_at, &to);
+        piece->to = (to - x->first) / x->rate;
         if (piece->to > piece->from && piece->to < x->length)
             return;
     }
@@ -497,7 +494,7 @@ static int pass_coordinate(const flk_course *c, fourlink_branch branch, double t
         !find_coordinate(c, at.value + x->motion.x_at, &place))
         return 0;
     theta2 = row->crank.theta2;
-    prescribed_at(x, place, &at, row);
+    flk_course_prescribed_at(x, place, &at, row);
     row->crank.theta2 = theta2;
     *status = without_crank(
         flk_coordinate_crank_at(x->q, &c->d->machine.mechanism, branch, &at, &row->crank), row);
@@ -614,9 +611,7 @@ void flk_course_set_prescribed(const flk_course *c, double place, fourlink_state
     flk_prescribed at;
     fourlink_row row;
 
-    prescribed_at(x, place, &at, &row);
-    if (x->is_at_crank)
-        at.value = place - x->motion.x_at;
+    flk_course_prescribed_at(x, place, &at, &row);
     flk_coordinate_set(x->q, &at, state);
 }
 

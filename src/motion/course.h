@@ -46,6 +46,11 @@ int flk_course_is_periodic(const flk_course *course);
 int flk_course_pass(const flk_course *course, fourlink_branch branch, double angle, int *status,
                     fourlink_row *row, flk_actual_row *actual);
 
+/* What is prescribed at a place of its rows, and the row's place and time; at a crank angle it is as the deck gives it, and
+** the place is the value. */
+void flk_course_prescribed_at(const deck_prescribed *prescribed, double place, flk_prescribed *at,
+                              fourlink_row *row);
+
 /* Set a prescribed coordinate, its rate and its second rate in the state of a row to what they are, which rounding error
 ** of the crank hides: an acceleration that is 0. */
 void flk_course_set_prescribed(const flk_course *course, double place, fourlink_state *state);

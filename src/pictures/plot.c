@@ -323,8 +323,10 @@ static int make(picture *p, fourlink_mistake *mistake)
     if (p->has_instant)
         held = p->v.problem.motion.acceleration != 0 ? ", speed and acceleration held"
                                                      : ", speed held";
-    if (!p->v.problem.over.is_crank_angle && !picture_has_outputs(p))
-        steps = view_set_step(&p->v, (p->v.end - p->v.problem.over.first) / PICTURE_STEPS, step);
+    if (!p->v.problem.over.is_crank_angle && !picture_has_outputs(p) &&
+        p->v.end != p->v.problem.over.first)
+        steps =
+            view_set_step(&p->v, fabs(p->v.end - p->v.problem.over.first) / PICTURE_STEPS, step);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
     if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))

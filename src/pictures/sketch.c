@@ -364,7 +364,7 @@ void sketch_ground(sketch *s, double x1, double x2, double y, double side)
     double step = HATCH * s->letter * s->size, x;
 
     sketch_line(s, PEN_GROUND, place_at(x1, y), place_at(x2, y));
-    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step)
+    for (x = x1 + step; step > 0 && x <= x2 + 1e-9 * step; x += step)
         sketch_line(s, PEN_CONSTRUCTION, place_at(x, y), place_at(x - step, y + side * step));
 }
 

@@ -147,6 +147,13 @@ static void put_entry(math *m, double value, math_unit of)
 }
 
 /* A x = b as one table, so that rows stand side by side; the style puts the brackets. */
+/* The ninth unknown is what drives: Ts, or the effort E of what drives elsewhere. */
+static const char *name_unknown(const report *r, int i)
+{
+    return i == 8 && r->v.problem.mechanism.drive ? "Edrive"
+                                                  : fourlink_unknown_text((int)r->v.kind.kind, i);
+}
+
 static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
 {
     page *p = m->p;
@@ -160,7 +167,7 @@ static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
         for (j = 0; j < 9; j++)
             put_entry(m, A[i][j], MATH_M);
         page_print(p, "<mtd>");
-        math_symbol(p, fourlink_unknown_text((int)r->v.design->kind, i));
+        math_symbol(p, name_unknown(r, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
         put_entry(m, b[i], i % 3 == 2 ? MATH_NM : MATH_N);
         page_print(p, "</mtr>\n");
@@ -181,8 +188,13 @@ static void put_solution(report *r, math *m)
                "solution\">\n",
                m->p->n_equations, m->p->n_equations);
     for (i = 0; i < 9; i++)
-        math_given(m, fourlink_unknown_text((int)r->v.kind.kind, i), x[i]);
-    page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
+        math_given(m, name_unknown(r, i), x[i]);
+    page_print(m->p, "</ul>\n");
+    if (r->v.problem.mechanism.drive)
+        page_print(m->p, "<p>E is the effort of what drives: its force in N, or its torque in "
+                         "N\302\267m. T<sub>s</sub> below is the torque on the crank that would do "
+                         "the same work.</p>\n");
+    page_print(m->p, "<p>The resultants of the pins:</p>\n");
     math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]));
     math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]));
     if (!r->v.kind.slotted)
@@ -238,7 +250,7 @@ static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
     page_print(p,
                "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
                "balance, the difference is %.2g.</p>\n",
-               math_settled(m, r->now.forces.Ts, MATH_NM), fabs(r->now.forces.residual));
+               math_settled(m, r->now.forces.at_crank, MATH_NM), fabs(r->now.forces.residual));
 }
 
 void sample_put_forces(report *r, math *m)
@@ -254,5 +266,5 @@ void sample_put_forces(report *r, math *m)
     put_solution(r, m);
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
-    math_let(m, "P", "Ts * omega2", r->now.forces.Ts * r->now.row.crank.omega2);
+    math_let(m, "P", "Ts * omega2", r->now.forces.at_crank * r->now.row.crank.omega2);
 }

@@ -7,6 +7,7 @@
 #include "column_list.h"
 #include "column_source.h"
 #include "mechanics/drive.h"
+#include "motion/course.h"
 
 #define INFO(name, q, need, meaning)                                     \
     {                                                                    \
@@ -68,6 +69,7 @@ static double value_of_drive(const flk_column *c, const flk_row *row)
 {
     double force = row->at.forces.drive;
     const deck_prescribed *prescribed = c->d->prescribed;
+    flk_prescribed given;
     flk_actuator_state at;
     fourlink_row of;
 
@@ -78,10 +80,10 @@ static double value_of_drive(const flk_column *c, const flk_row *row)
     if (c->component == PRESSURE_OF)
         return pressure_of(c->of.actuator, force);
     if (prescribed && prescribed->q->actuator == c->of.actuator) {
-        fourlink_motion_at(&prescribed->motion, row->at.row.place, &of);
-        at.length = of.crank.theta2;
-        at.speed = of.crank.omega2;
-        at.acceleration = of.crank.alpha2;
+        flk_course_prescribed_at(prescribed, row->at.row.place, &given, &of);
+        at.length = given.value;
+        at.speed = given.rate;
+        at.acceleration = given.second;
     } else if (flk_actuator_at(c->of.actuator, &row->at.state, &at) != FOURLINK_OK) {
         return GSL_NAN;
     }

@@ -11,8 +11,11 @@
 #include "column_list.h"
 #include "mechanics/group.h"
 
+/* The joints of outputs have no friction, and what drives is not on them. */
+#define TRAITS(need) ((need)&NEED_FORCES ? FOURLINK_FRICTIONLESS : 0)
+
 #define INFO(code, ending, whose, q, need, form, usual, meaning) \
-    {"", QUANTITY_##q, ALL, need, 0, NULL, form, 0, 0, meaning, ""},
+    {"", QUANTITY_##q, ALL, need, TRAITS(need), NULL, form, 0, 0, meaning, ""},
 static const flk_column_info table[OUTPUT_COLUMNS] = {OUTPUT_COLUMN_LIST(INFO)};
 
 #define WHOSE(code, ending, whose, q, need, form, usual, meaning) {whose, usual},

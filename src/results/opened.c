@@ -388,6 +388,31 @@ static int read_deck(const fourlink_source *source, deck *d)
     return status;
 }
 
+/* The same of what is prescribed: the range that all branches have, else that of the open one. */
+static void hold_prescribed(deck *d)
+{
+    deck_prescribed *x = d->prescribed;
+    fourlink_motion *motion = &x->motion;
+    const flk_stretch *s = DECK_STRETCH(x, d->open ? FOURLINK_OPEN : FOURLINK_CROSSED),
+                      *other = DECK_STRETCH(x, FOURLINK_CROSSED);
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+
+    if (d->open && d->crossed) {
+        double lowest = GSL_MAX(low, GSL_MIN(other->from, other->to)),
+               highest = GSL_MIN(high, GSL_MAX(other->from, other->to));
+
+        d->crossed = s->side == other->side && lowest < highest;
+        low = d->crossed ? lowest : low;
+        high = d->crossed ? highest : high;
+    }
+    motion->from = (turn < 0 ? high : low) + motion->x_at;
+    motion->to = (turn < 0 ? low : high) + motion->x_at;
+    motion->interval = (high - low) / 72;
+    motion->hold = 1;
+    x->is_at_crank = 0;
+}
+
 /* Replace one instant by the cycle that it is in, with its speed and acceleration. */
 static void hold_instant(deck *d)
 {
@@ -401,6 +426,8 @@ static void hold_instant(deck *d)
     motion->to = motion->from + cycle;
     motion->hold = 1;
     d->one_instant = 0;
+    if (d->prescribed)
+        hold_prescribed(d);
 }
 
 static int is_fact(text name)

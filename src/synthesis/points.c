@@ -110,7 +110,7 @@ static int set_positions(search *s)
 {
     const fourlink_points_task *task = s->task;
     flk_points *p = &s->points;
-    double n = (double)task->n, length = 0, squares = 0;
+    double n = (double)task->n, length = 0, squares = 0, weight = 0;
     unsigned long j;
 
     p->kind = task->kind;
@@ -122,6 +122,7 @@ static int set_positions(search *s)
     for (j = 0; j < p->n; j++) {
         p->centre.x += task->point[j].x / n;
         p->centre.y += task->point[j].y / n;
+        weight += task->weight ? task->weight[j] : 0;
     }
     for (j = 0; j < p->n; j++)
         squares +=
@@ -132,7 +133,7 @@ static int set_positions(search *s)
     for (j = 0; j < p->n; j++) {
         p->point[j].x = (task->point[j].x - p->centre.x) / p->size;
         p->point[j].y = (task->point[j].y - p->centre.y) / p->size;
-        p->root[j] = task->weight ? sqrt(task->weight[j]) : 1;
+        p->root[j] = task->weight ? sqrt(task->weight[j] / weight * n) : 1;
         p->timing[j] = task->timing && j > 0 ? task->timing[j - 1] : 0;
         p->angle[j] = task->angle ? task->angle[j] : 0;
         if (j > 0)

@@ -24,7 +24,11 @@ static void put_system(sheet *s, const fourlink_instant *at)
     fourlink_unknowns(mechanism, &at->forces, x);
     line_put(&s->l, "# ");
     for (j = 0; j < 9; j++)
-        line_field(&s->l, fourlink_unknown_text((int)mechanism->design.kind, j), j ? 13 : 11);
+        line_field(&s->l,
+                   j == 8 && mechanism->drive
+                       ? "drive"
+                       : fourlink_unknown_text((int)mechanism->design.kind, j),
+                   j ? 13 : 11);
     line_field(&s->l, "x", 17);
     line_field(&s->l, "b", 17);
     line_put(&s->l, "\n");

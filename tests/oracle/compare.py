@@ -427,9 +427,13 @@ def main(arguments):
     for path in decks:
         begin = time.process_time()
         with open(path, encoding='utf-8', errors='replace') as text:
-            if re.search(r'^ *(drive|input|program) *=|^ *\[actuator', text.read(), re.M):
-                tally.left_out.append('%s: its drive, input or program is not known' % os.path.basename(path))
-                continue
+            words = text.read()
+        if re.search(r'^ *(drive|input|program) *=|^ *\[actuator', words, re.M):
+            tally.left_out.append('%s: its drive, input or program is not known' % os.path.basename(path))
+            continue
+        if re.search(r'^ *\[output', words, re.M) and re.search(r'^ *(to_)?place *=', words, re.M):
+            tally.left_out.append('%s: the places of its output on the page are not known' % os.path.basename(path))
+            continue
         try:
             compare_deck(tally, fourlink, path, rows_only)
         except (ArithmeticError, Stops) as why:
