@@ -324,12 +324,14 @@ static quantity quantity_of_place(const section_use *use, key_code key, quantity
 {
     static const quantity places[] = {QUANTITY_TIME, QUANTITY_LENGTH, QUANTITY_ANGLE};
     const setting *s = flk_setting_of(use, key);
-    unit u;
+    unit u = s->unit;
     size_t i;
 
     if (flk_text_equal(s->value, "drawn"))
         return QUANTITY_ANGLE;
-    for (i = 0; unit_of_text(s->value, &u) && i < sizeof places / sizeof *places; i++)
+    if (!s->is_read && !unit_of_text(s->value, &u))
+        return bare;
+    for (i = 0; i < sizeof places / sizeof *places; i++)
         if (flk_dimension_equal(u.dim, flk_quantities[places[i]].dim))
             return places[i];
     return bare;
