@@ -61,7 +61,7 @@ static void read_at(parser *p, const section_use *use, key_code key, deck_expect
 {
     const deck *d = p->d;
     const setting *at = flk_setting_of(use, key);
-    quantity q = flk_quantity_of_key(use, key), of_rows = flk_deck_over(d);
+    quantity q = flk_values_quantity_at(at), of_rows = flk_deck_over(d);
 
     if (!IS_SET(at)) {
         e->at_is_place = d->prescribed && !d->prescribed->is_at_crank;

@@ -319,22 +319,32 @@ static quantity quantity_of_argument(const section_use *use)
     return flk_values_quantity_over(over);
 }
 
-/* The quantity of a place of the motion: by its unit, if it has one. */
-static quantity quantity_of_place(const section_use *use, key_code key, quantity bare)
+/* The quantity of a place of the motion by its unit, or another. */
+static quantity quantity_by_unit(const unit *u, quantity other)
 {
     static const quantity places[] = {QUANTITY_TIME, QUANTITY_LENGTH, QUANTITY_ANGLE};
-    const setting *s = flk_setting_of(use, key);
-    unit u = s->unit;
     size_t i;
+
+    for (i = 0; i < sizeof places / sizeof *places; i++)
+        if (flk_dimension_equal(u->dim, flk_quantities[places[i]].dim))
+            return places[i];
+    return other;
+}
+
+quantity flk_values_quantity_at(const setting *at)
+{
+    return !IS_SET(at) || IS_DRAWN(at) ? QUANTITY_ANGLE
+                                       : quantity_by_unit(&at->unit, QUANTITY_ANGLE);
+}
+
+static quantity quantity_of_place(const section_use *use, key_code key, quantity bare)
+{
+    const setting *s = flk_setting_of(use, key);
+    unit u;
 
     if (flk_text_equal(s->value, "drawn"))
         return QUANTITY_ANGLE;
-    if (!s->is_read && !unit_of_text(s->value, &u))
-        return bare;
-    for (i = 0; i < sizeof places / sizeof *places; i++)
-        if (flk_dimension_equal(u.dim, flk_quantities[places[i]].dim))
-            return places[i];
-    return bare;
+    return unit_of_text(s->value, &u) ? quantity_by_unit(&u, bare) : bare;
 }
 
 /* Motions of a coordinate that is a length are in its units. */

@@ -35,6 +35,9 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 
+/* The quantity of a place of the motion that has been read: of an angle if it has no unit. */
+quantity flk_values_quantity_at(const setting *at);
+
 /* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin; a place of a
 ** motion has that of its unit, and a prescribed coordinate its own. */
 quantity flk_quantity_of_key(const section_use *use, key_code key);
