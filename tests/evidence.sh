@@ -192,7 +192,7 @@ stands() {
 }
 
 check_all() {
-    check 'doc/evidence: a line is no run' test -z "$(grep -vE '^\{"trial":"[a-z]+","commit":"[0-9a-f]+","date":"[0-9-]+","run":"(ci|short|night)","machine":".*","seconds":[0-9]+,"status":[0-9]+,"said":".*"\}$' "$runs")"
+    check 'doc/evidence: a line is no run' test -z "$(grep -vE '^\{"trial":"[a-z-]+","commit":"[0-9a-f]+","date":"[0-9-]+","run":"(ci|short|night)","machine":".*","seconds":[0-9]+,"status":[0-9]+,"said":".*"\}$' "$runs")"
     trial_names >"$work/trials"
     check "doc/evidence: a trial is not in tests/trials.txt: $(run_names | comm -23 - "$work/trials" | tr '\n' ' ')" \
         test -z "$(run_names | comm -23 - "$work/trials")"
@@ -208,8 +208,8 @@ check_all() {
         done <"$work/figures"
     done
 }
-trial_names() { sed -n 's/^\([a-z]*\):.*/\1/p' "$top/tests/trials.txt" | sort; }
-run_names() { sed 's/^{"trial":"\([a-z]*\)".*/\1/' "$runs" | sort; }
+trial_names() { sed -n 's/^\([a-z-]*\):.*/\1/p' "$top/tests/trials.txt" | sort; }
+run_names() { sed 's/^{"trial":"\([a-z-]*\)".*/\1/' "$runs" | sort; }
 
 # Each trial has a run, whose commit is in the history, and not far back.
 check_age() {
@@ -218,7 +218,7 @@ check_age() {
         check "$trial: no run on record: sh tests/nightly.sh $trial" false
     done
     has_history || { echo 'skipped: there is no history of commits' && exit 77; }
-    sed 's/^{"trial":"\([a-z]*\)","commit":"\([0-9a-f]*\)".*/\1 \2/' "$runs" >"$work/commits"
+    sed 's/^{"trial":"\([a-z-]*\)","commit":"\([0-9a-f]*\)".*/\1 \2/' "$runs" >"$work/commits"
     while read -r trial commit; do
         check "$trial: its commit, $commit, is not in the history" git merge-base --is-ancestor "$commit" HEAD 2>/dev/null || continue
         age=$(git rev-list --count "$commit..HEAD")

@@ -263,7 +263,8 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
     return found != NULL;
 }
 
-/* The branches of the table that reach the range; those that do not are left out, unless the deck names them. */
+/* The branches of the table that reach the range; those that do not are left out, unless the deck names them.  A branch that
+** is not in the table has its stretch too, which a host may ask. */
 static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
 {
     const setting *at = flk_setting_find(p, KEY_MOTION_AT),
@@ -272,8 +273,8 @@ static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
     text_place place = place_or(p, IS_SET(at) ? at : IS_SET(from) ? from : to);
     int is_named = IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH));
     char why[2][MESSAGE_SIZE];
-    int open = p->d->open && choose(p, x, FOURLINK_OPEN, why[0]);
-    int crossed = p->d->crossed && choose(p, x, FOURLINK_CROSSED, why[1]);
+    int open = choose(p, x, FOURLINK_OPEN, why[0]) && p->d->open;
+    int crossed = choose(p, x, FOURLINK_CROSSED, why[1]) && p->d->crossed;
 
     if (p->d->open && !open && (is_named || !crossed))
         flk_mistake(p->mistakes, place, "%s", why[0]);

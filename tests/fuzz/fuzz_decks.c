@@ -38,7 +38,8 @@ static void ask_rows(fourlink_results *r, const fourlink_problem *p, double *val
             status = fourlink_results_row(r, branches[b], i, values, &now, loads);
             MUST((i == p->n_rows) == (status == FOURLINK_NO_SUCH_ROW));
             MUST(status < 20 || status == FOURLINK_INPUT_DEAD_CENTRE ||
-                 status == FOURLINK_NO_SUCH_ROW);
+                 status == FOURLINK_NO_SUCH_ROW ||
+                 (p->is_prescribed && status == FOURLINK_NO_SUCH_ANGLE));
             if (status != FOURLINK_OK)
                 continue;
             MUST(isfinite(now.state.sine) && isfinite(now.row.time));
