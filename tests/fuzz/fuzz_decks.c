@@ -175,7 +175,7 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
     MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_NO_SUCH_POINT);
     for (i = 0; i < p->n_loads; i++)
         MUST(fourlink_deck_load(deck, i, &load) == FOURLINK_OK && *load.name && load.link >= 2 &&
-             load.link <= 4);
+             load.link <= 4 + 2 * p->mechanism.design.n_groups);
     MUST(fourlink_deck_load(deck, i, &load) == FOURLINK_BAD_LINK);
     for (i = 0; i < 5; i++)
         MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
