@@ -355,10 +355,11 @@ static double square_of(const rows *row)
     return row->r[X] * row->r[X] + row->r[Y] * row->r[Y] + row->r[TURN] * row->r[TURN];
 }
 
-/* Turn the crank of one position to where the point is nearest: dtheta = -t'r / t't, halved if it is too much. */
+/* Turn the crank of one position to where the point is nearest: dtheta = -t'r / t't, halved if it is too much.  Where the
+** curve bends much that is slow; the second derivative by differences, d(t'r)/dtheta, is quick. */
 static void settle(const flk_points *p, flk_trial *at, const flk_shape *shape, unsigned long j)
 {
-    double theta2 = at->theta2[j], turn, square;
+    double theta2 = at->theta2[j], turn = 0, square, slope, last = 0, tr, tt;
     rows row;
     int steps, i;
 
@@ -366,9 +367,13 @@ static void settle(const flk_points *p, flk_trial *at, const flk_shape *shape, u
         return;
     for (steps = 0; steps < SETTLING; steps++) {
         square = square_of(&row);
-        for (turn = 0, i = X; i <= TURN; i++)
-            turn -= row.t[i] * row.r[i];
-        turn /= row.t[X] * row.t[X] + row.t[Y] * row.t[Y] + row.t[TURN] * row.t[TURN] + TINY;
+        for (tr = tt = 0, i = X; i <= TURN; i++) {
+            tr += row.t[i] * row.r[i];
+            tt += row.t[i] * row.t[i];
+        }
+        slope = steps > 0 ? (tr - last) / turn : 0;
+        turn = -tr / (slope > 0 ? slope : tt + TINY);
+        last = tr;
         for (turn = within_bounds(turn, -WIDEST, WIDEST); fabs(turn) > SETTLED; turn /= 2) {
             at->theta2[j] = theta2 + turn;
             if (set_rows(p, at, shape, j, 1, &row) && square_of(&row) < square)
