@@ -129,6 +129,7 @@ class Deck:
         with open(path, encoding='utf-8', errors='replace') as text:
             self.text = text.read()
         self.kind = re.search(r'^\s*mechanism\s*=\s*([\w-]+)', self.text, re.M).group(1)
+        self.kind = {'boom': KINDS[2]}.get(self.kind, self.kind)
         self.links = NAMES[self.kind]
         self.yoke = self.kind == KINDS[3]
         self.slides, self.slot = self.kind == KINDS[1] or self.yoke, self.kind == KINDS[2] or self.yoke

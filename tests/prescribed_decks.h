@@ -188,8 +188,8 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     fourlink_results *r;
     char value[100];
 
-    if (!walk_at(q, problem, branch, theta2, &x, &K))
-        return;
+    if (problem->mechanism.design.n_groups || !walk_at(q, problem, branch, theta2, &x, &K))
+        return; /* the walk ends where an output cannot be assembled, the range does not */
     low = walk(q, problem, branch, theta2, -1, &before);
     high = walk(q, problem, branch, theta2, 1, &after);
     size = q->is_angle ? 1 : problem->mechanism.design.link[2].length;

@@ -8,6 +8,7 @@ needs python3 python3
 
 n=0
 for deck in "$data"/*.deck "$data"/synthesis/*.deck; do
+    grep -q '^ *\[pins\]' "$deck" && continue # which is refused
     options=
     ! grep -q '^\[synthesis' "$deck" || options=--synthesis
     cp "$deck" "${deck%.deck}".* . 2>/dev/null

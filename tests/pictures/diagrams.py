@@ -228,7 +228,8 @@ def check_over_angle(deck, rows, kind, extremes):
 
 
 def both_of(deck):
-    return [] if deck.yoke else ['--branch=both']  # a yoke has one
+    is_one = deck.yoke or re.search(r'^ *input *=', deck.text, re.M)  # with an input the branches have ranges of their own
+    return [] if is_one else ['--branch=both']  # a yoke has one
 
 
 def columns_of(deck, names):

@@ -162,6 +162,8 @@ static void compare_parts(void)
 
 /* Rows lie between the extremes, the mean too, and the root mean square between the mean and the larger
 ** extreme. */
+#define LEAST_SIZE 1e-6 /* in SI units */
+
 static void compare_bounds(void)
 {
     static side s;
@@ -195,6 +197,7 @@ static void compare_bounds(void)
             }
             most = fmax(fabs(x[FOURLINK_MAX]), fabs(x[FOURLINK_MIN]));
             size = fmax(most, 2e-3 * size_of_quantity[s.c.list[j].q]);
+            size = fmax(size, LEAST_SIZE); /* of what is rounding alone */
             for (i = 0; i < s.rows; i += s.rows / MOST_ROWS + 1)
                 if (fourlink_results_row(s.r, one, i, row, NULL, NULL) == FOURLINK_OK &&
                     !isnan(row[j])) {

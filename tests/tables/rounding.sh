@@ -37,7 +37,7 @@ for deck; do
                     if (x == "inf") continue
                     if (name[i] ~ /^omega/ && x > speed) speed = x
                     if (name[i] ~ /^alpha[234]$/ && x > acceleration) acceleration = x
-                    if (unit[i] == "N" && x > force) force = x
+                    if (unit[i] == "N" && name[i] !~ /^klein/ && x > force) force = x
                 }
                 if (speed * speed > acceleration) acceleration = speed * speed
                 size["m"] = length_of_crank; size["rad"] = 1
