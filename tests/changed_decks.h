@@ -178,13 +178,18 @@ static int has_sign_of_speed(const deck_block *b)
 ** 180 deg. */
 static int is_along_slot(const deck_block *b, key_code key)
 {
-    key_code link = key == KEY_SPRING_TO_AT ? KEY_SPRING_TO
-                    : key == KEY_SPRING_AT  ? KEY_SPRING_LINK
-                    : key == KEY_POINT_AT   ? KEY_POINT_LINK
-                                            : KEY_LOAD_LINK;
+    key_code link = key == KEY_SPRING_TO_AT     ? KEY_SPRING_TO
+                    : key == KEY_OUTPUT_TO_AT   ? KEY_OUTPUT_TO
+                    : key == KEY_ACTUATOR_AT    ? KEY_ACTUATOR_LINK
+                    : key == KEY_ACTUATOR_TO_AT ? KEY_ACTUATOR_TO
+                    : key == KEY_SPRING_AT      ? KEY_SPRING_LINK
+                    : key == KEY_POINT_AT       ? KEY_POINT_LINK
+                    : key == KEY_OUTPUT_AT      ? KEY_OUTPUT_LINK
+                                                : KEY_LOAD_LINK;
     int is_place =
         key == KEY_SPRING_AT || key == KEY_SPRING_TO_AT || key == KEY_POINT_AT ||
-        key == KEY_LOAD_AT ||
+        key == KEY_LOAD_AT || key == KEY_OUTPUT_AT || key == KEY_OUTPUT_TO_AT ||
+        key == KEY_ACTUATOR_AT || key == KEY_ACTUATOR_TO_AT ||
         (key == KEY_LOAD_FORCE && strcmp(value_of(b, KEY_LOAD_FRAME, "ground"), "link") == 0);
 
     return kind == FOURLINK_SCOTCH_YOKE &&

@@ -366,7 +366,8 @@ static int put_on_page(deck_lines *d)
 
     if (is_task(d) || has_pins(d) || find_line(d, KEY_MOTION_ROWS))
         return 0;
-    if (!find_line(d, KEY_MOTION_AT) && !find_line(d, KEY_MOTION_PROGRAM))
+    if (!find_line(d, KEY_MOTION_AT) && !find_line(d, KEY_MOTION_PROGRAM) &&
+        strcmp(value_of(find_block(d, SECTION_MOTION), KEY_MOTION_INPUT, "theta2"), "theta2") == 0)
         set_default(&base, KEY_MOTION_FROM, "0 deg");
     for (i = 0; i < base.n; i++) {
         deck_block *b = &base.block[i];

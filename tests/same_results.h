@@ -582,6 +582,14 @@ static void compare_statistics(const side *a, const side *b, fourlink_branch bra
     }
 }
 
+/* Facts of a motion that takes too many steps depend on where its budget ended. */
+static int takes_too_many_steps(fourlink_results *r, fourlink_branch branch)
+{
+    double end;
+
+    return fourlink_results_end(r, branch, &end) == FOURLINK_TOO_LONG;
+}
+
 /* Facts, where the law leaves what they mean as it is. */
 static void compare_facts(const side *a, const side *b, fourlink_branch branch)
 {
@@ -591,6 +599,10 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
     const int groups = FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION;
     const double d = problem_of(a->r).mechanism.design.link[FOURLINK_GROUND].length;
 
+    if (takes_too_many_steps(a->r, branch) || takes_too_many_steps(b->r, branch)) {
+        present->undecided++;
+        return;
+    }
     fourlink_results_facts(a->r, branch, groups, &facts, &n);
     fourlink_results_facts(b->r, branch, groups, &told, &m);
     if (n != m)

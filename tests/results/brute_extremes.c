@@ -311,6 +311,8 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double size
     for (i = 0; i < HALVINGS; i++) {
         y[i] = beside(c, e->v[i][c], near);
         least = fmin(least, y[i]);
+        if (i > 0 && is_angle(c) && leap(y[i - 1], y[i], turn_of(c)) > 0.4)
+            return UNDECIDED; /* a force passes through zero nearer than some of these rows */
     }
     if (!is_angle(c) && doubles(y)) {
         *limit = y[HALVINGS - 1] > 0 ? INFINITY : -INFINITY;
