@@ -1575,7 +1575,9 @@ typedef struct fourlink_solution {
     fourlink_vector point;  /* m, coupler point in the coupler's own axes */
     double from, to;        /* rad, working range: crank angles where the motion begins and ends */
     int n_positions;
-    int defects; /* sum of FOURLINK_DEFECT_BRANCH ...; 0: none */
+    int is_in_order; /* 1: the crank passes the positions in their order; those that are nearer to each
+                        other than they are missed count as one */
+    int defects;     /* sum of FOURLINK_DEFECT_BRANCH ...; 0: none */
     fourlink_type type;
     double ratio;  /* 1, longest / shortest link */
     double mu_min; /* rad, smallest transmission angle in the working range, on `branch`; 0 at and
@@ -1679,6 +1681,7 @@ typedef struct fourlink_points_task {
     const double *weight;        /* 1, > 0, w; null: all are 1 */
     fourlink_ground left, right; /* the pivots A and D, of which the crank takes the better one */
     int may_rock;                /* 1: the crank need not turn fully */
+    int any_order;               /* 1: the crank may pass the positions in any order */
     double mu_min;               /* rad, least transmission angle in the working range; 0: any */
     unsigned long effort;        /* so many times the usual number of starts; 0: once */
 } fourlink_points_task;

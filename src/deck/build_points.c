@@ -50,6 +50,7 @@ int flk_task_has_points(parser *p)
     return n > EXACT || flk_curve_text_file(positions->value, NULL) ||
            IS_SET(flk_task_find(p, KEY_SYNTHESIS_WEIGHTS)) ||
            IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK_TURNS)) ||
+           IS_SET(flk_task_find(p, KEY_SYNTHESIS_ORDER)) || (!is_path && IS_SET(timing)) ||
            flk_text_equal(timing->value, "equal") || is_boxed(left) || is_boxed(right) ||
            (is_path && IS_SET(positions) && (IS_SET(left) || !IS_SET(right) || !IS_SET(timing)));
 }
@@ -263,6 +264,7 @@ int flk_task_points(parser *p)
     task->point = l->point;
     task->angle = t->task == TASK_MOTION ? l->angle : NULL;
     task->may_rock = flk_task_find(p, KEY_SYNTHESIS_CRANK_TURNS)->word;
+    task->any_order = flk_task_find(p, KEY_SYNTHESIS_ORDER)->word;
     task->mu_min = IS_SET(mu_min) ? t->mu_min : 0;
     task->effort = p->d->effort;
     if (task->mu_min >= M_PI_2)

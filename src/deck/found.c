@@ -80,8 +80,9 @@ static void note(parser *p)
                     "most 100 times as long as the shortest");
     if (t->has_points && s->defects && !t->points.may_rock)
         flk_mistake(NOTES(p), t->place,
-                    "no start led to a crank that turns fully and has no defect: crank_turns = any "
-                    "allows others");
+                    "no start led to a crank that turns fully and has no defect: %s "
+                    "allows others",
+                    s->defects == FOURLINK_DEFECT_ORDER ? "order = any" : "crank_turns = any");
     if (s->ratio > RATIO_USUAL)
         flk_mistake(NOTES(p), t->place,
                     "the longest link is %.4g times as long as the shortest one", s->ratio);

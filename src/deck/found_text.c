@@ -366,11 +366,9 @@ static void put_checks(page *g)
     for (i = 0; i < defects->count; i++)
         put_line(g, "#   defect: %s", defects->list[i].message);
     if (!s->defects && t->task != TASK_QUICK_RETURN) {
-        put_line(
-            g,
-            "#   all positions are on the %s branch and on one circuit, the crank passes them in "
-            "their order,",
-            fourlink_branch_text((int)s->branch));
+        put_line(g, "#   all positions are on the %s branch and on one circuit%s,",
+                 fourlink_branch_text((int)s->branch),
+                 s->is_in_order ? ", the crank passes them in their order" : "");
         put_line(g, "#   and %s from theta2 = %.6g to %.6g deg",
                  s->mu_min > DEAD ? "without a dead position" : "through a change point",
                  FLK_DEGREES(s->from), FLK_DEGREES(s->to));

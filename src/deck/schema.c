@@ -80,6 +80,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(SYNTHESIS_FIT, "angle", FOURLINK_FIT_ANGLE)                             \
     X(SYNTHESIS_CRANK_TURNS, "fully", 0)                                      \
     X(SYNTHESIS_CRANK_TURNS, "any", 1)                                        \
+    X(SYNTHESIS_ORDER, "listed", 0)                                           \
+    X(SYNTHESIS_ORDER, "any", 1)                                              \
     X(SYNTHESIS_SLOW, "with", FOURLINK_SLOW_WITH)                             \
     X(SYNTHESIS_SLOW, "against", FOURLINK_SLOW_AGAINST)                       \
     X(SYNTHESIS_TYPE, "slotted-lever", FOURLINK_SLOTTED_LEVER)                \

@@ -335,6 +335,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C, "the right fixed pin")             \
     X(SYNTHESIS, CRANK_TURNS, "crank_turns", WORD, NUMBER, ANY, WITH_PIN_C,                        \
       "whether the crank must turn fully")                                                         \
+    X(SYNTHESIS, ORDER, "order", WORD, NUMBER, ANY, WITH_PIN_C, "the order of the positions")      \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "time ratio")     \
     X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D,                            \
       "swing of the rocker or lever")                                                              \

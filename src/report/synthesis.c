@@ -294,8 +294,9 @@ static void put_checks(report *r)
         if (s->defects & bit)
             page_print(p, "<li>Defect: %s</li>\n", fourlink_defect_text(bit));
     if (!s->defects)
-        page_print(p, "<li>No defect: one branch, one circuit, positions in their order, no dead "
-                      "position on the way</li>\n");
+        page_print(p,
+                   "<li>No defect: one branch, one circuit, %sno dead position on the way</li>\n",
+                   s->is_in_order ? "positions in their order, " : "");
     page_print(p,
                "<li>Transmission angle: at least %.6g\302\260, at " THETA2 " = %.6g\302\260</li>\n",
                DEGREES(s->mu_min), DEGREES(s->mu_min_at));

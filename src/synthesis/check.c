@@ -130,16 +130,40 @@ static int has_way(const fourlink_reach *reach, double from, double to)
                                   counted + fabs(to - from) < reach->to[range]);
 }
 
-/* 1 if the angles rise throughout, or fall. */
+/* 1 if a position and the next are nearer to each other than the linkage comes to them: either may be passed
+** first. */
+static int is_either_first(const fourlink_precision *p)
+{
+    return gsl_hypot(p[1].point.x - p->point.x, p[1].point.y - p->point.y) <=
+           fabs(p->error) + fabs(p[1].error);
+}
+
+/* 1 if the angles rise throughout, or fall, but for positions of which either may be passed first. */
 static int is_monotone(const fourlink_solution *s)
 {
     int i, rises = 1, falls = 1;
 
-    for (i = 1; i < s->n_positions; i++) {
-        rises &= s->position[i].theta2 > s->position[i - 1].theta2;
-        falls &= s->position[i].theta2 < s->position[i - 1].theta2;
+    for (i = 0; i + 1 < s->n_positions; i++) {
+        const fourlink_precision *p = &s->position[i];
+        int is_either = s->has_point && is_either_first(p);
+
+        rises &= p[1].theta2 > p->theta2 || is_either;
+        falls &= p[1].theta2 < p->theta2 || is_either;
     }
     return rises || falls;
+}
+
+/* The range of the angles. */
+static void measure_angles(const fourlink_solution *s, double *low, double *high)
+{
+    int i;
+
+    *low = GSL_POSINF;
+    *high = GSL_NEGINF;
+    for (i = 0; i < s->n_positions; i++) {
+        *low = GSL_MIN_DBL(*low, s->position[i].theta2);
+        *high = GSL_MAX_DBL(*high, s->position[i].theta2);
+    }
 }
 
 /* Continue the angles from the first on: counter-clockwise (1), clockwise (-1), or the shorter way (0). */
@@ -147,33 +171,51 @@ static void continue_angles(fourlink_solution *s, int sense)
 {
     int i;
 
-    for (i = 1; i < s->n_positions; i++) {
-        double from = s->position[i - 1].theta2, *to = &s->position[i].theta2;
+    for (i = 0; i + 1 < s->n_positions; i++) {
+        fourlink_precision *p = &s->position[i];
+        double shorter = flk_cycle_beside(p[1].theta2 - p->theta2, 2 * M_PI);
+        int is_shorter = sense * shorter >= 0 || (s->has_point && is_either_first(p));
 
-        *to = sense ? flk_cycle_place(*to, from, sense * 2 * M_PI)
-                    : from + flk_cycle_beside(*to - from, 2 * M_PI);
+        p[1].theta2 = is_shorter ? p->theta2 + shorter
+                                 : flk_cycle_place(p[1].theta2, p->theta2, sense * 2 * M_PI);
     }
 }
 
-/* Crank angles along the motion.  A crank that turns fully and may run either way passes three positions in
-** one sense within a turn.  One that does not has a single way within its range.  Given angles that do not
-** rise or fall may be counted from 0 again after a turn. */
-static int find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
+/* Continue the angles of a crank that turns fully and may run either way: it passes the positions within a turn,
+** or their order is another one. */
+static void continue_turn(fourlink_solution *s)
 {
-    fourlink_precision *p = s->position;
-    int i, last = s->n_positions - 1;
+    double low, high;
+    int i, sense;
+
+    for (sense = 1; sense >= -1; sense -= 2) {
+        continue_angles(s, sense);
+        measure_angles(s, &low, &high);
+        if (high - low < 2 * M_PI)
+            return;
+    }
+    for (i = 1; i < s->n_positions; i++)
+        s->position[i].theta2 =
+            flk_cycle_place(s->position[i].theta2, s->position[0].theta2, 2 * M_PI);
+}
+
+/* Crank angles along the motion.  A crank that does not turn fully has a single way within its range.  Given
+** angles that do not rise or fall may be counted from 0 again after a turn. */
+static void find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
+{
+    int i;
 
     if (!is_free && !is_monotone(s)) {
         continue_angles(s, 0);
     } else if (is_free && turns_fully(reach)) {
-        continue_angles(s, 1);
-        if (!(p[last].theta2 - p[0].theta2 < 2 * M_PI))
-            continue_angles(s, -1);
+        continue_turn(s);
     } else if (is_free) {
-        for (i = 0; i <= last; i++)
-            range_of(reach, p[i].theta2, &p[i].theta2);
+        for (i = 0; i < s->n_positions; i++)
+            range_of(reach, s->position[i].theta2, &s->position[i].theta2);
     }
-    return is_monotone(s) ? 0 : FOURLINK_DEFECT_ORDER;
+    s->is_in_order = is_monotone(s);
+    if (!s->is_in_order)
+        s->defects |= FOURLINK_DEFECT_ORDER;
 }
 
 /* Whether the crank can go from one position to the others.
@@ -242,15 +284,14 @@ static void find_transmission(fourlink_solution *s, const fourlink_mechanism *me
 static void set_range(fourlink_solution *s)
 {
     const fourlink_precision *p = s->position;
-    int has_range = s->from != s->to, i;
+    int has_range = s->from != s->to;
     double first = has_range ? s->from : p[0].theta2;
     double last = has_range ? s->to : p[s->n_positions - 1].theta2;
-    double low = GSL_MIN_DBL(first, last), high = GSL_MAX_DBL(first, last);
+    double low, high;
 
-    for (i = 0; i < s->n_positions; i++) {
-        low = GSL_MIN_DBL(low, p[i].theta2);
-        high = GSL_MAX_DBL(high, p[i].theta2);
-    }
+    measure_angles(s, &low, &high);
+    low = GSL_MIN_DBL(low, GSL_MIN_DBL(first, last));
+    high = GSL_MAX_DBL(high, GSL_MAX_DBL(first, last));
     s->from = first <= last ? low : high;
     s->to = first <= last ? high : low;
 }
@@ -278,7 +319,7 @@ int flk_check_solution(fourlink_solution *s, int is_free)
     }
     if (!s->branch)
         s->branch = (fourlink_branch)first;
-    s->defects |= find_order(s, &reach, is_free);
+    find_order(s, &reach, is_free);
     set_range(s);
     s->defects |= find_way(s, &reach);
     find_transmission(s, &mechanism);

@@ -372,7 +372,10 @@ static void settle(const flk_points *p, flk_trial *at, const flk_shape *shape, u
             tt += row.t[i] * row.t[i];
         }
         slope = steps > 0 ? (tr - last) / turn : 0;
-        turn = -tr / (slope > 0 ? slope : tt + TINY);
+        if (slope < 0 && tr * turn < 0)
+            turn *= 2; /* downhill, ever steeper */
+        else
+            turn = -tr / (slope > 0 ? slope : tt + TINY);
         last = tr;
         for (turn = within_bounds(turn, -WIDEST, WIDEST); fabs(turn) > SETTLED; turn /= 2) {
             at->theta2[j] = theta2 + turn;

@@ -384,6 +384,8 @@ static int check_trial(search *s, const flk_trial *at, int is_swapped, fourlink_
         }
     }
     status = flk_check_solution(found, !p->has_timing);
+    if (s->task->any_order)
+        found->defects &= ~FOURLINK_DEFECT_ORDER;
     if (status == FOURLINK_OK && found->ratio > LONGEST_LINK)
         return FOURLINK_INFINITE_LINK;
     if (found->type == FOURLINK_CHANGE_POINT_SLIDER ||

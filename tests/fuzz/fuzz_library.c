@@ -592,6 +592,7 @@ static void ask_points(unsigned long *n)
     t.left.low = next_vector();
     t.left.high = next_byte() & 1 ? next_vector() : t.left.low;
     t.may_rock = next_byte() & 1;
+    t.any_order = next_byte() & 1;
     t.mu_min = next_byte() & 1 ? next_number() : 0;
     must_be_a_solution(fourlink_synthesis_points(&t, 1, &solution, n));
 }

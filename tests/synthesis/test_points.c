@@ -47,12 +47,19 @@ static double complex in_frame(const fourlink_solution *s, fourlink_vector wante
     return (wanted.x - s->origin.x + I * (wanted.y - s->origin.y)) * cexp(-I * s->direction);
 }
 
+static int turns_fully(const fourlink_solution *s)
+{
+    return length_of(s, 1) == 0 || s->type == FOURLINK_CRANK_ROCKER ||
+           s->type == FOURLINK_DOUBLE_CRANK;
+}
+
 /* Walk the working range: the linkage reaches all of it, passes the points in their order, each where it is
 ** nearest (without timing), and has the sum, the transmission angle and no other defect than it says. */
 static void walk(const fourlink_points_task *t, const fourlink_solution *s)
 {
     double sum = 0, largest = 0, mu_min = INFINITY, low = fmin(s->from, s->to), size = size_of(s);
     double high = fmax(s->from, s->to), near = 1e-6 * size;
+    double first = INFINITY, last = -INFINITY;
     int steps = 4000, rises = 1, falls = 1, reaches = 1;
 
     for (int i = 0; i <= steps; i++) {
@@ -70,8 +77,16 @@ static void walk(const fourlink_points_task *t, const fourlink_solution *s)
         assert_near(cabs(p->point.x + I * p->point.y - wanted), 0, 1e-12 * size * s->ratio);
         sum += (t->weight ? t->weight[j] : 1) * off * off;
         largest = fmax(largest, off);
-        rises &= j == 0 || p->theta2 > s->position[j - 1].theta2;
-        falls &= j == 0 || p->theta2 < s->position[j - 1].theta2;
+        if (j > 0) {
+            const fourlink_precision *q = p - 1;
+            fourlink_vector here = t->point[j], before = t->point[j - 1];
+            int either = hypot(here.x - before.x, here.y - before.y) <= p->error + q->error;
+
+            rises &= p->theta2 > q->theta2 || either;
+            falls &= p->theta2 < q->theta2 || either;
+        }
+        first = fmin(first, p->theta2);
+        last = fmax(last, p->theta2);
         for (int k = -40; k <= 40 && !t->timing && !t->mu_min; k++) /* nothing beside is nearer */
             assert_false(cabs(walked(s, p->theta2 + 1e-4 * k) - wanted) < off - near);
         if (t->timing && j > 0)
@@ -80,7 +95,9 @@ static void walk(const fourlink_points_task *t, const fourlink_solution *s)
     }
     assert_near(s->sum, sum, 1e-6 * sum + near * near);
     assert_near(s->largest, largest, near);
-    assert_int_equal(!(s->defects & FOURLINK_DEFECT_ORDER), rises || falls);
+    assert_true(last - first < 2 * PI || !turns_fully(s));
+    assert_int_equal(s->is_in_order, rises || falls);
+    assert_int_equal(!(s->defects & FOURLINK_DEFECT_ORDER), t->any_order || rises || falls);
     if (!s->defects)
         assert_true(reaches);
     if (!s->defects) { /* the least angle may lie between two steps */
@@ -89,8 +106,7 @@ static void walk(const fourlink_points_task *t, const fourlink_solution *s)
     }
     assert_true(s->mu_min >= t->mu_min);
     if (!t->may_rock)
-        assert_true(length_of(s, 1) == 0 || s->type == FOURLINK_CRANK_ROCKER ||
-                    s->type == FOURLINK_DOUBLE_CRANK);
+        assert_true(turns_fully(s));
 }
 
 /* Search, walk all solutions, and see that their order is right.  Returns the first sum. */
@@ -294,12 +310,37 @@ static double attitude(const fourlink_solution *s, double theta2)
     return carg(walked(&pin, theta2) - length_of(s, 2) * cexp(I * theta2));
 }
 
-/* Poses of a known linkage, in axes of the designer's: it is found again.  Four and five poses have others. */
-static void find_poses(int n, double from, double turn)
+/* Points of a known linkage that are listed in another order than it passes them: it is found again, but only where any
+** order is wanted it has no defect; there nothing that has one is better. */
+TEST(points_in_another_order)
+{
+    enum { N = 9 };
+    fourlink_solution s = {.branch = FOURLINK_OPEN, .point = {30, 25}};
+    fourlink_vector at[N];
+    fourlink_points_task t = {.kind = FOURLINK_FOUR_BAR, .n = N, .point = at};
+    static const double lengths[] = {0, 60, 25, 70, 55};
+
+    s.design.kind = FOURLINK_FOUR_BAR;
+    for (int i = 1; i <= 4; i++)
+        s.design.link[i].length = lengths[i];
+    for (int j = 0; j < N; j++) {
+        double complex z = walked(&s, 0.3 + 2 * PI * (j * 4 % N) / N);
+
+        at[j] = (fourlink_vector){creal(z), cimag(z)};
+    }
+    assert_true(search(&t) > 1e-3);
+    t.any_order = 1;
+    assert_true(search(&t) < 1e-16);
+    assert_false(found[0].is_in_order);
+}
+
+/* Poses of a known linkage, in axes of the designer's: it is found again, at given crank angles too.  Four and five
+** poses have others. */
+static void find_poses(int n, double from, double turn, int is_timed)
 {
     static const double lengths[] = {0, 60, 25, 70, 55};
     fourlink_vector at[25];
-    double angle[25];
+    double angle[25], timing[25];
     fourlink_solution s = {.branch = FOURLINK_OPEN, .point = {30, 25}};
     fourlink_points_task t = {
         .kind = FOURLINK_FOUR_BAR, .n = (unsigned long)n, .point = at, .angle = angle};
@@ -315,7 +356,10 @@ static void find_poses(int n, double from, double turn)
 
         at[j] = (fourlink_vector){creal(z), cimag(z)};
         angle[j] = attitude(&s, theta2) + 0.4 + 1.1;
+        if (j > 0)
+            timing[j - 1] = turn * j / (n - 1);
     }
+    t.timing = is_timed ? timing : NULL;
     assert_int_equal(fourlink_synthesis_points(&t, COUNT(found), found, &found_n), FOURLINK_OK);
     for (unsigned long k = 0; k < found_n; k++) {
         const fourlink_solution *f = &found[k];
@@ -339,11 +383,14 @@ static void find_poses(int n, double from, double turn)
 
 TEST(poses_of_a_linkage)
 {
-    find_poses(25, 0.4, 6);
+    find_poses(25, 0.4, 6, 0);
+    find_poses(8, 0.4, -3, 1);
     if (tries_all()) {
-        find_poses(5, 0.4, 2);
-        find_poses(25, 2, -2);
-        find_poses(5, 1, 5);
+        find_poses(5, 0.4, 2, 0);
+        find_poses(25, 2, -2, 0);
+        find_poses(5, 1, 5, 0);
+        find_poses(25, 2, -2, 1);
+        find_poses(5, 1, 5, 1);
     }
 }
 
