@@ -58,6 +58,9 @@
     X(MU_RANGE, "mu_range", ANGLE, LIMITS, "smallest transmission angle in the working range")     \
     X(ERROR_ANGLE, "theta4_error", ANGLE, LIMITS, "largest structural error")                      \
     X(ERROR_LENGTH, "x_error", LENGTH, LIMITS, "largest structural error")                         \
+    X(PATH_ERROR, "path_error", LENGTH, LIMITS, "of many points: root mean square distance")       \
+    X(PATH_ERROR_MAX, "path_error_max", LENGTH, LIMITS, "largest distance")                        \
+    X(COUPLER_ERROR, "coupler_error", ANGLE, LIMITS, "largest error of the coupler's angle")       \
     X(DEFECTS, "defects", NUMBER, LIMITS, "of the linkage found; 0: none")                         \
     X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, TURNING, "efficiency over a cycle")            \
     X(MEAN_TORQUE, "mean_torque", TORQUE, TURNING, "mean of the turning moment -Ts")               \
@@ -346,6 +349,12 @@ static void add_found(listing *t)
     if (found->task == TASK_FUNCTION)
         add_at(t, found->kind->output == QUANTITY_ANGLE ? FACT_ERROR_ANGLE : FACT_ERROR_LENGTH,
                s->max_error, s->max_error_at);
+    if (found->has_points) {
+        add_fact(t, FACT_PATH_ERROR, s->rms);
+        add_fact(t, FACT_PATH_ERROR_MAX, s->largest);
+        if (found->task == TASK_MOTION)
+            add_at(t, FACT_COUPLER_ERROR, s->max_error, s->max_error_at);
+    }
     add_fact(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
 }
 
