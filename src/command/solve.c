@@ -151,7 +151,6 @@ static int read_question(question *q)
         !read_value(q, low, &q->of, &q->low) || !read_value(q, high, &q->of, &q->high) ||
         !check_key(q) || !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
-    flk_text_copy(flk_text_of(q->of.name), q->key, sizeof q->key);
     flk_text_copy(flk_text_of(q->result.name), q->name, sizeof q->name);
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);

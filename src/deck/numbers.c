@@ -147,7 +147,7 @@ static const setting *setting_of(const parser *p, const target *t)
     if (TAKES_NAMES(section) || section == SECTION_UNITS || !flk_target_is_number(t) || s->curve ||
         s->of_length || s->of_centre || s->of_pins ||
         (t->part != PART_NONE && !IS_SET(s) && flk_key_table[t->key].form != FORM_POINT) ||
-        (t->part == PART_NONE && s->word))
+        (t->part != PART_ANGLE && s->word))
         return NULL;
     return s;
 }

@@ -281,6 +281,9 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
         s->is_bare = 0;
         if (s->curve)
             flk_mistake(p->mistakes, own->place, "a curve has no parts that can be varied");
+        if (s->word && i != PART_ANGLE)
+            flk_mistake(p->mistakes, own->place,
+                        "the size of the force is unknown: only its .angle can be given");
         if (s->of_centre)
             flk_mistake(p->mistakes, own->place,
                         "'%t' is from the centre of mass: give the point from the origin of the "
