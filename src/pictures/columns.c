@@ -235,7 +235,7 @@ static void plan_columns(const picture *p, panel_plan *plan, const char *over,
 const char *picture_forces(picture *p, fourlink_branch branch)
 {
     static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};
-    static const char *const torque[] = {"Ts", NULL};
+    static const char *const torque[] = {"Ts", NULL}, *const drive[] = {"drive", NULL};
     panel_plan plan;
 
     plan_columns(p, &plan, p->v.problem.over.name, branch, pins);
@@ -244,7 +244,8 @@ const char *picture_forces(picture *p, fourlink_branch branch)
     plan.n_extremes = plan.n;
     if (!panel_draw(p, &plan))
         return picture_no_rows(p, branch);
-    plan_columns(p, &plan, p->v.problem.over.name, branch, torque);
+    plan_columns(p, &plan, p->v.problem.over.name, branch,
+                 p->v.problem.mechanism.drive ? drive : torque);
     plan.n_extremes = plan.n;
     panel_draw(p, &plan);
     return NULL;

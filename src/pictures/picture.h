@@ -22,7 +22,7 @@
       "positions, velocities and accelerations")                                                  \
     X(FORCES, "forces", 2, 0, 500, 380,                                                           \
       PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_forces,             \
-      "F12,F23,F34,F14,N,Ts", "pin forces and driving torque")                                    \
+      "F12,F23,F34,F14,N,Ts,drive", "pin forces and driving torque")                              \
     X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,          \
       picture_turning, NULL, "turning moment over a cycle, with its mean")                        \
     X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_BY_ANGLE,           \

@@ -268,7 +268,8 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     diagram d;
 
     if (fourlink_results_turning(p->v.results, branch, &d.t) != FOURLINK_OK)
-        return "the turning moment needs a crank that turns fully, at constant speed or in a "
+        return "the turning moment needs a crank that drives and turns fully, at constant speed or "
+               "in a "
                "steady motion";
     d.p = p;
     d.branch = branch;

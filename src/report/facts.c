@@ -159,6 +159,8 @@ static const struct {
                {"N", "largest force of the guide", FOURLINK_MAX},
                {"Ts", "largest driving torque", FOURLINK_MAX},
                {"Ts", "smallest driving torque", FOURLINK_MIN},
+               {"drive", "largest force or torque of what drives", FOURLINK_MAX},
+               {"drive", "smallest force or torque of what drives", FOURLINK_MIN},
                {"mean_power", NULL, 0},
                {"energy_fluctuation", NULL, 0},
                {"flywheel_inertia", NULL, 0},
@@ -179,6 +181,8 @@ static int find_result(report *r, int i, fourlink_branch branch, fourlink_value 
     const fourlink_problem *p = &r->v.problem;
     int statistic = p->n_rows > 1 ? results[i].statistic : 0;
 
+    if (p->mechanism.drive && strcmp(results[i].name, "Ts") == 0)
+        return 0; /* the crank does not drive */
     if ((p->n_rows < 2 && results[i].statistic == FOURLINK_MIN) ||
         (view_is_still(&r->v) && is_of_motion(results[i].name)))
         return 0;

@@ -66,8 +66,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define TURNING (PINNED | SLIDER_CRANK) /* link 3 turns */
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
-#define USUAL_ACTUAL 0x200 /* the same, if the motion is computed, or goes by a program */
-#define USUAL_CRANK 0x400  /* the same, if the crank drives */
+#define USUAL_ACTUAL 0x200   /* the same, if the motion is computed, or goes by a program */
+#define USUAL_CRANK 0x400    /* the same, if the crank drives */
+#define OF_CRANK_DRIVE 0x800 /* only if the crank drives */
 
 /* Places of numbers in a row. */
 #define ROW(member) offsetof(flk_row, at.row.member)
@@ -271,9 +272,9 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
       "instantaneous centre of links 2 and 4, y", "")                                              \
     X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static, FOURLINK_FRICTIONLESS),                          \
+    X(Ts_static, TORQUE, ALL | OF_CRANK_DRIVE, OF_SPLIT(Ts_static, FOURLINK_FRICTIONLESS),         \
       "driving torque without inertia: of loads, weights and the friction that these cause", "")   \
-    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia, 0),                                            \
+    X(Ts_inertia, TORQUE, ALL | OF_CRANK_DRIVE, OF_SPLIT(Ts_inertia, 0),                           \
       "driving torque that inertia adds, friction included: Ts - Ts_static", "")                   \
     X(superposition, NUMBER, ALL, OF_SPLIT(superposition, FOURLINK_OF_ROUNDING),                   \
       "error of the sum of both parts, relative to the largest force", "")                         \

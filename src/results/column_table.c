@@ -26,7 +26,8 @@ static const flk_column_info opposites[] = {OPPOSITE_LIST(COLUMN_INFO)};
 static int has(const flk_analysis *a, const flk_column_info *info)
 {
     return (info->kinds & (int)a->d->machine.mechanism.design.kind) != 0 &&
-           (info->need & ~a->possible) == 0;
+           (info->need & ~a->possible) == 0 &&
+           !(info->kinds & OF_CRANK_DRIVE && a->d->machine.mechanism.drive);
 }
 
 static size_t count_table(const deck *d)
@@ -85,6 +86,8 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs masses, loads or gas; the deck has none";
     if (info->need == NEED_GAS)
         return "needs gas; the deck has none";
+    if (info->kinds & OF_CRANK_DRIVE && d->machine.mechanism.drive)
+        return "needs a crank that drives; see the column drive";
     return "needs a rod whose centre of mass is on its line";
 }
 

@@ -69,8 +69,10 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
         return;
     }
     if (!o->d.over->is_crank_angle && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
-        flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = %s", name,
+        flk_mistake(m, place, "'%t' needs rows by angle; these are rows by %s", name,
                     o->d.over->rows);
+    else if (o->d.machine.mechanism.drive && flk_fact_group(n->handle) == FOURLINK_FACTS_TURNING)
+        flk_mistake(m, place, "'%t' is of a torque on the crank, which does not drive", name);
     if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT || n->kind == FLK_NAME_GIVEN ||
         (n->kind == FLK_NAME_COLUMN && o->d.one_instant))
         return;
