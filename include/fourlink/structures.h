@@ -524,12 +524,13 @@ enum {
     FOURLINK_LOAD_OWN = 1,      /* a [load] */
     FOURLINK_LOAD_SPRING = 2,   /* a spring or damper: one load for each end on a moving link */
     FOURLINK_LOAD_FRICTION = 3, /* FOURLINK_FRICTION_LOADS of them, as in fourlink_losses */
-    FOURLINK_LOAD_GAS = 4       /* one on the piston; or one on the rod, one on the cylinder */
+    FOURLINK_LOAD_GAS = 4,      /* one on the piston; or one on the rod, one on the cylinder */
+    FOURLINK_LOAD_DRIVE = 5 /* what drives, if not a torque on the crank: see fourlink_deck_drive */
 };
 
 typedef struct fourlink_load_info {
-    const char *name;      /* of its section; "load" if that has no name; "friction", "gas" */
-    int sort;              /* FOURLINK_LOAD_OWN ... */
+    const char *name; /* of its section; "load" if that has no name; "friction", "gas", "drive" */
+    int sort;         /* FOURLINK_LOAD_OWN ... */
     unsigned long element; /* its number among those of its sort, from 0; for friction the joint: 0
                               to 3 for A, B, C, D */
     int link;              /* on which it acts */
@@ -1383,6 +1384,36 @@ typedef struct fourlink_actuator {
 */
 FOURLINK_API int fourlink_deck_actuator(const fourlink_deck *deck, unsigned long i,
                                         fourlink_actuator *actuator);
+
+/* What drives, if not a torque on the crank, as loads: one on each link that it pushes.  They are not among the
+** problem.n_loads loads.
+**
+** Given:
+**    deck    from fourlink_deck_read
+**    i       from 0
+** Returned:
+**    info    of load i of fourlink_drive_loads; its sort is FOURLINK_LOAD_DRIVE
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
+*/
+FOURLINK_API int fourlink_deck_drive(const fourlink_deck *deck, unsigned long i,
+                                     fourlink_load_info *info);
+
+/* The loads of what drives.
+**
+** Given:
+**    mechanism   from fourlink_deck_problem
+**    state       the motion
+**    effort      N or N m, the force or the torque: `drive` of fourlink_forces
+** Returned:
+**    load        in the order of fourlink_deck_drive
+**    n           0 to 2, how many; 0 if a torque on the crank drives, or where the ends of an actuator meet
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_drive_loads(const fourlink_mechanism *mechanism,
+                                      const fourlink_state *state, double effort,
+                                      fourlink_load load[2], int *n);
 
 /* The status of a row in words: as fourlink_status_text, and which output cannot be assembled.
 **

@@ -376,6 +376,26 @@ int fourlink_deck_actuator(const fourlink_deck *d, unsigned long i, fourlink_act
     return FOURLINK_OK;
 }
 
+int fourlink_deck_drive(const fourlink_deck *d, unsigned long i, fourlink_load_info *info)
+{
+    const flk_drive *drive;
+    int link;
+
+    if (!d || !info)
+        return FOURLINK_NULL;
+    drive = d->machine.mechanism.drive;
+    link = drive ? flk_drive_link(drive, i) : 0;
+    if (!link)
+        return FOURLINK_BAD_LINK;
+    info->name =
+        drive->sort == FLK_DRIVE_ENDS || drive->sort == FLK_DRIVE_LOAD ? drive->name : "drive";
+    info->sort = FOURLINK_LOAD_DRIVE;
+    info->element = i;
+    info->link = link;
+    info->has_torque = flk_drive_is_torque(drive);
+    return FOURLINK_OK;
+}
+
 int fourlink_deck_friction(const fourlink_deck *d, fourlink_friction *friction)
 {
     if (!d || !friction)

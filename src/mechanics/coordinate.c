@@ -371,12 +371,14 @@ int flk_coordinate_stretches(const flk_coordinate *q, const fourlink_mechanism *
                              fourlink_branch branch, flk_stretch list[FLK_STRETCHES])
 {
     double turn = mechanism->change_stretched != mechanism->change_folded ? 4 * M_PI : 2 * M_PI;
+    fourlink_mechanism four = *mechanism;
     fourlink_reach reach;
     rate_search s;
     int i, n = 0;
 
+    four.design.n_groups = 0; /* rows where an output cannot be assembled are told, as of a crank */
     s.q = q;
-    s.mechanism = mechanism;
+    s.mechanism = &four;
     s.branch = branch;
     if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;

@@ -154,3 +154,44 @@ int flk_drive_unit(const flk_drive *drive, const fourlink_mechanism *mechanism,
         status = FOURLINK_INPUT_DEAD_CENTRE;
     return status;
 }
+
+int flk_drive_link(const flk_drive *drive, unsigned long i)
+{
+    static const int ends[2] = {FOURLINK_COUPLER, FOURLINK_FOLLOWER};
+    const flk_actuator *a = drive->actuator;
+
+    switch (drive->sort) {
+    case FLK_DRIVE_SLIDE:
+        return i < 2 ? ends[i] : 0;
+    case FLK_DRIVE_ENDS:
+        if (a->link == FOURLINK_GROUND || a->to == FOURLINK_GROUND)
+            return i > 0 ? 0 : a->link == FOURLINK_GROUND ? a->to : a->link;
+        return i > 1 ? 0 : i ? a->to : a->link;
+    case FLK_DRIVE_LOAD:
+        return i > 0 ? 0 : drive->load.link;
+    default:
+        return i > 0 ? 0 : FOURLINK_FOLLOWER;
+    }
+}
+
+int fourlink_drive_loads(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         double effort, fourlink_load load[2], int *n)
+{
+    flk_unit_drive unit;
+    int i;
+
+    if (!mechanism || !state || !load || !n)
+        return FOURLINK_NULL;
+    *n = 0;
+    if (!mechanism->drive ||
+        flk_drive_unit(mechanism->drive, mechanism, state, &unit) == FOURLINK_NO_DIRECTION)
+        return FOURLINK_OK;
+    for (i = 0; i < unit.n_loads; i++) {
+        load[i] = unit.load[i];
+        load[i].force.x *= effort;
+        load[i].force.y *= effort;
+        load[i].torque *= effort;
+    }
+    *n = unit.n_loads;
+    return FOURLINK_OK;
+}

@@ -61,6 +61,9 @@ typedef struct flk_unit_drive {
 int flk_drive_unit(const flk_drive *drive, const fourlink_mechanism *mechanism,
                    const fourlink_state *state, flk_unit_drive *unit);
 
+/* The link on which load i acts, from 0; 0 if there is none. */
+int flk_drive_link(const flk_drive *drive, unsigned long i);
+
 /* 1 if the effort is a torque. */
 int flk_drive_is_torque(const flk_drive *drive);
 

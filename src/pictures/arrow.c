@@ -7,6 +7,7 @@
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
+#include "system/format.h"
 
 /* An arrow shorter than this fraction of the largest would have a head and no tail. */
 #define SMALLEST 0.02
@@ -109,6 +110,8 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
         double size = gsl_hypot(x->F.x, x->F.y);
         fourlink_vector end = place_in(x->at, x->F, scale, 0);
 
+        if (size <= FORMAT_ROUNDING * largest)
+            continue; /* it is rounding */
         sketch_show(s, SKETCH_FORCE, (unsigned long)x->number);
         if (x->name[0])
             figure_note(s, p, x->name, size, QUANTITY_FORCE);

@@ -199,6 +199,13 @@ int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_s
     return place / HANDLES < flk_column_limit(a->d) && flk_column_number(a, place / HANDLES, c);
 }
 
+int flk_column_is_direction(const flk_column *c)
+{
+    return c->info->q == QUANTITY_ANGLE &&
+           ((c->info->traits & FOURLINK_CRANK_ANGLE) || c->info->form == POLAR_DIRECTION ||
+            c->info->form == DIRECTION || c->info->form == ANGLE_OF_LINK);
+}
+
 static int is_known(text name)
 {
     text angle;

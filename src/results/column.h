@@ -31,6 +31,9 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c);
 /* The next name in a list separated by commas or blanks, with its `at ANGLE`; 0 at the end. */
 int flk_column_next_name(text *rest, text *name);
 
+/* 1 for an angle to which whole turns add nothing: of a link, or of a force; not for an angle between two. */
+int flk_column_is_direction(const flk_column *c);
+
 /* What a column has over the motion: max(COLUMN) and so on. */
 typedef enum flk_statistic {
     FLK_NONE,

@@ -20,31 +20,34 @@
 #define RPM (2 * M_PI / 60) /* rad/s */
 #define DEG (M_PI / 180)    /* rad */
 
-/* computed / expected, and what that suggests */
+/* computed / expected, and what that suggests; rpm only of what has a time in it */
 static const struct {
     double factor;
+    int is_of_speed;
     const char *words;
 } factor_table[] = {
-    {1 / RPM, "the computed value is 60/(2 pi) times the expected one: rad/s for rpm?"},
-    {RPM, "the computed value is 2 pi/60 times the expected one: rpm for rad/s?"},
-    {1 / (RPM * RPM), "the computed value is (60/(2 pi))^2 times the expected one: rad/s for rpm?"},
-    {RPM * RPM, "the computed value is (2 pi/60)^2 times the expected one: rpm for rad/s?"},
-    {1 / DEG, "the computed value is 180/pi times the expected one: degrees and radians?"},
-    {DEG, "the computed value is pi/180 times the expected one: degrees and radians?"},
-    {1e3, "the computed value is 1000 times the expected one: a unit such as m for mm?"},
-    {1e-3, "the computed value is 1/1000 of the expected one: a unit such as mm for m?"}};
+    {1 / RPM, 1, "the computed value is 60/(2 pi) times the expected one: rad/s for rpm?"},
+    {RPM, 1, "the computed value is 2 pi/60 times the expected one: rpm for rad/s?"},
+    {1 / (RPM * RPM), 1,
+     "the computed value is (60/(2 pi))^2 times the expected one: rad/s for rpm?"},
+    {RPM * RPM, 1, "the computed value is (2 pi/60)^2 times the expected one: rpm for rad/s?"},
+    {1 / DEG, 0, "the computed value is 180/pi times the expected one: degrees and radians?"},
+    {DEG, 0, "the computed value is pi/180 times the expected one: degrees and radians?"},
+    {1e3, 0, "the computed value is 1000 times the expected one: a unit such as m for mm?"},
+    {1e-3, 0, "the computed value is 1/1000 of the expected one: a unit such as mm for m?"}};
 
 #define FACTORS (sizeof factor_table / sizeof factor_table[0])
 
 /* The hint of a factor, or null. */
-static const char *hint_of_factor(const fourlink_check *c)
+static const char *hint_of_factor(const fourlink_check *c, quantity q)
 {
     size_t i;
 
     if (fabs(c->printed) <= 2 * c->tolerance)
         return NULL; /* every small number would agree */
     for (i = 0; i < FACTORS; i++)
-        if (flk_expected_agrees(c, c->computed / factor_table[i].factor, 0))
+        if ((!factor_table[i].is_of_speed || flk_quantities[q].dim.s) &&
+            flk_expected_agrees(c, c->computed / factor_table[i].factor, 0))
             return factor_table[i].words;
     return NULL;
 }
@@ -60,6 +63,15 @@ static int is_cut_off(const fourlink_check *c)
     last = c->computed / digit;
     last = (last < 0 ? ceil(last) : floor(last)) * digit;
     return fabs(last - c->printed) < 1e-6 * digit;
+}
+
+/* What may be added to a value as often as one likes: a turn to a direction, in the unit of results; else 0. */
+static double turn_of(const flk_opened *o, const flk_name *n)
+{
+    int is_direction = n->kind == FLK_NAME_FACT ? flk_fact_is_direction(n->handle)
+                                                : flk_column_is_direction(&n->c);
+
+    return is_direction ? flk_unit_from_si(2 * M_PI, o->d.units[QUANTITY_ANGLE].unit) : 0;
 }
 
 /* 1 if the value elsewhere would have agreed. */
@@ -154,11 +166,11 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
     status = flk_name_prepare(o, n, other);
     if (status != FOURLINK_OK)
         return status;
-    turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
+    turn = turn_of(o, n);
     is_opposite = flk_expected_agrees(c, -c->computed, turn);
     is_other = agrees_at(o, n, c, other, c->angle, turn);
     angle = find_other_angle(o, c);
-    words = hint_of_factor(c);
+    words = hint_of_factor(c, flk_quantity_find(here.quantity));
     if (angle)
         flk_message(c->hint, sizeof c->hint,
                     "%s is %s: mu is acute, gamma is the angle from 0 to 180 deg", c->printed_text,
@@ -437,7 +449,7 @@ static int is_short(const deck *d, const deck_expectation *e, const fourlink_che
            fabs(c->printed - c->computed) > 1e-9 * fabs(c->computed) + 1e-12;
 }
 
-/* The difference of two values; for angles, whose turn is above 0, it is at most half a turn. */
+/* The difference of two values; for directions, whose turn is above 0, it is at most half a turn. */
 static double difference(double x, double y, double turn)
 {
     double d = x - y;
@@ -602,7 +614,7 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
         found = facts[0];
     else if (!value_there(o, e, n, c, &found))
         return -1;
-    turn = q == QUANTITY_ANGLE ? flk_unit_from_si(2 * M_PI, u->unit) : 0;
+    turn = turn_of(o, n);
     c->printed = flk_unit_from_si(printed.si, u->unit);
     for (i = 1; i < n_facts; i++) /* the nearest to the printed value is meant */
         if (fabs(difference(facts[i].value, c->printed, turn)) <

@@ -417,6 +417,20 @@ static void add_limits(listing *t)
     }
 }
 
+int flk_fact_is_direction(int handle)
+{
+    static const fact_code directions[] = {
+        FACT_THETA2_FROM,         FACT_THETA2_TO,   FACT_THETA4_FROM,         FACT_THETA4_TO,
+        FACT_INNER_DEAD_CENTRE,   FACT_THETA4_MIN,  FACT_OUTER_DEAD_CENTRE,   FACT_THETA4_MAX,
+        FACT_BALANCE_CRANK_ANGLE, FACT_STALL_ANGLE, FACT_BALANCE_ROCKER_ANGLE};
+    size_t i;
+
+    for (i = 0; i < sizeof directions / sizeof *directions; i++)
+        if (OTHER(handle) == (int)directions[i])
+            return 1;
+    return 0;
+}
+
 /* Why the actual motion ends early, or FOURLINK_OK. */
 static int end_of_motion(flk_analysis *a, fourlink_branch branch)
 {

@@ -18,6 +18,9 @@ int flk_fact_find(text name);
 /* Its group, FOURLINK_FACTS_LIMITS ...; 0 if the handle is not that of a fact. */
 int flk_fact_group(int handle);
 
+/* 1 for an angle to which whole turns add nothing: a place of a link, not a swing. */
+int flk_fact_is_direction(int handle);
+
 /* The most similar name of a fact, or null. */
 const char *flk_fact_nearest(text name);
 

@@ -236,6 +236,28 @@ static void add_loads(scene *s, const view *v)
     }
 }
 
+/* What drives, if not the crank: between two moving links, and by an actuator, it is drawn on free bodies alone. */
+static void add_drive(scene *s, const view *v)
+{
+    fourlink_load_info load, other;
+    fourlink_actuator actuator;
+    int i, is_actuator = 0;
+    scene_force *f;
+
+    for (i = 0; fourlink_deck_actuator(v->deck, (unsigned long)i, &actuator) == FOURLINK_OK; i++)
+        is_actuator |= actuator.drives;
+    for (i = 0; fourlink_deck_drive(v->deck, (unsigned long)i, &load) == FOURLINK_OK; i++) {
+        if (load.has_torque)
+            f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", TRACK_DRIVE_TORQUE + i, 1,
+                    TRACK_OF_JOINT(&v->kind.joint[v->kind.begins[load.link]]), load.link);
+        else
+            f = add(s->forces, &s->n_forces, SCENE_LOAD, load.name, "", TRACK_DRIVE_FORCE + i, 1,
+                    TRACK_DRIVE + i, load.link);
+        f->is_inner = is_actuator || fourlink_deck_drive(v->deck, 1, &other) == FOURLINK_OK;
+        f->load = load.sort;
+    }
+}
+
 static void add_image(scene *s, const char *name, int link, int of)
 {
     scene_image *x = &s->images[s->n_images++];
@@ -271,6 +293,8 @@ void scene_find(scene *s, const view *v)
         add_bodies(s, v->design);
     }
     add_loads(s, v);
+    if (v->problem.has_forces)
+        add_drive(s, v);
 }
 
 char *scene_words(const scene_force *f, char *out, size_t size)

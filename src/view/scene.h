@@ -61,8 +61,8 @@ typedef struct scene_image {
     int of;   /* the track of its place */
 } scene_image;
 
-/* Pins with both directions, couples, weight and inertia of three links, loads. */
-enum { SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS, SCENE_IMAGES = 3 + TRACKS_POINTS };
+/* Pins with both directions, couples, weight and inertia of three links, loads, what drives. */
+enum { SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS + 2, SCENE_IMAGES = 3 + TRACKS_POINTS };
 
 typedef struct scene {
     scene_image images[SCENE_IMAGES];

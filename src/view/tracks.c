@@ -174,6 +174,19 @@ static void put_loads(tracks *t, const fourlink_state *state, const fourlink_loa
     }
 }
 
+static void put_drive(tracks *t, const fourlink_instant *now)
+{
+    fourlink_load load[2];
+    int n, k;
+
+    fourlink_drive_loads(t->v->mechanism, &now->state, now->forces.drive, load, &n);
+    for (k = 0; k < n; k++) {
+        put_place(t, TRACK_DRIVE + k, geometry_of_link(&now->state, load[k].link, &load[k].at));
+        put(t, TRACK_DRIVE_FORCE + k, QUANTITY_FORCE, geometry_force(&load[k], &now->state));
+        put_number(t, TRACK_DRIVE_TORQUE + k, QUANTITY_TORQUE, load[k].torque);
+    }
+}
+
 /* Put weight, -m a_G and -I alpha of each link. */
 static void put_inertia(tracks *t, const fourlink_state *state)
 {
@@ -211,6 +224,7 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
         put_number(t, TRACK_COUPLE + 3, QUANTITY_TORQUE, f->M14);
     put_inertia(t, &now->state);
     put_loads(t, &now->state, loads);
+    put_drive(t, now);
 }
 
 void tracks_find_places(tracks *t, const view *v, const fourlink_state *state)
@@ -222,7 +236,7 @@ void tracks_find_places(tracks *t, const view *v, const fourlink_state *state)
 int tracks_is_outline(const tracks *t, int number)
 {
     int is_centre = number >= TRACK_CENTRE && number < TRACK_WEIGHT;
-    int is_load = number >= TRACK_LOAD && number < TRACK_LOAD_FORCE;
+    int is_load = (number >= TRACK_LOAD && number < TRACK_LOAD_FORCE) || number >= TRACK_DRIVE;
 
     return t->list[number].is_there && t->list[number].q == QUANTITY_LENGTH && !is_centre &&
            !is_load;

@@ -50,7 +50,10 @@ enum {
     TRACK_LOAD_FORCE = TRACK_LOAD + TRACKS_LOADS,        /* its force */
     TRACK_LOAD_TORQUE = TRACK_LOAD_FORCE + TRACKS_LOADS, /* and its torque */
     TRACK_SPRING = TRACK_LOAD_TORQUE + TRACKS_LOADS,     /* both ends of spring i */
-    TRACK_COUNT = TRACK_SPRING + 2 * TRACKS_SPRINGS
+    TRACK_DRIVE = TRACK_SPRING + 2 * TRACKS_SPRINGS, /* load i of what drives, if not the crank: */
+    TRACK_DRIVE_FORCE = TRACK_DRIVE + 2,
+    TRACK_DRIVE_TORQUE = TRACK_DRIVE_FORCE + 2,
+    TRACK_COUNT = TRACK_DRIVE_TORQUE + 2
 };
 
 #define TRACK_OF_CENTRE(link) (TRACK_CENTRE + 3 * (link))

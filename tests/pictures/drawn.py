@@ -505,6 +505,33 @@ def is_torsional(deck, name):
     return any(deck.units.get('spring %s.%s' % (name, key), '').endswith('rad') for key in ('stiffness', 'damping'))
 
 
+DRIVES = {'theta4': 'link 4', 'rocker': 'link 4', 'lever': 'link 4', 'x': 'link 4', 'C.x': 'link 4', 'piston': 'link 4', 'yoke': 'link 4',
+          'slide': 'slide'}
+
+
+def driving(deck, position, row, link, is_free):
+    """What drives, if not the crank, on a link: a torque on link 4, a force along x on one that slides, the force that pushes the slider
+    along the slide, or the force of an actuator, which pushes its ends apart; the last two are seen on a link cut free."""
+    given = deck.text.split('[expect]')[0]
+    word = {key: re.search(r'^%s\s*=\s*(\S+)' % key, given, re.M) for key in ('drive', 'input')}
+    rams = re.findall(r'^\[actuator (.*)\]', deck.text, re.M)
+    name = word['drive'].group(1) if word['drive'] else rams[0] if rams else word['input'].group(1) if word['input'] else 'crank'
+    kind = DRIVES.get(name, name)
+    if kind == 'link 4' and link == 4:
+        if deck.slides:
+            return [Acting('drive', position.C, row['drive'], kind=LOAD)]
+        torque = Acting('drive', position.D, torque=row['drive'], kind=LOAD)
+        torque.origin = position.D
+        return [torque]
+    if kind == 'slide' and link in (3, 4) and is_free:
+        return [Acting('drive', position.B, row['drive'] * position.axis[3] * (1 if link == 3 else -1), kind=LOAD)]
+    if name not in rams or not is_free:
+        return []
+    ends = [deck.link_number(deck.inputs['actuator %s.%s' % (name, key)]) for key in ('link', 'to')]
+    at = [position.point(ends[k], deck.vector('actuator %s.%s' % (name, ('at', 'to_at')[k]))) for k in (0, 1)]
+    return [Acting(name, at[k], row['drive'] * (at[k] - at[1 - k]) / abs(at[1 - k] - at[k]), kind=LOAD) for k in (0, 1) if ends[k] == link]
+
+
 def acting_on(deck, position, row, link, is_free=True):
     """All that acts on a link, in the order in which it is drawn; forces of a spring only on a link cut free."""
     found = []
@@ -554,6 +581,7 @@ def acting_on(deck, position, row, link, is_free=True):
         # against the motion of the piston; that of a slider on its lever is in F34
         force = complex(-math.copysign(row['friction_guide'], position.velocity(4, 0).real), 0)
         found.append(Acting('friction', position.C, force, kind=LOAD))
+    found += driving(deck, position, row, link, is_free)
     if is_free:
         a = position.acceleration(link, deck.cg(link)) * si_of(deck.unit('length'))
         found.append(Acting('-m aG', G, -deck.mass(link) * a * newton, kind=RESULT))
@@ -816,6 +844,7 @@ def check_mechanism(deck, text, row, position, rows):
     springs = [x for name, spring in deck.springs().items() for key in ('link', 'to') if deck.link_number(spring[key]) != 1
                for x in acting_on(deck, position, row, deck.link_number(spring[key])) if x.name == name and x.force]
     largest = max(abs(x.force) for x in wanted + springs)
+    wanted = [x for x in wanted if abs(x.force) > 1e-12 * largest]  # the others are rounding
     notes = [n for n in entries(panel, deck.unit('force')) if n[0] not in deck.springs()]
     checks.that([x.name for x in wanted] == [n[0] for n in notes], 'notes of forces', notes, [x.name for x in wanted])
     for x, (name, value) in zip(wanted, notes):
@@ -1041,8 +1070,11 @@ def is_sound(deck, row):
 
 
 def check_deck(deck, folder):
-    own = varied(deck, folder)
-    both = chosen_rows(own)
+    if re.search(r'^\[output', deck.text, re.M):  # these pictures are of the four links
+        return
+    is_prescribed = re.search(r'^input\s*=\s*(?!theta2)', deck.text, re.M)  # rows over the input are taken as they are
+    own = deck if is_prescribed else varied(deck, folder)
+    both = {} if is_prescribed and deck.is_single else own.table() if is_prescribed else chosen_rows(own)
     has_forces = any('F12x' in row for rows in both.values() for row in rows)
     # each angle on one branch; without forces and of slow motions, fewer; with ALL in the environment, all on both
     share = 1 if os.environ.get('ALL') else 24 if is_slow(own) else 12 if 'motion.mode' in own.inputs else 8 if has_forces else 12
@@ -1060,10 +1092,10 @@ def check_deck(deck, folder):
             if (k % 4 == 1 or k % 8 == 2) and not is_slow(own):
                 check_mechanism(own, own.program.listing(own, 'mechanism', *at), row, position, rows)
         checks.where = '%s, %s' % (own.name, branch)
-        if not is_slow(own):
+        if not is_slow(own) and not is_prescribed:
             check_several(own, rows)
     if deck.is_single:  # the picture of the deck's instant
-        for branch, rows in deck.table('--branch=both').items():
+        for branch, rows in deck.table(*(() if is_prescribed else ('--branch=both',))).items():
             checks.where = '%s, %s, its instant' % (deck.name, branch)
             if is_sound(deck, rows[0]):
                 check_vectors(deck, deck.program.listing(deck, 'vectors', '--branch=' + branch), rows[0], deck.at(rows[0]))
