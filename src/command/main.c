@@ -172,13 +172,36 @@ static int write_variant(const options *o, const variants *v, const input *deck,
     return status;
 }
 
+/* Write the form of student i; one that is there may be filled in, and stays.  Returns the exit status. */
+static int write_form(const options *o, const variants *v, const input *deck, unsigned long i,
+                      unsigned long *n_kept)
+{
+    char *path = variants_path(v, folder_of(o), deck, i, ".txt");
+    int is_there = path && system_kind_of(path) == SYSTEM_FILE;
+
+    free(path);
+    *n_kept += is_there ? 1u : 0;
+    return is_there ? 0 : write_variant(o, v, deck, i, ".txt");
+}
+
+static void tell_kept(const char *folder, unsigned long n)
+{
+    char words[MESSAGE_SIZE];
+
+    flk_message(words, sizeof words,
+                n == 1 ? "%ld form is there already, and stays as it is"
+                       : "%ld forms are there already, and stay as they are",
+                (long)n);
+    command_tell("note", folder, 0, words, NULL);
+}
+
 /* Write the files of all designs, and with decks for the students of a list the forms to fill in, and the list with their
 ** designs; returns the exit status. */
 static int write_variants(const options *o, const variants *v, const input *deck)
 {
     int is_class = o->names && o->print_deck, status = 0;
     options of_form = *o, own = *o;
-    unsigned long i;
+    unsigned long i, n_kept = 0;
 
     own.is_exercise = o->names && (o->print_deck || o->report);
     of_form.content = SHEET_EXPECT;
@@ -191,8 +214,10 @@ static int write_variants(const options *o, const variants *v, const input *deck
                                                      : o->print_deck ? ".deck"
                                                                      : ".expect"));
         if (is_class && deck->problem.n_expected)
-            status = command_worse(status, write_variant(&of_form, v, deck, i, ".txt"));
+            status = command_worse(status, write_form(&of_form, v, deck, i, &n_kept));
     }
+    if (n_kept)
+        tell_kept(o->output, n_kept);
     if (is_class && status != EXIT_FILES && !system_caught())
         status = command_worse(status, variants_write_list(v, o->output));
     return status;

@@ -49,7 +49,7 @@ static question *find(const marks *m, const fourlink_check *c)
     return NULL;
 }
 
-/* Ask for the values of a deck's [expect]. */
+/* Ask for the values of a deck's [expect], and not for those of [misprint]. */
 static void ask(marks *m, const input *deck)
 {
     fourlink_check c;
@@ -57,7 +57,7 @@ static void ask(marks *m, const input *deck)
 
     for (i = 0; i < deck->problem.n_expected && m->n < MOST_QUESTIONS; i++) {
         results_check(deck->results, i, &c);
-        if (find(m, &c))
+        if (find(m, &c) || c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
             continue;
         m->set_tolerances |=
             c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;

@@ -29,6 +29,9 @@ static const struct {
                 {"first name(s)", FIRST_NAME},
                 {"firstname", FIRST_NAME},
                 {"given name", FIRST_NAME},
+                {"given names", FIRST_NAME},
+                {"given", FIRST_NAME},
+                {"forename", FIRST_NAME},
                 {"surname", SURNAME},
                 {"last name", SURNAME},
                 {"lastname", SURNAME},
@@ -157,6 +160,12 @@ static int read_lines(roster *r, const char *path, text rest)
             r->separator = separator;
             r->n_columns = r->has_header ? (int)count_fields(row, separator) : 1;
             r->design_column = r->has_header ? place[DESIGN] : -1;
+            if (!r->has_header &&
+                (count_fields(row, separator) > 2 ||
+                 (count_fields(row, separator) > 1 && flk_text_ends_in(flk_text_of(path), ".csv"))))
+                return refuse(path, 1,
+                              "expected a line of headings, such as name,id, or first "
+                              "name,surname,id number");
             if (r->has_header && place[NAME] < 0 && place[FIRST_NAME] < 0 && place[SURNAME] < 0)
                 return refuse(path, 1, "no column has the heading name, or first name and surname");
             if (r->has_header)
@@ -179,6 +188,7 @@ static int read_lines(roster *r, const char *path, text rest)
 int roster_read(roster *r, const char *path)
 {
     size_t length = 0;
+    int status;
     text all;
 
     memset(r, 0, sizeof *r);
@@ -193,7 +203,8 @@ int roster_read(roster *r, const char *path)
     r->names = memory_get(length + 2, 1);
     if (!r->list || !r->names)
         return command_lacks_memory("cannot read", path);
-    return read_lines(r, path, all);
+    status = read_lines(r, path, all);
+    return status || r->n ? status : refuse(path, 0, "there is no name in it");
 }
 
 /* Write field i of a line as it stands there, and take it off. */

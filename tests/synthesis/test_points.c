@@ -87,7 +87,8 @@ static void walk(const fourlink_points_task *t, const fourlink_solution *s)
         }
         first = fmin(first, p->theta2);
         last = fmax(last, p->theta2);
-        for (int k = -40; k <= 40 && !t->timing && !t->mu_min; k++) /* nothing beside is nearer */
+        for (int k = -40; k <= 40 && !t->timing && t->mu_min <= 0;
+             k++) /* nothing beside is nearer */
             assert_false(cabs(walked(s, p->theta2 + 1e-4 * k) - wanted) < off - near);
         if (t->timing && j > 0)
             assert_near(remainder(p->theta2 - s->position[0].theta2 - t->timing[j - 1], 2 * PI), 0,
