@@ -160,9 +160,7 @@ static int read_lines(roster *r, const char *path, text rest)
             r->separator = separator;
             r->n_columns = r->has_header ? (int)count_fields(row, separator) : 1;
             r->design_column = r->has_header ? place[DESIGN] : -1;
-            if (!r->has_header &&
-                (count_fields(row, separator) > 2 ||
-                 (count_fields(row, separator) > 1 && flk_text_ends_in(flk_text_of(path), ".csv"))))
+            if (!r->has_header && count_fields(row, separator) > 2)
                 return refuse(path, 1,
                               "expected a line of headings, such as name,id, or first "
                               "name,surname,id number");

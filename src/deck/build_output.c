@@ -210,9 +210,17 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
 #define ENDING(code, ending, whose, q, need, form, usual, meaning) ending,
 static const char *const endings[] = {OUTPUT_COLUMN_LIST(ENDING)};
 
-static void name_columns(parser *p, const section_use *use, deck_output *o)
+#define FACT_ENDINGS(code, slider, rocker, q, q_rocker, meaning, meaning_rocker) {slider, rocker},
+static const char *const fact_endings[][2] = {OUTPUT_FACT_LIST(FACT_ENDINGS)};
+
+/* Name its columns and facts. */
+static void name_results(parser *p, const section_use *use, const fourlink_group *g, deck_output *o)
 {
     size_t i;
+
+    for (i = 0; i < OUTPUT_FACTS; i++)
+        o->fact_names[i] =
+            flk_reader_copy(p, use->name, fact_endings[i][g->end == FOURLINK_GROUP_TURNS]);
 
     for (i = 0; i < OUTPUT_COLUMNS; i++)
         o->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
@@ -254,7 +262,7 @@ static void build_output(parser *p, const section_use *use, int number)
     g->side = side_of(p, use, is_slider);
     build_masses(p, use, number, 0);
     build_masses(p, use, number, 1);
-    name_columns(p, use, o);
+    name_results(p, use, g, o);
     if (g->body[0].mass > 0 || g->body[1].mass > 0 || g->body[0].inertia > 0 ||
         g->body[1].inertia > 0)
         p->d->has_forces = 1;

@@ -27,7 +27,8 @@ int flk_curve_text_file(text value, text *name)
 {
     text after = flk_text_from(value, value.length < 4 ? value.length : 4);
 
-    if (memcmp(value.start, "file", value.length - after.length) != 0 || !flk_text_blank(after))
+    if (!value.length || memcmp(value.start, "file", value.length - after.length) != 0 ||
+        !flk_text_blank(after))
         return 0;
     if (name)
         *name = flk_text_trim(after);

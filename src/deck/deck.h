@@ -81,6 +81,7 @@ typedef struct deck_output {
     const char *name[2]; /* NAME.rod, NAME */
     const char *apart;   /* that it cannot be assembled */
     const char *column_names[OUTPUT_COLUMNS];
+    const char *fact_names[OUTPUT_FACTS];
 } deck_output;
 
 /* A value that a source printed. */

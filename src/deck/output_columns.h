@@ -54,4 +54,18 @@ enum { OF_SLIDER = 1 << FOURLINK_GROUP_SLIDES, OF_ROCKER = 1 << FOURLINK_GROUP_T
 #define OUTPUT_COLUMN_CODE(code, ending, whose, q, need, form, usual, meaning) OUTPUT_##code,
 typedef enum output_column { OUTPUT_COLUMN_LIST(OUTPUT_COLUMN_CODE) OUTPUT_COLUMNS } output_column;
 
+/* Its facts: code, endings of a slider and of a rocker, their quantities, meanings. */
+#define OUTPUT_FACT_LIST(X)                                                                        \
+    X(LEAST, ".x_min", ".theta_min", LENGTH, ANGLE, "smallest place along its line",               \
+      "smallest angle")                                                                            \
+    X(MOST, ".x_max", ".theta_max", LENGTH, ANGLE, "largest place along its line",                 \
+      "largest angle")                                                                             \
+    X(STROKE, ".stroke", ".swing", LENGTH, ANGLE, "distance between these", "angle between these") \
+    X(RATIO, ".time_ratio", ".time_ratio", NUMBER, NUMBER, "slow stroke / quick one",              \
+      "slow swing / quick one")
+
+#define OUTPUT_FACT_CODE(code, slider, rocker, q, q_rocker, meaning, meaning_rocker) \
+    OUTPUT_FACT_##code,
+typedef enum output_fact { OUTPUT_FACT_LIST(OUTPUT_FACT_CODE) OUTPUT_FACTS } output_fact;
+
 #endif

@@ -11,6 +11,7 @@
 #include "deck/synthesis.h"
 #include "fact.h"
 #include "mean.h"
+#include "mechanics/group_limits.h"
 #include "mechanics/kind.h"
 
 /* name, quantity, group, meaning */
@@ -118,19 +119,41 @@ static const char *meaning_of(const deck *d, fact_code code)
 /* The handle of a fact, or the fact of a handle. */
 #define OTHER(i) (-1 - (int)(i))
 
-int flk_fact_find(text name)
+/* Facts of outputs stand behind those of the table: fact k of output i. */
+#define OF_OUTPUT(i, k) (FACT_COUNT + OUTPUT_FACTS * (i) + (k))
+#define MOST_FACTS OF_OUTPUT(FOURLINK_MOST_GROUPS, 0)
+
+#define OUTPUT_FACT_INFO(code, slider, rocker, q, q_rocker, meaning, meaning_rocker) \
+    {{QUANTITY_##q, QUANTITY_##q_rocker}, {meaning, meaning_rocker}},
+static const struct {
+    quantity q[2]; /* of a slider, of a rocker */
+    const char *meaning[2];
+} output_facts[] = {OUTPUT_FACT_LIST(OUTPUT_FACT_INFO)};
+
+int flk_fact_find(const deck *d, text name)
 {
-    int i;
+    int i, k;
 
     for (i = 0; i < FACT_COUNT; i++)
         if (flk_text_same(name, fact_table[i].name))
             return OTHER(i);
+    for (i = 0; d && i < d->machine.mechanism.design.n_groups; i++)
+        for (k = 0; k < OUTPUT_FACTS; k++)
+            if (flk_text_same(name, d->outputs[i].fact_names[k]))
+                return OTHER(OF_OUTPUT(i, k));
     return 0;
+}
+
+int flk_fact_is_there(const deck *d, int handle)
+{
+    return OTHER(handle) < OF_OUTPUT(d->machine.mechanism.design.n_groups, 0);
 }
 
 int flk_fact_group(int handle)
 {
-    return handle < 0 && handle >= -FACT_COUNT ? fact_table[OTHER(handle)].group : 0;
+    return handle >= 0 || handle < -MOST_FACTS ? 0
+           : handle >= -FACT_COUNT             ? fact_table[OTHER(handle)].group
+                                               : FOURLINK_FACTS_LIMITS;
 }
 
 const char *flk_fact_nearest(text name)
@@ -146,10 +169,17 @@ const char *flk_fact_nearest(text name)
 
 void flk_fact_describe(const deck *d, int handle, fourlink_value *f)
 {
-    fact_code code = (fact_code)OTHER(handle);
+    int code = OTHER(handle), i = (code - FACT_COUNT) / OUTPUT_FACTS,
+        k = (code - FACT_COUNT) % OUTPUT_FACTS, turns;
 
-    flk_list_describe(d, fact_table[code].q, meaning_of(d, code), f);
-    f->name = fact_table[code].name;
+    if (code < FACT_COUNT) {
+        flk_list_describe(d, fact_table[code].q, meaning_of(d, (fact_code)code), f);
+        f->name = fact_table[code].name;
+    } else {
+        turns = d->groups[i].end == FOURLINK_GROUP_TURNS;
+        flk_list_describe(d, output_facts[k].q[turns], output_facts[k].meaning[turns], f);
+        f->name = d->outputs[i].fact_names[k];
+    }
     f->handle = handle;
 }
 
@@ -167,13 +197,13 @@ static double in_unit(const listing *t, double si, quantity q)
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
-static int is_any_wanted(const listing *t, fact_code first, fact_code last)
+static int is_any_wanted(const listing *t, int first, int last)
 {
     return !t->only || (t->only <= OTHER(first) && t->only >= OTHER(last));
 }
 
 /* Returns the slot to fill; it is reused if the fact is not listed. */
-static fourlink_value *add_fact(listing *t, fact_code code, double si)
+static fourlink_value *add_fact(listing *t, int code, double si)
 {
     fourlink_value *f = &t->list[t->n];
 
@@ -181,7 +211,7 @@ static fourlink_value *add_fact(listing *t, fact_code code, double si)
         return f;
     t->n++;
     flk_fact_describe(t->d, OTHER(code), f);
-    f->value = in_unit(t, si, fact_table[code].q);
+    f->value = in_unit(t, si, flk_quantity_find(f->quantity));
     f->branch = t->branch;
     return f;
 }
@@ -201,7 +231,7 @@ static double turn_of_range(const listing *t, double from, double to)
 }
 
 /* A fact with the crank angle at which it occurs. */
-static void add_at(listing *t, fact_code code, double si, double theta2)
+static void add_at(listing *t, int code, double si, double theta2)
 {
     fourlink_value *f = add_fact(t, code, si);
 
@@ -428,7 +458,36 @@ int flk_fact_is_direction(int handle)
     for (i = 0; i < sizeof directions / sizeof *directions; i++)
         if (OTHER(handle) == (int)directions[i])
             return 1;
+    if (OTHER(handle) >= FACT_COUNT) {
+        int k = (OTHER(handle) - FACT_COUNT) % OUTPUT_FACTS;
+
+        return k == OUTPUT_FACT_LEAST ||
+               k == OUTPUT_FACT_MOST; /* a place of a slider, which is no angle, has no turn */
+    }
     return 0;
+}
+
+/* The stroke or swing of each output, where the crank turns fully. */
+static void add_limits_of_outputs(listing *t)
+{
+    const fourlink_mechanism *mechanism = &t->d->machine.mechanism;
+    flk_group_limits limits;
+    double turn;
+    int i;
+
+    for (i = 0; i < mechanism->design.n_groups; i++) {
+        if (!is_any_wanted(t, OF_OUTPUT(i, 0), OF_OUTPUT(i, OUTPUT_FACTS - 1)) ||
+            !flk_group_limits_find(mechanism, (fourlink_branch)t->branch, i, &limits))
+            continue;
+        turn = t->d->groups[i].end == FOURLINK_GROUP_TURNS
+                   ? flk_deck_direction(t->d, limits.least) - limits.least
+                   : 0;
+        add_at(t, OF_OUTPUT(i, OUTPUT_FACT_LEAST), limits.least + turn, limits.least_at);
+        add_at(t, OF_OUTPUT(i, OUTPUT_FACT_MOST), limits.most + turn, limits.most_at);
+        add_fact(t, OF_OUTPUT(i, OUTPUT_FACT_STROKE), limits.most - limits.least);
+        if (limits.time_ratio > 0)
+            add_fact(t, OF_OUTPUT(i, OUTPUT_FACT_RATIO), limits.time_ratio);
+    }
 }
 
 /* Why the actual motion ends early, or FOURLINK_OK. */
@@ -452,7 +511,7 @@ static int is_of_motion(const deck *d, int i)
     case FACT_EFFICIENCY_CYCLE:
         return d->machine.has_friction;
     default:
-        return fact_table[i].group != FOURLINK_FACTS_LIMITS;
+        return flk_fact_group(OTHER(i)) != FOURLINK_FACTS_LIMITS;
     }
 }
 
@@ -609,8 +668,10 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         if (!is_asked(t.d, t.branch, branch))
             continue;
-        if (groups & FOURLINK_FACTS_LIMITS)
+        if (groups & FOURLINK_FACTS_LIMITS) {
             add_limits(&t);
+            add_limits_of_outputs(&t);
+        }
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
             add_extremes(&t, a, x, &columns[j], list->names);
         if (groups & FOURLINK_FACTS_TURNING)

@@ -10,10 +10,14 @@
 
 /* The largest number of facts besides extremes, on both branches. */
 #define FLK_FACT_RANGES 16 /* of crank angles on a branch, of decks with outputs */
-#define FLK_FACT_LIMIT (100 + 4 * FLK_FACT_RANGES)
+#define FLK_FACT_LIMIT (100 + 4 * FLK_FACT_RANGES + 2 * OUTPUT_FACTS * FOURLINK_MOST_GROUPS)
 
-/* The handle of a fact, which is negative; 0 if no deck has one of this name. */
-int flk_fact_find(text name);
+/* The handle of a fact, which is negative; 0 if no deck has one of this name, or the deck has no output of it.
+** `d` may be null. */
+int flk_fact_find(const deck *d, text name);
+
+/* 1 if a deck has the output that a handle is of, if of one. */
+int flk_fact_is_there(const deck *d, int handle);
 
 /* Its group, FOURLINK_FACTS_LIMITS ...; 0 if the handle is not that of a fact. */
 int flk_fact_group(int handle);

@@ -90,7 +90,7 @@ void flk_name_find(flk_opened *o, text name, flk_name *n)
     if (flk_column_find(&o->a, n->of, &n->c)) {
         n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
         n->handle = flk_column_handle(&n->c, n->statistic);
-    } else if ((n->handle = flk_fact_find(name)) != 0) {
+    } else if ((n->handle = flk_fact_find(&o->d, name)) != 0) {
         n->kind = FLK_NAME_FACT;
     } else if (flk_at_angle_cut(name, &n->of, &n->at)) {
         find_at(o, name, n);
@@ -109,7 +109,7 @@ void flk_name_of_handle(flk_opened *o, int handle, flk_name *n)
     }
     memset(n, 0, sizeof *n);
     n->handle = handle;
-    if (flk_fact_group(handle))
+    if (flk_fact_group(handle) && flk_fact_is_there(&o->d, handle))
         n->kind = FLK_NAME_FACT;
     else if (flk_column_of_handle(&o->a, handle, &n->c, &n->statistic))
         n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;

@@ -434,7 +434,7 @@ static void hold_instant(deck *d)
 
 static int is_fact(text name)
 {
-    return flk_fact_find(name) != 0;
+    return flk_fact_find(NULL, name) != 0;
 }
 
 /* Open results of their deck, with the status of flk_deck_read; `from` and `like` as in open_deck. */

@@ -145,7 +145,7 @@ static void make_class(class_file *c, uint64_t *seed)
     size_t i;
 
     memset(c, 0, sizeof *c);
-    c->n = pick(seed, STUDENTS);
+    c->n = 1 + pick(seed, STUDENTS - 1);
     for (i = 0; i < c->n; i++) {
         strcpy(c->first[i], first_names[pick(seed, COUNT(first_names))]);
         strcpy(c->last[i], surnames[pick(seed, COUNT(surnames))]);
@@ -229,10 +229,11 @@ TEST(test_odd_files)
         int status;
         size_t n;
         const char *first;
-    } cases[] = {{"", 0, 0, NULL},
+    } cases[] = {{"", EXIT_USAGE, 0, NULL},
+                 {"Nachname,Vorname,Nr\nLi,Ada,1\n", EXIT_USAGE, 0, NULL},
                  {"id,late\n1,2\n", EXIT_USAGE, 0, NULL},
                  {"Email\tGroup\nx\ty\n", EXIT_USAGE, 0, NULL},
-                 {"name\n", 0, 0, NULL},
+                 {"name\n", EXIT_USAGE, 0, NULL},
                  {"name,late\nAda,-1\n", EXIT_USAGE, 0, NULL},
                  {"name,late\nAda,two\n", EXIT_USAGE, 0, NULL},
                  {"name,late\n,two\nAda,2\n", 0, 1, "Ada"},

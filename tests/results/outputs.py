@@ -10,7 +10,7 @@ import sys
 
 fourlink, decks = sys.argv[1], sys.argv[2:]
 STEP = 0.05  # deg
-failed, compared, unbounded, ranges = [], 0, 0, 0
+failed, compared, unbounded, ranges, limits = [], 0, 0, 0, 0
 
 
 def run(*arguments):
@@ -55,6 +55,38 @@ def check_extremes(deck, branch, names, rows, facts, where):
                 failed.append('%s, %s: %s(%s) %.12g, rows say %.12g' % (deck, branch, which, name, told, values[i]))
 
 
+def check_limits(deck, branch, output, kind, angles, values, facts):
+    """Stroke or swing, and the time ratio, of an output whose rows make a whole turn: both ends of its way are rows, or between two."""
+    global limits
+    for i in range(1, len(values)):
+        if kind == 'theta':
+            values[i] = values[i - 1] + (values[i] - values[i - 1] + 180) % 360 - 180
+    way, low, high = ('stroke', 'x_min', 'x_max') if kind == 'x' else ('swing', 'theta_min', 'theta_max')
+    told = facts.get('%s.%s' % (output, way))
+    if kind == 'theta' and abs(values[-1] - values[0]) > 180:  # it turns fully
+        if told is not None:
+            failed.append('%s, %s: %s has a swing and turns fully' % (deck, branch, output))
+        return
+    i, j = values.index(min(values)), values.index(max(values))
+    slack = 2 * max(abs(values[k] - values[k - 1]) for at in (i, j) for k in (max(at, 1), min(at + 1, len(values) - 1))) + 1e-9 * (values[j] - values[i])
+    limits += 1
+    if told is None or not -1e-9 * told <= told - (values[j] - values[i]) <= slack:
+        failed.append('%s, %s: %s.%s %s, rows say %.12g' % (deck, branch, output, way, told, values[j] - values[i]))
+        return
+    least, most = facts['%s.%s' % (output, low)], facts['%s.%s' % (output, high)]
+    apart = (least - values[i] + 180) % 360 - 180 if kind == 'theta' else least - values[i]
+    if abs(apart) > slack or abs(most - least - told) > 1e-9 * (abs(most) + abs(least)):
+        failed.append('%s, %s: %s from %.12g to %.12g, rows say %.12g' % (deck, branch, output, least, most, values[i]))
+    turns = sum((values[k] - values[k - 1]) * (values[(k + 1) % len(values) or 1] - values[k]) < 0 for k in range(1, len(values)))
+    ratio, span = facts.get(output + '.time_ratio'), abs(angles[i] - angles[j])
+    span = max(span, 360 - span)
+    flat = any(abs(values[k] - values[k - 1]) < 1e-12 * told for k in range(1, len(values)))
+    if not flat and (turns == 2) != (ratio is not None):
+        failed.append('%s, %s: %s turns back %d times, time ratio %s' % (deck, branch, output, turns, ratio))
+    elif ratio is not None and turns == 2 and abs(ratio - span / (360 - span)) > 2 * STEP * (1 + ratio) ** 2 / 180:
+        failed.append('%s, %s: %s.time_ratio %.12g, rows say %.5g' % (deck, branch, output, ratio, span / (360 - span)))
+
+
 def check_ranges(deck, branch, angles, rows, facts):
     """theta2_from, theta2_to: a row is there if its angle is in one of them."""
     global ranges
@@ -93,12 +125,20 @@ for deck in decks:
             if len(line) >= 5 and line[-1] in (branch, ''):
                 if line[0] in facts and line[0].startswith('theta2_'):
                     facts[line[0]].append(float(line[1]) * (1 if line[2] == 'deg' else 180 / math.pi))
+                elif line[0].split('.')[-1] in ('x_min', 'x_max', 'stroke', 'theta_min', 'theta_max', 'swing', 'time_ratio') and line[-1] == branch:
+                    facts[line[0]] = float(line[1])
                 elif '(' in line[0]:
                     facts[line[0]], where[line[0]] = number(line[1]), line[3]
         check_extremes(deck, branch, wanted, rows, facts, where)
+        if all(rows) and len(rows) > 7000:
+            for k, name in enumerate(names):
+                output, dot, kind = name.rpartition('.')
+                if kind in ('x', 'theta') and output in ('P', 'Q', 'R') and '%s.mu' % output in names:
+                    turned = 180 / math.pi if units[k] == 'rad' else 1
+                    check_limits(deck, branch, output, kind, [float(line[theta2]) for line in found], [float(line[k]) * turned for line in found], facts)
         check_ranges(deck, branch, [float(line[theta2]) for line in found], rows, facts)
 for line in failed[:40]:
     print('FAILED: ' + line)
-print('outputs: %d extremes, %d of them unbounded, %d rows in or out of the ranges' % (compared, unbounded, ranges))
-print('%d passed, %d failed' % (compared + ranges - len(failed), len(failed)))
+print('outputs: %d extremes, %d of them unbounded, %d rows in or out of the ranges, %d strokes and swings' % (compared, unbounded, ranges, limits))
+print('%d passed, %d failed' % (compared + ranges + limits - len(failed), len(failed)))
 sys.exit(len(failed) > 0)
