@@ -81,8 +81,11 @@ static void put_section(sheet *s, fourlink_branch branch, double place, const ch
         s->failed += !view_goes_to(&s->v, status);
         return;
     }
-    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", place, of,
-             fourlink_branch_text((int)branch));
+    line_put(&s->l, "\n[expect]\n");
+    if (s->at || !s->v.problem.one_instant || !s->v.problem.is_prescribed)
+        line_put(&s->l, "at = %15g %s\n", place,
+                 of); /* an instant may be given by its crank angle */
+    line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
