@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/cycle.h"
 #include "base/message.h"
 #include "system/memory.h"
 #include "command.h"
@@ -31,12 +32,20 @@ typedef struct question {
     int is_right; /* of the answers that are marked: 1, 0 or NO_ANSWER */
 } question;
 
-static int is_asked(const fourlink_check *q, const fourlink_check *c)
+/* 1 if two crank angles are that of the same row. */
+static int is_same_angle(const marks *m, double x, double y)
+{
+    double apart = m->turn > 0 ? flk_cycle_beside(x - y, m->turn) : x - y;
+
+    return fabs(apart) <= 1e-9 * (1 + fabs(x));
+}
+
+static int is_asked(const marks *m, const fourlink_check *q, const fourlink_check *c)
 {
     return strcmp(q->name, c->name) == 0 && q->branch == c->branch &&
            q->has_angle == c->has_angle && q->has_place == c->has_place &&
            fabs(q->place - c->place) <= 1e-9 * (1 + fabs(q->place)) &&
-           (!q->has_angle || fabs(q->angle - c->angle) <= 1e-9 * (1 + fabs(q->angle)));
+           (!q->has_angle || is_same_angle(m, q->angle, c->angle));
 }
 
 static question *find(const marks *m, const fourlink_check *c)
@@ -44,7 +53,7 @@ static question *find(const marks *m, const fourlink_check *c)
     unsigned long i;
 
     for (i = 0; i < m->n; i++)
-        if (is_asked(&m->list[i].value, c))
+        if (is_asked(m, &m->list[i].value, c))
             return &m->list[i];
     return NULL;
 }
@@ -151,6 +160,9 @@ int marks_begin(marks *m, const options *o, const input *deck, const roster *nam
         view_take(&v, asks->results);
         flk_text_copy(flk_text_of(v.units[QUANTITY_ANGLE].name), m->unit_of_angle,
                       sizeof m->unit_of_angle);
+        if (v.problem.one_revolution && v.problem.mode == FOURLINK_MODE_GIVEN &&
+            v.problem.motion.acceleration == 0)
+            m->turn = 2 * M_PI / v.problem.motion.angle_unit;
         ask(m, asks);
     }
     if (!m->n && o->scores)

@@ -15,6 +15,7 @@ typedef struct marks {
     sheet_question *questions; /* the same, for sheets; marks_give sets what each got */
     int set_tolerances;        /* 1: answers may set their own */
     char unit_of_angle[16];
+    double turn; /* in this unit, where rows a turn apart are the same; else 0 */
     const options *o;
     const input *deck;   /* to which all are answers; null: each has its own deck */
     exercise exercise;   /* of --exercise */

@@ -7,7 +7,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/cycle.h"
 #include "mechanics/kind.h"
 #include "at_angle.h"
 #include "build.h"
@@ -36,18 +35,6 @@ static void keep_one_branch(deck *d)
     d->n_expectations = kept;
 }
 
-/* An angle beyond the motion, moved by whole turns to where that has it: 390 deg is 30 deg of a turn. */
-static double move_into(const deck *d, double last, double angle)
-{
-    double low = GSL_MIN(d->motion.from, last), high = GSL_MAX(d->motion.from, last);
-    double moved = flk_cycle_place(angle, low, 2 * M_PI / d->motion.angle_unit);
-
-    return (angle < low || angle > high) && moved <= high &&
-                   (d->mode.kind == MODE_GIVEN || d->mode.kind == MODE_STEADY)
-               ? moved
-               : angle;
-}
-
 /* The row that an angle of answers means: 1.0472 rad is the row at 60 deg.  The last row can be closer than the
 ** others. */
 static double nearest_row(const deck *d, text words, double angle)
@@ -61,7 +48,6 @@ static double nearest_row(const deck *d, text words, double angle)
     if (!(interval > 0) || flk_deck_rows(d, &range, &over) != FOURLINK_OK || !over.is_crank_angle ||
         !flk_quantity_read(words, words, QUANTITY_ANGLE, d->bare[QUANTITY_ANGLE].unit, &read, why))
         return angle;
-    angle = move_into(d, over.last, angle);
     row = d->motion.from + interval * floor((angle - d->motion.from) / interval + 0.5);
     if (fabs(over.last - angle) < fabs(row - angle))
         row = over.last;

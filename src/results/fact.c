@@ -371,8 +371,7 @@ static void add_found(listing *t)
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         if (s->design.link[i].length > 0)
-            add_fact(t, (fact_code)(FACT_GROUND_LENGTH + i - FOURLINK_GROUND),
-                     s->design.link[i].length);
+            add_fact(t, (int)FACT_GROUND_LENGTH + i - FOURLINK_GROUND, s->design.link[i].length);
     if (s->design.offset != 0)
         add_fact(t, FACT_LINE_OFFSET, s->design.offset);
     add_at(t, FACT_MU_RANGE, s->mu_min, s->mu_min_at);
@@ -389,7 +388,7 @@ static void add_found(listing *t)
 }
 
 typedef struct counterweight_facts {
-    fact_code moment, angle, mass;
+    int moment, angle, mass;
 } counterweight_facts;
 
 static void add_counterweight(listing *t, const counterweight_facts *code,
@@ -602,7 +601,7 @@ static void add_turning(listing *t, flk_analysis *a)
 }
 
 /* Add a fact if it is defined for this motion. */
-static void add_fact_if_defined(listing *t, fact_code code, double si)
+static void add_fact_if_defined(listing *t, int code, double si)
 {
     if (gsl_finite(si))
         add_fact(t, code, si);

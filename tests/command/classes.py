@@ -478,7 +478,12 @@ class Variants(Class):
         if late or r.random() < 0.5:  # the list again, in another order and another style, with those who join
             self.students = everybody
             self.style, self.order = write_list(r, self.students, path)
-            self.tell(self.run(*command))
+            filled = r.choice(list(before))  # who has begun to fill in the form, which stays
+            with open(os.path.join(self.folder, 'out', filled.name + '.txt'), 'a', encoding='utf-8') as file:
+                file.write('# begun\n')
+            before[filled][1] += '# begun\n'
+            kept = '1 form is there already, and stays as it is' if len(before) == 1 else '%d forms are there already, and stay as they are' % len(before)
+            self.tell(self.run(*command), 'fourlink: out/: note: %s\n' % kept)
             for x, files in before.items():
                 if self.handed_out(x) != files:
                     self.wrong.append('another variant than before: ' + x.name)
@@ -486,8 +491,8 @@ class Variants(Class):
         if len({(tuple(v.__dict__.values())) for v in self.linkages.values()}) < len(self.students):
             self.wrong.append('two students have one variant')
 
-    def tell(self, done):
-        if done.returncode or done.stderr:
+    def tell(self, done, wanted=''):
+        if done.returncode or done.stderr != wanted:
             self.wrong.append('%s: %d' % (done.stderr, done.returncode))
 
     def handed_out(self, x):
