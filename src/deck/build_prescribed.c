@@ -234,6 +234,30 @@ static text_place place_or(parser *p, const setting *s)
     return IS_SET(s) ? s->place : flk_setting_find(p, KEY_MOTION_INPUT)->place;
 }
 
+/* Say at which crank angles there are stretches of the side, as none is at `near`. */
+static void tell_near(parser *p, const deck_prescribed *x, fourlink_branch branch,
+                      char why[MESSAGE_SIZE])
+{
+    flk_stretch all[FLK_STRETCHES];
+    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i, listed = 0;
+    const deck_unit *u = &p->d->units[QUANTITY_ANGLE];
+    size_t length;
+
+    flk_message(why, MESSAGE_SIZE,
+                "'near' is no crank angle at which %s is %s on the %s branch: it is", x->q->words,
+                x->side == FLK_RISING ? "rising" : "falling", fourlink_branch_text((int)branch));
+    for (i = 0; i < n && listed < 4; i++) {
+        length = strlen(why);
+        if (all[i].side == x->side)
+            flk_message(why + length, MESSAGE_SIZE - length, "%s from %.5g to %.5g %s",
+                        listed++ ? "," : "",
+                        flk_unit_from_si(all[i].theta2_from + p->d->axes.angle, u->unit),
+                        flk_unit_from_si(all[i].theta2_to + p->d->axes.angle, u->unit), u->name);
+    }
+    if (!listed)
+        strcat(why, " nowhere");
+}
+
 /* Choose the stretch of a branch, and tell why there is none, or more than one. */
 static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
 {
@@ -243,6 +267,10 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
     reach r;
 
     find_reach(p, x, branch, &r);
+    if (!r.n && IS_SET(flk_setting_find(p, KEY_MOTION_NEAR))) {
+        tell_near(p, x, branch, why);
+        return 0;
+    }
     if (IS_SET(flk_setting_find(p, KEY_MOTION_AT)))
         from = to = place_of(p, KEY_MOTION_AT);
     if (!from && !to && r.n > 1) {
@@ -269,8 +297,9 @@ static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
 {
     const setting *at = flk_setting_find(p, KEY_MOTION_AT),
                   *to = flk_setting_find(p, KEY_MOTION_TO),
-                  *from = flk_setting_find(p, KEY_MOTION_FROM);
-    text_place place = place_or(p, IS_SET(at) ? at : IS_SET(from) ? from : to);
+                  *from = flk_setting_find(p, KEY_MOTION_FROM),
+                  *near = flk_setting_find(p, KEY_MOTION_NEAR);
+    text_place place = place_or(p, IS_SET(at) ? at : IS_SET(from) ? from : IS_SET(to) ? to : near);
     int is_named = IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH));
     char why[2][MESSAGE_SIZE];
     int open = choose(p, x, FOURLINK_OPEN, why[0]) && p->d->open;
