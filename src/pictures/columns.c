@@ -204,14 +204,25 @@ static int is_zero(const picture *p, int column)
     return view_is_still(&p->v) && strcmp(of, "angle") != 0 && strcmp(of, "length") != 0;
 }
 
+/* 0 for an angle or a place, 1 for a velocity, 2 for an acceleration. */
+static int derivative_of(const picture *p, int column)
+{
+    const char *of = p->v.columns[column].quantity;
+
+    return strstr(of, "acceleration") ? 2 : strstr(of, "speed") ? 1 : 0;
+}
+
+/* A line for each derivative; behind those of the links are those of the outputs. */
 const char *picture_motion(picture *p, fourlink_branch branch)
 {
-    int i, drawn = 0;
+    int derivative, i, drawn = 0;
 
     (void)branch;
-    for (i = 1; i < (int)p->v.n_columns; i++)
-        if (picture_draws(p, p->v.columns[i].name) && !is_zero(p, i))
-            drawn += put_column(p, i);
+    for (derivative = 0; derivative < 3; derivative++)
+        for (i = 1; i < (int)p->v.n_columns; i++)
+            if (derivative_of(p, i) == derivative && picture_draws(p, p->v.columns[i].name) &&
+                !is_zero(p, i))
+                drawn += put_column(p, i);
     return drawn ? NULL : picture_no_rows(p, p->v.branches[0]);
 }
 

@@ -269,6 +269,28 @@ static void add_columns(const picture *p, const char *values, char out[PICTURE_N
     }
 }
 
+/* The column of an output that is its place (0), velocity or acceleration: NAME.x, NAME.theta ... */
+static void name_output(const picture *p, int output, int derivative, char name[40])
+{
+    static const char *const endings[2][3] = {{".x", ".v", ".a"}, {".theta", ".omega", ".alpha"}};
+    int turns = p->v.design->group[output].end == FOURLINK_GROUP_TURNS;
+
+    flk_text_join(name, 40, fourlink_deck_link_text(p->v.deck, FOURLINK_FOLLOWER + 2 + 2 * output),
+                  endings[turns][derivative], (char *)NULL);
+}
+
+/* Add the motion of the outputs. */
+static void add_outputs(const picture *p, char out[PICTURE_NAMES])
+{
+    char name[40];
+    int i;
+
+    for (i = 0; i < 3 * p->v.design->n_groups; i++) {
+        name_output(p, i / 3, i % 3, name);
+        strcat(strcat(out, name), " ");
+    }
+}
+
 void picture_choose(const picture *p, char out[PICTURE_NAMES])
 {
     int kind;
@@ -277,16 +299,25 @@ void picture_choose(const picture *p, char out[PICTURE_NAMES])
     for (kind = 0; kind < PLOT_COUNT; kind++)
         if (plot_values[kind] && (p->request->kept || kind == (int)p->request->kind))
             add_columns(p, plot_values[kind], out);
+    if (p->request->kind == PLOT_MOTION)
+        add_outputs(p, out);
 }
 
 int picture_draws(const picture *p, const char *column)
 {
     text rest = flk_text_of(plot_values[p->request->kind]), either, name;
+    char output[40];
+    int i;
 
     while (flk_text_split(&rest, ',', &either))
         while (flk_text_split(&either, '|', &name))
             if (flk_text_same(name, column))
                 return 1;
+    for (i = 0; i < 3 * p->v.design->n_groups && p->request->kind == PLOT_MOTION; i++) {
+        name_output(p, i / 3, i % 3, output);
+        if (strcmp(output, column) == 0)
+            return 1;
+    }
     return 0;
 }
 

@@ -82,6 +82,8 @@ static void lay_out(picture *p)
         width *= CROWDED;
         height *= CROWDED;
     }
+    if (p->request->kind == PLOT_MOTION)
+        columns += p->v.design->n_groups;
     if (p->request->kind == PLOT_MOTION && view_is_still(&p->v))
         rows = 1;
     if (picture_has_outputs(p)) /* of any number of columns */
