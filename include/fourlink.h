@@ -496,7 +496,8 @@ typedef struct fourlink_check {
     char hint[200]; /* FOURLINK_DIFFERS: a possible reason, or ""; FOURLINK_AGREES: in which unit */
     int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
     double marks;       /* that it is worth, of [grading]; otherwise 1 */
-    int is_short;       /* 1: it has fewer digits than [grading] asks for */
+    double part; /* of these, what it gets: 1; 0; 0.5 with a hint where [grading] has hint = half */
+    int is_short; /* 1: it has fewer digits than [grading] asks for */
 } fourlink_check;
 
 /* Set a number with a unit: "motion.speed = 60 rpm".  The unit of the line stays as it was: a number set

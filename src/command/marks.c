@@ -29,7 +29,7 @@
 /* A value that is asked for. */
 typedef struct question {
     fourlink_check value;
-    int is_right; /* of the answers that are marked: 1, 0 or NO_ANSWER */
+    double part; /* of its marks that the answers get, 0 to 1, or NO_ANSWER */
 } question;
 
 /* 1 if two crank angles are that of the same row. */
@@ -180,20 +180,22 @@ int marks_begin(marks *m, const options *o, const input *deck, const roster *nam
     return 0;
 }
 
-/* Find which questions an input answers, and whether all its answers to one are right. */
+/* Find which questions an input answers, and what part of the marks the worst of its answers to one gets. */
 static void find_answers(marks *m, const input *in)
 {
     fourlink_check c;
     unsigned long i;
     question *q;
+    double part;
 
     for (i = 0; i < m->n; i++)
-        m->list[i].is_right = NO_ANSWER;
+        m->list[i].part = NO_ANSWER;
     for (i = 0; i < in->problem.n_expected; i++) {
         results_check(in->results, i, &c);
         q = find(m, &c);
+        part = c.verdict == FOURLINK_MISPRINT ? 0 : c.part;
         if (q)
-            q->is_right = q->is_right != 0 && c.verdict == FOURLINK_AGREES;
+            q->part = q->part == NO_ANSWER ? part : GSL_MIN(q->part, part);
     }
 }
 
@@ -401,15 +403,16 @@ static void give(marks *m, const input *in, sheet_mark *mark)
     }
     find_answers(m, in);
     for (i = 0; i < m->n; i++) {
-        mark->right += m->list[i].is_right == 1 ? m->list[i].value.marks : 0;
-        if (m->list[i].is_right != NO_ANSWER)
-            m->questions[i].got = m->list[i].is_right ? m->list[i].value.marks : 0;
-        if (m->list[i].is_right == NO_ANSWER)
+        if (m->list[i].part == NO_ANSWER) {
             put_name(mark->note, sizeof mark->note, "missing: ", &n_missing, &m->list[i].value);
+            continue;
+        }
+        m->questions[i].got = m->list[i].part * m->list[i].value.marks;
+        mark->right += m->questions[i].got;
     }
     for (i = 0; i < in->problem.n_expected && !m->list; i++) {
         results_check(in->results, i, &c);
-        mark->right += c.verdict == FOURLINK_AGREES || c.verdict == FOURLINK_MISPRINT ? c.marks : 0;
+        mark->right += c.part * c.marks;
         mark->of += c.marks;
     }
     if (2 * mark->right < mark->of && !in->deck && m->list)

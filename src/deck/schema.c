@@ -69,6 +69,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(GRADING_FEEDBACK, "answers", 1)                                         \
     X(GRADING_UNITS, "lenient", 0)                                            \
     X(GRADING_UNITS, "strict", 1)                                             \
+    X(GRADING_HINT, "none", 0)                                                \
+    X(GRADING_HINT, "half", 1)                                                \
     X(GRADING_DECIMAL, "point", DECIMAL_POINT)                                \
     X(GRADING_DECIMAL, "comma", DECIMAL_COMMA)                                \
     X(SYNTHESIS_TASK, "function", TASK_FUNCTION)                              \

@@ -354,6 +354,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of all values")     \
     X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND, "fewest digits of a value")    \
     X(GRADING, UNITS, "units", WORD, NUMBER, ANY, ANY_KIND, "bare answers in another unit")        \
+    X(GRADING, HINT, "hint", WORD, NUMBER, ANY, ANY_KIND, "marks of a slip that is known")         \
     X(GRADING, DECIMAL, "decimal", WORD, NUMBER, ANY, ANY_KIND, "decimal mark of answers")         \
     X(GRADING, LATE, "late", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND, "deduction for a day late") \
     X(GRADING, FEEDBACK, "feedback", WORD, NUMBER, ANY, ANY_KIND, "what feedback shows")           \

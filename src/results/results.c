@@ -587,6 +587,10 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     status = flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
     if (status == FOURLINK_OK && found.verdict == FOURLINK_DIFFERS && !found.words[0])
         status = flk_hint_find(r->now, &n, &found);
+    if (found.verdict == FOURLINK_AGREES || found.verdict == FOURLINK_MISPRINT)
+        found.part = 1;
+    else if (found.verdict == FOURLINK_DIFFERS && found.hint[0] && !found.is_short)
+        found.part = r->now->d.is_half_for_hint ? 0.5 : 0;
     if (status == FOURLINK_OK)
         *check = found;
     if (status == FOURLINK_OK && kept) {

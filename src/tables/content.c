@@ -257,7 +257,7 @@ static void write_checks_that_are(sheet *s, int right, int all)
         is_right = check.verdict == FOURLINK_AGREES || check.verdict == FOURLINK_MISPRINT;
         if (!all && right != is_right)
             continue;
-        s->right += is_right ? check.marks : 0;
+        s->right += check.part * check.marks;
         s->of += check.marks;
         s->checks[check.verdict]++;
         s->format->check(s, &check);
