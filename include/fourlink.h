@@ -497,7 +497,8 @@ typedef struct fourlink_check {
     int tolerance_from; /* FOURLINK_FROM_DIGIT ...; 0 for words */
     double marks;       /* that it is worth, of [grading]; otherwise 1 */
     double part; /* of these, what it gets: 1; 0; 0.5 with a hint where [grading] has hint = half */
-    int is_short; /* 1: it has fewer digits than [grading] asks for */
+    int is_misprint; /* 1: of [misprint] */
+    int is_short;    /* 1: it has fewer digits than [grading] asks for */
 } fourlink_check;
 
 /* Set a number with a unit: "motion.speed = 60 rpm".  The unit of the line stays as it was: a number set

@@ -186,11 +186,12 @@ static const char *taker_of_rows(const input *in)
     if (!options_given(o, flk_text_of("--columns")) || !in->problem.has_values ||
         in->problem.n_designs)
         return NULL;
-    return o->content == SHEET_EXPECT    ? "--expect"
-           : o->content == SHEET_SUMMARY ? "--summary"
-           : o->plot                     ? "--plot"
-           : o->report                   ? "--report"
-                                         : NULL;
+    return o->form                                      ? "--form"
+           : o->content == SHEET_EXPECT                 ? "--expect"
+           : o->content == SHEET_SUMMARY                ? "--summary"
+           : o->plot && o->drawing.kind == PLOT_COLUMNS ? "--plot"
+           : o->report                                  ? "--report"
+                                                        : NULL;
 }
 
 /* Refuse an option that this deck cannot serve; 1 if there is none. */

@@ -66,7 +66,7 @@ static void ask(marks *m, const input *deck)
 
     for (i = 0; i < deck->problem.n_expected && m->n < MOST_QUESTIONS; i++) {
         results_check(deck->results, i, &c);
-        if (find(m, &c) || c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
+        if (find(m, &c) || c.is_misprint)
             continue;
         m->set_tolerances |=
             c.tolerance_from == FOURLINK_FROM_DIGIT || c.tolerance_from == FOURLINK_FROM_SECTION;

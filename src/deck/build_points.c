@@ -229,7 +229,7 @@ static int read_pivot(parser *p, key_code key, fourlink_ground *ground)
         return 1;
     if (key == KEY_SYNTHESIS_RIGHT && p->d->machine.mechanism.design.kind == FOURLINK_SLIDER_CRANK)
         return flk_mistake(p->mistakes, s->place,
-                           "the line of stroke is found, for more than three positions: remove it");
+                           "the line of stroke is found by a search from many starts: remove it");
     flk_section_split(&word, &rest);
     ground->is_given = 1;
     if (flk_text_equal(word, "within"))
@@ -237,7 +237,7 @@ static int read_pivot(parser *p, key_code key, fourlink_ground *ground)
     if (!flk_text_equal(word, "fixed"))
         return flk_mistake(p->mistakes, s->place,
                            "expected fixed (x, y) mm or " BOX ", not '%t': other choices are those "
-                           "of three positions",
+                           "of three positions without order, weights and crank_turns",
                            s->value);
     if (!flk_task_point(p, s, rest, &ground->low, &after))
         return 0;

@@ -60,9 +60,14 @@ static double rate_at(double theta2, void *data)
     return rate;
 }
 
+#define AT_START 1e-13 /* rad: beside 0, which is a dead centre of many */
+
 /* Take a place where the group turns back. */
 static void take(search *x, double theta2, double value, flk_group_limits *limits)
 {
+    theta2 = flk_cycle_place(theta2, 0, 2 * M_PI);
+    if (theta2 < AT_START || theta2 > 2 * M_PI - AT_START)
+        theta2 = 0;
     x->n_returns++;
     if (value < limits->least) {
         limits->least = value;
@@ -115,8 +120,7 @@ int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch b
             flk_bracket b = flk_bracket_of(theta2 - 2 * M_PI / SAMPLES, theta2, before, rate);
 
             zero = rate == 0 ? theta2 : flk_find_zero(rate_at, &x, &b, 0);
-            take(&x, flk_cycle_place(zero, 0, 2 * M_PI), go_on(&x, value_at(&x, zero, &unused)),
-                 limits);
+            take(&x, zero, go_on(&x, value_at(&x, zero, &unused)), limits);
         }
         go_on(&x, value);
         before = rate != 0 ? rate : -before; /* a zero at a sample has been taken */

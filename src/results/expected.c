@@ -661,6 +661,7 @@ int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, 
     flk_text_copy(plain.name, c->name, sizeof c->name);
     flk_text_copy(e->value, c->printed_text, sizeof c->printed_text);
     c->unit = "";
+    c->is_misprint = e->misprint;
     c->marks = 1;
     c->angle = e->at;
     c->branch = e->branch;

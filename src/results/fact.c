@@ -382,7 +382,7 @@ static void add_found(listing *t)
         add_fact(t, FACT_PATH_ERROR, s->rms);
         add_fact(t, FACT_PATH_ERROR_MAX, s->largest);
         if (found->task == TASK_MOTION)
-            add_at(t, FACT_COUPLER_ERROR, s->max_error, s->max_error_at);
+            add_at(t, FACT_COUPLER_ERROR, fabs(s->max_error), s->max_error_at);
     }
     add_fact(t, FACT_DEFECTS, (double)s->defects)->words = found->defects;
 }

@@ -139,13 +139,13 @@ static int is_either_first(const fourlink_precision *p)
 }
 
 /* 1 if the angles rise throughout, or fall, but for positions of which either may be passed first. */
-static int is_monotone(const fourlink_solution *s)
+static int is_monotone(const fourlink_solution *s, flk_freedom freedom)
 {
     int i, rises = 1, falls = 1;
 
     for (i = 0; i + 1 < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
-        int is_either = s->has_point && is_either_first(p);
+        int is_either = freedom == FLK_ABOUT && is_either_first(p);
 
         rises &= p[1].theta2 > p->theta2 || is_either;
         falls &= p[1].theta2 < p->theta2 || is_either;
@@ -167,14 +167,14 @@ static void measure_angles(const fourlink_solution *s, double *low, double *high
 }
 
 /* Continue the angles from the first on: counter-clockwise (1), clockwise (-1), or the shorter way (0). */
-static void continue_angles(fourlink_solution *s, int sense)
+static void continue_angles(fourlink_solution *s, int sense, flk_freedom freedom)
 {
     int i;
 
     for (i = 0; i + 1 < s->n_positions; i++) {
         fourlink_precision *p = &s->position[i];
         double shorter = flk_cycle_beside(p[1].theta2 - p->theta2, 2 * M_PI);
-        int is_shorter = sense * shorter >= 0 || (s->has_point && is_either_first(p));
+        int is_shorter = sense * shorter >= 0 || (freedom == FLK_ABOUT && is_either_first(p));
 
         p[1].theta2 = is_shorter ? p->theta2 + shorter
                                  : flk_cycle_place(p[1].theta2, p->theta2, sense * 2 * M_PI);
@@ -183,13 +183,13 @@ static void continue_angles(fourlink_solution *s, int sense)
 
 /* Continue the angles of a crank that turns fully and may run either way: it passes the positions within a turn,
 ** or their order is another one. */
-static void continue_turn(fourlink_solution *s)
+static void continue_turn(fourlink_solution *s, flk_freedom freedom)
 {
     double low, high;
     int i, sense;
 
     for (sense = 1; sense >= -1; sense -= 2) {
-        continue_angles(s, sense);
+        continue_angles(s, sense, freedom);
         measure_angles(s, &low, &high);
         if (high - low < 2 * M_PI)
             return;
@@ -201,19 +201,19 @@ static void continue_turn(fourlink_solution *s)
 
 /* Crank angles along the motion.  A crank that does not turn fully has a single way within its range.  Given
 ** angles that do not rise or fall may be counted from 0 again after a turn. */
-static void find_order(fourlink_solution *s, const fourlink_reach *reach, int is_free)
+static void find_order(fourlink_solution *s, const fourlink_reach *reach, flk_freedom freedom)
 {
     int i;
 
-    if (!is_free && !is_monotone(s)) {
-        continue_angles(s, 0);
-    } else if (is_free && turns_fully(reach)) {
-        continue_turn(s);
-    } else if (is_free) {
+    if (!freedom && !is_monotone(s, freedom)) {
+        continue_angles(s, 0, freedom);
+    } else if (freedom && turns_fully(reach)) {
+        continue_turn(s, freedom);
+    } else if (freedom) {
         for (i = 0; i < s->n_positions; i++)
             range_of(reach, s->position[i].theta2, &s->position[i].theta2);
     }
-    s->is_in_order = is_monotone(s);
+    s->is_in_order = is_monotone(s, freedom);
     if (!s->is_in_order)
         s->defects |= FOURLINK_DEFECT_ORDER;
 }
@@ -296,7 +296,7 @@ static void set_range(fourlink_solution *s)
     s->to = first <= last ? high : low;
 }
 
-int flk_check_solution(fourlink_solution *s, int is_free)
+int flk_check_solution(fourlink_solution *s, flk_freedom freedom)
 {
     fourlink_mechanism mechanism;
     fourlink_reach reach;
@@ -319,7 +319,7 @@ int flk_check_solution(fourlink_solution *s, int is_free)
     }
     if (!s->branch)
         s->branch = (fourlink_branch)first;
-    find_order(s, &reach, is_free);
+    find_order(s, &reach, freedom);
     set_range(s);
     s->defects |= find_way(s, &reach);
     find_transmission(s, &mechanism);

@@ -126,7 +126,7 @@ static int find_cognate(const void *data, fourlink_solution *s)
         status = set_cognate_positions(task, &mechanism, s);
     if (status != FOURLINK_OK)
         return status;
-    return flk_check_solution(s, task->side == FOURLINK_LEFT);
+    return flk_check_solution(s, task->side == FOURLINK_LEFT ? FLK_EITHER_WAY : FLK_AS_GIVEN);
 }
 
 int fourlink_synthesis_cognate(const fourlink_cognate_task *task, unsigned long max,

@@ -264,7 +264,7 @@ static int design_linkage(const fourlink_vector point[3], const double alpha[3],
         s->position[1].theta2 = s->position[0].theta2 + timing[0];
         s->position[2].theta2 = s->position[0].theta2 + timing[1];
     }
-    return flk_check_solution(s, !timing);
+    return flk_check_solution(s, timing ? FLK_AS_GIVEN : FLK_EITHER_WAY);
 }
 
 static int find_motion(const void *data, fourlink_solution *s)

@@ -240,7 +240,7 @@ static int find_function(const void *data, fourlink_solution *s)
     if (status != FOURLINK_OK)
         return status;
     set_points(task, s);
-    status = flk_check_solution(s, 0);
+    status = flk_check_solution(s, FLK_AS_GIVEN);
     if (status == FOURLINK_OK)
         find_largest_error(task, s);
     return status;

@@ -383,7 +383,9 @@ static int check_trial(search *s, const flk_trial *at, int is_swapped, fourlink_
             to->theta3 = wanted;
         }
     }
-    status = flk_check_solution(found, !p->has_timing);
+    status = flk_check_solution(found, p->has_timing  ? FLK_AS_GIVEN
+                                       : p->has_angle ? FLK_EITHER_WAY
+                                                      : FLK_ABOUT);
     if (s->task->any_order)
         found->defects &= ~FOURLINK_DEFECT_ORDER;
     if (status == FOURLINK_OK && found->ratio > LONGEST_LINK)

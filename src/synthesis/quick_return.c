@@ -289,7 +289,7 @@ static int find_quick_return(const void *data, fourlink_solution *s)
     s->n_positions = 2;
     s->from = s->position[0].theta2;
     s->to = s->from + 2 * M_PI;
-    return flk_check_solution(s, 0);
+    return flk_check_solution(s, FLK_AS_GIVEN);
 }
 
 int fourlink_synthesis_quick_return(const fourlink_quick_return_task *task, unsigned long max,

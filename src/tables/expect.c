@@ -140,7 +140,7 @@ static void write_asked(sheet *s)
     for (i = 0; i < s->v.problem.n_expected; i++) {
         if (!results_check(s->v.results, i, &c))
             return;
-        if (c.verdict == FOURLINK_MISPRINT || c.verdict == FOURLINK_NO_MISPRINT)
+        if (c.is_misprint)
             continue; /* not asked for */
         if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||
             c.has_place != before.has_place || c.place != before.place || c.branch != before.branch)

@@ -142,7 +142,7 @@ TEST(traced_linkages)
             at[1] == at[2] || at[0] == at[2])
             continue;
         n_tried++;
-        assert_int_equal(flk_check_solution(&s, 1), FOURLINK_OK);
+        assert_int_equal(flk_check_solution(&s, FLK_EITHER_WAY), FOURLINK_OK);
         for (int j = 1; j < 3; j++) {
             if (side[j] != side[0])
                 expected |= FOURLINK_DEFECT_BRANCH;
@@ -245,7 +245,7 @@ TEST(sines_at_joints)
         }
         if (j < 2)
             continue;
-        assert_int_equal(flk_check_solution(&s, 1), FOURLINK_OK);
+        assert_int_equal(flk_check_solution(&s, FLK_EITHER_WAY), FOURLINK_OK);
         assert_int_equal((s.defects & FOURLINK_DEFECT_CIRCUIT) != 0, sign[0] != sign[1]);
     }
 }
@@ -275,25 +275,25 @@ TEST(single_defects)
             s.position[j].output = at.link[4].theta;
         }
     }
-    assert_int_equal(flk_check_solution(&s, 0), FOURLINK_OK);
+    assert_int_equal(flk_check_solution(&s, FLK_AS_GIVEN), FOURLINK_OK);
     assert_int_equal(s.defects & ~FOURLINK_DEFECT_REACH, FOURLINK_DEFECT_DEAD);
     assert_int_equal(s.position[0].status, FOURLINK_DEAD_POSITION);
     assert_near(s.mu_positions, 0, 0);
     s.from = s.to = 0;
     s.position[0] = s.position[1];
     s.position[0].theta2 = reach.to[0] + 0.1;
-    assert_int_equal(flk_check_solution(&s, 0), FOURLINK_OK);
+    assert_int_equal(flk_check_solution(&s, FLK_AS_GIVEN), FOURLINK_OK);
     assert_int_equal(s.defects, FOURLINK_DEFECT_REACH);
     assert_near(s.mu_min, 0, 0);
     s.position[0].theta2 = reach.to[0] - 0.05;
     s.from = s.to = 0;
-    assert_int_equal(flk_check_solution(&s, 0), FOURLINK_OK);
+    assert_int_equal(flk_check_solution(&s, FLK_AS_GIVEN), FOURLINK_OK);
     assert_int_equal(s.defects, FOURLINK_DEFECT_MISSED);
     s.from = s.position[0].theta2;
     s.to = reach.from[0] - 0.01;
     assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, s.position[0].theta2, &at), FOURLINK_OK);
     s.position[0].output = at.link[4].theta;
-    assert_int_equal(flk_check_solution(&s, 0), FOURLINK_OK);
+    assert_int_equal(flk_check_solution(&s, FLK_AS_GIVEN), FOURLINK_OK);
     assert_int_equal(s.defects, FOURLINK_DEFECT_REACH);
 }
 
