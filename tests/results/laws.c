@@ -442,6 +442,7 @@ static void compare_on_page(void)
             snprintf(where, sizeof where, "%s, row %lu", fourlink_branch_text((int)one), i);
             is_near |= compare_rows(&a, &b, expected, row, where) > NEAR_DEAD;
         }
+        is_near |= comes_to_rest(&a, one);
         for (i = 0; i < SOME_COLUMNS && !has_failed && !is_near && is_determined(a.r, one, 0);
              i++) {
             j = one_of(a.c.n);
