@@ -346,6 +346,35 @@ static int is_of_kind(section_code section, int kind)
 #define SET_OF(section) (1UL << SECTION_##section)
 #define EVERY_SECTION (~0UL)
 
+/* Keys that are tried beside another of their section: decks of a number stay what they were before these came. They are the
+** last of their sections. */
+static const struct {
+    key_code key, beside;
+    const char *value;
+} followers[] = {{KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any"},
+                 {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"}};
+
+static int is_follower(key_code k)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof followers / sizeof *followers; i++)
+        if (followers[i].key == k)
+            return 1;
+    return 0;
+}
+
+/* The keys of a section without those that follow another. */
+static int count_leaders(section_code section)
+{
+    key_code k = flk_first_key(section);
+    int n = 0;
+
+    for (; k < flk_first_key(section + 1); k++)
+        n += !is_follower(k);
+    return n;
+}
+
 /* The key of this kind and of these sections that was tried least, one of several by chance. */
 static key_code rarest_key(int kind, unsigned long sections)
 {
@@ -355,7 +384,7 @@ static key_code rarest_key(int kind, unsigned long sections)
 
     for (k = 0; k < KEY_COUNT; k++) {
         if (!(flk_key_table[k].kinds & kind) || !is_of_kind(flk_key_table[k].section, kind) ||
-            !(sections >> flk_key_table[k].section & 1))
+            !(sections >> flk_key_table[k].section & 1) || is_follower(k))
             continue;
         if (keys_tried[k] < least) {
             least = keys_tried[k];
@@ -498,7 +527,7 @@ static void try_key(int kind, unsigned long sections)
     int n, i, kept;
 
     first = flk_first_key(key->section);
-    n = (int)flk_section_keys(key->section);
+    n = count_leaders(key->section);
     other = first + (key_code)one_of(n);
     keys_tried[code]++;
     append_value(value, key, code, links);
@@ -516,6 +545,13 @@ static void try_key(int kind, unsigned long sections)
                    (first + (key_code)i != other && other != code && keep_if_right(less, kind));
         }
     keys_kept[code] += (unsigned long)kept;
+    for (i = 0; kept && i < (int)(sizeof followers / sizeof *followers); i++)
+        if (followers[i].beside == code) {
+            with_line(less, sizeof less, deck_text, &flk_key_table[followers[i].key],
+                      followers[i].value, "");
+            keys_tried[followers[i].key]++;
+            keys_kept[followers[i].key] += (unsigned long)keep_if_right(less, kind);
+        }
 }
 
 /* ------------------------------------------------------------------------------------------- decks of tasks */

@@ -625,7 +625,9 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
             expected *= facts[i].to_si;
             value *= told[i].to_si;
         }
-        scale = strcmp(facts[i].quantity, "mass") == 0           ? masses
+        scale = strcmp(facts[i].quantity, "mass") == 0 ? masses
+                : strncmp(facts[i].name, "path_error", 10) == 0
+                    ? fmax(expected, d) /* of many points: a distance */
                 : strcmp(facts[i].name, "efficiency_cycle") == 0 ? 1
                 : is_one_of(facts[i].name, " mu_min mu_max gamma_min gamma_max ")
                     ? 1 / fmax(fabs(sin(expected)), 1e-9) /* an arc cosine */

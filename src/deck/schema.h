@@ -335,7 +335,6 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, RIGHT, "right", TEXT, LENGTH, ANY, WITH_PIN_C, "the right fixed pin")             \
     X(SYNTHESIS, CRANK_TURNS, "crank_turns", WORD, NUMBER, ANY, WITH_PIN_C,                        \
       "whether the crank must turn fully")                                                         \
-    X(SYNTHESIS, ORDER, "order", WORD, NUMBER, ANY, WITH_PIN_C, "the order of the positions")      \
     X(SYNTHESIS, TIME_RATIO, "time_ratio", QUANTITY, NUMBER, POSITIVE, ANY_KIND, "time ratio")     \
     X(SYNTHESIS, SWING, "swing", QUANTITY, ANGLE, POSITIVE, WITH_PIN_D,                            \
       "swing of the rocker or lever")                                                              \
@@ -347,6 +346,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, WHICH, "which", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR, "which cognate")            \
     X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                            \
       "smallest transmission angle")                                                               \
+    X(SYNTHESIS, ORDER, "order", WORD, NUMBER, ANY, WITH_PIN_C, "the order of the positions")      \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND, "number of random designs")    \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND, "start of the random numbers")   \
     X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND, "what is listed for each design")      \
@@ -354,10 +354,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GRADING, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of all values")     \
     X(GRADING, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND, "fewest digits of a value")    \
     X(GRADING, UNITS, "units", WORD, NUMBER, ANY, ANY_KIND, "bare answers in another unit")        \
-    X(GRADING, HINT, "hint", WORD, NUMBER, ANY, ANY_KIND, "marks of a slip that is known")         \
     X(GRADING, DECIMAL, "decimal", WORD, NUMBER, ANY, ANY_KIND, "decimal mark of answers")         \
     X(GRADING, LATE, "late", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND, "deduction for a day late") \
     X(GRADING, FEEDBACK, "feedback", WORD, NUMBER, ANY, ANY_KIND, "what feedback shows")           \
+    X(GRADING, HINT, "hint", WORD, NUMBER, ANY, ANY_KIND, "marks of a slip that is known")         \
     EXPECT_KEYS(X, EXPECT)                                                                         \
     EXPECT_KEYS(X, MISPRINT)
 
