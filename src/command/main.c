@@ -180,8 +180,10 @@ static int write_form(const options *o, const variants *v, const input *deck, un
     int is_there = path && system_kind_of(path) == SYSTEM_FILE;
 
     free(path);
-    *n_kept += is_there ? 1u : 0;
-    return is_there ? 0 : write_variant(o, v, deck, i, ".txt");
+    if (!is_there)
+        return write_variant(o, v, deck, i, ".txt");
+    ++*n_kept;
+    return 0;
 }
 
 static void tell_kept(const char *folder, unsigned long n)

@@ -160,8 +160,7 @@ int marks_begin(marks *m, const options *o, const input *deck, const roster *nam
         view_take(&v, asks->results);
         flk_text_copy(flk_text_of(v.units[QUANTITY_ANGLE].name), m->unit_of_angle,
                       sizeof m->unit_of_angle);
-        if (v.problem.one_revolution && v.problem.mode == FOURLINK_MODE_GIVEN &&
-            v.problem.motion.acceleration == 0)
+        if (view_repeats(&v))
             m->turn = 2 * M_PI / v.problem.motion.angle_unit;
         ask(m, asks);
     }

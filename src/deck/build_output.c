@@ -221,7 +221,6 @@ static void name_results(parser *p, const section_use *use, const fourlink_group
     for (i = 0; i < OUTPUT_FACTS; i++)
         o->fact_names[i] =
             flk_reader_copy(p, use->name, fact_endings[i][g->end == FOURLINK_GROUP_TURNS]);
-
     for (i = 0; i < OUTPUT_COLUMNS; i++)
         o->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }

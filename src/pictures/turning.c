@@ -269,8 +269,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
 
     if (fourlink_results_turning(p->v.results, branch, &d.t) != FOURLINK_OK)
         return "the turning moment needs a crank that drives and turns fully, at constant speed or "
-               "in a "
-               "steady motion";
+               "in a steady motion";
     d.p = p;
     d.branch = branch;
     d.speed = picture_speed_of(p, branch);

@@ -68,7 +68,7 @@ static int is_cut_off(const fourlink_check *c)
 /* What may be added to a value as often as one likes: a turn to a direction, in the unit of results; else 0. */
 static double turn_of(const flk_opened *o, const flk_name *n)
 {
-    int is_direction = n->kind == FLK_NAME_FACT ? flk_fact_is_direction(n->handle)
+    int is_direction = n->kind == FLK_NAME_FACT ? flk_fact_is_direction(&o->d, n->handle)
                                                 : flk_column_is_direction(&n->c);
 
     return is_direction ? flk_unit_from_si(2 * M_PI, o->d.units[QUANTITY_ANGLE].unit) : 0;

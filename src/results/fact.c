@@ -122,6 +122,8 @@ static const char *meaning_of(const deck *d, fact_code code)
 /* Facts of outputs stand behind those of the table: fact k of output i. */
 #define OF_OUTPUT(i, k) (FACT_COUNT + OUTPUT_FACTS * (i) + (k))
 #define MOST_FACTS OF_OUTPUT(FOURLINK_MOST_GROUPS, 0)
+#define OUTPUT_OF(code) (((code)-FACT_COUNT) / OUTPUT_FACTS)
+#define FACT_OF_OUTPUT(code) (((code)-FACT_COUNT) % OUTPUT_FACTS)
 
 #define OUTPUT_FACT_INFO(code, slider, rocker, q, q_rocker, meaning, meaning_rocker) \
     {{QUANTITY_##q, QUANTITY_##q_rocker}, {meaning, meaning_rocker}},
@@ -167,17 +169,28 @@ const char *flk_fact_nearest(text name)
     return flk_text_nearest(name, known);
 }
 
+/* 1 if a fact of an output is that of a rocker, 0: of a slider. */
+static int is_of_rocker(const deck *d, int code)
+{
+    return d->groups[OUTPUT_OF(code)].end == FOURLINK_GROUP_TURNS;
+}
+
+static quantity quantity_of(const deck *d, int code)
+{
+    return code < FACT_COUNT ? fact_table[code].q
+                             : output_facts[FACT_OF_OUTPUT(code)].q[is_of_rocker(d, code)];
+}
+
 void flk_fact_describe(const deck *d, int handle, fourlink_value *f)
 {
-    int code = OTHER(handle), i = (code - FACT_COUNT) / OUTPUT_FACTS,
-        k = (code - FACT_COUNT) % OUTPUT_FACTS, turns;
+    int code = OTHER(handle), i = OUTPUT_OF(code), k = FACT_OF_OUTPUT(code);
 
     if (code < FACT_COUNT) {
-        flk_list_describe(d, fact_table[code].q, meaning_of(d, (fact_code)code), f);
+        flk_list_describe(d, quantity_of(d, code), meaning_of(d, (fact_code)code), f);
         f->name = fact_table[code].name;
     } else {
-        turns = d->groups[i].end == FOURLINK_GROUP_TURNS;
-        flk_list_describe(d, output_facts[k].q[turns], output_facts[k].meaning[turns], f);
+        flk_list_describe(d, quantity_of(d, code), output_facts[k].meaning[is_of_rocker(d, code)],
+                          f);
         f->name = d->outputs[i].fact_names[k];
     }
     f->handle = handle;
@@ -211,7 +224,7 @@ static fourlink_value *add_fact(listing *t, int code, double si)
         return f;
     t->n++;
     flk_fact_describe(t->d, OTHER(code), f);
-    f->value = in_unit(t, si, flk_quantity_find(f->quantity));
+    f->value = in_unit(t, si, quantity_of(t->d, code));
     f->branch = t->branch;
     return f;
 }
@@ -446,23 +459,21 @@ static void add_limits(listing *t)
     }
 }
 
-int flk_fact_is_direction(int handle)
+int flk_fact_is_direction(const deck *d, int handle)
 {
     static const fact_code directions[] = {
         FACT_THETA2_FROM,         FACT_THETA2_TO,   FACT_THETA4_FROM,         FACT_THETA4_TO,
         FACT_INNER_DEAD_CENTRE,   FACT_THETA4_MIN,  FACT_OUTER_DEAD_CENTRE,   FACT_THETA4_MAX,
         FACT_BALANCE_CRANK_ANGLE, FACT_STALL_ANGLE, FACT_BALANCE_ROCKER_ANGLE};
+    int code = OTHER(handle), of_output = FACT_OF_OUTPUT(code);
     size_t i;
 
+    if (code >= FACT_COUNT)
+        return is_of_rocker(d, code) &&
+               (of_output == OUTPUT_FACT_LEAST || of_output == OUTPUT_FACT_MOST);
     for (i = 0; i < sizeof directions / sizeof *directions; i++)
-        if (OTHER(handle) == (int)directions[i])
+        if (code == (int)directions[i])
             return 1;
-    if (OTHER(handle) >= FACT_COUNT) {
-        int k = (OTHER(handle) - FACT_COUNT) % OUTPUT_FACTS;
-
-        return k == OUTPUT_FACT_LEAST ||
-               k == OUTPUT_FACT_MOST; /* a place of a slider, which is no angle, has no turn */
-    }
     return 0;
 }
 

@@ -23,7 +23,7 @@ int flk_fact_is_there(const deck *d, int handle);
 int flk_fact_group(int handle);
 
 /* 1 for an angle to which whole turns add nothing: a place of a link, not a swing. */
-int flk_fact_is_direction(int handle);
+int flk_fact_is_direction(const deck *d, int handle);
 
 /* The most similar name of a fact, or null. */
 const char *flk_fact_nearest(text name);

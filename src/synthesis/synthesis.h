@@ -38,16 +38,16 @@ double flk_output_error(const fourlink_state *state, fourlink_kind kind, double 
 ** values and NaN mean that the function is not defined there (check.c). */
 flk_sample flk_find_largest(flk_function *f, void *data, double from, double step, int n);
 
+/* How a crank may pass the positions. */
+typedef enum flk_freedom {
+    FLK_AS_GIVEN,   /* as their theta2 goes on */
+    FLK_EITHER_WAY, /* in their order, either way */
+    FLK_ABOUT /* the same; points nearer to each other than they are missed may change places */
+} flk_freedom;
+
 /* Check a solution that has its design, turned links, wanted positions (at most three are met exactly) and,
 ** if they are not to follow from the positions, `branch`, `from` and `to`.  Sets all that follows from these.
 ** FOURLINK_OK, FOURLINK_INFINITE_LINK, FOURLINK_NO_LENGTH (check.c). */
-typedef enum flk_freedom {
-    FLK_AS_GIVEN,   /* the crank runs as theta2 of the positions goes on; */
-    FLK_EITHER_WAY, /* it may run either way; */
-    FLK_ABOUT /* the same, and points of a path that are nearer to each other than they are missed may
-                      change places */
-} flk_freedom;
-
 int flk_check_solution(fourlink_solution *s, flk_freedom freedom);
 
 /* Find the only solution of a task, which is 0 before, and write it to the caller's array (check.c). */

@@ -82,9 +82,9 @@ static void put_section(sheet *s, fourlink_branch branch, double place, const ch
         return;
     }
     line_put(&s->l, "\n[expect]\n");
+    /* The instant of an input may be given by its crank angle. */
     if (s->at || !s->v.problem.one_instant || !s->v.problem.is_prescribed)
-        line_put(&s->l, "at = %15g %s\n", place,
-                 of); /* an instant may be given by its crank angle */
+        line_put(&s->l, "at = %15g %s\n", place, of);
     line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
@@ -102,15 +102,11 @@ static void put_at(sheet *s, fourlink_branch branch, const view_spot *spot)
 /* A revolution at constant speed ends with its first row again. */
 static void write_rows(sheet *s, fourlink_branch branch)
 {
-    const fourlink_motion *motion = &s->v.problem.motion;
-    int ends_meet = s->v.problem.one_revolution && s->v.problem.mode == FOURLINK_MODE_GIVEN &&
-                    !s->v.range.stops && motion->run_up <= 0 &&
-                    (motion->acceleration == 0 || motion->hold);
     unsigned long n = s->v.problem.n_rows, k;
     fourlink_instant now;
     int status;
 
-    for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
+    for (k = 0; k < (view_repeats(&s->v) && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
         put_section(s, branch, now.row.place, s->v.problem.over.unit, status);
         if (sheet_is_over(s, &now))

@@ -463,3 +463,11 @@ int view_is_still(const view *v)
     return v->problem.mode == FOURLINK_MODE_GIVEN && v->problem.over.is_crank_angle &&
            motion->speed == 0 && motion->acceleration == 0;
 }
+
+int view_repeats(const view *v)
+{
+    const fourlink_motion *motion = &v->problem.motion;
+
+    return v->problem.one_revolution && v->problem.mode == FOURLINK_MODE_GIVEN && !v->range.stops &&
+           motion->run_up <= 0 && (motion->acceleration == 0 || motion->hold);
+}

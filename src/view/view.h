@@ -138,4 +138,7 @@ const char *view_set_step(const view *v, double step, char out[VIEW_STEP]);
 /* 1 if the deck gives the crank no speed and no acceleration: all velocities are 0. */
 int view_is_still(const view *v);
 
+/* 1 for one turn at constant speed: rows a turn apart are the same. */
+int view_repeats(const view *v);
+
 #endif
