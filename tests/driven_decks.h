@@ -164,6 +164,38 @@ static int is_other_solution(const side *b, const side *c, const double *driven,
            fabs(driven[k] - row[find_column(&c->c, "F12")]) > 1e-9 * fabs(driven[k]);
 }
 
+/* The loads of what drives: their power is that of the drive, and each is on the link that the list of them tells. */
+static void compare_drive_loads(const side *b, const fourlink_instant *now, double Q, double power,
+                                double size)
+{
+    const fourlink_deck *deck = fourlink_results_deck(b->r);
+    fourlink_problem problem = problem_of(b->r);
+    fourlink_load_info info;
+    fourlink_load load[2];
+    double found = 0;
+    int n = 0, i;
+
+    fourlink_drive_loads(&problem.mechanism, &now->state, Q, load, &n);
+    for (i = 0; i < n; i++) {
+        const fourlink_link_state *link = &now->state.link[load[i].link];
+        fourlink_vector v, F = load[i].force;
+
+        fourlink_point(&now->state, load[i].link, &load[i].at, NULL, &v, NULL);
+        if (load[i].frame == FOURLINK_FRAME_LINK) {
+            F.x = load[i].force.x * link->axis.x - load[i].force.y * link->axis.y;
+            F.y = load[i].force.x * link->axis.y + load[i].force.y * link->axis.x;
+        }
+        found += F.x * v.x + F.y * v.y + load[i].torque * link->omega;
+        if (fourlink_deck_drive(deck, (unsigned long)i, &info) != FOURLINK_OK ||
+            info.link != load[i].link || info.has_torque != (load[i].torque != 0))
+            fail("load %d of %s is on link %d, listed on %d", i, drive_name, load[i].link,
+                 info.link);
+    }
+    if (n == 0 || fourlink_deck_drive(deck, (unsigned long)n, &info) == FOURLINK_OK)
+        fail("%s has %d loads, and others are listed", drive_name, n);
+    compare(ROW, power, found, size, "the power of the loads of %s", drive_name);
+}
+
 static void compare_driven_branch(const side *b, fourlink_branch branch, double crank)
 {
     static side c;
@@ -180,6 +212,9 @@ static void compare_driven_branch(const side *b, fourlink_branch branch, double 
     Q = driven[find_column(&b->c, "drive")];
     K = fabs(now.forces.at_crank / Q) /
         (b->c.list[find_column(&b->c, "drive")].q == QUANTITY_FORCE ? crank : 1);
+    if (Q != 0)
+        compare_drive_loads(b, &now, Q, named(&b->c, driven, "power"),
+                            fabs(now.forces.at_crank * w) * fmax(1, 1 / K));
     write_effort(&now.state, Q);
     snprintf(changed_text, sizeof changed_text, "%s", base_text);
     n = strlen(changed_text);

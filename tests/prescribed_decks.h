@@ -188,8 +188,8 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     fourlink_results *r;
     char value[100];
 
-    if (problem->mechanism.design.n_groups || !walk_at(q, problem, branch, theta2, &x, &K))
-        return; /* the walk ends where an output cannot be assembled, the range does not */
+    if (!walk_at(q, problem, branch, theta2, &x, &K))
+        return;
     low = walk(q, problem, branch, theta2, -1, &before);
     high = walk(q, problem, branch, theta2, 1, &after);
     size = q->is_angle ? 1 : problem->mechanism.design.link[2].length;
@@ -229,6 +229,7 @@ static void compare_prescribed(void)
     if (!a.r)
         return;
     problem = problem_of(a.r);
+    problem.mechanism.design.n_groups = 0; /* the walk is that of the four links */
     for (k = 0; k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2); k++) {
         fourlink_branch branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 

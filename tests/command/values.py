@@ -21,12 +21,12 @@ def is_near(found, wanted, part):
     """The search of one extreme and that of all together agree to 12 digits."""
     try:
         x, y = float(found[0]), float(wanted[0])
-        return found[1] == wanted[1] and abs(x - y) <= part * max(abs(x), abs(y)) + 1e-9 * (wanted[1] == 'deg') + 1e-13 * (wanted[1] == '1') + 1e-15
+        return found[1] == wanted[1] and abs(x - y) <= part * max(abs(x), abs(y)) + 1e-9 * (wanted[1] == 'deg') + 1e-15
     except ValueError:
         return found[0] == wanted[0]  # words
 
 
-def expect(what, found, wanted, part=1e-10):
+def expect(what, found, wanted, part=1e-11):
     global compared, failed
     compared += 1
     if found != wanted and not (isinstance(found, tuple) and is_near(found, wanted, part)):
@@ -49,9 +49,11 @@ everywhere = {}
 for deck in decks:
     wanted, is_dead = summary(deck)
     names = sorted({name for name, _ in wanted})
-    # where friction jams the linkage near a dead position, or a computed motion runs into one, the edge of the rows scatters
-    jams = any(name.startswith('friction.') for name in names) and any(name == 'theta2_from' and float(value[0]) for (name, _), value in wanted.items())
-    part = 1e-7 if jams or is_dead else 1e-10
+    # where friction jams the linkage near a dead position, or a computed motion runs into one, the edge of the rows scatters; where the
+    # force of a guide changes its sign friction jumps, at a place that is known to 1e-11 rad
+    rubs = any(name.startswith('friction.') for name in names)
+    jams = rubs and any(name == 'theta2_from' and float(value[0]) for (name, _), value in wanted.items())
+    part = 1e-7 if jams or is_dead else 5e-11 if rubs else 1e-11
     for k in range(0, len(names), MOST):
         status, rows, told = run('-f', 'csv', '--columns=' + ','.join(names[k:k + MOST]), deck)
         if not rows:
@@ -60,7 +62,7 @@ for deck in decks:
             for name in names[k:k + MOST]:
                 found = [(row[head], head[len(name) + 2:-1]) for head in row if head.rpartition(' (')[0] == name]
                 value = wanted.get((name, row['branch'])) or wanted.get((name, ''))
-                if value:
+                if value and not (name.endswith('(efficiency)') and abs(float(value[0])) < 1e-13):  # of what does no work
                     expect('%s, %s, %s' % (deck, row['branch'], name), found[0] if len(found) == 1 else found, value, part)
     everywhere[deck] = wanted
 

@@ -162,7 +162,7 @@ static void compare_parts(void)
 
 /* Rows lie between the extremes, the mean too, and the root mean square between the mean and the larger
 ** extreme. */
-#define LEAST_SIZE 1e-6 /* in SI units */
+#define NOTHING 1e-12 /* in SI units: less is rounding, of a machine whose forces are 0 */
 
 static void compare_bounds(void)
 {
@@ -196,8 +196,11 @@ static void compare_bounds(void)
                 continue;
             }
             most = fmax(fabs(x[FOURLINK_MAX]), fabs(x[FOURLINK_MIN]));
+            if (most < NOTHING) {
+                present->undecided++;
+                continue;
+            }
             size = fmax(most, 2e-3 * size_of_quantity[s.c.list[j].q]);
-            size = fmax(size, LEAST_SIZE); /* of what is rounding alone */
             for (i = 0; i < s.rows; i += s.rows / MOST_ROWS + 1)
                 if (fourlink_results_row(s.r, one, i, row, NULL, NULL) == FOURLINK_OK &&
                     !isnan(row[j])) {
