@@ -137,7 +137,7 @@ class Exercise:
         for angle in self.angles:
             self.questions += [(name, angle) for name in r.sample(columns, r.choice([1, 2, 3]))]
         self.percent, self.degrees = r.choice([0.5, 1, 2]), r.choice([0.2, 0.5, 1])
-        self.is_strict = r.random() < 0.3
+        self.is_strict, self.is_half = r.random() < 0.3, r.random() < 0.3
         self.marks = {name: r.choice([2, 3, 0.5]) for name, _ in self.questions if r.random() < 0.3}
 
     def linkage(self):
@@ -155,17 +155,27 @@ class Exercise:
                 words += ''.join('%s = 0 %s\n' % (name, 'rad/s' if name.startswith('omega') else 'deg') for name in names)
         words += '[grading]\ntolerance = %g %%, %g deg\n' % (self.percent, self.degrees)
         words += 'units = %s\n' % ('strict' if self.is_strict else 'lenient') if self.is_strict or len(self.questions) % 2 else ''
+        words += 'hint = half\n' if self.is_half else ''
         return words + ''.join('%s = %g marks\n' % item for item in self.marks.items())
 
     def marks_of(self, path, linkage):
-        """The marks of each question for a file."""
+        """The least and the most marks of each question for a file: other slips than a sign, of which half may be lost, are not known here."""
         answers, marks = read_answers(path), []
         for name, angle in self.questions:
             given = [v for (n, at), values in answers.items() for v in values
                      if n == name and (at is None if angle is None else at is not None and abs(at - angle * DEG) < 1e-9)]
-            right = [self.is_right(name, value, linkage.value(name, (angle or 0) * DEG)) for value in given]
-            marks.append(self.marks.get(name, 1) if right and all(right) else 0)
+            parts = [self.part_of(name, value, linkage.value(name, (angle or 0) * DEG)) for value in given]
+            marks.append(tuple(self.marks.get(name, 1) * (min(bound) if parts else 0) for bound in (zip(*parts) if parts else ((), ()))))
         return marks
+
+    def part_of(self, name, words, computed):
+        if self.is_right(name, words, computed):
+            return 1, 1
+        value = si_value(words)
+        if not self.is_half or not value or value[1] and is_angle(value[1]) == name.startswith('omega'):
+            return 0, 0
+        si = value[0] if value[1] else value[0] * (1 if name.startswith('omega') else DEG)
+        return (0.5, 0.5) if self.agrees(name, -si, computed) else (0, 0.5)
 
     def is_right(self, name, words, computed):
         value = si_value(words)
@@ -424,7 +434,7 @@ class Class:
             if x.files:
                 yield x.name, self.exercise.marks_of(os.path.join(self.folder, 'answers', x.files[0]), self.linkage_of(x))
             else:
-                yield x.name, [0] * len(self.exercise.questions)
+                yield x.name, [(0, 0)] * len(self.exercise.questions)
 
     def command(self):
         return ['--answers=answers', '--scores', '--format=csv', '--names=class.csv', 'exercise.deck']
@@ -444,7 +454,8 @@ class Class:
         for (name, marks), row in zip(expected, rows[1:]):
             given = [float(cell or 0) for cell in row[first:]]
             self.compared += len(marks)
-            if row[0] != name or given != marks or abs(float(row[1]) - sum(marks)) > 1e-9:
+            right = len(given) == len(marks) and all(low - 1e-9 <= x <= high + 1e-9 for x, (low, high) in zip(given, marks))
+            if row[0] != name or not right or abs(float(row[1]) - sum(given)) > 1e-9:
                 wrong.append('%s: %s, not %s %s' % (name, row, marks, next(x.files for x in self.students if x.name == name)))
         for path in self.listed:
             if "'%s'" % path not in done.stderr:
