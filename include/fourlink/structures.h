@@ -1606,8 +1606,8 @@ typedef struct fourlink_solution {
     fourlink_vector point;  /* m, coupler point in the coupler's own axes */
     double from, to;        /* rad, working range: crank angles where the motion begins and ends */
     int n_positions;
-    int is_in_order; /* 1: the crank passes the positions in their order; those that are nearer to each
-                        other than they are missed count as one */
+    int is_in_order; /* 1: the crank passes the positions in their order; points of a path that are
+                        nearer to each other than the curve comes to them may change places */
     int defects;     /* sum of FOURLINK_DEFECT_BRANCH ...; 0: none */
     fourlink_type type;
     double ratio;  /* 1, longest / shortest link */

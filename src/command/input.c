@@ -178,22 +178,6 @@ static int has_words(const char *start, size_t length)
     return flk_text_trim(flk_text_without_mark(t)).length > 0;
 }
 
-/* What takes columns of rows alone, where --columns names values of the deck; null: nothing does. */
-static const char *taker_of_rows(const input *in)
-{
-    const options *o = in->o;
-
-    if (!options_given(o, flk_text_of("--columns")) || !in->problem.has_values ||
-        in->problem.n_designs)
-        return NULL;
-    return o->form                                      ? "--form"
-           : o->content == SHEET_EXPECT                 ? "--expect"
-           : o->content == SHEET_SUMMARY                ? "--summary"
-           : o->plot && o->drawing.kind == PLOT_COLUMNS ? "--plot"
-           : o->report                                  ? "--report"
-                                                        : NULL;
-}
-
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
@@ -223,12 +207,6 @@ static int serves_options(input *in)
         deck.has_starts = in->has_starts;
         deck.has_values = input_has_values(in);
         why = rules_broken(o, &deck, message);
-    }
-    if (!why && taker_of_rows(in)) {
-        flk_message(message, sizeof message,
-                    "%s takes columns of rows; these are values of the deck", taker_of_rows(in));
-        command_tell("error", "--columns", 0, message, NULL);
-        return 0;
     }
     if (!why && p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,

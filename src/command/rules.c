@@ -101,6 +101,8 @@ static const rule table[] = {
     {"--synthesis", "a [synthesis]", NULL, NULL},
     {"--matrix", "masses or loads", NULL, NULL},
     {"--format=paper", NULL, "links that slide", "it is for a four-bar"},
+    {"--columns of values", NULL, "--expect, --form, --summary, --report, a picture of columns",
+     "it takes columns of rows, not values of the deck"},
     {"--format=paper", NULL, "a whole [sweep], values of the deck",
      "these are printed as table, csv or json"},
     {"--solve", NULL, "a whole [sweep]", OF_ONE_DESIGN},
@@ -169,6 +171,8 @@ static void find_facts(known *k, const rules_deck *d)
     add_of_deck(k, "a table of rows", columns, !has_outputs && !d->has_values);
     add_of_deck(k, "a picture of columns", o->plot && o->drawing.kind == PLOT_COLUMNS,
                 p->has_values || !has_outputs);
+    add_of_deck(k, "--columns of values", options_given(o, flk_text_of("--columns")) != NULL,
+                p->has_values && !is_sweep);
     add_of_deck(k, "a form without [expect]", o->form, !p->n_expected);
     add_of_deck(k, "a report with [expect]", o->report != NULL, p->n_expected > 0);
     add_of_deck(k, "a deck of one instant", 1, p->one_instant);

@@ -88,7 +88,7 @@ static double go_on(search *x, double value)
 }
 
 /* 1 if the crank turns fully, and the groups come back after a turn. */
-static int turns_fully(const fourlink_mechanism *mechanism, fourlink_branch branch)
+static int comes_back(const fourlink_mechanism *mechanism, fourlink_branch branch)
 {
     flk_range range[2];
 
@@ -110,7 +110,7 @@ int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch b
     x.n_returns = 0;
     limits->least = GSL_POSINF;
     limits->most = GSL_NEGINF;
-    if (!turns_fully(mechanism, branch))
+    if (!comes_back(mechanism, branch))
         return 0;
     first = x.last = value_at(&x, START, &before);
     for (i = 1; i <= SAMPLES; i++) {
