@@ -158,14 +158,15 @@ int flk_fact_group(int handle)
                                                : FOURLINK_FACTS_LIMITS;
 }
 
-const char *flk_fact_nearest(text name)
+const char *flk_fact_nearest(const deck *d, text name)
 {
-    const char *known[FACT_COUNT + 1];
-    int i;
+    const char *known[MOST_FACTS + 1];
+    int i, n = OF_OUTPUT(d->machine.mechanism.design.n_groups, 0);
 
-    for (i = 0; i < FACT_COUNT; i++)
-        known[i] = fact_table[i].name;
-    known[FACT_COUNT] = NULL;
+    for (i = 0; i < n; i++)
+        known[i] = i < FACT_COUNT ? fact_table[i].name
+                                  : d->outputs[OUTPUT_OF(i)].fact_names[FACT_OF_OUTPUT(i)];
+    known[n] = NULL;
     return flk_text_nearest(name, known);
 }
 

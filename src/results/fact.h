@@ -25,8 +25,8 @@ int flk_fact_group(int handle);
 /* 1 for an angle to which whole turns add nothing: a place of a link, not a swing. */
 int flk_fact_is_direction(const deck *d, int handle);
 
-/* The most similar name of a fact, or null. */
-const char *flk_fact_nearest(text name);
+/* The most similar name of a fact of any deck, or of an output of this one; or null. */
+const char *flk_fact_nearest(const deck *d, text name);
 
 /* Describe a fact without its value. */
 void flk_fact_describe(const deck *d, int handle, fourlink_value *f);

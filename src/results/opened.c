@@ -79,7 +79,7 @@ static void check_output(flk_opened *o, text name, const flk_name *n, text_place
     meant = flk_column_meant(&o->a, n->of); /* torque: max(Ts) */
     nearest = n->statistic ? flk_column_nearest(&o->a, n->of)
               : meant      ? meant
-                           : flk_fact_nearest(name);
+                           : flk_fact_nearest(&o->d, name);
     if ((n->statistic || meant) && nearest)
         nearest =
             flk_column_statistic_text(n->statistic ? n->statistic : FLK_MAX, nearest, statistic);
@@ -185,7 +185,7 @@ static void sort_columns(flk_opened *o, text *of_rows, text *of_deck)
         else if (!of_deck->start && (n.statistic || n.at.start || n.kind > FLK_NAME_COLUMN))
             *of_deck = name;
         else if (!similar.start && !flk_column_is_known(name) && !flk_column_nearest(&o->a, name) &&
-                 flk_fact_nearest(name))
+                 flk_fact_nearest(&o->d, name))
             similar = name;
     }
     if (!of_rows->start && !of_deck->start)
