@@ -15,8 +15,8 @@
 ** synthesis as structures; fourlink/fortran77.h the calls for FORTRAN 77.
 **
 ** The headers are strict C90 and compile as C++98.  The library keeps no state, prints nothing and never ends
-** the process.  Memory is taken where a deck or a design is opened or a number is set, and where a motion is
-** integrated (fourlink_results_open, note 3).
+** the process.  Memory is taken where a deck or a design is opened or a number is set, where a motion is
+** integrated, and where a slip is sought (fourlink_results_open, note 3).
 **
 ** Who owns what, and until when
 **
@@ -264,7 +264,8 @@ typedef struct fourlink_turning fourlink_turning;
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated on a branch
+** 3) The functions below allocate nothing, with two exceptions.  fourlink_results_check opens the deck again, once with
+**    each, as slips may have changed it: without weights, in other axes.  A motion that is not given is integrated on a branch
 **    when something is first asked that follows from it, which can take seconds.  Facts of a run-up need the
 **    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
 **    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
@@ -656,7 +657,7 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 **    check      the printed value, the computed one, and whether they agree
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch; a value
-**    that differs is sought on the other one too
+**    that differs is sought on the other one, and in the deck as slips may have changed it
 */
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);

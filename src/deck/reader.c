@@ -195,16 +195,9 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     return p->out_of_memory ? NULL : p;
 }
 
-/* Build what a text describes; for a deck with [sweep], one of its designs, with numbers set.  Returns the
-** same as flk_deck_read. */
-static int build_from(deck *d, parser *p, unsigned long design, const deck_number *set,
-                      size_t n_set)
+/* Build what settings describe.  Returns the same as flk_deck_read. */
+static int build_settings(deck *d, parser *p)
 {
-    if (!p)
-        return -1;
-    if (d->sweep.n_designs && !p->is_answers)
-        flk_sweep_assign(p, design);
-    flk_numbers_assign(p, set, n_set);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     if (!p->out_of_memory && p->is_answers)
@@ -218,6 +211,18 @@ static int build_from(deck *d, parser *p, unsigned long design, const deck_numbe
         d->notes.out_of_memory || d->slips.out_of_memory)
         return -1;
     return d->mistakes.count == 0;
+}
+
+/* Build what a text describes; for a deck with [sweep], one of its designs, with numbers set. */
+static int build_from(deck *d, parser *p, unsigned long design, const deck_number *set,
+                      size_t n_set)
+{
+    if (!p)
+        return -1;
+    if (d->sweep.n_designs && !p->is_answers)
+        flk_sweep_assign(p, design);
+    flk_numbers_assign(p, set, n_set);
+    return build_settings(d, p);
 }
 
 int flk_deck_read(const fourlink_source *source, deck *d)
@@ -235,6 +240,16 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     return build_from(d, d->answers, 0, NULL, 0);
 }
 
+/* Let a deck have the units, the sweep and the settings of another. */
+static void take_settings(deck *d, const deck *from)
+{
+    memcpy(d->units, from->units, sizeof d->units);
+    memcpy(d->bare, from->bare, sizeof d->bare);
+    memcpy(d->shown, from->shown, sizeof d->shown);
+    d->sweep = from->sweep;
+    d->settings = share(d, from->settings);
+}
+
 /* Build a deck from the settings of another. */
 static int build_again(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
                        deck *d)
@@ -243,11 +258,7 @@ static int build_again(const deck *from, unsigned long design, const deck_number
 
     if (!from->settings->is_sound)
         return 0;
-    memcpy(d->units, from->units, sizeof d->units);
-    memcpy(d->bare, from->bare, sizeof d->bare);
-    memcpy(d->shown, from->shown, sizeof d->shown);
-    d->sweep = from->sweep;
-    d->settings = share(d, from->settings);
+    take_settings(d, from);
     status = build_from(d, d->settings, design, set, n_set);
     if (!from->answers || status != 1)
         return status;
@@ -270,6 +281,18 @@ int flk_deck_solution(const deck *from, unsigned long number, deck *d)
     d->solution = number + 1;
     d->solved = from->synthesis;
     return build_again(from, 0, NULL, 0, d);
+}
+
+int flk_deck_changed(const deck *from, const fourlink_change *c, deck *d)
+{
+    memset(d, 0, sizeof *d);
+    if (!from->settings->is_sound || from->synthesis)
+        return 0;
+    take_settings(d, from);
+    if (!d->settings)
+        return -1;
+    change(d->settings, c);
+    return build_settings(d, d->settings);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,

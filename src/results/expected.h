@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** expected.h - the values that a source printed, compared with the computed ones, and why they may differ.
+** expected.h - the values that a source printed, compared with the computed ones.
 */
 #ifndef FOURLINK_EXPECTED_H
 #define FOURLINK_EXPECTED_H
@@ -15,7 +15,7 @@ int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
 ** its unit, since whole turns do not count; else 0. */
 int flk_expected_agrees(const fourlink_check *check, double value, double turn);
 
-/* Set check->hint if two numbers of this name differ in a typical way: FOURLINK_OK, FOURLINK_NO_MEMORY. */
-int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
+/* How far a value is from check->printed; of angles, whose turn is above 0, at most half a turn. */
+double flk_expected_apart(const fourlink_check *check, double value, double turn);
 
 #endif

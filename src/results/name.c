@@ -239,3 +239,11 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
         return FOURLINK_NO_SUCH_NAME;
     }
 }
+
+double flk_name_turn(const flk_opened *o, const flk_name *n)
+{
+    int is_direction = n->kind == FLK_NAME_FACT ? flk_fact_is_direction(&o->d, n->handle)
+                                                : flk_column_is_direction(&n->c);
+
+    return is_direction ? flk_unit_from_si(2 * M_PI, o->d.units[QUANTITY_ANGLE].unit) : 0;
+}

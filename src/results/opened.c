@@ -504,10 +504,23 @@ int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_
              : FOURLINK_NO_MEMORY;
 }
 
+int flk_opened_changed(const flk_opened *from, const fourlink_change *change,
+                       const flk_mistake_list *list, flk_opened **opened)
+{
+    flk_opened *o = beside(from);
+
+    return o ? open_results(o, from, NULL, flk_deck_changed(&from->d, change, &o->d), list, opened)
+             : FOURLINK_NO_MEMORY;
+}
+
 void flk_opened_free(flk_opened *o)
 {
+    int i;
+
     if (!o)
         return;
+    for (i = 0; i < FLK_SLIPS; i++) /* which share its settings */
+        flk_opened_free(o->slips[i]);
     flk_extremes_close(&o->extremes);
     flk_analysis_close(&o->a);
     flk_deck_free(&o->d);

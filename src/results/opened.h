@@ -18,6 +18,8 @@ typedef struct flk_kept_check {
 
 #define FLK_AT_NAMES 256 /* of the form NAME at ANGLE, that can have handles */
 
+#define FLK_SLIPS 7 /* hint.c */
+
 /* One design of a deck. */
 typedef struct flk_opened {
     deck d;
@@ -35,6 +37,9 @@ typedef struct flk_opened {
     char *at_names; /* each NAME at ANGLE that has a handle, of DECK_NAME_SIZE bytes */
     size_t n_at_names;
     flk_kept_check *checks; /* of the first expected values */
+    struct flk_opened *slips
+        [FLK_SLIPS]; /* with a line as students misread it; null: not opened, or not possible */
+    int is_slip_tried[FLK_SLIPS];
 } flk_opened;
 
 /* Results, whose numbers a host can set. */
@@ -95,6 +100,9 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
 int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
                          fourlink_value *value);
 
+/* What may be added to it as often as one likes: a turn to a direction, in the unit of results; else 0. */
+double flk_name_turn(const flk_opened *o, const flk_name *n);
+
 /* Put the facts of this handle on a branch first in o->found, such as the ends of two ranges; returns their
 ** number. */
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch);
@@ -110,7 +118,7 @@ typedef struct flk_mistake_list {
 
 /* Open the deck of a source; `like` is null, or a deck that may be the same and has done part of the work, and
 ** must then live longer.  Open another design of an opened deck's sweep, with `n_set` numbers set; another
-** solution of its [synthesis]: these share the settings of `from`, which must live longer.  Return the
+** solution of its [synthesis]; the same deck with a change: these share the settings of `from`, which must live longer.  Return the
 ** status of fourlink_results_open. */
 int flk_opened_read(const fourlink_source *source, const flk_opened *like,
                     const flk_mistake_list *list, flk_opened **opened);
@@ -118,6 +126,8 @@ int flk_opened_design(const flk_opened *from, unsigned long design, const deck_n
                       size_t n_set, const flk_mistake_list *list, flk_opened **opened);
 int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_mistake_list *list,
                         flk_opened **opened);
+int flk_opened_changed(const flk_opened *from, const fourlink_change *change,
+                       const flk_mistake_list *list, flk_opened **opened);
 void flk_opened_free(flk_opened *o);
 
 #endif

@@ -16,6 +16,7 @@
 #include "deck/synthesis.h"
 #include "crossing.h"
 #include "expected.h"
+#include "hint.h"
 #include "fact.h"
 #include "mean.h"
 

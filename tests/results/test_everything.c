@@ -36,12 +36,17 @@ static digest check_everything(const char *contents, const fourlink_change colum
     fourlink_results *r = NULL;
     fourlink_mistake mistake;
     digest first, again;
+    fourlink_check check;
+    unsigned long i;
 
     if (fourlink_results_open(&source, 1, &r, &mistake, NULL) != FOURLINK_OK)
         fail_msg("%s:%ld: %s", name, mistake.line, mistake.message);
     /* an actual motion is integrated when its branch is first asked for */
     fourlink_results_row(r, FOURLINK_OPEN, 0, NULL, NULL, NULL);
     fourlink_results_row(r, FOURLINK_CROSSED, 0, NULL, NULL, NULL);
+    /* and slips are sought when a value that differs is first compared */
+    for (i = 0; fourlink_results_check(r, i, &check) == FOURLINK_OK;)
+        i++;
     watch_memory(0, 0);
     first = exercise(r);
     again = exercise(r);

@@ -126,6 +126,48 @@ TEST(test_other_transmission_angle)
     }
 }
 
+/* A value of the deck with another line is told by that line. */
+TEST(test_slips)
+{
+    static const struct {
+        const char *line, *name, *hint;
+    } cases[] = {
+        {"gravity.acceleration=0 m/s2", "F23x", "without the weights"},
+        {"gravity.acceleration=10 m/s2", "Ts", "with gravity 10 m/s2"},
+        {"gravity.acceleration=9.8 m/s2", "F23_dir", "with gravity 9.8 m/s2"},
+        {"gravity.acceleration=32.2 ft/s2", "F12", "with gravity 32.2 ft/s2"},
+        {"axes=page", "theta3", "with angles and directions from the horizontal of the page"},
+        {"axes=page", "omega4", "with angles and directions from the horizontal of the page"}};
+    static const char machine[] =
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\nangle = 20 deg\n[crank]\nlength = 20 mm\n"
+        "[coupler]\nlength = 66 mm\nmass = 3 kg\nuniform = yes\n[rocker]\nlength = 56 mm\n"
+        "[motion]\nspeed = 10 rad/s\n[grading]\ntolerance = 1e-6 %\n";
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_change change = {"test", cases[i].line};
+        fourlink_source source = deck_source(machine);
+        fourlink_results *r;
+        fourlink_value v = {0};
+        fourlink_check check;
+        char printed[100];
+
+        source.changes = &change;
+        source.n_changes = 1;
+        assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+        assert_int_equal(fourlink_results_value(r, cases[i].name, FOURLINK_OPEN, 40, &v),
+                         FOURLINK_OK);
+        sprintf(printed, "%.15g %s", v.value, v.unit);
+        fourlink_results_free(r);
+        r = opened(print("%s[expect]\nat = 40 deg\n%s = %s\n", machine, cases[i].name, printed));
+        assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+        assert_int_equal(check.verdict, DIFFERS);
+        assert_string_equal(check.hint,
+                            print("%s is the value %s", check.printed_text, cases[i].hint));
+        fourlink_results_free(r);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

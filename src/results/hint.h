@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** hint.h - why a value may differ from the computed one: the slips that people make.
+*/
+#ifndef FOURLINK_HINT_H
+#define FOURLINK_HINT_H
+
+#include "opened.h"
+
+/* Set check->hint if two numbers of this name differ in a typical way: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
+
+#endif
