@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** hint.c - why a value may differ from the computed one: a sign, a unit, the branch, the row, weights, axes.
+** hint.c - why a value may differ from the computed one: a sign, a unit, the branch, the row, values above, weights, axes.
 */
 #include <math.h>
 #include <string.h>
@@ -11,6 +11,7 @@
 #include "base/message.h"
 #include "base/quantity.h"
 #include "mechanics/mechanics.h"
+#include "carried.h"
 #include "expected.h"
 #include "fact.h"
 #include "hint.h"
@@ -243,7 +244,20 @@ static const char *opposite_force(const char *name, char words[40])
     return words;
 }
 
-int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
+/* What follows from the values above it as they were written. */
+static int hint_of_carried(flk_opened *o, const deck_expectation *e, const flk_name *n,
+                           fourlink_check *c, double turn)
+{
+    char words[FLK_CARRIED_WORDS];
+    double value;
+    int status = flk_carried_value(o, e, n, &value, words);
+
+    if (status == FOURLINK_OK && flk_expected_agrees(c, value, turn))
+        flk_message(c->hint, sizeof c->hint, "it follows from %s as written", words);
+    return status == FOURLINK_NO_MEMORY ? status : FOURLINK_OK;
+}
+
+int flk_hint_find(flk_opened *o, const deck_expectation *e, const flk_name *n, fourlink_check *c)
 {
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     fourlink_value here;
@@ -284,5 +298,6 @@ int flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
         hint_of_row(o, n, c, turn);
     if (!c->hint[0] && c->has_angle && c->angle != 0)
         hint_of_angle(o, n, c, turn);
-    return c->hint[0] ? FOURLINK_OK : hint_of_slip(o, n, c, turn);
+    status = c->hint[0] ? FOURLINK_OK : hint_of_carried(o, e, n, c, turn);
+    return c->hint[0] || status != FOURLINK_OK ? status : hint_of_slip(o, n, c, turn);
 }

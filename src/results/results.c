@@ -587,7 +587,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     }
     status = flk_expected_compare(r->now, &r->now->d.expectations[i], &n, &found);
     if (status == FOURLINK_OK && found.verdict == FOURLINK_DIFFERS && !found.words[0])
-        status = flk_hint_find(r->now, &n, &found);
+        status = flk_hint_find(r->now, &r->now->d.expectations[i], &n, &found);
     if (found.verdict == FOURLINK_AGREES || found.verdict == FOURLINK_MISPRINT)
         found.part = 1;
     else if (found.verdict == FOURLINK_DIFFERS && found.hint[0] && !found.is_short)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hints.py FOURLINK DECK... - sheets of answers with one slip each: the opposite sign or force, another unit, the other branch,
-# another row, angles clockwise, in radians or from other axes, no weights, another gravity.  The value with the slip is that
+# another row, angles clockwise, in radians or from other axes, no weights, another gravity, angles of a four-bar rounded before
+# the rest is computed from them.  The value with the slip is that
 # of the table of a deck with the slip in it, or is computed here.  Where it is beyond the tolerance, the hint must be that of
 # a slip with that value; a right answer has none.  Decks whose motion is computed, or is that of something else than the
 # crank, are left out.
@@ -85,12 +86,47 @@ def slips_of(deck, angle, interval, right):
     return rows
 
 
-def checked(deck, text):
+def lengths_of(deck):
+    """Ground, crank, coupler and rocker of a four-bar, m, and the angle of the ground; None for others."""
+    with open(deck, encoding='utf-8') as file:
+        text = file.read()
+    found = [re.search(r'^\[%s\]\n(?:[a-z].*\n)*?length = ([0-9.e-]+) (mm|m)\n' % link, text, re.M) for link in ('ground', 'crank', 'coupler', 'rocker')]
+    if 'four-bar' not in text or not all(found) or re.search(r'^(angle|axes) *=|^\[(pins|output)', text, re.M):
+        return None
+    return [float(m.group(1)) * (1e-3 if m.group(2) == 'mm' else 1) for m in found]
+
+
+def try_carried(deck, angle):
+    """The angles to one digit, and angular velocities and accelerations from them, to two digits: Alvi section 3."""
+    lengths = lengths_of(deck)
+    right = row = row_at(deck, angle) if lengths else {}
+    if not all(n in right for n in ('theta3', 'theta4', 'omega3', 'omega4', 'alpha4')):
+        return
+    _, a, b, c = lengths
+    t2, w2, al2 = math.radians(row['theta2']), row['omega2'], row['alpha2']
+    t3, t4 = round(right['theta3']), round(right['theta4'])
+    e3, e4 = math.radians(t3), math.radians(t4)
+    sine = math.sin(e3 - e4)
+    if abs(sine) < 0.1 or w2 == 0:
+        return
+    w3, w4 = a * math.sin(e4 - t2) / (b * sine) * w2, a * math.sin(e3 - t2) / (c * sine) * w2
+    w3, w4 = float('%.3g' % w3), float('%.3g' % w4)
+    al4 = (a * al2 * math.sin(e3 - t2) - a * w2**2 * math.cos(e3 - t2) - b * w3**2 + c * w4**2 * math.cos(e3 - e4)) / (c * sine)
+    text = 'at = %s\ntheta3 = %.15g deg\ntheta4 = %.15g deg\nomega3 = %.15g rad/s\nomega4 = %.15g rad/s\nalpha4 = %.15g rad/s2\n'
+    found = checked(deck, text % (angle, t3, t4, w3, w4, al4), 'grading.theta3=1 deg', 'grading.theta4=1 deg', 'grading.omega3=50 %', 'grading.omega4=50 %')
+    if not is_near('alpha4', al4, right['alpha4'], 1.02 * right['alpha4']):
+        result, computed, note = found.get(6, ('', '', ''))
+        checks.that(result == 'differs' and note, '%s: carried alpha4 = %.15g at %s: %s, computed %s, %s' % (deck, al4, angle, result, computed, note))
+        kind = 'carried' if 'it follows from theta3' in note else 'carried, another slip too'
+        counts[kind] = counts.get(kind, 0) + 1
+
+
+def checked(deck, text, *gradings):
     """The lines of --check, by the line of the sheet: (result, computed, note)."""
     with tempfile.NamedTemporaryFile('w', suffix='.expect') as file:
         file.write(text)
         file.flush()
-        lines = csv.DictReader(io.StringIO(run(deck, '--check=' + file.name, '-f', 'csv', '-s', GRADING)))
+        lines = csv.DictReader(io.StringIO(run(deck, '--check=' + file.name, '-f', 'csv', '-s', GRADING, *[x for g in gradings for x in ('-s', g)])))
         return {int(x['line']): (x['result'], x['computed'], x['note']) for x in lines if x['line']}
 
 
@@ -121,6 +157,8 @@ def try_deck(deck):
         line += 1
         text += '%s = %.15g %s\n' % (name, value, units[name])
         wanted[line] = ('right', name, value, [])
+    for each in angles[::max(1, len(angles) // 10)]:
+        try_carried(deck, '%.17g deg' % each)
     found = checked(deck, text)
     for line, (kind, name, v, words) in wanted.items():
         result, computed, note = found.get(line, ('', '', ''))

@@ -168,6 +168,36 @@ TEST(test_slips)
     }
 }
 
+/* Angles to whole degrees, and what follows from them: by Alvi eqs. 4.1 and 4.2, computed by hand. */
+TEST(test_carried_on)
+{
+    static const struct {
+        const char *more, *hint;
+    } cases[] = {
+        {"theta3 = 39 deg\ntheta4 = 104 deg\nomega4 = 0.0722122 rad/s\n",
+         "it follows from theta3 = 39 deg, theta4 = 104 deg as written"},
+        {"omega4 = 0.0722122 rad/s\ntheta3 = 39 deg\ntheta4 = 104 deg\n", ""}, /* below it */
+        {"theta3 = 39 deg\n[expect]\nat = 41 deg\ntheta4 = 104 deg\n[expect]\nat = 40 deg\n"
+         "omega4 = 0.0722122 rad/s\n",
+         ""}};
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *r =
+            opened(alvi(print("[expect]\nat = 40 deg\n%s[grading]\ntolerance = 1 deg\n"
+                              "omega4 = 0.0001 %%\n",
+                              cases[i].more)));
+        fourlink_check check = {0};
+        unsigned long k;
+
+        for (k = 0; strcmp(check.name, "omega4") != 0; k++)
+            assert_int_equal(fourlink_results_check(r, k, &check), FOURLINK_OK);
+        assert_int_equal(check.verdict, DIFFERS);
+        assert_string_equal(check.hint, cases[i].hint);
+        fourlink_results_free(r);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
