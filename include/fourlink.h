@@ -203,11 +203,12 @@ typedef struct fourlink_value {
 } fourlink_value;
 
 enum {
-    FOURLINK_OF_CRANK = 1,     /* depends on the crank alone: has a value at every crank angle */
-    FOURLINK_CRANK_ANGLE = 2,  /* the crank angle itself, which has no extremes */
-    FOURLINK_OF_ROUNDING = 4,  /* a measure of rounding */
-    FOURLINK_OF_FORCES = 8,    /* needs the forces, or the engine method */
-    FOURLINK_FRICTIONLESS = 16 /* of the forces, has no friction of this motion in it */
+    FOURLINK_OF_CRANK = 1,      /* depends on the crank alone: has a value at every crank angle */
+    FOURLINK_CRANK_ANGLE = 2,   /* the crank angle itself, which has no extremes */
+    FOURLINK_OF_ROUNDING = 4,   /* a measure of rounding */
+    FOURLINK_OF_FORCES = 8,     /* needs the forces, or the engine method */
+    FOURLINK_FRICTIONLESS = 16, /* of the forces, has no friction of this motion in it */
+    FOURLINK_DIRECTION = 32     /* whole turns do not count */
 };
 
 /* Add one of these to the handle of a column to get the handle of its statistic. */

@@ -352,7 +352,8 @@ static const struct {
     key_code key, beside;
     const char *value;
 } followers[] = {{KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any"},
-                 {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"}};
+                 {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"},
+                 {KEY_GRADING_TEXT, KEY_GRADING_DIGITS, "Find the angle <b> & {1:MC:=2}"}};
 
 static int is_follower(key_code k)
 {
@@ -724,9 +725,14 @@ static const struct {
     {"--solve", {"crank.length = 10 mm .. 30 mm where max(omega4) = 3 rad/s"}, NULL, SECTION_TOP},
     {"--synthesis", {""}, NULL, SECTION_SYNTHESIS},
     {"--solution", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS},
-    {"--effort", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS}};
+    {"--effort", {"1", "2"}, "--synthesis", SECTION_SYNTHESIS},
+    {"--quiz", {"out.xml"}, NULL, SECTION_TOP}};
 
 #define N_OPTIONS ((int)(sizeof known_options / sizeof known_options[0]))
+
+/* Options that are not drawn, so that decks of a number stay: those from this one on stand beside another, every other time. */
+#define FIRST_FOLLOWER (N_OPTIONS - 1)
+#define FOLLOWED "--tolerance"
 
 static unsigned long pairs_tried[N_OPTIONS][SECTION_COUNT];
 
@@ -747,7 +753,7 @@ static int rarest_option(void)
     int o, found = 0, n = 0;
     section_code s;
 
-    for (o = 0; o < N_OPTIONS; o++) {
+    for (o = 0; o < FIRST_FOLLOWER; o++) {
         if (!has_section(known_options[o].section) && !seldom(0.02))
             continue;
         tried = ULONG_MAX;
@@ -764,16 +770,35 @@ static int rarest_option(void)
     return found;
 }
 
+static void count_pairs(int o)
+{
+    section_code s;
+
+    for (s = 0; s < SECTION_COUNT; s++)
+        pairs_tried[o][s] += (unsigned long)has_section(s);
+}
+
+/* The options that stand beside this one. */
+static void write_followers(FILE *out, int o)
+{
+    int k;
+
+    if (strcmp(known_options[o].name, FOLLOWED) != 0 || pairs_tried[o][SECTION_TOP] % 2)
+        return;
+    for (k = FIRST_FOLLOWER; k < N_OPTIONS; k++) {
+        count_pairs(k);
+        fprintf(out, "%s=%s\n", known_options[k].name, known_options[k].values[0]);
+    }
+}
+
 /* Some options for the deck, one a line, each as one word. */
 static inline void write_options(FILE *out)
 {
     int n = 1 + seldom(0.2) + seldom(0.05), has_task = has_section(SECTION_SYNTHESIS), o, values;
-    section_code s;
 
     while (n--) {
         o = rarest_option();
-        for (s = 0; s < SECTION_COUNT; s++)
-            pairs_tried[o][s] += (unsigned long)has_section(s);
+        count_pairs(o);
         for (values = 0; values < 9 && known_options[o].values[values]; values++)
             ;
         values = one_of(values);
@@ -783,6 +808,7 @@ static inline void write_options(FILE *out)
                 known_options[o].values[values]);
         if (known_options[o].with)
             fprintf(out, "%s\n", known_options[o].with);
+        write_followers(out, o);
         has_task &= strcmp(known_options[o].name, "--synthesis") != 0;
     }
     if (has_task)

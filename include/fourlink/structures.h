@@ -584,6 +584,8 @@ typedef struct fourlink_problem {
     int has_values;           /* 1: the columns are values of the deck, which are its outputs */
     int is_graded;            /* 1: [grading] has tolerances for all values */
     int shows_answers;        /* 1: it has feedback = answers */
+    int is_half_for_hint;     /* 1: it has hint = half */
+    char task[1000];          /* its text, the words of the exercise; "": none; cut off if longer */
     double late;              /* its deduction for a day late: 0.1 for 10 % */
     int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */

@@ -191,7 +191,7 @@ static int replaces(const char *output, const char *input)
                                     : system_is_same(output, input));
 }
 
-#define OUTPUTS 3
+#define OUTPUTS 4
 
 /* The files that will be written; null: none. */
 static void list_outputs(const options *o, const char *outputs[OUTPUTS])
@@ -199,6 +199,7 @@ static void list_outputs(const options *o, const char *outputs[OUTPUTS])
     outputs[0] = o->output;
     outputs[1] = o->plot;
     outputs[2] = o->report;
+    outputs[3] = o->quiz;
 }
 
 int files_is_output(const options *o, const char *path)

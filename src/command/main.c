@@ -18,6 +18,7 @@
 #include "pins.h"
 #include "variants.h"
 #include "catalogue.h"
+#include "quiz_file.h"
 #include "solutions.h"
 #include "best.h"
 #include "solve.h"
@@ -273,6 +274,7 @@ static int run(options *o)
         status = grade_match(&answers, o);
     if (!status)
         status = o->lists_all       ? run_catalogue(o)
+                 : o->quiz          ? quiz_file_write(o)
                  : o->all_designs   ? run_variants(o, &answers)
                  : answers.is_class ? run_class(o, &answers)
                  : o->n_decks > 1   ? batch_run(o, &answers, NULL)

@@ -121,6 +121,13 @@ static int set_report(options *o, const char *value, char message[400])
            say(message, "--report needs a file name that ends in .html, not '", value, "'");
 }
 
+static int set_quiz(options *o, const char *value, char message[400])
+{
+    o->quiz = value;
+    return flk_text_ends_in(flk_text_of(value), ".xml") ||
+           say(message, "--quiz needs a file name that ends in .xml, not '", value, "'");
+}
+
 /* Change a key of the deck: the assignment is both texts. */
 static int set_change(options *o, const char *origin, const char *key, const char *value)
 {
@@ -287,6 +294,11 @@ static const option_info table[] = {
     {0, "--exercise", "DECK", MEMBER(exercise),
      "ask for what the [expect] of this deck names, and grade by its [grading]: with a deck for "
      "each student",
+     NULL},
+    {0, "--quiz", "FILE", OWN(set_quiz),
+     "write what the [expect] of the deck asks as a quiz, in Moodle XML: a question for each "
+     "design "
+     "of its [sweep], or for the deck",
      NULL},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'", NULL},

@@ -55,6 +55,7 @@ typedef struct options {
     const char *plot;          /* the picture's file; null: none */
     int ascii;                 /* 1: a text picture without Braille */
     const char *report;        /* the report's file; null: none */
+    const char *quiz;          /* the file of the quiz; null: none */
     plot_request drawing;      /* PLOT_COUNT: no kind is given */
     fourlink_change *changes;  /* --set, and options that set a key of the deck */
     unsigned long n_changes;

@@ -42,6 +42,10 @@ static const rule table[] = {
     {PICTURES, NULL, "--check=FOLDER of a class", "it prints scores"},
     {"--import", NULL, "several decks", "its file is the deck"},
     {"--import", NULL, "--print-deck, --solve, --synthesis, --design", NO_TABLE},
+    {"--quiz", NULL,
+     TEXTS ", --print-deck, --import, --solve, --best, --synthesis, --design, --part, " PICTURES
+           ", --format, --output, --at, several decks",
+     "it writes a quiz and nothing else"},
     {"--print-deck, --import", NULL,
      TEXTS ", --part, " PICTURES ", --format, --at, --best, several decks", NO_TABLE},
     {"--best", NULL, TEXTS ", --part, --design, " PICTURES ", --format=paper, --at",
@@ -80,7 +84,8 @@ static const rule table[] = {
      "a table of columns, a printed deck, --summary, --expect, a form without [expect], --report "
      "or a picture of columns",
      NULL, NULL},
-    {"--tolerance", CHECKS ", --expect, a printed deck or a report with [expect]", NULL, NULL},
+    {"--tolerance", CHECKS ", --expect, --quiz, a printed deck or a report with [expect]", NULL,
+     NULL},
     {"--branch", NULL, "--list alone", "it has both branches"},
     {"--branch", NULL, "--synthesis", "each solution has its branch"},
     {"--units", NULL, "--print-deck, --import, --synthesis alone",
@@ -98,6 +103,7 @@ static const rule table[] = {
 
     /* what the deck must have */
     {"--part, --design", A_SWEEP, NULL, NULL},
+    {"--quiz", "an [expect]", NULL, NULL},
     {"--synthesis", "a [synthesis]", NULL, NULL},
     {"--matrix", "masses or loads", NULL, NULL},
     {"--format=paper", NULL, "links that slide", "it is for a four-bar"},
@@ -150,7 +156,7 @@ static void find_facts(known *k, const rules_deck *d)
     const fourlink_problem *p = &d->problem;
     int kind = (int)p->mechanism.design.kind, is_sweep = p->n_designs > 0;
     int is_plain = o->content == SHEET_ROWS && options_want_table(o);
-    int is_sheet = is_plain && !o->print_deck && !o->best && !o->solve;
+    int is_sheet = is_plain && !o->print_deck && !o->best && !o->solve && !o->quiz;
     int finds = is_sheet && o->synthesis && !o->at; /* a linkage, or a list of them */
     int columns = is_sheet && !finds;
     int has_outputs = is_sweep && p->has_outputs;
@@ -174,6 +180,7 @@ static void find_facts(known *k, const rules_deck *d)
     add_of_deck(k, "--columns of values", options_given(o, flk_text_of("--columns")) != NULL,
                 p->has_values && !is_sweep);
     add_of_deck(k, "a form without [expect]", o->form, !p->n_expected);
+    add_of_deck(k, "an [expect]", 1, p->n_expected > 0);
     add_of_deck(k, "a report with [expect]", o->report != NULL, p->n_expected > 0);
     add_of_deck(k, "a deck of one instant", 1, p->one_instant);
     add_of_deck(k, A_SWEEP, 1, d->has_sweep);
@@ -255,7 +262,8 @@ static int has_one(const known *k, const char *list)
 /* ---------------------------------------------------------------------------------------- messages */
 
 /* What is printed or drawn, for a message. */
-#define OUTPUTS "--format=paper, " TEXTS ", --print-deck, --best, --solve, --synthesis, " PICTURES
+#define OUTPUTS \
+    "--format=paper, " TEXTS ", --quiz, --print-deck, --best, --solve, --synthesis, " PICTURES
 
 /* Why nothing of a list holds that would but for the deck. */
 static const char *why_not(const known *k)

@@ -135,6 +135,7 @@ void flk_build_grading(parser *p)
     p->d->late = flk_setting_or(p, KEY_GRADING_LATE, 0);
     p->d->shows_answers = flk_setting_find(p, KEY_GRADING_FEEDBACK)->word;
     p->d->is_strict = flk_setting_find(p, KEY_GRADING_UNITS)->word;
+    flk_text_copy(flk_setting_find(p, KEY_GRADING_TEXT)->value, p->d->task, sizeof p->d->task);
     p->d->is_half_for_hint = flk_setting_find(p, KEY_GRADING_HINT)->word;
     p->d->decimal = flk_setting_find(p, KEY_GRADING_DECIMAL)->word;
     p->d->fewest_digits = IS_SET(digits) ? digits->si[0] : 0;

@@ -187,6 +187,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->is_graded = d->n_rules > 0 && !d->rules[d->n_rules - 1].name.length;
     problem->late = d->late;
     problem->shows_answers = d->shows_answers;
+    problem->is_half_for_hint = d->is_half_for_hint;
+    memcpy(problem->task, d->task, sizeof problem->task);
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
     problem->has_values = d->has_values;

@@ -197,6 +197,7 @@ struct fourlink_deck {
     int shows_answers;           /* 1: feedback has the computed values */
     int is_strict;               /* 1: a bare answer in another unit is wrong */
     int is_half_for_hint;        /* 1: a wrong answer with a hint gets half of its marks */
+    char task[1000];             /* the words of the exercise */
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;

@@ -358,6 +358,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GRADING, LATE, "late", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND, "deduction for a day late") \
     X(GRADING, FEEDBACK, "feedback", WORD, NUMBER, ANY, ANY_KIND, "what feedback shows")           \
     X(GRADING, HINT, "hint", WORD, NUMBER, ANY, ANY_KIND, "marks of a slip that is known")         \
+    X(GRADING, TEXT, "text", TEXT, NUMBER, ANY, ANY_KIND, "the words of the exercise in a quiz")   \
     EXPECT_KEYS(X, EXPECT)                                                                         \
     EXPECT_KEYS(X, MISPRINT)
 

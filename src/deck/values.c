@@ -424,8 +424,8 @@ static int has_meaning(const section_use *use, key_code key)
 /* 1 if a value keeps its characters: a title, and names. */
 static int is_verbatim(key_code code, text value)
 {
-    return code == KEY_TOP_TITLE || code == KEY_TABLE_COLUMNS || code == KEY_SWEEP_OUTPUT ||
-           flk_curve_text_file(value, NULL);
+    return code == KEY_TOP_TITLE || code == KEY_GRADING_TEXT || code == KEY_TABLE_COLUMNS ||
+           code == KEY_SWEEP_OUTPUT || flk_curve_text_file(value, NULL);
 }
 
 /* `drawn` needs a drawing. */

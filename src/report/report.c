@@ -201,27 +201,51 @@ static int find_mistakes(report *r)
     return 1;
 }
 
+/* Free what a report has taken; returns `opened`, or -1 if memory or a file has failed. */
+static int close_report(report *r, int opened)
+{
+    plot_deck_close(&r->drawn);
+    free(r->loads);
+    free(r->row_loads);
+    free(r->notes);
+    return memory_has_failed() || r->reason ? -1 : opened;
+}
+
+/* The same as open_deck, or find_mistakes. */
+static int open_report(report *r, FILE *out, const fourlink_source *source,
+                       const report_request *request, fourlink_mistake *mistake)
+{
+    memset(r, 0, sizeof *r);
+    r->page.out = out;
+    r->source = source;
+    r->request = request;
+    r->notes = memory_get(REPORT_MISTAKES, sizeof *r->notes);
+    if (!r->notes)
+        return -1;
+    return request->opened ? open_deck(r, mistake) : find_mistakes(r);
+}
+
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake)
 {
-    int opened = -1;
     report r;
+    int opened = open_report(&r, out, source, request, mistake);
 
-    memset(&r, 0, sizeof r);
-    r.page.out = out;
-    r.source = source;
-    r.request = request;
-    r.notes = memory_get(REPORT_MISTAKES, sizeof *r.notes);
-    if (r.notes)
-        opened = request->opened ? open_deck(&r, mistake) : find_mistakes(&r);
     if (opened > 0)
         put_page(&r);
     outcome->has_failed = r.failed > 0;
     outcome->differs = r.differing > 0;
     outcome->reason = r.reason;
-    plot_deck_close(&r.drawn);
-    free(r.loads);
-    free(r.row_loads);
-    free(r.notes);
-    return memory_has_failed() || r.reason ? -1 : opened;
+    return close_report(&r, opened);
+}
+
+int report_write_sample(FILE *out, const fourlink_source *source, const report_request *request,
+                        fourlink_mistake *mistake)
+{
+    report r;
+    int opened = open_report(&r, out, source, request, mistake);
+
+    if (opened > 0)
+        report_put_sample(&r);
+    return close_report(&r, opened);
 }

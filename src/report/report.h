@@ -57,6 +57,10 @@ typedef struct report_outcome {
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake);
 
+/* Write the sample calculation alone, as HTML; nothing for a deck that a report does not take.  The same. */
+int report_write_sample(FILE *out, const fourlink_source *source, const report_request *request,
+                        fourlink_mistake *mistake);
+
 /* The parts that make the drawing interactive, in interactive.c.  The style goes to the head of the page, the
 ** drawing into a section, the script to the end of the body. */
 void report_put_style(page *p);

@@ -27,7 +27,7 @@ void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
     flk_list_describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
     v->name = c->name;
     v->source = flk_column_source_name(c);
-    v->flags = flk_column_flags(c);
+    v->flags = flk_column_flags(c) | (flk_column_is_direction(c) ? FOURLINK_DIRECTION : 0);
     v->handle = flk_column_handle(c, FLK_NONE);
 }
 

@@ -225,6 +225,7 @@ printf 'Surname,First name,design\nAbel,Anna,2\n,Ben,\n,Carla,3\n' >designs.csv
 all 2 --answers=../platform --scores --names=../designs.csv -f csv -o result ../variants.deck
 all 0 --design=all --names=../designs.csv --print-deck -o ./ ../variants.deck
 all 0 --design=all --names=../designs.csv --plot=./ --plot-kind=exercise ../variants.deck
+all 0 --quiz=quiz.xml ../variants.deck
 echo 'crank = 20 mn' >>class/carla.deck
 all 2 -f csv --check=../answers/ -o result ../class/carla.deck ../class/anna.deck
 

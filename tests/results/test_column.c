@@ -71,9 +71,10 @@ static void check_descriptions(const char *contents, unsigned long at_least)
         for (j = 0; j < i; j++)
             assert_string_not_equal(c->name, list[j].name);
     }
-    assert_int_equal(column_of(r, "theta2")->flags, FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE);
+    assert_int_equal(column_of(r, "theta2")->flags,
+                     FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_DIRECTION);
     assert_int_equal(column_of(r, "omega2")->flags, FOURLINK_OF_CRANK);
-    assert_int_equal(column_of(r, "theta3")->flags, 0);
+    assert_int_equal(column_of(r, "theta3")->flags, FOURLINK_DIRECTION);
     if (column_of(r, "residual"))
         assert_int_equal(column_of(r, "residual")->flags,
                          FOURLINK_OF_ROUNDING | FOURLINK_OF_FORCES);
