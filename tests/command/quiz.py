@@ -56,11 +56,11 @@ def grade(field, number):
 
 
 def expected(deck, design, *options):
-    """The lines of --check of a design, and all marks."""
+    """The lines of --check of a design, and all marks if there are no misprints, which alone can have no value here."""
     words = ['--check', '-f', 'csv', *options, deck] if not design else ['--check', '-f', 'csv', '--design=%d' % design, *options, deck]
     _, out, _ = run(*words)
     lines = list(csv.DictReader(io.StringIO(out)))
-    asked = [x for x in lines if x['name'] and x['result'] not in ('misprint confirmed', 'not a misprint')]
+    asked = [x for x in lines if x['name'] and x['result'] not in ('misprint confirmed', 'not a misprint', 'no value')]
     has_others = any(x['name'] and x not in asked for x in lines)
     return asked, None if has_others else sum(float(x['of']) for x in lines if x['of'])
 
@@ -125,7 +125,6 @@ def try_deck(deck, title):
         ET.fromstring('<p xmlns="http://www.w3.org/1999/xhtml">' + q.find('generalfeedback/text').text + '</p>')
         fields = [(int(m.group(1)), m.group(2), m.group(3), re.match(r' ?([^<]*)', text[m.end():]).group(1)) for m in FIELD.finditer(text)]
         lines, of = expected(deck, design, '--tolerance=1 %')
-        lines = [x for x in lines if x['result'] != 'no value']  # of a misprint, since there is a quiz
         if checks.that(len(fields) == len(lines), what, len(fields), 'fields for', len(lines)):
             in_order = sorted(lines, key=lambda x: (int(x['line']) if x['line'] else 0))
             times = sum(f[0] for f in fields) / of if of else 1
