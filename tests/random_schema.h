@@ -352,6 +352,8 @@ static const struct {
     key_code key, beside;
     const char *value;
 } followers[] = {{KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any"},
+                 {KEY_SYNTHESIS_LENGTHS, KEY_SYNTHESIS_CRANK_TURNS, "5 mm to 300 mm"},
+                 {KEY_SYNTHESIS_LENGTH_RATIO, KEY_SYNTHESIS_CRANK_TURNS, "20"},
                  {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"},
                  {KEY_GRADING_TEXT, KEY_GRADING_DIGITS, "Find the angle <b> & {1:MC:=2}"}};
 

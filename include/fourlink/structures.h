@@ -1716,6 +1716,8 @@ typedef struct fourlink_points_task {
     int may_rock;                /* 1: the crank need not turn fully */
     int any_order;               /* 1: the crank may pass the positions in any order */
     double mu_min;               /* rad, least transmission angle in the working range; 0: any */
+    double shortest, longest;    /* m, bounds of the links' lengths; 0: any */
+    double length_ratio;         /* 1, of the longest link to the shortest at most; 0: any */
     unsigned long effort;        /* so many times the usual number of starts; 0: once */
 } fourlink_points_task;
 

@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/message.h"
+#include "base/quantity.h"
 #include "system/memory.h"
 #include "command.h"
 #include "feedback.h"
@@ -59,8 +60,7 @@ static void remark(told *t, const char *words)
 
 static void tell_answer(told *t, const input *in, const fourlink_check *c)
 {
-    int is_bare =
-        c->printed_text[0] && strchr("0123456789.", c->printed_text[strlen(c->printed_text) - 1]);
+    int is_bare = !flk_quantity_unit_text(flk_text_of(c->printed_text)).length;
     char words[MESSAGE_SIZE];
 
     t->remark[0] = '\0';

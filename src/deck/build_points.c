@@ -50,7 +50,9 @@ int flk_task_has_points(parser *p)
     return n > EXACT || flk_curve_text_file(positions->value, NULL) ||
            IS_SET(flk_task_find(p, KEY_SYNTHESIS_WEIGHTS)) ||
            IS_SET(flk_task_find(p, KEY_SYNTHESIS_CRANK_TURNS)) ||
-           IS_SET(flk_task_find(p, KEY_SYNTHESIS_ORDER)) || (!is_path && IS_SET(timing)) ||
+           IS_SET(flk_task_find(p, KEY_SYNTHESIS_ORDER)) ||
+           IS_SET(flk_task_find(p, KEY_SYNTHESIS_LENGTHS)) ||
+           IS_SET(flk_task_find(p, KEY_SYNTHESIS_LENGTH_RATIO)) || (!is_path && IS_SET(timing)) ||
            flk_text_equal(timing->value, "equal") || is_boxed(left) || is_boxed(right) ||
            (is_path && IS_SET(positions) && (IS_SET(left) || !IS_SET(right) || !IS_SET(timing)));
 }
@@ -246,6 +248,31 @@ static int read_pivot(parser *p, key_code key, fourlink_ground *ground)
                                         "expected one point, such as (24, 10) mm, not '%t'", rest);
 }
 
+/* 20 mm to 200 mm, and 5: the longest link to the shortest. */
+static int read_bounds(parser *p, fourlink_points_task *task)
+{
+    const setting *lengths = flk_task_find(p, KEY_SYNTHESIS_LENGTHS),
+                  *ratio = flk_task_find(p, KEY_SYNTHESIS_LENGTH_RATIO);
+    double range[2];
+
+    if (IS_SET(lengths)) {
+        if (!flk_task_range(p, KEY_SYNTHESIS_LENGTHS, QUANTITY_LENGTH, range))
+            return 0;
+        if (!(range[0] > 0 && range[0] < range[1]))
+            return flk_mistake(p->mistakes, lengths->place,
+                               "expected the shortest and the longest length, such as "
+                               "20 mm to 200 mm, not '%t'",
+                               lengths->value);
+        task->shortest = range[0];
+        task->longest = range[1];
+    }
+    task->length_ratio = ratio->si[0];
+    return !IS_SET(ratio) || ratio->si[0] > 1 ||
+           flk_mistake(p->mistakes, ratio->place,
+                       "the longest link is longer than the shortest: expected a ratio above 1, "
+                       "such as 5");
+}
+
 int flk_task_points(parser *p)
 {
     deck_synthesis *t = p->d->synthesis;
@@ -270,7 +297,7 @@ int flk_task_points(parser *p)
     if (task->mu_min >= M_PI_2)
         return flk_mistake(p->mistakes, mu_min->place,
                            "a transmission angle is at most 90 deg: expected less, such as 40 deg");
-    return read_timing(p, l, task) & read_weights_of_points(p, l, task) &
+    return read_timing(p, l, task) & read_weights_of_points(p, l, task) & read_bounds(p, task) &
            read_pivot(p, KEY_SYNTHESIS_LEFT, &task->left) &
            read_pivot(p, KEY_SYNTHESIS_RIGHT, &task->right);
 }

@@ -117,8 +117,9 @@ int flk_synthesis_run(parser *p)
     if (t->has_points && t->status == FOURLINK_NONE_FOUND)
         return flk_mistake(
             p->mistakes, t->place,
-            "no start led to a linkage: allow a smaller mu_min, larger boxes or%s, or "
+            "no start led to a linkage: allow a smaller mu_min, %slarger boxes or%s, or "
             "more starts by --effort",
+            t->points.longest > 0 || t->points.length_ratio > 0 ? "other lengths, " : "",
             t->points.may_rock ? " other timing" : " crank_turns = any");
     if (t->status != FOURLINK_OK)
         return flk_mistake(p->mistakes, t->place, "%s", fourlink_status_text(t->status));

@@ -347,6 +347,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SYNTHESIS, MU_MIN, "mu_min", QUANTITY, ANGLE, POSITIVE, ANY_KIND,                            \
       "smallest transmission angle")                                                               \
     X(SYNTHESIS, ORDER, "order", WORD, NUMBER, ANY, WITH_PIN_C, "the order of the positions")      \
+    X(SYNTHESIS, LENGTHS, "lengths", TEXT, LENGTH, ANY, WITH_PIN_C,                                \
+      "bounds of the links' lengths")                                                              \
+    X(SYNTHESIS, LENGTH_RATIO, "length_ratio", QUANTITY, NUMBER, POSITIVE, WITH_PIN_C,             \
+      "largest ratio of two lengths")                                                              \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND, "number of random designs")    \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND, "start of the random numbers")   \
     X(SWEEP, OUTPUT, "output", TEXT, NUMBER, ANY, ANY_KIND, "what is listed for each design")      \

@@ -79,6 +79,15 @@ static void put_alternative(page *p, const fourlink_check *c, int per_cent, doub
     page_print(p, "~%%%d%%%.10g:%.6g%s%s", per_cent, value, c->tolerance, *hint ? "#" : "", hint);
 }
 
+/* The same, and for a direction a turn beside it. */
+static void put_turned(page *p, const fourlink_check *c, int per_cent, double value, double turn,
+                       const char *hint)
+{
+    put_alternative(p, c, per_cent, value, hint);
+    if (turn > 0)
+        put_alternative(p, c, per_cent, value + (value < 0 ? turn : -turn), hint);
+}
+
 /* 1 if an answer cannot be taken for the value itself. */
 static int is_apart(const fourlink_check *c, double value)
 {
@@ -91,20 +100,21 @@ static void put_slips(quiz *z, const fourlink_check *c, const fourlink_value *v)
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     int part = z->v.problem.is_half_for_hint ? 50 : 0;
     double in_rpm = c->computed * 30 / M_PI;
+    double turn = v->flags & FOURLINK_DIRECTION ? 2 * M_PI / z->v.problem.motion.angle_unit : 0;
     int has_sign = c->has_angle && is_apart(c, -c->computed), has_branch;
     fourlink_value there;
     char words[100];
 
     if (has_sign)
-        put_alternative(&z->page, c, part, -c->computed, "the sign is the opposite");
+        put_turned(&z->page, c, part, -c->computed, turn, "the sign is the opposite");
     memset(&there, 0, sizeof there);
     has_branch = results_value(z->v.results, c->name, other, c->angle, &there) == FOURLINK_OK &&
                  !there.words && is_apart(c, there.value) &&
                  (!has_sign || fabs(there.value + c->computed) > 2 * c->tolerance);
     if (has_branch)
-        put_alternative(&z->page, c, part, there.value,
-                        flk_message(words, sizeof words, "it is the %s branch's value",
-                                    fourlink_branch_text((int)other)));
+        put_turned(&z->page, c, part, there.value, turn,
+                   flk_message(words, sizeof words, "it is the %s branch's value",
+                               fourlink_branch_text((int)other)));
     if (strcmp(v->quantity, "angular_speed") == 0 && strcmp(c->unit, "rad/s") == 0 &&
         is_apart(c, in_rpm) && !(has_branch && fabs(in_rpm - there.value) <= 2 * c->tolerance))
         put_alternative(&z->page, c, part, in_rpm, "it is in rpm");
@@ -264,12 +274,17 @@ static void put_given(quiz *z)
     fourlink_results_list(z->v.results, which, &list, &n);
     for (i = 0; i < n; i++) {
         if (is_of_rows(list[i].name) ||
-            fourlink_results_input(z->v.results, list[i].name, &x) != FOURLINK_OK ||
-            gsl_isnan(x.value))
+            (!list[i].words &&
+             (fourlink_results_input(z->v.results, list[i].name, &x) != FOURLINK_OK ||
+              gsl_isnan(x.value))))
             continue;
         page_print(&z->page, n_put++ ? ", " : "<p>Given: ");
         put_given_name(&z->page, list[i].name);
-        page_print(&z->page, " = %.9g%U", x.value, x.unit);
+        page_print(&z->page, " = ");
+        if (list[i].words)
+            put_words(&z->page, list[i].words);
+        else
+            page_print(&z->page, "%.9g%U", x.value, x.unit);
     }
     page_print(&z->page, n_put ? ".</p>\n" : "");
 }
@@ -281,10 +296,14 @@ static int put_text(quiz *z)
     page_print(&z->page, "<p><b>");
     put_words(&z->page, problem->title);
     page_print(&z->page, "</b></p>\n<p>");
-    put_words(&z->page, problem->task);
-    page_print(&z->page, "</p>\n");
-    if (!problem->task[0])
-        page_print(&z->page, "<p>Mechanism: %s.</p>\n", fourlink_kind_text((int)z->v.kind.kind));
+    if (problem->task[0])
+        put_words(&z->page, problem->task);
+    else
+        page_print(&z->page, "Mechanism: %s.", fourlink_kind_text((int)z->v.kind.kind));
+    page_print(&z->page,
+               "</p>\n<p>Angles and torques are positive counter-clockwise; angles are measured "
+               "from %s.</p>\n",
+               problem->axes_on_page ? "the horizontal" : "x of link 1");
     put_given(z);
     page_print(&z->page, "<p><img src=\"@@PLUGINFILE@@/figure.svg\" alt=\"the mechanism\"/></p>\n");
     return put_fields(z);

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/cycle.h"
+#include "base/digits.h"
 #include "base/message.h"
 #include "base/quantity.h"
 #include "mechanics/mechanics.h"
@@ -25,28 +26,36 @@ static const struct {
     int is_of_speed;
     const char *words;
 } factor_table[] = {
-    {1 / RPM, 1, "the computed value is 60/(2 pi) times the expected one: rad/s for rpm?"},
-    {RPM, 1, "the computed value is 2 pi/60 times the expected one: rpm for rad/s?"},
-    {1 / (RPM * RPM), 1,
-     "the computed value is (60/(2 pi))^2 times the expected one: rad/s for rpm?"},
-    {RPM * RPM, 1, "the computed value is (2 pi/60)^2 times the expected one: rpm for rad/s?"},
-    {1 / DEG, 0, "the computed value is 180/pi times the expected one: degrees and radians?"},
-    {DEG, 0, "the computed value is pi/180 times the expected one: degrees and radians?"},
-    {1e3, 0, "the computed value is 1000 times the expected one: a unit such as m for mm?"},
-    {1e-3, 0, "the computed value is 1/1000 of the expected one: a unit such as mm for m?"}};
+    {1 / RPM, 1, "the computed value is 60/(2 pi) times this one: rad/s for rpm?"},
+    {RPM, 1, "the computed value is 2 pi/60 times this one: rpm for rad/s?"},
+    {1 / (RPM * RPM), 1, "the computed value is (60/(2 pi))^2 times this one: rad/s for rpm?"},
+    {RPM * RPM, 1, "the computed value is (2 pi/60)^2 times this one: rpm for rad/s?"},
+    {1 / DEG, 0, "the computed value is 180/pi times this one: degrees and radians?"},
+    {DEG, 0, "the computed value is pi/180 times this one: degrees and radians?"},
+    {1e3, 0, "the computed value is 1000 times this one: a unit such as m for mm?"},
+    {1e-3, 0, "the computed value is 1/1000 of this one: a unit such as mm for m?"}};
 
 #define FACTORS (sizeof factor_table / sizeof factor_table[0])
+
+/* 1 if the value would agree but for a factor.  What [grading] allows is of the computed value, and as much smaller or larger. */
+static int agrees_by_factor(const fourlink_check *c, double factor)
+{
+    fourlink_check scaled = *c;
+
+    if (c->tolerance_from >= FOURLINK_FROM_GRADING)
+        scaled.tolerance = c->tolerance / factor;
+    return fabs(c->printed) > 2 * scaled.tolerance && /* every small number would agree */
+           flk_expected_agrees(&scaled, c->computed / factor, 0);
+}
 
 /* The hint of a factor, or null. */
 static const char *hint_of_factor(const fourlink_check *c, quantity q)
 {
     size_t i;
 
-    if (fabs(c->printed) <= 2 * c->tolerance)
-        return NULL; /* every small number would agree */
     for (i = 0; i < FACTORS; i++)
         if ((!factor_table[i].is_of_speed || flk_quantities[q].dim.s) &&
-            flk_expected_agrees(c, c->computed / factor_table[i].factor, 0))
+            agrees_by_factor(c, factor_table[i].factor))
             return factor_table[i].words;
     return NULL;
 }
@@ -120,9 +129,11 @@ static void hint_of_angle(flk_opened *o, const flk_name *n, fourlink_check *c, d
         flk_message(c->hint, sizeof c->hint,
                     "%s is the value at theta2 = %g: angles are counter-clockwise", c->printed_text,
                     -c->angle);
-    else if (agrees_on_motion(o, n, c, flk_cycle_place(rad, 0, full), turn))
+    else if (agrees_on_motion(o, n, c, flk_cycle_place(rad, 0, full), turn)) {
+        c->part = 0;
         flk_message(c->hint, sizeof c->hint, "%s is the value at theta2 = %g rad", c->printed_text,
                     c->angle);
+    }
 }
 
 /* The neighbouring row whose value is the expected one. */
@@ -135,29 +146,34 @@ static void hint_of_row(flk_opened *o, const flk_name *n, fourlink_check *c, dou
     for (side = -1; side <= 1 && !c->hint[0]; side += 2) {
         double angle = c->angle + side * problem.motion.interval;
 
-        if (agrees_at(o, n, c, c->branch, angle, turn))
+        if (agrees_at(o, n, c, c->branch, angle, turn)) {
+            c->part = 0;
             flk_message(c->hint, sizeof c->hint,
                         "%s is the value of the neighbouring row, theta2 = %g", c->printed_text,
                         angle);
+        }
     }
 }
 
 /* ------------------------------------------------------------------------------------------------ slips */
 
 /* Lines of a deck as students misread them: the deck is opened with each, once, where it may tell. */
+typedef enum slip_kind { OF_WEIGHTS, OF_SPEED, OF_AXES } slip_kind;
 static const struct slip {
-    const char *assignment;
-    int of_weights;    /* 1: of the weights */
-    double gravity;    /* m/s2 */
-    const char *words; /* after "12.5 N is the value " */
+    slip_kind kind;
+    const char *assignment; /* of a speed its beginning */
+    double size;            /* gravity, m/s2; what the speed, rad/s, is multiplied by */
+    const char *words;      /* after "12.5 N is the value " */
 } slip_table[FLK_SLIPS] = {
-    {"gravity.acceleration=0 m/s2", 1, 0, "without the weights"},
-    {"gravity.acceleration=9.81 m/s2", 1, 9.81, "with gravity 9.81 m/s2"},
-    {"gravity.acceleration=9.8 m/s2", 1, 9.8, "with gravity 9.8 m/s2"},
-    {"gravity.acceleration=10 m/s2", 1, 10, "with gravity 10 m/s2"},
-    {"gravity.acceleration=32.2 ft/s2", 1, 32.2 * 0.3048, "with gravity 32.2 ft/s2"},
-    {"axes=page", 0, 0, "with angles and directions from the horizontal of the page"},
-    {"axes=ground", 0, 0, "with angles and directions from link 1"}};
+    {OF_WEIGHTS, "gravity.acceleration=0 m/s2", 0, "without the weights"},
+    {OF_WEIGHTS, "gravity.acceleration=9.81 m/s2", 9.81, "with gravity 9.81 m/s2"},
+    {OF_WEIGHTS, "gravity.acceleration=9.8 m/s2", 9.8, "with gravity 9.8 m/s2"},
+    {OF_WEIGHTS, "gravity.acceleration=10 m/s2", 10, "with gravity 10 m/s2"},
+    {OF_WEIGHTS, "gravity.acceleration=32.2 ft/s2", 32.2 * 0.3048, "with gravity 32.2 ft/s2"},
+    {OF_SPEED, "motion.speed=", 1 / RPM, "with the speed in rpm read as rad/s"},
+    {OF_SPEED, "motion.speed=", RPM, "with the speed in rad/s read as rpm"},
+    {OF_AXES, "axes=page", 0, "with angles and directions from the horizontal of the page"},
+    {OF_AXES, "axes=ground", 0, "with angles and directions from link 1"}};
 
 /* 1 if a deck with this slip may have another value of this name. */
 static int may_slip(const flk_opened *o, const flk_name *n, const fourlink_check *c,
@@ -170,14 +186,18 @@ static int may_slip(const flk_opened *o, const flk_name *n, const fourlink_check
 
     if (o->d.mode.kind != MODE_GIVEN) /* the motion itself would be another */
         return 0;
-    if (slip->of_weights)
-        return of_forces && fabs(sqrt(FLK_DOT(*g, *g)) - slip->gravity) > 1e-9;
+    if (slip->kind == OF_WEIGHTS)
+        return of_forces && fabs(sqrt(FLK_DOT(*g, *g)) - slip->size) > 1e-9;
+    if (slip->kind == OF_SPEED)
+        return is_column && o->d.motion.speed != 0 && !o->d.program && !o->d.prescribed;
     return is_column && c->has_angle;
 }
 
 /* Open the deck with a slip; `o->slips` stays null if that has mistakes.  FOURLINK_OK, FOURLINK_NO_MEMORY. */
 static int open_slip(flk_opened *o, size_t i)
 {
+    const struct slip *slip = &slip_table[i];
+    char words[40 + DIGITS_SIZE], number[DIGITS_SIZE] = "";
     fourlink_change change;
     flk_mistake_list none;
     unsigned long n;
@@ -185,21 +205,47 @@ static int open_slip(flk_opened *o, size_t i)
 
     if (o->is_slip_tried[i])
         return FOURLINK_OK;
+    if (slip->kind == OF_SPEED)
+        flk_digits_short(o->d.motion.speed * slip->size, 17, number);
+    flk_text_join(words, sizeof words, slip->assignment, number, *number ? " rad/s" : "",
+                  (char *)NULL);
     memset(&change, 0, sizeof change);
     memset(&none, 0, sizeof none);
     none.n = &n;
     change.origin = "";
-    change.assignment = slip_table[i].assignment;
+    change.assignment = words;
     status = flk_opened_changed(o, &change, &none, &o->slips[i]);
     o->is_slip_tried[i] = status != FOURLINK_NO_MEMORY;
     return status == FOURLINK_NO_MEMORY ? status : FOURLINK_OK;
 }
 
+/* 1 if the deck with a slip has a value that agrees, which is so far apart.  In other axes also where the crank has the same
+** angle on the page: only what is asked may have been measured from them. */
+static int agrees_in_slip(flk_opened *slip, const flk_opened *o, slip_kind kind,
+                          const fourlink_check *c, double turn, double *apart)
+{
+    double shift = slip->d.axes.angle - o->d.axes.angle;
+    fourlink_value v;
+    flk_name same;
+    int k;
+
+    flk_name_find(slip, flk_text_of(c->name), &same);
+    for (k = 0; k < 1 + (kind == OF_AXES); k++) {
+        double angle = c->angle + k * flk_unit_from_si(shift, o->d.units[QUANTITY_ANGLE].unit);
+
+        if (flk_name_value(slip, &same, c->branch, angle, &v) == FOURLINK_OK && !v.words &&
+            flk_expected_agrees(c, v.value, turn)) {
+            *apart = fabs(flk_expected_apart(c, v.value, turn));
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* The slip with the value nearest to that which is printed, of those that agree. */
 static int hint_of_slip(flk_opened *o, const flk_name *n, fourlink_check *c, double turn)
 {
-    double nearest = GSL_POSINF;
-    fourlink_value v;
+    double nearest = GSL_POSINF, apart = 0;
     flk_name same;
     size_t i;
     int status;
@@ -214,12 +260,10 @@ static int hint_of_slip(flk_opened *o, const flk_name *n, fourlink_check *c, dou
         }
         if (status != FOURLINK_OK)
             return status;
-        if (!o->slips[i] ||
-            flk_name_value(o->slips[i], &same, c->branch, c->angle, &v) != FOURLINK_OK || v.words ||
-            !flk_expected_agrees(c, v.value, turn) ||
-            !(fabs(flk_expected_apart(c, v.value, turn)) < nearest))
+        if (!o->slips[i] || !agrees_in_slip(o->slips[i], o, slip_table[i].kind, c, turn, &apart) ||
+            !(apart < nearest))
             continue;
-        nearest = fabs(flk_expected_apart(c, v.value, turn));
+        nearest = apart;
         flk_message(c->hint, sizeof c->hint, "%s is the value %s", c->printed_text,
                     slip_table[i].words);
     }
@@ -266,6 +310,7 @@ int flk_hint_find(flk_opened *o, const deck_expectation *e, const flk_name *n, f
     char force[40];
     int is_opposite, is_other, status;
 
+    c->part = 0.5;
     if (c->hint[0] || c->has_place ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return FOURLINK_OK;
@@ -292,9 +337,10 @@ int flk_hint_find(flk_opened *o, const deck_expectation *e, const flk_name *n, f
                     fourlink_branch_text((int)other));
     else if (words)
         flk_message(c->hint, sizeof c->hint, "%s", words);
-    else if (is_cut_off(c))
+    else if (is_cut_off(c)) {
+        c->part = 0;
         flk_message(c->hint, sizeof c->hint, "the computed value is cut off there, not rounded");
-    else if (c->has_angle)
+    } else if (c->has_angle)
         hint_of_row(o, n, c, turn);
     if (!c->hint[0] && c->has_angle && c->angle != 0)
         hint_of_angle(o, n, c, turn);

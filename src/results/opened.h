@@ -18,7 +18,7 @@ typedef struct flk_kept_check {
 
 #define FLK_AT_NAMES 256 /* of the form NAME at ANGLE, that can have handles */
 
-#define FLK_SLIPS 7 /* hint.c */
+#define FLK_SLIPS 9 /* hint.c */
 
 /* One design of a deck. */
 typedef struct flk_opened {

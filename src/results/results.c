@@ -591,7 +591,9 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     if (found.verdict == FOURLINK_AGREES || found.verdict == FOURLINK_MISPRINT)
         found.part = 1;
     else if (found.verdict == FOURLINK_DIFFERS && found.hint[0] && !found.is_short)
-        found.part = r->now->d.is_half_for_hint ? 0.5 : 0;
+        found.part *= r->now->d.is_half_for_hint;
+    else
+        found.part = 0;
     if (status == FOURLINK_OK)
         *check = found;
     if (status == FOURLINK_OK && kept) {

@@ -35,8 +35,9 @@ typedef struct sums {
         tr[FOURLINK_POSITIONS_MAX];
 } sums;
 
-/* The rows of a position: x, y, the coupler's angle, and how much |cos(mu)| is too large; their derivatives. */
-enum { X, Y, TURN, MU, ROWS };
+/* The rows of a position: x, y, the coupler's angle, and how much |cos(mu)| is too large; their derivatives.  The rows of
+** bounds are like the last one: two of the transmission angle, one of each length, one of their ratio. */
+enum { X, Y, TURN, MU, ROWS, BOUND = MU, BOUNDS = 7 };
 typedef struct rows {
     double r[ROWS], J[ROWS][FLK_UNKNOWNS], t[ROWS];
 } rows;
@@ -69,6 +70,11 @@ int flk_solve_normal(int n, double H[][FLK_UNKNOWNS], const double *g, double *x
         x[i] /= H[i][i];
     }
     return 1;
+}
+
+static double within_bounds(double x, double low, double high)
+{
+    return GSL_MAX_DBL(low, GSL_MIN_DBL(x, high));
 }
 
 static void put_part(rows *row, int k, double x, double y)
@@ -190,19 +196,83 @@ static int set_extremes(const flk_points *p, const flk_trial *at, const flk_shap
     return n;
 }
 
+/* A length of the linkage, and its derivatives. */
+typedef struct length {
+    double size, by[FLK_UNKNOWNS];
+} length;
+
+/* The lengths of the links, g = |D - A| times their ratios: all four, or crank and rod; returns how many. */
+static int find_lengths(const flk_trial *at, const flk_shape *shape, length list[4])
+{
+    double zx = at->x[FLK_DX] - at->x[FLK_AX], zy = at->x[FLK_DY] - at->x[FLK_AY];
+    double g = sqrt(zx * zx + zy * zy), ratio;
+    int n = shape->is_slider ? 2 : 4, i, k;
+
+    memset(list, 0, 4 * sizeof *list);
+    for (i = 0; i < n; i++) {
+        ratio = i ? shape->ratio[i - 1] : 1;
+        list[i].size = g * ratio;
+        list[i].by[FLK_AX] = -zx / g * ratio;
+        list[i].by[FLK_AY] = -zy / g * ratio;
+        list[i].by[FLK_DX] = zx / g * ratio;
+        list[i].by[FLK_DY] = zy / g * ratio;
+        for (k = 0; k < 3 && i; k++)
+            list[i].by[FLK_SHAPE + k] = g * shape->by[i - 1][k];
+    }
+    return n;
+}
+
+/* The rows of lengths and of their ratio that are beyond their bounds; returns how many. */
+static int set_lengths(const flk_points *p, const flk_trial *at, const flk_shape *shape, rows *row)
+{
+    length list[4];
+    int n_links = find_lengths(at, shape, list), least = 0, most = 0, n = 0, i, k;
+    double bound;
+
+    for (i = 0; i < n_links; i++) {
+        least = list[i].size < list[least].size ? i : least;
+        most = list[i].size > list[most].size ? i : most;
+        bound = within_bounds(list[i].size, p->shortest, p->longest);
+        if (list[i].size == bound)
+            continue;
+        memset(&row[n], 0, sizeof row[n]);
+        row[n].r[BOUND] = p->stiffness * (list[i].size - bound);
+        for (k = 0; k < FLK_UNKNOWNS; k++)
+            row[n].J[BOUND][k] = p->stiffness * list[i].by[k];
+        n++;
+    }
+    if (!(list[most].size > p->length_ratio * list[least].size))
+        return n;
+    memset(&row[n], 0, sizeof row[n]);
+    row[n].r[BOUND] = p->stiffness * log(list[most].size / (p->length_ratio * list[least].size));
+    for (k = 0; k < FLK_UNKNOWNS; k++)
+        row[n].J[BOUND][k] = p->stiffness * (list[most].by[k] / list[most].size -
+                                             list[least].by[k] / list[least].size);
+    return n + 1;
+}
+
+/* The rows of all bounds; returns how many. */
+static int set_bound_rows(const flk_points *p, const flk_trial *at, const flk_shape *shape,
+                          rows row[BOUNDS])
+{
+    int n = p->is_bounded ? set_extremes(p, at, shape, row) : 0;
+
+    return p->is_bounded ? n + set_lengths(p, at, shape, row + n) : 0;
+}
+
 /* The sum of squares of a trial, or any above `most`; infinite if a position is not reached. */
 static double sum_of_squares(const flk_points *p, const flk_trial *at, double most)
 {
     unsigned long j;
     flk_shape shape;
     double sum = 0;
-    rows row, extreme[2];
+    rows row, bound[BOUNDS];
     int n, i;
 
     flk_shape_of(p, at, &shape);
-    n = set_extremes(p, at, &shape, extreme);
+    n = set_bound_rows(p, at, &shape, bound);
     for (i = 0; i < n; i++)
-        sum += extreme[i].r[MU] * extreme[i].r[MU];
+        sum += bound[i].r[BOUND] * bound[i].r[BOUND];
     for (j = 0; j < p->n && sum <= most; j++) {
         if (!set_rows(p, at, &shape, j, 0, &row))
             return GSL_POSINF;
@@ -252,7 +322,7 @@ static int set_sums(const flk_points *p, const flk_trial *at, sums *s)
 {
     unsigned long j;
     flk_shape shape;
-    rows row, extreme[2];
+    rows row, bound[BOUNDS];
     int n;
 
     memset(s->H, 0, sizeof s->H);
@@ -265,17 +335,12 @@ static int set_sums(const flk_points *p, const flk_trial *at, sums *s)
             return 0;
         add_rows(p, &row, j, s);
     }
-    for (n = set_extremes(p, at, &shape, extreme); n > 0; n--)
-        add_row(&extreme[n - 1], MU, s);
+    for (n = set_bound_rows(p, at, &shape, bound); n > 0; n--)
+        add_row(&bound[n - 1], BOUND, s);
     return 1;
 }
 
 /* ------------------------------------------------------------------------------------- the descent */
-
-static double within_bounds(double x, double low, double high)
-{
-    return GSL_MAX_DBL(low, GSL_MIN_DBL(x, high));
-}
 
 /* Whether an unknown stays at its bound: it is given, or the sum is less beyond. */
 static int is_held(const flk_points *p, const flk_trial *at, int k, double downhill)

@@ -37,7 +37,8 @@
 #define FULL_STEPS 1000
 #define FULLY 1e-11
 
-/* The transmission angle is aimed at by so much more, rad; what a smaller one counts grows until it holds. */
+/* The transmission angle is aimed at by so much more, rad, bounds of lengths by this part of them; what is beyond counts more
+** and more until it holds. */
 #define CLOSE_TO_MU 1e-6
 #define DEAD (0.1 * M_PI / 180) /* a linkage with less is as good as dead, whatever is asked for */
 #define STIFFEST 1e5
@@ -82,8 +83,14 @@ static int check_task(const fourlink_points_task *task)
     if (!flk_points_within(task->point, task->n) ||
         (task->angle && !flk_are_within(task->angle, task->n, FOURLINK_NUMBER_MAX)) ||
         (task->timing && !flk_are_within(task->timing, task->n - 1, FOURLINK_NUMBER_MAX)) ||
-        !(task->mu_min >= 0 && task->mu_min < M_PI_2))
+        !(task->mu_min >= 0 && task->mu_min < M_PI_2) ||
+        !(task->shortest >= 0 && task->shortest <= FOURLINK_LENGTH_MAX) ||
+        !(task->longest >= 0 && task->longest <= FOURLINK_LENGTH_MAX) ||
+        !(task->length_ratio >= 0 && task->length_ratio <= FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
+    if ((task->longest > 0 && !(task->shortest < task->longest)) ||
+        (task->length_ratio > 0 && !(task->length_ratio > 1)))
+        return FOURLINK_BAD_CHOICE;
     for (i = 0; i < task->n; i++) {
         if (task->weight && !(task->weight[i] > 0 && task->weight[i] <= FOURLINK_NUMBER_MAX))
             return FOURLINK_BAD_NUMBER;
@@ -119,6 +126,8 @@ static int set_positions(search *s)
     p->has_angle = task->angle != NULL;
     p->most_cosine = task->mu_min > 0 ? cos(task->mu_min + CLOSE_TO_MU) : 1;
     p->stiffness = 1;
+    p->is_bounded =
+        p->most_cosine < 1 || task->shortest > 0 || task->longest > 0 || task->length_ratio > 0;
     for (j = 0; j < p->n; j++) {
         p->centre.x += task->point[j].x / n;
         p->centre.y += task->point[j].y / n;
@@ -130,6 +139,10 @@ static int set_positions(search *s)
     p->size = sqrt(squares / n);
     if (!(p->size > 0))
         return FOURLINK_DEPENDENT;
+    p->shortest = task->shortest / p->size * (1 + CLOSE_TO_MU);
+    p->longest = task->longest > 0 ? task->longest / p->size * (1 - CLOSE_TO_MU) : GSL_POSINF;
+    p->length_ratio =
+        task->length_ratio > 0 ? 1 + (task->length_ratio - 1) * (1 - CLOSE_TO_MU) : GSL_POSINF;
     for (j = 0; j < p->n; j++) {
         p->point[j].x = (task->point[j].x - p->centre.x) / p->size;
         p->point[j].y = (task->point[j].y - p->centre.y) / p->size;
@@ -443,9 +456,23 @@ static void keep(search *s, const candidate *c)
     s->kept[i] = *c;
 }
 
-/* Keep a linkage if it passes the checks; 0 if it does not. */
-static int take_trial(search *s, const flk_trial *at, int is_swapped, double least_mu)
+/* 1 if all links have lengths within the bounds of the task. */
+static int has_lengths(const fourlink_points_task *task, const fourlink_solution *found)
 {
+    const fourlink_link *link = found->design.link;
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (link[i].length > 0 && (link[i].length < task->shortest ||
+                                   (task->longest > 0 && link[i].length > task->longest)))
+            return 0;
+    return !(task->length_ratio > 0 && found->ratio > task->length_ratio);
+}
+
+/* Keep a linkage if it passes the checks, at last also those of the task's bounds; 0 if it does not. */
+static int take_trial(search *s, const flk_trial *at, int is_swapped, int is_last)
+{
+    double least_mu = is_last ? s->task->mu_min : 0;
     candidate c;
 
     if (!(at->sum < GSL_POSINF) || check_trial(s, at, is_swapped, &s->checked) != FOURLINK_OK)
@@ -454,7 +481,8 @@ static int take_trial(search *s, const flk_trial *at, int is_swapped, double lea
     c.is_swapped = is_swapped;
     c.defects = s->checked.defects;
     c.mu_min = s->checked.mu_min;
-    if (!(c.mu_min >= GSL_MAX_DBL(least_mu, c.defects ? 0 : DEAD)))
+    if (!(c.mu_min >= GSL_MAX_DBL(least_mu, c.defects ? 0 : DEAD)) ||
+        (is_last && !has_lengths(s->task, &s->checked)))
         return 0;
     keep(s, &c);
     return 1;
@@ -470,12 +498,12 @@ static double promising(const search *s)
     return PROMISING * GSL_MAX_DBL(s->kept[last - 1].trial.sum, EXACT * (double)s->points.n);
 }
 
-/* Descend with a stiffer bound of the transmission angle until it holds. */
+/* Descend with stiffer bounds of the transmission angle and the lengths until they hold. */
 static void stiffen(search *s, flk_trial *at)
 {
     flk_points *p = &s->points;
 
-    for (p->stiffness = 10; p->most_cosine < 1 && p->stiffness < STIFFEST; p->stiffness *= 10)
+    for (p->stiffness = 10; p->is_bounded && p->stiffness < STIFFEST; p->stiffness *= 10)
         flk_descend(p, at, CLOSE_STEPS, CLOSELY);
     p->stiffness = 1;
 }
@@ -507,8 +535,8 @@ static void run(search *s)
         stiffen(s, at);
         flk_settle(&s->points, at);
         flk_settle(&s->points, &s->trial);
-        if (!take_trial(s, at, s->is_swapped, s->task->mu_min)) /* a link has become too long */
-            take_trial(s, &s->trial, s->is_swapped, s->task->mu_min);
+        if (!take_trial(s, at, s->is_swapped, 1)) /* a link has become too long */
+            take_trial(s, &s->trial, s->is_swapped, 1);
     }
 }
 

@@ -36,8 +36,11 @@ typedef struct flk_points {
     double timing[FOURLINK_POSITIONS_MAX]; /* rad, rotation of the crank from the first position */
     double root[FOURLINK_POSITIONS_MAX];   /* root of the weight */
     double low[FLK_UNKNOWNS], high[FLK_UNKNOWNS];
-    double most_cosine;     /* largest |cos(mu)| in the working range; 1: any */
-    double stiffness;       /* what a cosine beyond it counts */
+    double most_cosine;       /* largest |cos(mu)| in the working range; 1: any */
+    double shortest, longest; /* bounds of the links' lengths */
+    double length_ratio;      /* of the longest to the shortest */
+    int is_bounded;         /* 1: there are such bounds, of lengths or of the transmission angle */
+    double stiffness;       /* what a cosine or a length beyond counts */
     fourlink_vector centre; /* m */
     double size;            /* m */
 } flk_points;

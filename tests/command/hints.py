@@ -23,7 +23,7 @@ checks = Checks()
 WANTED = ('Ts', 'F12x', 'F23x', 'F23y', 'F23_dir', 'F34y', 'F14x', 'F14_dir', 'theta3', 'theta4', 'omega3', 'omega4', 'alpha4', 'x', 'v', 'a')
 PART = 1e-4  # of a value, its tolerance
 GRADING = 'grading.tolerance=%g %%' % (100 * PART)
-FACTORS = (('1/1000 of the expected', 1000), ('is 1000 times', 1 / 1000), ('180/pi', math.pi / 180), ('pi/180', 180 / math.pi))
+FACTORS = (('1/1000 of this', 1000), ('is 1000 times', 1 / 1000), ('180/pi', math.pi / 180), ('pi/180', 180 / math.pi))
 counts = {}
 
 

@@ -94,7 +94,8 @@ def check_field(what, kind, text, unit, line):
         counts['slips'] += 1
         checks.that(abs(value - computed) > tolerance, what, 'a slip that is right', answer)
         if 'sign' in hint:
-            checks.that(abs(value + computed) <= 1e-8 * abs(computed), what, 'not the opposite', answer)
+            off = min(abs(value + computed), abs(abs(value + computed) - 360), abs(abs(value + computed) - 2 * math.pi))
+            checks.that(off <= 1e-8 * abs(computed) + 1e-7, what, 'not the opposite', answer)
         if 'rpm' in hint:
             checks.that(abs(value - computed * 30 / math.pi) <= 1e-8 * abs(value), what, 'not in rpm', answer)
         checks.that(grade(text, value) == (part, hint), what, 'a slip before it', answer)

@@ -593,6 +593,9 @@ static void ask_points(unsigned long *n)
     t.left.high = next_byte() & 1 ? next_vector() : t.left.low;
     t.may_rock = next_byte() & 1;
     t.any_order = next_byte() & 1;
+    t.shortest = next_byte() & 1 ? 0.01 : 0;
+    t.longest = next_byte() & 1 ? 10 : 0;
+    t.length_ratio = next_byte() & 1 ? 6 : 0;
     t.mu_min = next_byte() & 1 ? next_number() : 0;
     must_be_a_solution(fourlink_synthesis_points(&t, 1, &solution, n));
 }

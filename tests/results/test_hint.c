@@ -67,11 +67,11 @@ TEST(test_hints)
         const char *expectation, *hint;
     } cases[] = {{"[expect]\nn = -3.0\n", "the sign is the opposite"},
                  {"[expect]\nstroke = 200 m\n",
-                  "the computed value is 1/1000 of the expected one: a unit such as mm for m?"},
+                  "the computed value is 1/1000 of this one: a unit such as mm for m?"},
                  {"[expect]\nstroke = 0.200 mm\n",
-                  "the computed value is 1000 times the expected one: a unit such as m for mm?"},
+                  "the computed value is 1000 times this one: a unit such as m for mm?"},
                  {"[expect]\ntolerance = 0.1 mm\nstroke = 0.25 mm\n",
-                  "the computed value is 1000 times the expected one: a unit such as m for mm?"},
+                  "the computed value is 1000 times this one: a unit such as m for mm?"},
                  {"[expect]\ntolerance = 0.1 mm\nstroke = 0.2 mm\n",
                   ""},                                /* so rough a value agrees with many */
                  {"[expect]\nstroke = 0.0 mm\n", ""}, /* half of its digit holds a thousandth */

@@ -255,6 +255,114 @@ TEST(random_linkages_are_found_again)
     assert_true(n_found >= n_random - n_random / 50);
 }
 
+/* ------------------------------------------------------------------------------- bounds of lengths */
+
+/* 1 if all lengths, and their ratio, are within the bounds of the task. */
+static int keeps_bounds(const fourlink_points_task *t, const fourlink_solution *s)
+{
+    double least = INFINITY, most = 0;
+
+    for (int i = 1; i <= 4; i++)
+        if (length_of(s, i) > 0) {
+            least = fmin(least, length_of(s, i));
+            most = fmax(most, length_of(s, i));
+        }
+    return least >= t->shortest && (t->longest == 0 || most <= t->longest) &&
+           (t->length_ratio == 0 || most <= t->length_ratio * least);
+}
+
+/* 1 if its crank turns fully, without a dead position. */
+static int still_turns(fourlink_solution *s)
+{
+    fourlink_mechanism m;
+
+    return fourlink_prepare(&s->design, &m) == FOURLINK_OK &&
+           fourlink_type_of(&m, &s->type) == FOURLINK_OK && turns_fully(s);
+}
+
+/* The sum of squares of a linkage near the crank angles of another, by a dense search. */
+static double sum_beside(const fourlink_points_task *t, const fourlink_solution *s,
+                         const fourlink_solution *angles)
+{
+    double sum = 0;
+
+    for (unsigned long j = 0; j < t->n; j++) {
+        double complex wanted = in_frame(s, t->point[j]);
+        double least = INFINITY;
+
+        for (int k = -200; k <= 200; k++)
+            least = fmin(least, cabs(walked(s, angles->position[j].theta2 + 2e-4 * k) - wanted));
+        sum += least * least;
+    }
+    return sum;
+}
+
+/* No linkage beside it that keeps the bounds is closer. */
+static void see_least(uint64_t *state, const fourlink_points_task *t, const fourlink_solution *s)
+{
+    double step = 2e-3 * size_of(s);
+
+    for (int k = 0; k < 200; k++) {
+        fourlink_solution beside = *s;
+
+        for (int i = 1; i <= 4; i++)
+            if (length_of(s, i) > 0)
+                beside.design.link[i].length += step * uniform(state, -1, 1);
+        beside.design.offset += s->design.offset != 0 ? step * uniform(state, -1, 1) : 0;
+        beside.origin.x += step * uniform(state, -1, 1);
+        beside.origin.y += step * uniform(state, -1, 1);
+        beside.direction += 2e-3 * uniform(state, -1, 1);
+        beside.point.x += step * uniform(state, -1, 1);
+        beside.point.y += step * uniform(state, -1, 1);
+        if (keeps_bounds(t, &beside) && still_turns(&beside))
+            assert_true(sum_beside(t, &beside, s) >= s->sum * (1 - 1e-4));
+    }
+}
+
+/* Points of a random linkage: with bounds that it keeps they are met again; with others all solutions keep them, and the
+** closest is a least one. */
+TEST(lengths_within_bounds)
+{
+    uint64_t state = 77;
+    int n_met = 0, n_bounded = 0, n = tries_all() ? n_random + 4 : 2;
+
+    for (int k = 0; k < n; k++) {
+        fourlink_vector at[MOST];
+        double timing[MOST], least = INFINITY, most = 0;
+        fourlink_solution *s = &again[0];
+        fourlink_points_task t = {
+            .kind = FOURLINK_FOUR_BAR, .n = 8 + 4 * (unsigned long)(k % 3), .point = at};
+        unsigned long found_n = 0;
+        int status;
+
+        draw(&state, (int)t.n, 0, s, at, timing);
+        for (int i = 1; i <= 4; i++) {
+            least = fmin(least, length_of(s, i));
+            most = fmax(most, length_of(s, i));
+        }
+        t.shortest = 0.99 * least;
+        t.longest = 1.01 * most;
+        t.length_ratio = 1.01 * most / least;
+        n_met += search(&t) < 1e-12 * s->rms * s->rms;
+        t.shortest = k % 2 ? 0 : (least + 0.25 * (most - least)) / 1.001;
+        t.longest = k % 2 ? 0 : 0.9 * most;
+        t.length_ratio = k % 2 ? 0.7 * most / least + 0.35 : 0;
+        status = fourlink_synthesis_points(&t, COUNT(found), found, &found_n);
+        if (status == FOURLINK_NONE_FOUND)
+            continue;
+        assert_int_equal(status, FOURLINK_OK);
+        for (unsigned long i = 0; i < found_n; i++) {
+            assert_true(is_sound(&found[i]) && keeps_bounds(&t, &found[i]));
+            walk(&t, &found[i]);
+        }
+        if (found[0].sum > 1e-10 * s->rms * s->rms)
+            see_least(&state, &t, &found[0]);
+        n_bounded++;
+    }
+    print_message("%d of %d linkages met again within bounds, %d bounded\n", n_met, n, n_bounded);
+    assert_true(n_met >= n - n / 50 - 1 && n_bounded >= n / 2);
+}
+
 /* --------------------------------------------------------------------------------------- choices */
 
 TEST(pivots_are_where_they_are_wanted)
@@ -475,6 +583,16 @@ TEST(bad_tasks)
     REFUSED(points, &t, FOURLINK_BAD_NUMBER);
     t = good;
     t.mu_min = 2;
+    REFUSED(points, &t, FOURLINK_BAD_NUMBER);
+    t = good;
+    t.shortest = 2;
+    t.longest = 1;
+    REFUSED(points, &t, FOURLINK_BAD_CHOICE);
+    t = good;
+    t.length_ratio = 1;
+    REFUSED(points, &t, FOURLINK_BAD_CHOICE);
+    t = good;
+    t.longest = NAN;
     REFUSED(points, &t, FOURLINK_BAD_NUMBER);
     t = good;
     t.right = (fourlink_ground){1, {1, 1}, {0, 2}};
