@@ -320,11 +320,11 @@ static void see_least(uint64_t *state, const fourlink_points_task *t, const four
 }
 
 /* Points of a random linkage: with bounds that it keeps they are met again; with others all solutions keep them, and the
-** closest is a least one. */
+** closest is a least one, if it is not near a change point, where a descent goes along a narrow valley. */
 TEST(lengths_within_bounds)
 {
     uint64_t state = 77;
-    int n_met = 0, n_bounded = 0, n = tries_all() ? n_random + 4 : 2;
+    int n_met = 0, n_bounded = 0, n_least = 0, n = tries_all() ? n_random + 4 : 2;
 
     for (int k = 0; k < n; k++) {
         fourlink_vector at[MOST];
@@ -355,11 +355,15 @@ TEST(lengths_within_bounds)
             assert_true(is_sound(&found[i]) && keeps_bounds(&t, &found[i]));
             walk(&t, &found[i]);
         }
-        if (found[0].sum > 1e-10 * s->rms * s->rms)
-            see_least(&state, &t, &found[0]);
         n_bounded++;
+        if (found[0].sum > 1e-10 * s->rms * s->rms && found[0].mu_min > 0.1) {
+            see_least(&state, &t, &found[0]);
+            n_least++;
+        }
     }
-    print_message("%d of %d linkages met again within bounds, %d bounded\n", n_met, n, n_bounded);
+    print_message(
+        "%d of %d linkages met again within bounds, %d bounded, %d of them seen to be least\n",
+        n_met, n, n_bounded, n_least);
     assert_true(n_met >= n - n / 50 - 1 && n_bounded >= n / 2);
 }
 
