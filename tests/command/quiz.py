@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# quiz.py FOURLINK DECK... - the quiz of each deck with [expect], read back by the grammar of Moodle's embedded answers
+# quiz.py [--moocloze] FOURLINK DECK... - the quiz of each deck with [expect], read back by the grammar of Moodle's embedded answers
 # (question/type/multianswer/questiontype.php): a question for each design, a field for each value.  Values and tolerances
 # are those of --check, the marks in the same proportion; what is right gets all marks, a slip its part and its hint, and no
-# title or text becomes a field.  The figure is well-formed.
+# title or text becomes a field.  The figure is well-formed.  With --moocloze each field of a value is also written by that
+# package of PyPI, and has to begin as it does.
 import base64
 import csv
 import html
@@ -20,6 +21,10 @@ import xml.etree.ElementTree as ET
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
 from linkage import Checks, si_of  # noqa: E402
 
+moocloze = None
+if sys.argv[1] == '--moocloze':
+    import moocloze
+    del sys.argv[1]
 fourlink, decks = sys.argv[1], sys.argv[2:]
 checks = Checks()
 NUMBER = r'-?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?'
@@ -101,6 +106,20 @@ def check_field(what, kind, text, unit, line):
         checks.that(grade(text, value) == (part, hint), what, 'a slip before it', answer)
 
 
+def check_format(what, weight, kind, text):
+    """A field without its slips is as another program writes it."""
+    if not moocloze:
+        return
+    answer = alternatives(text)[0][1]
+    if kind == 'NUMERICAL':
+        value, tolerance = answer.split(':')
+        other = str(moocloze.Numerical(answer=value, tolerance=tolerance, show_tolerance=False, weight=weight))
+    else:
+        other = str(moocloze.ShortAnswer(answer=html.unescape(answer), weight=weight))
+    checks.that(other == html.unescape('{%d:%s:=%s}' % (weight, kind, answer)), what, other, text)
+    counts['written by moocloze too'] = counts.get('written by moocloze too', 0) + 1
+
+
 def try_deck(deck, title):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, 'quiz.xml')
@@ -130,6 +149,8 @@ def try_deck(deck, title):
             in_order = sorted(lines, key=lambda x: (int(x['line']) if x['line'] else 0))
             times = sum(f[0] for f in fields) / of if of else 1
             checks.that(abs(times - round(times)) < 1e-9, what, 'marks', [f[0] for f in fields], 'of', of)
+            for weight, kind, words, _ in fields:
+                check_format(what, weight, kind, words)
             for (weight, kind, words, unit), line in zip(fields, in_order):
                 check_field('%s, %s' % (what, line['name']), kind, words, html.unescape(unit), line)
 
