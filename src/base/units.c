@@ -316,23 +316,12 @@ int flk_unit_read(text t, unit *result, text *bad)
     return read_unit(t, 0, result, bad);
 }
 
-/* 1 if a unit is 1/s or 1/s2 where an angle over time is wanted: of radians, whose unit may be left out.  Hz is not. */
-static int is_of_radians(text t, const unit *u, dimension dim)
-{
-    return dim.m == 0 && dim.kg == 0 && dim.s < 0 && dim.rad == 1 && u->dim.m == 0 &&
-           u->dim.kg == 0 && u->dim.s == dim.s && u->dim.rad == 0 &&
-           (t.start[0] == '1' || t.start[0] == 's');
-}
-
 int flk_unit_read_as(text t, dimension dim, unit *result, text *bad)
 {
     unit u;
 
-    t = flk_text_trim(t);
     if (!read_unit(t, 0, result, bad))
         return 0;
-    if (is_of_radians(t, result, dim))
-        result->dim.rad = 1;
     if (!flk_dimension_equal(result->dim, dim) && read_unit(t, 1, &u, bad) &&
         flk_dimension_equal(u.dim, dim))
         *result = u;

@@ -42,7 +42,8 @@ static void add_words(const fourlink_check *c, char words[FLK_CARRIED_WORDS])
                   (char *)NULL);
 }
 
-static int find_above(flk_opened *o, const deck_expectation *e, above *list,
+/* Find those above a value of this column. */
+static int find_above(flk_opened *o, const deck_expectation *e, const char *own, above *list,
                       char words[FLK_CARRIED_WORDS])
 {
     const deck_expectation *x =
@@ -63,7 +64,8 @@ static int find_above(flk_opened *o, const deck_expectation *e, above *list,
             return status;
         for (i = 0; i < CARRIED && strcmp(c.name, carried_table[i].name) != 0; i++)
             ;
-        if (i == CARRIED || n.kind != FLK_NAME_COLUMN || c.verdict == FOURLINK_NO_VALUE)
+        if (i == CARRIED || n.kind != FLK_NAME_COLUMN || c.verdict == FOURLINK_NO_VALUE ||
+            strcmp(c.name, own) == 0) /* another answer to the same question */
             continue;
         q = flk_column_quantity(&n.c);
         list->is_there[i] = 1;
@@ -125,7 +127,7 @@ int flk_carried_value(flk_opened *o, const deck_expectation *e, const flk_name *
          mechanism->design.kind != FOURLINK_SLIDER_CRANK) ||
         (flk_column_need(&n->c) & ~NEED_ANGLES))
         return FOURLINK_NO_SUCH_ROW;
-    status = find_above(o, e, &list, words);
+    status = find_above(o, e, n->c.name, &list, words);
     if (status != FOURLINK_OK)
         return status;
     if (!words[0] ||

@@ -334,6 +334,36 @@ static int are_words(text value, const char *words)
             flk_text_equal(given, without_hyphens(front, meant)));
 }
 
+/* Units of an angle over time as people write them in answers, where no other than radians can be meant. */
+static const struct {
+    quantity q;
+    const char *written, *meant;
+} without_radians[] = {{QUANTITY_ANGULAR_SPEED, "1/s", " rad/s"},
+                       {QUANTITY_ANGULAR_SPEED, "s^-1", " rad/s"},
+                       {QUANTITY_ANGULAR_SPEED, "s-1", " rad/s"},
+                       {QUANTITY_ANGULAR_ACCELERATION, "1/s2", " rad/s2"},
+                       {QUANTITY_ANGULAR_ACCELERATION, "1/s^2", " rad/s2"},
+                       {QUANTITY_ANGULAR_ACCELERATION, "s^-2", " rad/s2"},
+                       {QUANTITY_ANGULAR_ACCELERATION, "s-2", " rad/s2"}};
+
+/* The value of an answer, with radians for 1/s; `room` is for the text. */
+static text with_radians(const deck_expectation *e, quantity q, char room[WORDS_SIZE])
+{
+    text written = flk_quantity_unit_text(e->value), number = e->value;
+    size_t i;
+
+    if (!e->is_answer || !written.length || number.length + 8 > WORDS_SIZE)
+        return e->value;
+    number.length = (size_t)(written.start - number.start);
+    for (i = 0; i < sizeof without_radians / sizeof *without_radians; i++)
+        if (without_radians[i].q == q && flk_text_same(written, without_radians[i].written)) {
+            flk_text_copy(number, room, WORDS_SIZE);
+            strcat(room, without_radians[i].meant);
+            return flk_text_of(room);
+        }
+    return e->value;
+}
+
 /* Units in which people write numbers without saying so. */
 static const char *const common_units[] = {
     "m",      "mm",    "cm",   "in",   "ft",   "rad",    "deg",    "rad/s", "rpm",
@@ -394,7 +424,9 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
     unsigned long n_facts, i;
     const deck_unit *u;
     double tolerance = 0, turn;
+    char room[WORDS_SIZE];
     int infinite;
+    text value;
     unit bare;
     quantity q;
     grading g;
@@ -426,7 +458,8 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
         c->computed = found.value;
         return flk_expected_agrees(c, c->computed, 0);
     }
-    if (!flk_quantity_read(e->value, e->value, q, bare, &printed, c->message) ||
+    value = with_radians(e, q, room);
+    if (!flk_quantity_read(value, e->value, q, bare, &printed, c->message) ||
         (g.percent < 0 && g.tolerance < 0 && !read_tolerance(&o->d, e, q, &printed, &tolerance, c)))
         return -1;
     c->message_line = e->place.line;

@@ -65,24 +65,45 @@ def is_near(name, x, y, right):
     return apart(name, x, y) <= PART * abs(right) + 1e-9
 
 
+def speed_of(deck):
+    """rad/s, of the crank; 0: none is given."""
+    with open(deck, encoding='utf-8') as file:
+        m = re.search(r'^\[motion\]\n(?:.*\n)*?speed = (\S+) rad/s$', file.read(), re.M)
+    return float(m.group(1)) if m else 0
+
+
+def other_axes(deck):
+    """How much larger, deg, the crank angle is in the other axes; their name, and the words of the hint."""
+    page, own = (re.search(r'x of link 1 at +(\S+) deg', run(deck, *words)) for words in (('-s', 'axes=page'), ()))
+    angle = float(page.group(1)) if page else 0
+    return (-angle, 'ground', 'from link 1') if own else (angle, 'page', 'of the page')
+
+
 def slips_of(deck, angle, interval, right):
     """[(kind, words of the hint, {name: value})]"""
     number = float(angle.split()[0])
     rows = [('branch', 'crossed branch', row_at(deck, angle, '-b', 'crossed')),
             ('row', 'neighbouring row', row_at(deck, '%.17g deg' % (number - interval))),
             ('row', 'neighbouring row', row_at(deck, '%.17g deg' % (number + interval))),
-            ('clockwise', 'counter-clockwise', row_at(deck, '%.17g deg' % -number)),
+            *[('clockwise', 'counter-clockwise', row_at(deck, '%.17g deg' % (k - number))) for k in (0, 360, -360)],
             ('radians', 'theta2 = .* rad', row_at(deck, '%.17g deg' % (number * 180 / math.pi % 360))),
+            ('radians', 'theta2 = .* rad', row_at(deck, '%.17g deg' % (number * 180 / math.pi % 360 - 360))),
             ('no weights', 'without the weights', row_at(deck, angle, '-s', 'gravity.acceleration=0 m/s2')),
             ('gravity 9.8', 'gravity 9.8 m', row_at(deck, angle, '-s', 'gravity.acceleration=9.8 m/s2')),
             ('gravity 9.81', 'gravity 9.81 m', row_at(deck, angle, '-s', 'gravity.acceleration=9.81 m/s2')),
             ('gravity 10', 'gravity 10 m', row_at(deck, angle, '-s', 'gravity.acceleration=10 m/s2')),
             ('gravity 32.2', r'gravity 32.2 ft', row_at(deck, angle, '-s', 'gravity.acceleration=32.2 ft/s2')),
             ('axes', 'of the page', row_at(deck, angle, '-s', 'axes=page')), ('axes', 'from link 1', row_at(deck, angle, '-s', 'axes=ground'))]
+    rows += [('speed', 'rpm', row_at(deck, angle, '-s', 'motion.speed=%.17g rad/s' % (speed_of(deck) * factor)))
+             for factor in (30 / math.pi, math.pi / 30)]
+    shift, axes, words = other_axes(deck)
+    rows.append(('axes of the values', words, row_at(deck, '%.17g deg' % (number + shift), '-s', 'axes=' + axes)))
     rows.append(('sign', '(sign|direction) is the opposite', {n: v + 180 if n.endswith('_dir') else -v for n, v in right.items()}))
     rows.append(('rpm', 'rpm for rad/s', {n: v * 30 / math.pi for n, v in right.items() if n.startswith('omega')}))
     large = {n: v for n, v in right.items() if abs(v) > 1e-3}
     rows += [('factor', words, {n: v * factor for n, v in large.items()}) for words, factor in FACTORS]
+    rows += [('factor', 'rpm', {n: v * factor for n, v in large.items() if n != 'x' and not is_direction(n)})
+             for factor in (30 / math.pi, math.pi / 30, (30 / math.pi)**2, (math.pi / 30)**2)]
     return rows
 
 
@@ -151,6 +172,8 @@ def try_deck(deck):
             if name not in values or is_near(name, values[name], value, 1.02 * value):
                 continue
             v = values[name]
+            if kind == 'axes of the values' and abs(value) < 1e-3 * abs(v):
+                continue  # the angle between the axes is known to nine digits
             line += 1
             text += '%s = %.15g %s\n' % (name, v, units[name])
             wanted[line] = (kind, name, v, [w for _, w, x in slips if name in x and is_near(name, x[name], v, value)])

@@ -136,6 +136,8 @@ TEST(test_slips)
         {"gravity.acceleration=10 m/s2", "Ts", "with gravity 10 m/s2"},
         {"gravity.acceleration=9.8 m/s2", "F23_dir", "with gravity 9.8 m/s2"},
         {"gravity.acceleration=32.2 ft/s2", "F12", "with gravity 32.2 ft/s2"},
+        {"motion.speed=95.492965855137204 rad/s", "Ts", "with the speed in rpm read as rad/s"},
+        {"motion.speed=1.0471975511965976 rad/s", "F23x", "with the speed in rad/s read as rpm"},
         {"axes=page", "theta3", "with angles and directions from the horizontal of the page"},
         {"axes=page", "omega4", "with angles and directions from the horizontal of the page"}};
     static const char machine[] =
