@@ -176,7 +176,7 @@ def try_deck(deck):
                 continue  # the angle between the axes is known to nine digits
             line += 1
             text += '%s = %.15g %s\n' % (name, v, units[name])
-            wanted[line] = (kind, name, v, [w for _, w, x in slips if name in x and is_near(name, x[name], v, value)])
+            wanted[line] = (kind, name, v, [w for k, w, x in slips if name in x and is_near(name, x[name], v, x[name] if k == 'factor' else value)])
         line += 1
         text += '%s = %.15g %s\n' % (name, value, units[name])
         wanted[line] = ('right', name, value, [])
