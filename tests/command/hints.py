@@ -95,7 +95,7 @@ def slips_of(deck, angle, interval, right):
             ('gravity 32.2', r'gravity 32.2 ft', row_at(deck, angle, '-s', 'gravity.acceleration=32.2 ft/s2')),
             ('axes', 'of the page', row_at(deck, angle, '-s', 'axes=page')), ('axes', 'from link 1', row_at(deck, angle, '-s', 'axes=ground'))]
     rows += [('speed', 'rpm', row_at(deck, angle, '-s', 'motion.speed=%.17g rad/s' % (speed_of(deck) * factor)))
-             for factor in (30 / math.pi, math.pi / 30)]
+             for factor in (30 / math.pi, math.pi / 30) if speed_of(deck)]
     shift, axes, words = other_axes(deck)
     rows.append(('axes of the values', words, row_at(deck, '%.17g deg' % (number + shift), '-s', 'axes=' + axes)))
     rows.append(('sign', '(sign|direction) is the opposite', {n: v + 180 if n.endswith('_dir') else -v for n, v in right.items()}))
