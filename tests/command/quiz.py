@@ -30,7 +30,7 @@ checks = Checks()
 NUMBER = r'-?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?'
 ALTERNATIVE = r'(=|%-?[0-9]+%)?(.+?(?<!\\)(?<!&)(?=[~#}]|$))(#(.*?(?<!\\)(?=[~}]|$)))?'
 FIELD = re.compile(r'\{([0-9]*):(NUMERICAL|NM|MULTICHOICE|MC|SHORTANSWER|SA|MW):((?:%s)(?:~(?:%s))*)\}' % (ALTERNATIVE, ALTERNATIVE))
-WILD = ['{1:NUMERICAL:=3}', 'a & b', '<b>', 'x ~ y', '50 % = half', ']]>', '"quoted"', "it's", 'a/b', '{', '}', '\\', 'Ärger', '&amp;', '$course$']
+WILD = ['{1:NUMERICAL:=3}', 'no #1', 'a & b', '<b>', 'x ~ y', '50 % = half', ']]>', '"quoted"', "it's", 'a/b', '{', '}', '\\', 'Ärger', '&amp;', '$course$']
 counts = {'questions': 0, 'fields': 0, 'slips': 0}
 
 
@@ -131,7 +131,7 @@ def try_deck(deck, title):
             return
         root = ET.parse(path).getroot()
     questions = root.findall('question')
-    shown = title.split('#')[0].strip()
+    shown = title
     checks.that(questions[0].get('type') == 'category', deck, 'no category')
     checks.that(questions[0].find('category/text').text.strip() == '$course$/' + shown.replace('/', '//'), deck, questions[0].find('category/text').text)
     for i, q in enumerate(questions[1:]):
