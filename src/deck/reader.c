@@ -286,8 +286,8 @@ int flk_deck_solution(const deck *from, unsigned long number, deck *d)
 int flk_deck_changed(const deck *from, const fourlink_change *c, deck *d)
 {
     memset(d, 0, sizeof *d);
-    if (!from->settings->is_sound || from->synthesis)
-        return 0;
+    d->solution = from->solution;
+    d->effort = from->effort;
     take_settings(d, from);
     if (!d->settings)
         return -1;

@@ -184,7 +184,8 @@ static int may_slip(const flk_opened *o, const flk_name *n, const fourlink_check
     int of_forces = is_column ? flk_column_need(&n->c) & NEED_FORCES
                               : flk_fact_group(n->handle) == FOURLINK_FACTS_TURNING;
 
-    if (o->d.mode.kind != MODE_GIVEN) /* the motion itself would be another */
+    if (o->d.mode.kind != MODE_GIVEN ||
+        o->d.synthesis) /* motion or linkage would be sought again */
         return 0;
     if (slip->kind == OF_WEIGHTS)
         return of_forces && fabs(sqrt(FLK_DOT(*g, *g)) - slip->size) > 1e-9;
