@@ -159,24 +159,16 @@ static void put_figure(FILE *out, const input *in)
 {
     const input *deck = in->deck ? in->deck : in;
     fourlink_source source = deck->source;
-    plot_request request;
+    fourlink_results *opened = NULL;
     fourlink_mistake mistake;
     unsigned long n;
-    plot drawn;
 
-    memset(&drawn, 0, sizeof drawn);
-    memset(&request, 0, sizeof request);
     source.name = files_name(source.name);
     source.answers = NULL;
     source.deck_units = 1;
-    request.kind = PLOT_EXERCISE;
-    request.file = PLOT_SVG;
-    request.is_figure = 1;
-    if (results_open(&source, 1, &request.opened, &mistake, &n) == FOURLINK_OK &&
-        plot_make(&drawn, &source, &request, &mistake) > 0)
-        plot_write(&drawn, 0, 0, out);
-    plot_free(&drawn);
-    fourlink_results_free(request.opened);
+    if (results_open(&source, 1, &opened, &mistake, &n) == FOURLINK_OK)
+        plot_write_exercise(&source, opened, out, &mistake);
+    fourlink_results_free(opened);
 }
 
 static void put_page(FILE *out, const marks *m, const input *in, const sheet_mark *mark)

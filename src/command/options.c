@@ -296,9 +296,8 @@ static const option_info table[] = {
      "each student",
      NULL},
     {0, "--quiz", "FILE", OWN(set_quiz),
-     "write what the [expect] of the deck asks as a quiz, in Moodle XML: a question for each "
-     "design "
-     "of its [sweep], or for the deck",
+     "write what the [expect] of the deck asks as a quiz, in Moodle XML: a question for the deck, "
+     "or for each design of its [sweep]",
      NULL},
     {0, "--tolerance", "TOLERANCE,...", KEY("grading.tolerance="),
      "how far values may differ, such as '1 %, 0.5 deg'", NULL},

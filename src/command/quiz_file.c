@@ -20,23 +20,23 @@ static int refuse(const input *in, const fourlink_mistake *why, int status)
     return status;
 }
 
-/* Write the question of a design, from 1, or with 0 of the deck; returns the exit status. */
-static int write_question(FILE *out, const input *in, unsigned long design)
+/* Write the question of a design, from 1, or with 0 of the deck, which is open; returns the exit status. */
+static int write_question(FILE *out, const input *in, const char *title, unsigned long design)
 {
     fourlink_source source = in->source;
-    fourlink_results *results = NULL;
+    fourlink_results *own = NULL;
     fourlink_mistake why;
-    unsigned long n;
-    int status;
+    int status = FOURLINK_OK;
 
-    source.design = design ? design - 1 : 0;
-    source.deck_units = 1;
-    status = results_open(&source, 1, &results, &why, &n);
+    if (design) {
+        source.design = design - 1;
+        status = results_design(in->results, source.design, 1, &own, &why, NULL);
+    }
     if (status != FOURLINK_OK)
         return status == FOURLINK_NO_MEMORY ? command_lacks_memory("cannot write", in->o->quiz)
                                             : refuse(in, &why, EXIT_USAGE);
-    status = quiz_put_question(out, &source, results, design, &why);
-    fourlink_results_free(results);
+    status = quiz_put_question(out, title, &source, own ? own : in->results, design, &why);
+    fourlink_results_free(own);
     return status > 0   ? 0
            : status < 0 ? command_lacks_memory("cannot write", in->o->quiz)
                         : refuse(in, &why, EXIT_ROWS);
@@ -44,12 +44,13 @@ static int write_question(FILE *out, const input *in, unsigned long design)
 
 static int write_questions(FILE *out, const input *in)
 {
+    const char *title = in->problem.title[0] ? in->problem.title : files_name(in->name);
     unsigned long n = in->problem.n_designs, i;
     int status = 0;
 
-    quiz_begin(out, in->problem.title[0] ? in->problem.title : files_name(in->name));
+    quiz_begin(out, title);
     for (i = n > 0; i <= n && !status && !system_caught(); i++)
-        status = write_question(out, in, i);
+        status = write_question(out, in, title, i);
     quiz_end(out);
     return status;
 }

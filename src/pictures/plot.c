@@ -394,3 +394,23 @@ int plot_write(const plot *x, int is_text, int is_ascii, FILE *out)
         svg_write(out, &x->frames[0], x->caption.title, x->caption.words, 0);
     return 1;
 }
+
+int plot_write_exercise(const fourlink_source *source, fourlink_results *opened, FILE *out,
+                        fourlink_mistake *mistake)
+{
+    plot_request request;
+    plot drawn;
+    int status;
+
+    memset(&drawn, 0, sizeof drawn);
+    memset(&request, 0, sizeof request);
+    request.kind = PLOT_EXERCISE;
+    request.file = PLOT_SVG;
+    request.is_figure = 1;
+    request.opened = opened;
+    status = plot_make(&drawn, source, &request, mistake);
+    if (status > 0 && !plot_write(&drawn, 0, 0, out))
+        status = -1;
+    plot_free(&drawn);
+    return status;
+}

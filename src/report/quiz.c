@@ -29,6 +29,7 @@
 /* What a question is written from. */
 typedef struct quiz {
     page page; /* of the text, which is HTML */
+    const char *title;
     const fourlink_source *source;
     view v;
     unsigned long design;
@@ -53,7 +54,7 @@ static void put_words(page *p, const char *words)
     }
 }
 
-/* Copy HTML from a file into an element of XML; 0 if the file failed. */
+/* Copy HTML from a file into an element of XML, byte by byte: pieces for xml_put would cut characters.  0 if the file failed. */
 static int put_file(FILE *out, FILE *html)
 {
     int c;
@@ -72,20 +73,26 @@ static int put_file(FILE *out, FILE *html)
 
 /* ---------------------------------------------------------------------------------------------- fields */
 
-/* The hints of a field, which have none of its signs: } ~ # */
+/* Another answer and its hint; none of our hints has a sign of the field: } ~ # */
 static void put_alternative(page *p, const fourlink_check *c, int per_cent, double value,
                             const char *hint)
 {
     page_print(p, "~%%%d%%%.10g:%.6g%s%s", per_cent, value, c->tolerance, *hint ? "#" : "", hint);
 }
 
-/* The same, and for a direction a turn beside it. */
+/* A direction a turn beside it. */
+static double turned(double value, double turn)
+{
+    return value + (value < 0 ? turn : -turn);
+}
+
+/* Another answer, and for a direction a turn beside it. */
 static void put_turned(page *p, const fourlink_check *c, int per_cent, double value, double turn,
                        const char *hint)
 {
     put_alternative(p, c, per_cent, value, hint);
     if (turn > 0)
-        put_alternative(p, c, per_cent, value + (value < 0 ? turn : -turn), hint);
+        put_alternative(p, c, per_cent, turned(value, turn), hint);
 }
 
 /* 1 if an answer cannot be taken for the value itself. */
@@ -95,12 +102,11 @@ static int is_apart(const fourlink_check *c, double value)
 }
 
 /* The slips that are told, with part of the marks: the sign, the other branch, rpm for rad/s. */
-static void put_slips(quiz *z, const fourlink_check *c, const fourlink_value *v)
+static void put_slips(quiz *z, const fourlink_check *c, const fourlink_value *v, double turn)
 {
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     int part = z->v.problem.is_half_for_hint ? 50 : 0;
     double in_rpm = c->computed * 30 / M_PI;
-    double turn = v->flags & FOURLINK_DIRECTION ? 2 * M_PI / z->v.problem.motion.angle_unit : 0;
     int has_sign = c->has_angle && is_apart(c, -c->computed), has_branch;
     fourlink_value there;
     char words[100];
@@ -140,9 +146,7 @@ static void put_word_field(page *p, const char *words)
 static void put_field(quiz *z, const fourlink_check *c, const fourlink_value *v)
 {
     page *p = &z->page;
-    double turn = 2 * M_PI / z->v.problem.motion.angle_unit;
-    /* rounding error is 0 */
-    double value = fabs(c->computed) <= 1e-6 * c->tolerance ? 0 : c->computed;
+    double turn = v->flags & FOURLINK_DIRECTION ? 2 * M_PI / z->v.problem.motion.angle_unit : 0;
 
     page_print(p, "{%d:", (int)floor(c->marks * z->marks_times + 0.5));
     if (c->words[0]) {
@@ -153,10 +157,10 @@ static void put_field(quiz *z, const fourlink_check *c, const fourlink_value *v)
         page_print(p, "SHORTANSWER:=%s}", c->computed > 0 ? "inf" : "-inf");
         return;
     }
-    page_print(p, "NUMERICAL:=%.10g:%.6g", value, c->tolerance);
-    if (v->flags & FOURLINK_DIRECTION)
-        put_alternative(p, c, 100, c->computed + (c->computed < 0 ? turn : -turn), "");
-    put_slips(z, c, v);
+    page_print(p, "NUMERICAL:=%.10g:%.6g", c->computed, c->tolerance);
+    if (turn > 0)
+        put_alternative(p, c, 100, turned(c->computed, turn), "");
+    put_slips(z, c, v, turn);
     page_print(p, "} ");
     if (strcmp(c->unit, "1") != 0)
         page_print(p, "%s", c->unit);
@@ -192,6 +196,15 @@ static int refuse(quiz *z, const fourlink_check *c, const char *why)
     return 0;
 }
 
+/* Value i of the deck, with 0 for rounding error; 0 if it is not asked for. */
+static int find_asked(const quiz *z, unsigned long i, fourlink_check *c)
+{
+    results_check(z->v.results, i, c);
+    if (fabs(c->computed) <= 1e-6 * c->tolerance)
+        c->computed = 0;
+    return !c->is_misprint;
+}
+
 /* Find by what marks are multiplied so that they are whole. */
 static void find_times(quiz *z)
 {
@@ -201,8 +214,7 @@ static void find_times(quiz *z)
 
     for (z->marks_times = 1; z->marks_times < MOST_PARTS; z->marks_times++) {
         for (i = 0; i < z->v.problem.n_expected; i++) {
-            results_check(z->v.results, i, &c);
-            marks = c.marks * z->marks_times;
+            marks = find_asked(z, i, &c) ? c.marks * z->marks_times : 0;
             if (fabs(marks - floor(marks + 0.5)) > 1e-9)
                 break;
         }
@@ -221,8 +233,7 @@ static int put_fields(quiz *z)
     find_times(z);
     page_print(&z->page, "<table>\n");
     for (i = 0; i < z->v.problem.n_expected; i++) {
-        results_check(z->v.results, i, &c);
-        if (c.is_misprint)
+        if (!find_asked(z, i, &c))
             continue;
         if (c.verdict == FOURLINK_NO_VALUE)
             return refuse(z, &c, c.message);
@@ -294,7 +305,7 @@ static int put_text(quiz *z)
     const fourlink_problem *problem = &z->v.problem;
 
     page_print(&z->page, "<p><b>");
-    put_words(&z->page, problem->title);
+    put_words(&z->page, z->title);
     page_print(&z->page, "</b></p>\n<p>");
     if (problem->task[0])
         put_words(&z->page, problem->task);
@@ -311,27 +322,6 @@ static int put_text(quiz *z)
 
 /* ---------------------------------------------------------------------------------------- the question */
 
-/* Put the figure of the exercise into a file; as quiz_put_question. */
-static int draw_figure(const quiz *z, FILE *svg)
-{
-    fourlink_source source = *z->source;
-    plot_request request;
-    plot drawn;
-    int status;
-
-    memset(&drawn, 0, sizeof drawn);
-    memset(&request, 0, sizeof request);
-    request.kind = PLOT_EXERCISE;
-    request.file = PLOT_SVG;
-    request.is_figure = 1;
-    request.opened = z->v.results;
-    status = plot_make(&drawn, &source, &request, z->why);
-    if (status > 0 && !plot_write(&drawn, 0, 0, svg))
-        status = -1;
-    plot_free(&drawn);
-    return status;
-}
-
 /* The sample calculation at the first crank angle that is asked for, and the right values. */
 static int put_feedback(quiz *z)
 {
@@ -340,17 +330,16 @@ static int put_feedback(quiz *z)
     fourlink_check c;
     char at[80] = "", number[FORMAT_SIZE];
     unsigned long i;
-    int status;
+    int status, n_put = 0;
 
     page_print(&z->page, "<p>Right: ");
     for (i = 0; i < z->v.problem.n_expected; i++) {
-        results_check(z->v.results, i, &c);
-        if (c.is_misprint)
+        if (!find_asked(z, i, &c))
             continue;
         if (c.has_angle && !c.has_place && !at[0])
             flk_text_join(at, sizeof at, format_general(c.angle, 17, number), " ",
                           z->v.units[QUANTITY_ANGLE].name, (char *)NULL);
-        page_print(&z->page, i ? ", %n = " : "%n = ", c.name);
+        page_print(&z->page, n_put++ ? ", %n = " : "%n = ", c.name);
         if (c.words[0])
             put_words(&z->page, c.words);
         else
@@ -373,7 +362,7 @@ static int put_parts(FILE *out, quiz *z, FILE *words, FILE *svg, FILE *feedback)
     z->page.out = words;
     status = put_text(z);
     if (status > 0)
-        status = draw_figure(z, svg);
+        status = plot_write_exercise(z->source, z->v.results, svg, z->why);
     z->page.out = feedback;
     if (status > 0)
         status = put_feedback(z);
@@ -381,8 +370,7 @@ static int put_parts(FILE *out, quiz *z, FILE *words, FILE *svg, FILE *feedback)
         return status;
     memset(&p, 0, sizeof p);
     p.out = out;
-    page_print(&p, "<question type=\"cloze\">\n<name><text>%s",
-               z->v.problem.title[0] ? z->v.problem.title : z->source->name);
+    page_print(&p, "<question type=\"cloze\">\n<name><text>%s", z->title);
     page_print(&p, z->design ? ", design %lu" : "", z->design);
     page_print(&p, "</text></name>\n<questiontext format=\"html\">\n<text>");
     status = put_file(out, words);
@@ -396,8 +384,8 @@ static int put_parts(FILE *out, quiz *z, FILE *words, FILE *svg, FILE *feedback)
     return status ? 1 : -1;
 }
 
-int quiz_put_question(FILE *out, const fourlink_source *source, fourlink_results *results,
-                      unsigned long design, fourlink_mistake *why)
+int quiz_put_question(FILE *out, const char *title, const fourlink_source *source,
+                      fourlink_results *results, unsigned long design, fourlink_mistake *why)
 {
     FILE *file[3];
     int status = 1, i;
@@ -405,6 +393,7 @@ int quiz_put_question(FILE *out, const fourlink_source *source, fourlink_results
 
     memset(&z, 0, sizeof z);
     memset(why, 0, sizeof *why);
+    z.title = title;
     z.source = source;
     z.design = design;
     z.why = why;

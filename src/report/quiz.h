@@ -17,6 +17,7 @@ void quiz_end(FILE *out);
 ** [expect] with its tolerance and marks, and the sample calculation as feedback.
 **
 ** Given:
+**    title       of the deck, or what stands for it
 **    source      of the deck, or of this design of its [sweep], in the units of the deck
 **    results     opened from it
 **    design      the number of the design, from 1; 0: the deck has no [sweep]
@@ -25,7 +26,7 @@ void quiz_end(FILE *out);
 ** Returned (function value):
 **    1; 0; -1 if out of memory or a temporary file failed
 */
-int quiz_put_question(FILE *out, const fourlink_source *source, fourlink_results *results,
-                      unsigned long design, fourlink_mistake *why);
+int quiz_put_question(FILE *out, const char *title, const fourlink_source *source,
+                      fourlink_results *results, unsigned long design, fourlink_mistake *why);
 
 #endif

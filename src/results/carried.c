@@ -34,7 +34,7 @@ static int is_of_same_row(const deck_expectation *x, const deck_expectation *e)
            x->branch == e->branch && x->is_answer == e->is_answer;
 }
 
-static void add_words(const fourlink_check *c, char words[FLK_CARRIED_WORDS])
+static void tell_above(const fourlink_check *c, char words[FLK_CARRIED_WORDS])
 {
     size_t n = strlen(words);
 
@@ -71,7 +71,7 @@ static int find_above(flk_opened *o, const deck_expectation *e, const char *own,
         list->is_there[i] = 1;
         list->value[i] = flk_unit_to_si(c.printed, o->d.units[q].unit) -
                          (carried_table[i].is_angle ? o->d.axes.angle : 0);
-        add_words(&c, words);
+        tell_above(&c, words);
     }
     return FOURLINK_OK;
 }

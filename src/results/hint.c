@@ -222,19 +222,17 @@ static int open_slip(flk_opened *o, size_t i)
 
 /* 1 if the deck with a slip has a value that agrees, which is so far apart.  In other axes also where the crank has the same
 ** angle on the page: only what is asked may have been measured from them. */
-static int agrees_in_slip(flk_opened *slip, const flk_opened *o, slip_kind kind,
+static int agrees_in_slip(flk_opened *slip, const flk_name *n, const flk_opened *o, slip_kind kind,
                           const fourlink_check *c, double turn, double *apart)
 {
     double shift = slip->d.axes.angle - o->d.axes.angle;
     fourlink_value v;
-    flk_name same;
     int k;
 
-    flk_name_find(slip, flk_text_of(c->name), &same);
     for (k = 0; k < 1 + (kind == OF_AXES); k++) {
         double angle = c->angle + k * flk_unit_from_si(shift, o->d.units[QUANTITY_ANGLE].unit);
 
-        if (flk_name_value(slip, &same, c->branch, angle, &v) == FOURLINK_OK && !v.words &&
+        if (flk_name_value(slip, n, c->branch, angle, &v) == FOURLINK_OK && !v.words &&
             flk_expected_agrees(c, v.value, turn)) {
             *apart = fabs(flk_expected_apart(c, v.value, turn));
             return 1;
@@ -261,7 +259,8 @@ static int hint_of_slip(flk_opened *o, const flk_name *n, fourlink_check *c, dou
         }
         if (status != FOURLINK_OK)
             return status;
-        if (!o->slips[i] || !agrees_in_slip(o->slips[i], o, slip_table[i].kind, c, turn, &apart) ||
+        if (!o->slips[i] ||
+            !agrees_in_slip(o->slips[i], &same, o, slip_table[i].kind, c, turn, &apart) ||
             !(apart < nearest))
             continue;
         nearest = apart;

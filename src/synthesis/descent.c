@@ -202,7 +202,7 @@ typedef struct length {
 } length;
 
 /* The lengths of the links, g = |D - A| times their ratios: all four, or crank and rod; returns how many. */
-static int find_lengths(const flk_trial *at, const flk_shape *shape, length list[4])
+static int lengths_of(const flk_trial *at, const flk_shape *shape, length list[4])
 {
     double zx = at->x[FLK_DX] - at->x[FLK_AX], zy = at->x[FLK_DY] - at->x[FLK_AY];
     double g = sqrt(zx * zx + zy * zy), ratio;
@@ -223,10 +223,11 @@ static int find_lengths(const flk_trial *at, const flk_shape *shape, length list
 }
 
 /* The rows of lengths and of their ratio that are beyond their bounds; returns how many. */
-static int set_lengths(const flk_points *p, const flk_trial *at, const flk_shape *shape, rows *row)
+static int set_length_rows(const flk_points *p, const flk_trial *at, const flk_shape *shape,
+                           rows *row)
 {
     length list[4];
-    int n_links = find_lengths(at, shape, list), least = 0, most = 0, n = 0, i, k;
+    int n_links = lengths_of(at, shape, list), least = 0, most = 0, n = 0, i, k;
     double bound;
 
     for (i = 0; i < n_links; i++) {
@@ -257,7 +258,7 @@ static int set_bound_rows(const flk_points *p, const flk_trial *at, const flk_sh
 {
     int n = p->is_bounded ? set_extremes(p, at, shape, row) : 0;
 
-    return p->is_bounded ? n + set_lengths(p, at, shape, row + n) : 0;
+    return p->is_bounded ? n + set_length_rows(p, at, shape, row + n) : 0;
 }
 
 /* The sum of squares of a trial, or any above `most`; infinite if a position is not reached. */
