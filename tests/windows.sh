@@ -10,7 +10,7 @@
 # control characters, or rsvg-convert itself.
 others='install|readme|includes|fast_math|brute|interruption|missing_designs|failures|output|files|terminal|readers'
 others="$others|rfc4180|speed|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
-others="$others|assets|browser|characters|test_columns|report_|test_report|test_pages|sample|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
+others="$others|assets|browser|characters|test_columns|report_|test_report|test_pdf|test_pages|sample|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
 
 install cmake make gcc libgsl-dev dpkg-dev mingw-w64 wine wine64
 export WINEPREFIX="$work/wine" WINEDEBUG=-all

@@ -171,43 +171,101 @@ int drawing_end(drawing *d, int keep)
 
 /* ---------------------------------------------------------------------------------------- the report */
 
-int drawing_report(const input *in)
-{
-    const char *path = in->o->report;
+/* What became of a report. */
+typedef struct made {
+    int written; /* 1; 0: there is none, and the mistake says why; -1: out of memory */
     report_outcome outcome;
     fourlink_mistake mistake;
+} made;
+
+static void make_report(const input *in, int is_printed, FILE *out, made *m)
+{
     report_request request;
     shown x;
-    output file;
-    int status = output_begin(&file, path), written = -1;
-    char why[100];
 
-    if (status)
-        return status;
-    memset(&outcome, 0, sizeof outcome);
+    memset(m, 0, sizeof *m);
+    m->written = -1;
+    memset(&request, 0, sizeof request);
+    request.is_printed = is_printed;
     request.at = in->o->drawing.at;
     request.found = in->found;
     if (open_shown(in, &x)) {
         request.opened = x.results;
-        written = report_write(file.file, &x.source, &request, &outcome, &mistake);
+        m->written = report_write(out, &x.source, &request, &m->outcome, &m->mistake);
     }
     fourlink_results_free(x.own);
-    status = output_end(&file, path, written > 0);
-    if (outcome.reason && !memory_has_failed())
+}
+
+/* Say what failed, or what the report tells; `status` is that of its file.  Returns the exit status. */
+static int tell_report(const char *path, const made *m, int status)
+{
+    const report_outcome *o = &m->outcome;
+    char why[100];
+
+    if (o->reason && !memory_has_failed())
         return command_complain("cannot write", path,
                                 flk_text_join(why, sizeof why, "its temporary file: ",
-                                              strerror(outcome.reason), (char *)NULL));
-    if (written < 0)
+                                              strerror(o->reason), (char *)NULL));
+    if (m->written < 0)
         return command_lacks_memory("cannot write", path);
-    if (!written) {
-        command_tell("error", mistake.file, mistake.line, mistake.message, NULL);
+    if (!m->written) {
+        command_tell("error", m->mistake.file, m->mistake.line, m->mistake.message, NULL);
         return EXIT_USAGE;
     }
     if (status)
         return status;
-    if (outcome.has_failed)
+    if (o->has_failed)
         command_say("fourlink: ", path, ": rows could not be computed", (char *)NULL);
-    if (outcome.differs)
+    if (o->differs)
         command_say("fourlink: ", path, ": expected values differ", (char *)NULL);
-    return outcome.has_failed || outcome.differs ? EXIT_ROWS : 0;
+    return o->has_failed || o->differs ? EXIT_ROWS : 0;
+}
+
+/* Print a page to a file; returns the exit status. */
+static int print_page(FILE *html, const char *path)
+{
+    FILE *pdf = system_scratch();
+    char reason[CONVERT_REASON];
+    const char *why = pdf ? convert_page(html, path, pdf, reason) : strerror(errno);
+    output file;
+    int status;
+
+    if (why)
+        status = command_complain("cannot print", path, why);
+    else if ((status = output_begin(&file, path)) == 0)
+        status = output_end(&file, path, convert_copy(pdf, file.file));
+    if (pdf)
+        fclose(pdf);
+    return status;
+}
+
+static int report_as_pdf(const input *in, const char *path)
+{
+    FILE *html = system_scratch();
+    int status = 0;
+    made m;
+
+    if (!html)
+        return command_complain("cannot print", path, strerror(errno));
+    make_report(in, 1, html, &m);
+    if (m.written > 0 && !m.outcome.reason && !memory_has_failed())
+        status = print_page(html, path);
+    fclose(html);
+    return tell_report(path, &m, status);
+}
+
+int drawing_report(const input *in)
+{
+    const char *path = in->o->report;
+    output file;
+    int status;
+    made m;
+
+    if (flk_text_ends_in(flk_text_of(path), ".pdf"))
+        return report_as_pdf(in, path);
+    status = output_begin(&file, path);
+    if (status)
+        return status;
+    make_report(in, 0, file.file, &m);
+    return tell_report(path, &m, output_end(&file, path, m.written > 0));
 }

@@ -118,7 +118,8 @@ static int set_report(options *o, const char *value, char message[400])
     o->report = value;
     return options_is_folder(value) || flk_text_ends_in(flk_text_of(value), ".html") ||
            flk_text_ends_in(flk_text_of(value), ".htm") ||
-           say(message, "--report needs a file name that ends in .html, not '", value, "'");
+           flk_text_ends_in(flk_text_of(value), ".pdf") ||
+           say(message, "--report needs a file name that ends in .html or .pdf, not '", value, "'");
 }
 
 static int set_quiz(options *o, const char *value, char message[400])
@@ -316,7 +317,8 @@ static const option_info table[] = {
      "draw columns over this one (default: theta2 or time)", NULL},
     {0, "--ascii", NULL, MEMBER(ascii), "draw text pictures without Braille characters", NULL},
     {0, "--report", "FILE", OWN(set_report),
-     "write a report to hand in: a page .html with deck, facts, sample calculation, pictures and "
+     "write a report to hand in: a page .html, or by Chromium a .pdf, with deck, facts, sample "
+     "calculation, pictures and "
      "tables",
      NULL},
     {'P', "--part", "K/N", OWN(set_part), "compute the K-th of N parts of the deck's [sweep]",
@@ -528,7 +530,8 @@ void options_put_help(FILE *out)
     put_words(
         &l, "",
         "Exit status: 0 success; 1 some rows or values could not be computed, or a check failed; "
-        "2 wrong usage or mistakes in a deck; 3 reading, writing, rsvg-convert or memory failed.",
+        "2 wrong usage or mistakes in a deck; 3 reading, writing, rsvg-convert, Chromium or memory "
+        "failed.",
         0, width);
     line_end(&l);
 }

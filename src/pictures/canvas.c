@@ -16,6 +16,7 @@
 #define NO_HEAD (0.4 * CANVAS_LINE)
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
 #define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
+#define NO_NUMBERS (2 * CANVAS_LETTER)
 #define BELOW (3.2 * CANVAS_LINE)
 #define SCALES (1.6 * CANVAS_LINE) /* below a bare drawing */
 #define SHORTENED "\342\200\246"   /* an ellipsis, in UTF-8 */
@@ -103,6 +104,17 @@ void canvas_begin_panel(canvas *c)
     c->has_key_below_title = 0;
 }
 
+int canvas_has_scales(const canvas *c)
+{
+    return c->is_bare || c->has_scale_bars;
+}
+
+/* 1 if a drawing has axes with numbers. */
+static int has_axes(const canvas *c)
+{
+    return !canvas_has_scales(c) && !c->has_no_scale;
+}
+
 void canvas_place_panel(canvas *c, int lines, double right)
 {
     int columns = c->fills_row ? c->columns : 1; /* of this panel */
@@ -111,13 +123,13 @@ void canvas_place_panel(canvas *c, int lines, double right)
 
     if (c->is_bare)
         lines = 0;
-    c->left = c->is_bare ? 0 : LEFT;
+    c->left = c->is_bare ? 0 : c->has_scale_bars ? NO_NUMBERS : LEFT;
     c->right = c->is_bare ? 0 : right < 0.5 * width ? right : 0.5 * width;
     c->lines = lines;
     c->box.x_min = x + c->left;
     c->box.x_max = x + width - c->right;
     c->box.y_min = y + lines * CANVAS_LINE;
-    c->box.y_max = y + height - (c->is_bare ? SCALES : BELOW) - c->below;
+    c->box.y_max = y + height - (canvas_has_scales(c) ? SCALES : BELOW) - c->below;
     c->box_width = c->box.x_max - c->box.x_min;
     c->box_height = c->box.y_max - c->box.y_min;
     c->next += columns;
@@ -177,13 +189,13 @@ void canvas_titles(const canvas *c, const char *x, const char *x_unit, const cha
     va_start(values, format);
     n = strlen(flk_message_list(words, sizeof words, format, values));
     va_end(values);
-    if (!c->has_no_scale)
+    if (has_axes(c))
         put_in_box(c, "x", 0.5, 0, 0, 2.3 * CANVAS_LINE, DISPLAY_MIDDLE,
                    name_axis(c, x, x_unit, axis));
     name_axis(c, y, y_unit, axis);
-    if (c->is_text && !c->has_no_scale)
+    if (c->is_text && has_axes(c))
         flk_message(words + n, sizeof words - n, "%s%s", n ? ", " : "", axis);
-    else if (!c->has_no_scale)
+    else if (has_axes(c))
         put_in_box(c, "y", 0, 0.5, 2.2 * CANVAS_LETTER - LEFT, 0, DISPLAY_MIDDLE, axis)
             ->is_upright = 1;
     /* in the middle of the panel */
@@ -363,7 +375,7 @@ void canvas_end_panel(canvas *c)
 {
     int i;
 
-    if (!c->is_bare && !c->has_no_scale) {
+    if (has_axes(c)) {
         put_scale(c, c->axes.x_min, c->axes.x_max, c->x_step, 0);
         put_scale(c, c->axes.y_min, c->axes.y_max, c->y_step, 1);
         for (i = 0; i < 4; i++)

@@ -42,6 +42,7 @@ typedef struct canvas {
     int has_zero_axes;            /* 1: lines through 0 in all panels */
     int is_bare;                  /* 1: no axes and no titles, but scales below the drawing */
     int has_no_scale;             /* 1: no axes */
+    int has_scale_bars;           /* 1: no axes, but scales below the drawing */
     int lines;                    /* above it */
     int has_key_below_title;      /* 1: its key is in lines above the axes; 0: at their right */
     canvas_entry entries[CANVAS_ENTRIES];
@@ -59,6 +60,9 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
 /* The name of a column and a unit as they are printed in a book, or plain on a text terminal. */
 const char *canvas_symbol(const canvas *c, const char *name, char out[NOTATION_SIZE]);
 const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZE]);
+
+/* 1 if scales stand below a drawing, in place of axes. */
+int canvas_has_scales(const canvas *c);
 
 /* Begin the next panel; place its axes, with so many lines above them and so many pixels at their right; the
 ** ranges of the axes and the steps of their numbers, 0: as many as fit; end it, or leave it out. */

@@ -90,8 +90,12 @@ typedef struct plot_deck {
 
 void plot_deck_close(plot_deck *d);
 
+/* The panels of PLOT_VECTORS: all, with the mechanism; of a page, which has that, one group of them. */
+typedef enum plot_part { PLOT_WHOLE, PLOT_OF_MOTION, PLOT_OF_FORCES } plot_part;
+
 typedef struct plot_request {
     plot_kind kind;
+    plot_part part;
     plot_file file;
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
@@ -201,7 +205,7 @@ double size_aspect(const picture *p);
 /* Find the links that are small beside the whole: the crank, and a rocker. */
 void size_find_insets(picture *p);
 
-/* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
+/* The height of a panel of this width, when the insets are known, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
 /* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free

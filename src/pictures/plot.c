@@ -56,69 +56,119 @@ plot_file plot_file_of(const char *name)
     return (plot_file)i;
 }
 
-/* A figure of a page is as wide as paper at 7 pt allows. */
+/* A figure of a page, in pixels: as wide as paper at 7 pt allows, no higher than half of it; the height of its
+** panels over the crank angle, as a part of the usual one, and of those with scales in place of axes. */
 #define FIGURE_WIDTH 1000.0
+#define FIGURE_HIGHEST 570.0
 #define FIGURE_LOW 0.82
+#define FIGURE_VECTORS 220.0
+#define FIGURE_KLEIN 420.0
+
+/* The panels of columns of the table, or of outputs of the sweep; 0: it has none of these. */
+static int count_columns(picture *p)
+{
+    const fourlink_value *outputs;
+    unsigned long n = 0;
+
+    if (picture_has_outputs(p))
+        fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &outputs, &n);
+    else if (p->request->kind == PLOT_COLUMNS)
+        n = (unsigned long)picture_column_panels(p);
+    return (int)n;
+}
+
+/* The rows of polar diagrams: of each pin force in the axes of its links, and where there is a balance one more
+** for each branch. */
+static int count_polar_rows(const picture *p)
+{
+    int of_forces = p->v.kind.slotted ? 4 : p->v.kind.guided ? 5 : 6;
+
+    if (!picture_has_balance(p))
+        return plot_table[PLOT_POLAR].rows;
+    return (of_forces + (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) / 3;
+}
+
+/* Find the panels of a picture, in columns and rows. */
+static void count_panels(picture *p, int *columns, int *rows)
+{
+    static const int vector_rows[] = {5, 1, 3}; /* by part */
+    const struct plot_info *info = &plot_table[p->request->kind];
+    int n = count_columns(p);
+
+    *columns = info->columns;
+    *rows = info->rows ? info->rows : p->v.n_branches;
+    if (n) {
+        *columns = n > 1 ? info->columns : 1;
+        *rows = (n + *columns - 1) / *columns;
+    } else if (p->request->kind == PLOT_VECTORS) {
+        *rows = p->request->part || p->v.problem.has_forces ? vector_rows[p->request->part] : 2;
+    } else if (p->request->kind == PLOT_MOTION) {
+        *columns += p->v.design->n_groups;
+        *rows = view_is_still(&p->v) ? 1 : *rows;
+    } else if (p->request->kind == PLOT_KLEIN) {
+        p->has_inset =
+            p->v.kind.guided && p->v.design->link[FOURLINK_CRANK].length <
+                                    SMALL_CRANK * p->v.design->link[FOURLINK_COUPLER].length;
+        *(p->request->is_figure ? columns : rows) = 1 + p->has_inset;
+    } else if (p->request->kind == PLOT_POLAR) {
+        *rows = count_polar_rows(p);
+    } else if (p->request->kind == PLOT_MECHANISM && p->request->file != PLOT_TXT) {
+        if (!p->request->is_figure || p->v.n_branches == 1) /* a page has no room for four */
+            size_find_insets(p);
+        *rows *= 1 + p->n_insets;
+    }
+}
+
+/* Find the size of a panel, in pixels. */
+static void find_size(picture *p, int columns, int rows, double *width, double *height)
+{
+    const struct plot_info *info = &plot_table[p->request->kind];
+    int is_text = p->request->file == PLOT_TXT;
+
+    *width = info->width;
+    *height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height;
+    if (p->request->is_figure) {
+        *width = GSL_MIN_DBL(*width, FIGURE_WIDTH / columns);
+        *height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : 1.05 * *width / info->width;
+        if (p->request->part)
+            *height = FIGURE_VECTORS;
+        else if (p->request->kind == PLOT_KLEIN)
+            *height = FIGURE_KLEIN;
+        else if (!(info->needs & PLOT_DRAWING))
+            *height = GSL_MIN_DBL(*height, FIGURE_HIGHEST / rows);
+    }
+    if (p->request->kind == PLOT_VECTORS && !is_text &&
+        (p->v.problem.has_friction || p->v.problem.n_springs ||
+         p->v.problem.n_points > MANY_POINTS)) {
+        *width *= p->request->part ? 1 : CROWDED;
+        *height *= CROWDED;
+    }
+    if (count_columns(p) == 1) /* its titles need it */
+        *width = p->request->lone_width > 0 ? p->request->lone_width : LONE_WIDTH;
+}
 
 static void lay_out(picture *p)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
-    int rows = info->rows ? info->rows : p->v.n_branches, columns = info->columns;
-    const fourlink_value *outputs;
-    unsigned long n = 0;
-    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
-    double width = info->width;
+    double width, height, beside = 0, lines;
+    int rows, columns;
 
-    if (p->request->is_figure) {
-        width = GSL_MIN_DBL(width, FIGURE_WIDTH / columns);
-        height *= info->needs & PLOT_ANGLE_AXIS ? FIGURE_LOW : 1.05 * width / info->width;
-    }
-    if (is_vectors && !p->v.problem.has_forces)
-        rows = 2;
-    if (is_vectors && !is_text &&
-        (p->v.problem.has_friction || p->v.problem.n_springs ||
-         p->v.problem.n_points > MANY_POINTS)) {
-        width *= CROWDED;
-        height *= CROWDED;
-    }
-    if (p->request->kind == PLOT_MOTION)
-        columns += p->v.design->n_groups;
-    if (p->request->kind == PLOT_MOTION && view_is_still(&p->v))
-        rows = 1;
-    if (picture_has_outputs(p)) /* of any number of columns */
-        fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &outputs, &n);
-    else if (p->request->kind == PLOT_COLUMNS)
-        n = (unsigned long)picture_column_panels(p);
-    if (n) {
-        columns = n > 1 ? info->columns : 1;
-        rows = ((int)n + columns - 1) / columns;
-        width = n > 1                        ? width
-                : p->request->lone_width > 0 ? p->request->lone_width
-                                             : LONE_WIDTH; /* its titles need it */
-    }
-    p->has_inset = p->v.kind.guided && p->v.design->link[FOURLINK_CRANK].length <
-                                           SMALL_CRANK * p->v.design->link[FOURLINK_COUPLER].length;
-    if (p->request->kind == PLOT_KLEIN && p->has_inset)
-        rows = 2;
-    if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->v.kind.slotted  ? 4
-                 : p->v.kind.guided ? 5
-                                    : 6) +
-                (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
-               3;
-    if (p->request->kind == PLOT_MECHANISM && !is_text) {
-        size_find_insets(p);
-        rows *= 1 + p->n_insets;
-    }
+    count_panels(p, &columns, &rows);
+    find_size(p, columns, rows, &width, &height);
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
-    if (info->needs & PLOT_FILLED && !is_text)
-        height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
-    else if (info->needs & PLOT_DRAWING)
+    if (p->request->part == PLOT_OF_FORCES)
+        height = GSL_MAX_DBL(height, (lines + 1) * CANVAS_LINE);
+    else if (info->needs & PLOT_FILLED && !is_text)
+        height = floor(GSL_MAX_DBL(size_height(p, info->width),
+                                   p->request->is_figure ? (lines + 3) * CANVAS_LINE
+                                                         : (lines + 4) * 1.2 * CANVAS_LINE));
+    else if (info->needs & PLOT_DRAWING && !p->request->part)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
     canvas_open(&p->on, p->frames, is_text, columns, rows, width, height, beside > 0 ? beside : 0,
                 !p->request->is_figure);
     p->on.turn = geometry_turn(&p->v);
+    p->on.has_scale_bars = p->request->part != PLOT_WHOLE;
 }
 
 static void put_head(const picture *p, const char *deck_name, const char *held)

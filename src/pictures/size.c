@@ -15,7 +15,7 @@
 #define ABOVE_AND_BELOW 110
 #define LOWEST 330
 #define HIGHEST 840
-#define HIGHEST_FIGURE 600 /* two of them are a page */
+#define HIGHEST_FIGURE 520.0 /* with all its panels: two figures are a page */
 #define OUTLINE_STEPS 72
 #define PAD 0.4 /* of the larger side: room for arrows and texts around a motion */
 
@@ -124,7 +124,7 @@ void size_find_insets(picture *p)
 
 double size_height(const picture *p, double width)
 {
-    double highest = LOWEST, x, y, border;
+    double highest = LOWEST, x, y, border, of_figure;
     int i;
 
     for (i = 0; i < p->v.n_branches; i++) {
@@ -137,5 +137,6 @@ double size_height(const picture *p, double width)
             highest = GSL_MAX_DBL(highest,
                                   (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
     }
-    return GSL_MIN_DBL(highest, p->request->is_figure ? HIGHEST_FIGURE : HIGHEST);
+    of_figure = GSL_MAX_DBL(HIGHEST_FIGURE / (p->v.n_branches * (1 + p->n_insets)), LOWEST);
+    return GSL_MIN_DBL(highest, p->request->is_figure ? of_figure : HIGHEST);
 }

@@ -511,7 +511,7 @@ void sketch_scale(sketch *s, pen p, double length, const char *value, const char
     fourlink_vector to = place_beside(from, length, 0);
     char words[LABELS_WORDS];
 
-    if (s->c->is_bare) {
+    if (canvas_has_scales(s->c)) {
         s->scale.p = p;
         s->scale.length = length;
         flk_text_join(s->scale.value, sizeof s->scale.value, value, (char *)NULL);
@@ -581,7 +581,7 @@ void sketch_close(sketch *s, const char *format, ...)
     s->drawn = s->texts.drawn;
     put_labels(s);
     sketch_put_margin(s);
-    if (s->c->is_bare)
+    if (canvas_has_scales(s->c))
         put_scales(s);
     s->c->d->key = 0; /* the axes stand still */
     canvas_titles(s->c, s->c->turn != 0 ? "horizontal" : "x", s->unit->name,

@@ -506,11 +506,15 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
-    p->on.fills_row = 1;
-    put_mechanism(p, &r.now);
-    vectors_draw_polygon(p, &r, &polygons[0], 0);
-    vectors_draw_polygon(p, &r, &polygons[1], 0);
-    if (!p->v.problem.has_forces)
+    if (p->request->part == PLOT_WHOLE) {
+        p->on.fills_row = 1;
+        put_mechanism(p, &r.now);
+    }
+    if (p->request->part != PLOT_OF_FORCES) {
+        vectors_draw_polygon(p, &r, &polygons[0], 0);
+        vectors_draw_polygon(p, &r, &polygons[1], 0);
+    }
+    if (p->request->part == PLOT_OF_MOTION || !p->v.problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         open_body(&body, p, &r, link);

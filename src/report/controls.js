@@ -131,16 +131,7 @@ function controls(find, seen) {
             drawing.layOut();
         }
     });
-    /* On paper the drawings have the width of paper, so that their letters keep their size. */
-    window.addEventListener("beforeprint", () => {
-        stop();
-        if (drawing)
-            drawing.layOut();
-    });
-    window.addEventListener("afterprint", () => {
-        if (drawing)
-            drawing.layOut();
-    });
+    window.addEventListener("beforeprint", stop);
     return {take, renew, go, stop, play};
 }
 
@@ -156,7 +147,7 @@ function offerFiles() {
 
 /* ---------------------------------------------------------------------------------------- tables on paper */
 
-const LINE = 137; /* letters, at 7 pt; see report.css */
+const LINE = 137, HALF = 66; /* letters, at 7 pt, of a line and of one of two columns; see report.css */
 
 /* The letters that each column needs, with what is between columns. */
 function widthsOf(table) {
@@ -226,7 +217,10 @@ function printTables() {
                 continue;
             const columns = table.matches(".rows") ? divide(widths) : [];
             const parts = columns.map((some) => partOf(table, some, widths));
+            const isNarrow = parts.length === 1 && widths.reduce((sum, x) => sum + x, 0) <= HALF;
             before.push({fold, table, parts, open: fold.open});
+            if (isNarrow)
+                fold.classList.add("narrow");
             table.after(...parts);
             table.hidden = parts.length > 0;
             fold.open = true;
@@ -237,6 +231,7 @@ function printTables() {
             parts.forEach((part) => part.remove());
             table.hidden = false;
             fold.open = open;
+            fold.classList?.remove("narrow");
         }
     });
 }
@@ -272,7 +267,7 @@ function fitEquations() {
         });
     };
     const onScreen = () => fit(0.88, 0.5);
-    window.addEventListener("beforeprint", () => fit(0.86, 0.7));
+    window.addEventListener("beforeprint", () => fit(0.86, 0.81));
     window.addEventListener("afterprint", onScreen);
     window.addEventListener("resize", onScreen);
     onScreen();
@@ -303,12 +298,18 @@ function start() {
     const drawing = fourlink.draw(data, place, more);
     const made = controls((id) => document.getElementById("fourlink-" + id), (i) => cursors.forEach((show) => show(i, drawing.branch())));
     made.take(data, drawing, data.start);
-    const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
-    if (picture) {
-        const number = picture.querySelector("figcaption").textContent.split(".")[0];
-        place.querySelector("figcaption").prepend(number + ". ");
-        picture.hidden = true;
-    }
+    giveNumbers([...place.querySelectorAll("figcaption")], [...more.querySelectorAll("figcaption")]);
+    document.documentElement.classList.add("moving");
+}
+
+/* The numbers of the pictures go to the drawings that take their place on the screen: the mechanism, the polygons of
+   the motion, and the free bodies, which are the last three. */
+function giveNumbers([main], panels) {
+    const pictures = [...document.querySelectorAll("figure.mechanism, figure.vectors")];
+    const places = {mechanism: main, "vectors of-motion": panels[0], "vectors of-forces": panels[panels.length - 3]};
+    for (const picture of pictures)
+        if (places[picture.className])
+            places[picture.className].prepend(picture.querySelector("figcaption").textContent.split(".")[0] + ". ");
 }
 
 return {controls, start};

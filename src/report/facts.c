@@ -27,19 +27,25 @@ void report_put_inputs(report *r)
     const fourlink_value *inputs;
     page *p = &r->page;
     unsigned long n, i;
+    int behind = 0;
 
     fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
+    for (i = 0; i < n; i++)
+        if (!inputs[i].words)
+            behind = GSL_MAX_INT(behind, page_behind(inputs[i].value, r->v.problem.digits));
     page_fold(p, 0, "Inputs as understood", n);
     page_table(p, NULL, "Name|Value|Unit|Meaning");
     for (i = 0; i < n; i++) {
         const fourlink_value *x = &inputs[i];
 
-        if (x->words)
-            page_print(p,
-                       "<tr><th scope=\"row\">%s</th><td colspan=\"2\">%s</td><td>%s</td></tr>\n",
-                       x->name, x->words, x->meaning);
-        else
-            page_row(p, "%s|%v|%u|%s", x->name, x->value, r->v.problem.digits, x->unit, x->meaning);
+        page_print(p, "<tr><th scope=\"row\">%s</th>", x->name);
+        if (x->words) {
+            page_print(p, "<td colspan=\"2\">%s</td>", x->words);
+        } else {
+            page_number_cell(p, x->value, r->v.problem.digits, behind);
+            page_print(p, "<td>%u</td>", x->unit);
+        }
+        page_print(p, "<td>%s</td></tr>\n", x->meaning);
     }
     page_table_end(p);
     page_fold_end(p);
@@ -51,17 +57,43 @@ static void put_name(report *r, const char *name)
     page_print(&r->page, "<tr><th scope=\"row\" data-name=\"%s\">%n</th>", name, name);
 }
 
+/* Which columns a table of facts needs, and the letters behind the points of its values. */
+typedef struct fact_columns {
+    int has_angles, has_branches, behind;
+} fact_columns;
+
+static fact_columns columns_of(const report *r, const fourlink_value *facts, unsigned long n)
+{
+    fact_columns c = {0, 0, 0};
+    unsigned long i;
+
+    for (i = 0; i < n; i++) {
+        c.has_angles = c.has_angles || facts[i].has_angle;
+        c.has_branches = c.has_branches || (r->v.n_branches > 1 && facts[i].branch &&
+                                            !sheet_is_on_both(&facts[i], facts, n));
+        if (!facts[i].words)
+            c.behind = GSL_MAX_INT(c.behind, page_behind(facts[i].value, r->v.problem.digits));
+    }
+    return c;
+}
+
 /* Write a group of facts; one that is the same on both branches once. */
 static void put_facts(report *r, const char *heading, int group)
 {
     const fourlink_value *facts;
     page *p = &r->page;
     unsigned long n, i;
+    char heads[80];
+    fact_columns c;
 
     results_facts(r->v.results, 0, group, &facts, &n);
     if (!n)
         return;
-    page_table(p, heading, "Name|Value|Unit|" PAGE_AT "|Branch|Meaning");
+    c = columns_of(r, facts, n);
+    page_table_of(p, c.has_branches ? "facts broad" : "facts", heading,
+                  flk_text_join(heads, sizeof heads, "Name|Value|Unit",
+                                c.has_angles ? "|" PAGE_AT : "", c.has_branches ? "|Branch" : "",
+                                "|Meaning", (char *)NULL));
     for (i = 0; i < n; i++) {
         const fourlink_value *f = &facts[i];
         int is_on_both = sheet_is_on_both(f, facts, n);
@@ -70,30 +102,49 @@ static void put_facts(report *r, const char *heading, int group)
             continue;
         put_name(r, f->name);
         if (f->words) {
-            page_print(p, "<td colspan=\"4\">%s</td>", f->words);
+            page_print(p, "<td colspan=\"%d\">%s</td>", 2 + c.has_angles + c.has_branches,
+                       f->words);
         } else {
-            page_print(p, "<td>%v</td><td>%u</td>", f->value, r->v.problem.digits, f->unit);
-            put_angle(r, f);
-            page_print(p, "<td>%s</td>",
-                       f->branch && !is_on_both ? fourlink_branch_text(f->branch) : "");
+            page_number_cell(p, f->value, r->v.problem.digits, c.behind);
+            page_print(p, "<td>%u</td>", f->unit);
+            if (c.has_angles)
+                put_angle(r, f);
+            if (c.has_branches)
+                page_print(p, "<td>%s</td>",
+                           f->branch && !is_on_both ? fourlink_branch_text(f->branch) : "");
         }
         page_print(p, "<td>%s</td></tr>\n", f->meaning);
     }
     page_table_end(p);
 }
 
-/* Write the smallest value of a column, or the largest, and its angle; null: it has none. */
-static void put_extreme(report *r, const fourlink_value *v)
+/* The settled smallest or largest value of a column, by its handle; undefined without an extreme.  1 if it has one. */
+static int find_extreme(const report *r, const view_extremes *extremes, int handle,
+                        fourlink_value *x)
+{
+    const fourlink_value *v = view_extreme(extremes, handle);
+
+    if (v)
+        *x = view_settled(&r->v, v);
+    return v != NULL;
+}
+
+/* Write the smallest value of a column, or the largest, and its angle. */
+static void put_extreme(report *r, const view_extremes *extremes, int handle, int behind)
 {
     fourlink_value x;
 
-    if (!v) {
+    if (!find_extreme(r, extremes, handle, &x)) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    x = view_settled(&r->v, v);
-    page_print(&r->page, "<td>%v</td>", x.value, r->v.problem.digits);
+    page_number_cell(&r->page, x.value, r->v.problem.digits, behind);
     put_angle(r, &x);
+}
+
+static int is_of_extremes(const fourlink_value *column)
+{
+    return !(column->flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING));
 }
 
 static void put_extremes(report *r, fourlink_branch branch)
@@ -101,7 +152,10 @@ static void put_extremes(report *r, fourlink_branch branch)
     const char *of = branch == FOURLINK_OPEN ? "open branch" : "crossed branch";
     const fourlink_value *columns = r->v.columns;
     char caption[60];
+    static const int statistics[2] = {FOURLINK_MIN, FOURLINK_MAX};
+    int behind[2] = {0, 0}, k;
     view_extremes extremes;
+    fourlink_value x;
     int status = view_find_extremes(&r->v, branch, &extremes);
     unsigned long i;
 
@@ -112,14 +166,19 @@ static void put_extremes(report *r, fourlink_branch branch)
         return;
     }
     flk_text_join(caption, sizeof caption, "Smallest and largest values, ", of, (char *)NULL);
-    page_table(&r->page, caption, "Column|Unit|Smallest|" PAGE_AT "|Largest|" PAGE_AT);
+    page_table_of(&r->page, "facts broad", caption,
+                  "Column|Unit|Smallest|" PAGE_AT "|Largest|" PAGE_AT);
+    for (i = 0; i < r->v.n_columns; i++)
+        for (k = 0; k < 2 && is_of_extremes(&columns[i]); k++)
+            if (find_extreme(r, &extremes, columns[i].handle + statistics[k], &x))
+                behind[k] = GSL_MAX_INT(behind[k], page_behind(x.value, r->v.problem.digits));
     for (i = 0; i < r->v.n_columns; i++) {
-        if (columns[i].flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING))
+        if (!is_of_extremes(&columns[i]))
             continue;
         put_name(r, columns[i].name);
         page_print(&r->page, "<td>%u</td>", columns[i].unit);
-        put_extreme(r, view_extreme(&extremes, columns[i].handle + FOURLINK_MIN));
-        put_extreme(r, view_extreme(&extremes, columns[i].handle + FOURLINK_MAX));
+        for (k = 0; k < 2; k++)
+            put_extreme(r, &extremes, columns[i].handle + statistics[k], behind[k]);
         page_print(&r->page, "</tr>\n");
     }
     page_table_end(&r->page);

@@ -18,6 +18,9 @@
 #define RIGHT "<mo stretchy=\"false\">)</mo>"
 #define MINUS "\342\210\222"
 #define DEGREE "\302\260"
+/* Without width: they keep a numerator and a denominator clear of their rule, and of the lines above and below. */
+#define ABOVE_RULE "<mspace height=\"0.95em\" depth=\"0.32em\"/>"
+#define BELOW_RULE "<mspace height=\"0.88em\" depth=\"0.32em\"/>"
 #define LONG_EQUATION 90 /* bytes: the result has a line of its own, fractions have none */
 #define NAMESPACE "http://www.w3.org/1998/Math/MathML"
 
@@ -268,8 +271,8 @@ static void begin_group(writer *w, text token)
 static const struct {
     const char *token, *markup, *with_numbers, *when_long;
     int is_before, deeper;
-} signs[] = {{"{", "<mfrac><mrow>", NULL, LEFT, 1, 1},
-             {"|", "</mrow><mrow>", NULL, RIGHT INFIX("/") LEFT, 1, 0},
+} signs[] = {{"{", "<mfrac><mrow>" ABOVE_RULE, NULL, LEFT, 1, 1},
+             {"|", "</mrow><mrow>" BELOW_RULE, NULL, RIGHT INFIX("/") LEFT, 1, 0},
              {"}", "</mrow></mfrac>", NULL, RIGHT, 0, -1},
              {"[", "<msqrt><mrow>", NULL, NULL, 1, 1},
              {"]", "</mrow></msqrt>", NULL, NULL, 0, -1},

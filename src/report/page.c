@@ -37,14 +37,29 @@ static void put_unit(page *p, const char *unit, int has_gap)
 }
 
 /* A number with the digits of a deck. */
-static void put_number(page *p, double value, int digits)
+static const char *number_text(double value, int digits, char out[FORMAT_SIZE])
 {
     if (gsl_isnan(value))
-        page_print(p, "\342\200\223"); /* a dash */
-    else if (gsl_isinf(value))
-        page_print(p, value > 0 ? "\342\210\236" : "\342\210\222\342\210\236");
-    else
-        page_print(p, digits > 12 ? "%.15g" : digits > 6 ? "%.9g" : "%.6g", value);
+        return "\342\200\223"; /* a dash */
+    if (gsl_isinf(value))
+        return value > 0 ? "\342\210\236" : "\342\210\222\342\210\236";
+    return format_general(value, digits > 12 ? 15 : digits > 6 ? 9 : 6, out);
+}
+
+int page_behind(double value, int digits)
+{
+    char number[FORMAT_SIZE];
+    const char *point = strchr(number_text(value, digits, number), '.');
+
+    return point ? (int)strlen(point) : 0;
+}
+
+void page_number_cell(page *p, double value, int digits, int most)
+{
+    char number[FORMAT_SIZE];
+
+    page_print(p, "<td class=\"number\" style=\"--behind: %d\">%s</td>",
+               most - page_behind(value, digits), number_text(value, digits, number));
 }
 
 /* The same as printf's; in a row, | begins the next cell. */
@@ -76,7 +91,7 @@ static void print(page *p, const char *format, va_list arguments, int is_row)
             fprintf(p->out, "%lu", va_arg(arguments, unsigned long));
         } else if (*format == 'v') {
             value = va_arg(arguments, double);
-            put_number(p, value, va_arg(arguments, int));
+            fputs(number_text(value, va_arg(arguments, int), number), p->out);
         } else { /* .6g, .4f */
             digits = (int)strtol(format + 1, &end, 10);
             format = end;
@@ -162,10 +177,11 @@ void page_base64(page *p, FILE *bytes)
 
 void page_section(page *p, const char *id, const char *heading)
 {
-    page_print(p, "<section id=\"%s\">\n<h2>%d %s</h2>\n", id, ++p->n_sections, heading);
+    page_print(p, "<section id=\"%s\">\n<h2>%d %s</h2>\n<div class=\"body\">\n", id,
+               ++p->n_sections, heading);
 }
 
 void page_section_end(page *p)
 {
-    page_print(p, "</section>\n");
+    page_print(p, "</div>\n</section>\n");
 }

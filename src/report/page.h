@@ -32,6 +32,11 @@ void page_table(page *p, const char *caption, const char *columns);
 void page_table_of(page *p, const char *name_of_class, const char *caption, const char *columns);
 void page_table_end(page *p);
 
+/* Write a number as a cell of a column whose numbers have their points below each other: `most` is the largest
+** number of letters from the point on, of all its numbers. */
+int page_behind(double value, int digits);
+void page_number_cell(page *p, double value, int digits, int most);
+
 /* Begin the number and the title of a table that is folded on a screen, and open on paper unless it is long;
 ** a page_table of it has no caption.  End the fold. */
 void page_fold(page *p, int is_long, const char *title, unsigned long n_rows);

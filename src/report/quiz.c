@@ -346,8 +346,8 @@ static int put_feedback(quiz *z)
             page_print(&z->page, "%.6g%U", c.computed, c.unit);
     }
     page_print(&z->page, "</p>\n");
+    memset(&request, 0, sizeof request);
     request.opened = z->v.results;
-    request.found = NULL;
     request.at = at[0] ? at : NULL;
     status = report_write_sample(z->page.out, z->source, &request, &mistake);
     return status < 0 ? -1 : 1; /* of a deck with outputs there is none */

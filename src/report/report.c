@@ -3,6 +3,7 @@
 ** report.c - the report of a deck: the order of its sections.
 */
 #include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,15 +16,25 @@
 #include "view/notation.h"
 #include "view/results.h"
 
-#define BLANK_LINES 12 /* for the discussion */
+#define BLANK_LINES 10 /* for the discussion */
+
+static const char *size_of_paper(const report *r)
+{
+    const char *length = r->v.results ? r->v.units[QUANTITY_LENGTH].name : "mm";
+
+    return !r->request->is_printed                                  ? ""
+           : strcmp(length, "in") == 0 || strcmp(length, "ft") == 0 ? "size: Letter; "
+                                                                    : "size: A4; ";
+}
 
 /* At the head of each printed page, the title: a string of CSS, within an element of HTML that is XML too. */
-static void put_running_title(page *p, const char *title)
+static void put_running_title(report *r, const char *title)
 {
     static const char special[] = "\"\\<>&'";
+    page *p = &r->page;
     size_t n;
 
-    page_print(p, "<style>@page {@top-left {font: 8pt serif; content: \"");
+    page_print(p, "<style>@page {%s@top-left {font: 8pt serif; content: \"", size_of_paper(r));
     for (; *title; title += n) {
         n = strcspn(title, special);
         xml_put(p->out, title, n);
@@ -43,7 +54,7 @@ static void put_head(report *r, const char *title)
                "<meta name=\"generator\" content=\"fourlink %s\"/>\n<title>%s</title>\n",
                fourlink_version(), title);
     report_put_style(&r->page);
-    put_running_title(&r->page, title);
+    put_running_title(r, title);
     page_print(&r->page,
                "</head>\n<body>\n<main>\n<header>\n<h1>%s</h1>\n"
                "<p class=\"lines\"><label class=\"line\">Name <input id=\"typed-name\" "
@@ -158,7 +169,8 @@ static int find_sample(report *r, fourlink_mistake *mistake)
         fourlink_results_along(r->v.results, r->v.branches[0], r->now.row.place, NULL, &r->now,
                                r->loads);
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
-    flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number),
+    flk_text_join(r->at, sizeof r->at, r->now.row.angle < 0 ? "\342\210\222" : "", /* a minus */
+                  format_general(fabs(r->now.row.angle), 6, number),
                   isalpha((unsigned char)*typeset) ? "\302\240" : "", typeset, (char *)NULL);
     if (!at && r->now.status == FOURLINK_OK)
         flk_text_join(r->why, sizeof r->why, view_tell_position(&r->v, &r->now, r->loads, why),

@@ -14,6 +14,7 @@
 
 /* What the caller knows beside the deck. */
 typedef struct report_request {
+    int is_printed; /* 1: as pdf, on A4, or with lengths in inches or feet on Letter; 0: by whoever opens it */
     fourlink_results *opened;       /* of the deck; null: it has mistakes */
     const fourlink_solution *found; /* its linkage; null: it was not found by synthesis */
     const char

@@ -25,11 +25,10 @@ function storeOf() {
 /* The report as a file: the page as it was, with what has been typed. */
 function fileOf() {
     const copy = document.documentElement.cloneNode(true), find = (selector) => copy.querySelectorAll(selector);
-    copy.classList.remove("scripted", "on-paper");
+    copy.classList.remove("scripted", "moving", "on-paper");
     find("#fourlink-panels, #fourlink-more, .typed, #typed-status").forEach((x) => x.replaceChildren());
     find("#fourlink-controls, #fourlink-panels, #fourlink-more, button[data-save], #typed-save")
         .forEach((x) => x.setAttribute("hidden", "hidden"));
-    find("figure.mechanism").forEach((x) => x.removeAttribute("hidden"));
     return "<!DOCTYPE html>\n" + copy.outerHTML + "\n";
 }
 

@@ -73,6 +73,9 @@ FILE *system_create(char *name, const char *like);
 int system_rename(const char *name, const char *path); /* 1; 0 with errno set */
 void system_remove(const char *name);
 
+/* Let a signal remove this file too, until it is renamed or removed; `name` stays where it is until then. */
+void system_watch(char *name);
+
 /* ---- terminals */
 
 int system_is_terminal(FILE *stream);

@@ -242,6 +242,11 @@ void system_remove(const char *name)
     at_work = NULL;
 }
 
+void system_watch(char *name)
+{
+    at_work = name;
+}
+
 /* --------------------------------------------------------------------------------------------- terminals */
 
 int system_is_terminal(FILE *stream)

@@ -412,6 +412,12 @@ void system_remove(const char *name)
     forget();
 }
 
+void system_watch(char *name)
+{
+    forget();
+    at_work = wide(name);
+}
+
 /* --------------------------------------------------------------------------------------------- terminals */
 
 int system_is_terminal(FILE *stream)

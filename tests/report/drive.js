@@ -145,7 +145,8 @@
         return;
     }
     check("no error: " + window.problems, window.problems.length === 0);
-    check("the picture without script is hidden", !document.querySelector("figure.mechanism:not([hidden])"));
+    check("the pictures without script are hidden", [...document.querySelectorAll("figure.mechanism, figure.vectors")]
+        .every((x) => getComputedStyle(x).display === "none"));
     check("width " + window.innerWidth + ": " + document.documentElement.scrollWidth,
           document.documentElement.scrollWidth <= window.innerWidth);
     check("the drawing has its room", sheet.clientWidth > 200 && sheet.clientHeight > 150);

@@ -77,7 +77,9 @@ files == 1 {
         row[branch, ++rows[branch]] = $0
     else if (class == "facts sides" && !sides_done)
         side[++sides] = $0
-    else if (class == "facts") {
+    else if (class ~ /^facts( broad)?$/) {
+        if (title !~ /^(Expected|Smallest)/)
+            gsub(/\t\t+/, "\t") # a column that is empty is left out
         shown[title, ++shown_n[title]] = $0
         has[title, $0] = 1
         line_of[title, $1] = $0
@@ -93,6 +95,7 @@ json && /^\{"name"/ {
     wanted = is_words() ? get("name") "\t" get("value") : get("name") "\t" number("value", 6) "\t" unit()
     if (is_input) {
         wanted = wanted "\t" get("meaning")
+        gsub(/\t\t+/, "\t", wanted)
         that(shown["Inputs as understood", ++inputs] == wanted, "the input " wanted ", shown " shown["Inputs as understood", inputs])
         next
     }
@@ -132,6 +135,7 @@ function check_facts(i, line, titles, n, k, found) {
     n = split("Type and key facts,Turning moment,Actual motion", titles, ",")
     for (i = 1; i <= facts; i++) {
         line = fact_is_words[i] ? fact[i] : fact[i] "\t" fact_branch[i] "\t" fact_meaning[i]
+        gsub(/\t\t+/, "\t", line)
         found = 0
         for (k = 1; k <= n; k++)
             found += (titles[k], line) in has

@@ -99,9 +99,21 @@ printed() {
     check "$1 on $2: no drawing on the first pages" grep -q 'Figure 1' first.out
     for page in $(seq "$pages"); do
         check "$1 on $2: no number of page $page" \
-            sh -c "pdftotext -f $page -l $page -layout printed.pdf - | grep -q ' $page / $pages\$'"
+            sh -c "pdftotext -f $page -l $page -layout printed.pdf - | grep -q ' $page */ *$pages\$'"
     done
     check "$1 on $2: the deck is not at the end" grep -q 'Made by fourlink' last.out
+}
+
+# full NAME SIZE: of the report just printed no page but the last is less than half full, and no heading or title of a table is
+# the last of its column.
+full() {
+    cp printed.pdf "$1-$2.pdf"
+    pdftotext -bbox-layout printed.pdf full.out
+    sed -n 's/.*<h[23][^>]*>\([^<]*\)<.*/\1/p; s/.*<caption>\([^<]*\)<.*/\1/p; s/.*<summary>\([^<]*\)<.*/\1/p' "$1.html" |
+        sed 's/&lt;/</g; s/&amp;/\&/g' >headings.out
+    awk -f full.awk headings.out full.out >wrong.out
+    status=$?
+    check "$1 on $2: $(head -n 3 wrong.out)" test $status -eq 0
 }
 
 # paper NAME SIZE: printed on this paper, each figure begins and ends on the same page and within its width.  For that
@@ -170,6 +182,45 @@ END {
             {bad++; print "figure " k " begins on page " on["begin", k] ", ends on page " on["end", k]}
     }
     if (n < 3) {bad++; print n + 0 " figures"}
+    exit bad > 0
+}
+END
+
+# A line of a page is left, top, right, bottom and its words; a heading has another line below it, within 130 points and
+# partly above each other.
+cat >full.awk <<'END'
+FNR == NR {is_heading[$0] = 1; next}
+/<page / {page++; split($0, w, "\""); height = w[4]; pages = page}
+/<line / {split($0, w, "\""); n++; on[n] = page; left[n] = w[2]; top[n] = w[4]; right[n] = w[6]; bottom[n] = w[8]; next}
+/<word / {
+    sub(/<\/word>.*/, ""); sub(/.*>/, "")
+    gsub(/&lt;/, "<"); gsub(/&amp;/, "\\&")
+    words[n] = words[n] (words[n] == "" ? "" : " ") $0
+    if (bottom[n] < height - 31 && bottom[n] > lowest[page])
+        lowest[page] = bottom[n]
+    half[page] = height / 2
+}
+END {
+    for (i = 1; i <= n; i++) {
+        if (!(words[i] in is_heading))
+            continue
+        if (words[i] ~ /^[0-9]/ && !seen[words[i]]++) # of the contents
+            continue
+        headings++
+        if (words[i] ~ /Discussion/) # empty lines are below
+            continue
+        below = 0
+        for (k = 1; k <= n; k++)
+            if (k != i && on[k] == on[i] && top[k] > top[i] + 2 && top[k] < top[i] + 130 && left[k] < right[i] + 60 && right[k] > left[i] && bottom[k] < height - 31)
+                below = 1
+        if (!below)
+            {bad++; print "page " on[i] " ends with " words[i]}
+    }
+    for (k = 1; k < pages; k++)
+        if (lowest[k] < half[k])
+            {bad++; print "page " k " is half empty"}
+    if (headings < 8)
+        {bad++; print headings + 0 " headings"}
     exit bad > 0
 }
 END
@@ -282,11 +333,25 @@ for deck in "$tests"/look/*.deck; do
     prepare "$name"
     narrow "$name"
 done
-printed inverted A4 17
-printed inverted Letter 17
-printed friction A4 15
-printed runuptime A4 23
-printed tracers Letter 10
+printed inverted A4 10
+printed inverted Letter 12
+printed friction A4 10
+printed runuptime A4 17
+printed tracers Letter 7
+
+# Ten reports, on A4 in eight pages at most; on Letter the longest two have more, and one of them a page that is half empty.
+for name in me3491-exercise-4 alvi-5.1 khurmi-16.11 whitworth-150-100 elliptic-trammel marghitu-5.6 scotch-yoke-pump \
+    steam-engine-240 hibbeler-16-59 me3491-example-2; do
+    "$fourlink" --report="$name.html" "$data/$name.deck" >out 2>err
+    printed "$name" A4 8
+    full "$name" A4
+    case $name in me3491-ex*) pages=10 ;; *) pages=8 ;; esac
+    printed "$name" Letter $pages
+    [ $name = me3491-exercise-4 ] || full "$name" Letter
+done
+run 0 --report=real.pdf "$alvi"
+check 'as pdf' test "$(pdfinfo real.pdf | sed -n 's/^Pages: *//p')" = "$(pdfinfo alvi-5.1-A4.pdf | sed -n 's/^Pages: *//p')"
+check 'as pdf: on A4' sh -c "pdfinfo real.pdf | grep -q '(A4)'"
 
 # What is typed in survives a reload, is in the file that is saved, and on paper.
 cat >typed.js <<'END'

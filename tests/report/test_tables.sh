@@ -13,7 +13,7 @@ tables() {
     "$fourlink" $units --format=json --summary --branch=both "$1" >summary 2>err
     "$fourlink" $units --wide --branch=both "$1" >rows 2>err
     set -- "$1" cells json=1 summary json=0 text=1 rows text=0
-    angle=$(sed -n 's/.*At θ₂ = \([^,:]*\), open branch.*/\1/p' r.html | head -n 1)
+    angle=$(sed -n 's/.*At θ₂ = \([^,:]*\), open branch.*/\1/p' r.html | sed 's/−/-/' | head -n 1)
     if [ "$angle" ]; then
         "$fourlink" $units --matrix --branch=open --set="motion.at=$angle" "$1" >matrix 2>err
         set -- "$@" matrix=1 matrix matrix=0
@@ -25,6 +25,7 @@ tables() {
     status=$?
     check "$deck: $(head -n 5 wrong)" test $status -eq 0
     passed=$((passed + $(sed -n 's/ passed.*//p' wrong)))
+    check "$deck: $(awk -f "$decks/../report/points.awk" r.html | head -n 3)" awk -f "$decks/../report/points.awk" r.html
 }
 # with mistakes, an unknown name and a misprint that is none
 {
@@ -45,4 +46,6 @@ sed 's/^row	theta4	°/row	theta4	rad/' cells >changed
 check 'the change' differ cells changed
 awk -f "$decks/../report/tables.awk" changed json=1 summary json=0 text=1 rows text=0 matrix=1 matrix matrix=0 check=1 check >wrong
 check 'a changed unit is found' test $? -ne 0
+sed 's/--behind: 0/--behind: 1/' r.html >changed
+check 'a point beside the others is found' sh -c "! awk -f $decks/../report/points.awk changed >wrong"
 finish
