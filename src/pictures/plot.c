@@ -384,7 +384,7 @@ static int make(picture *p, fourlink_mistake *mistake)
     if (p->request->kind == PLOT_POLAR && picture_take_last_turn(p, p->v.branches[0]))
         held = ", the last turn";
     lay_out(p);
-    put_head(p, p->source->name, held);
+    put_head(p, view_file_of(p->source->name), held);
     if (p->request->at && !read_spots(p, mistake))
         return 0;
     why = draw(p);
@@ -412,7 +412,7 @@ int plot_make(plot *x, const fourlink_source *source, const plot_request *reques
     p.n_frames = &x->n_frames;
     made = made && make(&p, mistake);
     if (made)
-        write_caption(&p, source->name, &x->caption);
+        write_caption(&p, view_file_of(source->name), &x->caption);
     x->repeats = made && repeats(&p);
     picture_close(&p);
     return memory_has_failed() ? -1 : made;

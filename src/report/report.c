@@ -118,7 +118,7 @@ static void put_contents(report *r)
 
 static void put_page(report *r)
 {
-    const char *title = r->v.problem.title[0] ? r->v.problem.title : r->source->name;
+    const char *title = r->v.problem.title[0] ? r->v.problem.title : view_file_of(r->source->name);
     size_t i;
 
     put_head(r, title);

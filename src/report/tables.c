@@ -189,8 +189,7 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
 /* The name of the deck's file without folder and ending. */
 static text name_of_deck(const report *r)
 {
-    const char *slash = strrchr(r->source->name, '/');
-    text name = flk_text_of(slash ? slash + 1 : r->source->name), before, after;
+    text name = flk_text_of(view_file_of(r->source->name)), before, after;
 
     return flk_text_cut_last(name, ".", &before, &after) && before.length ? before : name;
 }

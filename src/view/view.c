@@ -415,6 +415,16 @@ unsigned long view_count_missing(const view *v, unsigned long *of, const char **
     return missing;
 }
 
+const char *view_file_of(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (*path == '/' || *path == '\\')
+            name = path + 1;
+    return name;
+}
+
 int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
     memset(mistake, 0, sizeof *mistake);

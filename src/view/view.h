@@ -120,6 +120,9 @@ int view_goes_to(const view *v, int status);
 /* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
 unsigned long view_count_missing(const view *v, unsigned long *of, const char **why);
 
+/* The name of a file behind its folders, as titles have it. */
+const char *view_file_of(const char *path);
+
 /* Refuse a request, such as an option: returns 0, for the caller to return, and the reason. */
 int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
 

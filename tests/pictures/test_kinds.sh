@@ -22,7 +22,7 @@ for deck in "$fourbar" "$engine"; do
         nothing
         check "the rights of $picture" test "$(ls -l $picture | cut -c1-10)" = -rw-r--r--
         svg $picture
-        shows $picture "$(sed -n 's/^title *= *//p' "$deck")" "$deck  |  fourlink $version"
+        shows $picture "$(sed -n 's/^title *= *//p' "$deck")" "$(basename "$deck")  |  fourlink $version"
     done
 done
 shows coupler-point-mechanism.svg 'open, θ₂ = 60°' 'crossed, θ₂ = 60°' 'x (mm)' 'y (mm)' 'path of C' \
