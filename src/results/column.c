@@ -206,6 +206,11 @@ int flk_column_is_direction(const flk_column *c)
             c->info->form == DIRECTION || c->info->form == ANGLE_OF_LINK);
 }
 
+int flk_column_counts_turns(const flk_column *c)
+{
+    return (c->info->traits & COUNTS_TURNS) != 0;
+}
+
 static int is_known(text name)
 {
     text angle;

@@ -198,7 +198,8 @@ double flk_followed_per_period(const flk_followed *t)
 
 double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
 {
-    return t->turn > 0 && flk_course_is_periodic(&f->a->course) && !gsl_isnan(t->first + t->last)
+    return t->turn > 0 && !flk_column_counts_turns(t->c) && flk_course_is_periodic(&f->a->course) &&
+                   !gsl_isnan(t->first + t->last)
                ? whole_turns(t, t->last, t->first)
                : 0;
 }
@@ -255,6 +256,7 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
         end == FLK_END_LOCK ? 2 : 1; /* there forces grow as the inverse of the distance */
     e->greatest_order = end == FLK_END_CHANGE_REST ? 6 : end == FLK_END_LOCK ? 2 : 4;
     e->edge = at_end ? f->piece.to : f->piece.from;
+    e->half = half;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
             double most = (e->is_root ? sqrt(half) : half) * (scale + 1) / SCALES, x;
@@ -448,13 +450,14 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 #define BESIDE 1e-3 /* ... of the reach */
 
 /* The limit of a column without a pole, or of the direction of a vector that may have one.  Its polynomial
-** replaces rows that can be rounding error. */
+** replaces rows that can be rounding error; in a short piece directions turn closer to the end. */
 static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2], const best *b,
                         double size, flk_limit *l)
 {
-    double lost = e->is_change ? LOST : LOST_DEAD, least;
-    double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
     int is_direction = t->turn > 0;
+    double lost = e->is_change ? LOST : LOST_DEAD * (is_direction ? GSL_MIN_DBL(e->half, 1) : 1);
+    double least;
+    double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
 
     size = GSL_MAX_DBL(b->size, is_direction ? 0 : size);
     least = GSL_MAX_DBL(4 * b->error, EXACT * size);
