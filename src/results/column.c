@@ -297,6 +297,13 @@ int flk_column_is_of_motion(const flk_column *c)
                                 NEED_WANTED | NEED_TIME | NEED_RUBBING)));
 }
 
+int flk_column_is_of_places(const flk_column *c)
+{
+    return c->source == &flk_table_columns && !(c->info->need & ~(NEED_ANGLES | NEED_TIME)) &&
+           ((c->info->traits & FOURLINK_OF_CRANK) || c->info->q == QUANTITY_ANGLE ||
+            c->info->q == QUANTITY_LENGTH);
+}
+
 int flk_column_has_vector(const flk_column *c)
 {
     return c->info->form >= POLAR_SIZE && c->info->form <= DIRECTION;

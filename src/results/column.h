@@ -97,6 +97,9 @@ int flk_column_flags(const flk_column *c);
 /* What must be computed for it: NEED_FORCES ... */
 int flk_column_need(const flk_column *c);
 
+/* 1 if it depends on where the links are alone, and is printed without their velocities. */
+int flk_column_is_of_places(const flk_column *c);
+
 /* A column is infinite beyond this magnitude, in its unit: a centre or an advantage that does not exist at a
 ** position. */
 double flk_column_bound(const flk_column *c);
