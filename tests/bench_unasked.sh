@@ -75,7 +75,7 @@ ratio 1.2 'run-up, its table' -f csv "$run_up"
 ratio 14 'csv of all decks' -f csv "$data"/*.deck
 ratio 10 'check of all decks' --check "$data"/*.deck
 ratio 0.29 '360 rows of an angle' -f csv -c theta4 -i '1 deg' "$plain"
-ratio 1.0 '3600 rows of an angle' -c theta4 -i '0.1 deg' "$plain"
+ratio 1.3 '3600 rows of an angle' -c theta4 -i '0.1 deg' "$plain"
 ratio 1.95 'picture of the motion' --plot=x.svg --plot-kind=motion "$plain"
 ratio 2.7 'picture of the turning moment' --plot=x.svg --plot-kind=turning-moment "$plain"
 ratio 5.7 'picture that moves' --plot=x.svg --plot-kind=animation "$plain"

@@ -396,6 +396,27 @@ static double find_growth(const flk_limit_rows *e, values y, int *order)
     return x[0] * near[0];
 }
 
+/* The same where a number is added, which may be larger, and the order is none of the usual ones, as 3/2 of a load with an
+** exponent: the differences of the rows close to the end grow as those of a pole do. */
+static double find_growth_of_steps(const flk_limit_rows *e, values y, int *order)
+{
+    double power[NODES], step = 0, last, first = y[0][0] - y[0][1], ratio;
+    int k;
+
+    for (k = 0; k < NODES; k++)
+        power[k] = pow(e->x[0][k], -LEAST_ORDER);
+    for (k = NODES - 2; k >= 0; k--) {
+        last = step;
+        step = y[0][k] - y[0][k + 1];
+        ratio = k + 2 < NODES ? (power[k] - power[k + 1]) / (power[k + 1] - power[k + 2]) : 0;
+        if (k + 2 < NODES && !(step / last > ratio))
+            return 0;
+    }
+    last = y[0][1] - y[0][2];
+    *order = (int)floor(log(first / last) / log(5.0 / 3) - 0.75);
+    return fabs(first) > FINITE * fabs(y[0][NODES - 1]) ? e->x[0][0] * first : 0;
+}
+
 /* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
 ** order `of_scale` on the scale on which it was found, 0 if on none. */
 static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, int *order,
@@ -405,6 +426,8 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
 
     *order = *of_scale = find_pole(e, y, &strength);
     growth = has_direction ? 0 : find_growth(e, y, order);
+    if (growth == 0 && strength == 0 && !has_direction && e->is_root)
+        growth = find_growth_of_steps(e, y, order);
     return growth != 0 ? growth : strength;
 }
 

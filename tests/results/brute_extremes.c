@@ -230,12 +230,20 @@ static void find_rough(double p, double distance, const double *v, double *rough
                        : INFINITY;
 }
 
-/* At a dead position columns are smooth in the root of the distance. */
+/* 1 if the crank is at rest at an edge, or starts there. */
+static int is_slow(double p, int side)
+{
+    double v[COLUMNS];
+
+    return !compute(p + side * 1e-6, v) && !(fabs(v[omega2]) > 0.01 * fastest);
+}
+
+/* At a dead position, and where the crank starts, columns are smooth in the root of the distance. */
 static void add_edge(double p, int side, int is_change)
 {
     edge *e = &edges[n_edges];
     double s = 0.16;
-    int i;
+    int i, is_root = !is_change || is_slow(p, side);
 
     if (n_edges == 100)
         return;
@@ -243,7 +251,7 @@ static void add_edge(double p, int side, int is_change)
     e->side = side;
     e->is_change = is_change;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
-        double distance = is_change ? s : s * s, at = p + side * distance;
+        double distance = is_root ? s * s : s, at = p + side * distance;
         unsigned long c;
 
         if (at < 0 || at > total || compute(at, e->v[i]))
