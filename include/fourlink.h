@@ -549,6 +549,31 @@ FOURLINK_API int fourlink_results_motion(fourlink_results *results, fourlink_bra
                                          unsigned long i, double *values,
                                          fourlink_instant *instant);
 
+/* The same at any place of what the rows go over.
+**
+** Given:
+**    place      as for fourlink_results_along
+**    others     as for fourlink_results_motion
+** Returned, also as function value:
+**    as from fourlink_results_motion, with FOURLINK_NO_SUCH_ANGLE instead of FOURLINK_NO_SUCH_ROW
+*/
+FOURLINK_API int fourlink_results_motion_along(fourlink_results *results, fourlink_branch branch,
+                                               double place, double *values,
+                                               fourlink_instant *instant);
+
+/* A row in brief, for tables: its values, and of the instant what says where and how it is.
+**
+** Given:
+**    as for fourlink_results_motion
+** Returned (each may be null):
+**    values     as from fourlink_results_row
+**    instant    branch, status and row; of the state mu, sine and group_sine.  The rest is not set
+** Returned (function value):
+**    as from fourlink_results_motion
+*/
+FOURLINK_API int fourlink_results_brief(fourlink_results *results, fourlink_branch branch,
+                                        unsigned long i, double *values, fourlink_instant *instant);
+
 /* The same as fourlink_results_row at any crank angle of the motion.
 **
 ** Given:

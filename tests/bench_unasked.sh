@@ -48,6 +48,20 @@ sweep 100 'mean(Ts), rms(Ts)' >mean.deck
 sweep 100 mean_torque >turning.deck
 sweep 3 'max(Ts)' >best.deck
 points 100 >p100.deck
+awk 'BEGIN {while (k++ < 720) printf "%.1f %.4f\n", k, 10 + 5 * sin(k / 57.3) + 3 * cos(k / 20)}' >card.txt
+cat >card.deck <<'DECK'
+mechanism = slider-crank
+[crank]
+length = 5 cm
+[rod]
+length = 20 cm
+[gas]
+bore = 10 cm
+indicator = file card.txt deg bar
+[motion]
+speed = 10 rad/s
+cycle = 720 deg
+DECK
 points 400 >p400.deck
 "$fourlink" --expect -i '30 deg' "$plain" | sed 's/^\([A-Za-z].*= *-*[0-9]\)/\19/' >wrong
 
@@ -60,7 +74,12 @@ ratio 3.8 'exact flywheel' "$steady"
 ratio 1.2 'run-up, its table' -f csv "$run_up"
 ratio 14 'csv of all decks' -f csv "$data"/*.deck
 ratio 10 'check of all decks' --check "$data"/*.deck
-ratio 0.3 '360 rows of an angle' -f csv -c theta4 -i '1 deg' "$plain"
+ratio 0.29 '360 rows of an angle' -f csv -c theta4 -i '1 deg' "$plain"
+ratio 1.3 '3600 rows of an angle' -c theta4 -i '0.1 deg' "$plain"
+ratio 1.95 'picture of the motion' --plot=x.svg --plot-kind=motion "$plain"
+ratio 2.7 'picture of the turning moment' --plot=x.svg --plot-kind=turning-moment "$plain"
+ratio 5.7 'picture that moves' --plot=x.svg --plot-kind=animation "$plain"
+ratio 0.8 'a card of 720 points' -c stroke card.deck
 ratio 14 'mean and rms of 100 designs' -f csv mean.deck
 ratio 20 'turning moment of 100 designs' -f csv turning.deck
 ratio 0.73 'best at the end of a range' --best='min max(Ts)' best.deck

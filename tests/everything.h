@@ -44,9 +44,13 @@ static inline void check_motion(fourlink_results *r, fourlink_branch branch, uns
     static const fourlink_forces none;
     double values[MOST_COLUMNS], alone[MOST_COLUMNS];
     fourlink_instant row, motion;
-    int status = fourlink_results_row(r, branch, i, values, &row, NULL);
+    int status = fourlink_results_row(r, branch, i, values, &row, NULL), along = i % 2;
 
-    assert_int_equal(fourlink_results_motion(r, branch, i, alone, &motion), status);
+    if (along)
+        status = fourlink_results_along(r, branch, row.row.place, values, &row, NULL);
+    assert_int_equal(along ? fourlink_results_motion_along(r, branch, row.row.place, alone, &motion)
+                           : fourlink_results_motion(r, branch, i, alone, &motion),
+                     status);
     if (status >= FOURLINK_NULL)
         return;
     assert_memory_equal(alone, values, n * sizeof *values);
@@ -55,6 +59,14 @@ static inline void check_motion(fourlink_results *r, fourlink_branch branch, uns
         assert_memory_equal(&motion.state.link[FOURLINK_CRANK], &row.state.link[FOURLINK_CRANK],
                             3 * sizeof row.state.link[0]);
     assert_memory_equal(&motion.forces, &none, sizeof none);
+    assert_int_equal(fourlink_results_brief(r, branch, i, alone, &motion),
+                     fourlink_results_motion(r, branch, i, values, &row));
+    assert_memory_equal(alone, values, n * sizeof *values);
+    assert_memory_equal(&motion.row, &row.row, sizeof row.row);
+    assert_int_equal(motion.status, row.status);
+    if (row.status == FOURLINK_OK)
+        assert_true(motion.state.mu == row.state.mu && motion.state.sine == row.state.sine &&
+                    motion.state.group_sine == row.state.group_sine);
 }
 
 /* Call all functions for all that an opened deck has. */

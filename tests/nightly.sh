@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # nightly.sh [short|SECONDS] [TRIAL...] - all trials of trials.txt, or those named, as long as a night has time for: each
-# fuzzer for so many SECONDS (600).  `short`: a case of each, forty minutes on two cores.
+# fuzzer for so many SECONDS (600).  `short`: a case of each, an hour and a half on two cores.
 #
 # For Debian 12 or later, a bare one will do, as root; it installs what is missing.  FOLDER keeps the builds and the logs,
 # EVIDENCE is a file for the results (trials.sh).  Ends with the line "N passed, M failed", the trials.

@@ -111,9 +111,11 @@ run 3 --output=decks decks/x.deck
 run 0 --format=csv --output=x.csv decks/x.deck
 expect 'csv has no CR' test "$(tr -cd '\r' <x.csv | wc -c)" -eq 0
 mkdir class
+cp decks/x.deck decks/asked.deck
+printf '\n[expect]\nmu_max = 0 deg\n' >>decks/asked.deck
 printf '[expect]\r\nmu_max = 90 deg\r\n' >class/anna.txt
 printf '[expect]\r\nmu_max = 80 deg\r\n' >class/ben.EXPECT
-run 1 '--answers=class\' --scores --format=csv decks/x.deck
+run 1 '--answers=class\' --scores --format=csv decks/asked.deck
 expect 'the answers of a folder' test "$(cut -d, -f1-3 out | tr '\n' ' ')" = 'name,right,of anna,1,1 ben,0,1 '
 expect 'no temporary file is left' test -z "$(find . -name '.fourlink*')"
 

@@ -73,7 +73,40 @@ static long read_number_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-/* strtod rounds correctly but expects the decimal mark of the host's locale, so it is given a whole number
+/* A whole number of at most 15 digits and a power of ten up to 10^22 are doubles, so that their product or quotient, which
+** is rounded once, is the number that is written (Clinger, "How to read floating point numbers accurately", 1990).  With
+** registers of 80 bits it would be rounded twice. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0
+#define EXACT_DIGITS 15
+#else
+#define EXACT_DIGITS 0
+#endif
+#define EXACT_POWER 22
+
+static const double power_of_ten[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/* The number with these digits, which may have a sign, times 10^exponent; 0 if it is not known exactly. */
+static int read_exactly(const char *s, const char *end, long exponent, double *value)
+{
+    int negative = *s == '-';
+    double whole = 0;
+
+    if (*s == '-' || *s == '+')
+        s++;
+    while (s < end && *s == '0')
+        s++;
+    if (end - s > EXACT_DIGITS || exponent < -EXACT_POWER || exponent > EXACT_POWER)
+        return 0;
+    for (; s < end; s++)
+        whole = 10 * whole + (*s - '0');
+    whole = exponent < 0 ? whole / power_of_ten[-exponent] : whole * power_of_ten[exponent];
+    *value = negative ? -whole : whole;
+    return 1;
+}
+
+/* Otherwise strtod: it rounds correctly but expects the decimal mark of the host's locale, so it is given a whole number
 ** and an exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
 {
@@ -103,9 +136,11 @@ number_status flk_number_read(text *rest, double *value)
         }
     if (i < n)
         exponent += read_number_exponent(s + i + 1, s + n);
-    *end++ = 'e';
-    flk_digits_short((double)exponent, 9, end);
-    result = strtod(copy, NULL);
+    if (!read_exactly(copy, end, exponent, &result)) {
+        *end++ = 'e';
+        flk_digits_short((double)exponent, 9, end);
+        result = strtod(copy, NULL);
+    }
     if (result - result != 0)
         return NUMBER_NOT_FINITE;
     *value = result;

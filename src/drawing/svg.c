@@ -12,6 +12,7 @@
 
 #include "system/format.h"
 #include "system/xml.h"
+#include "base/digits.h"
 #include "base/text.h"
 #include "svg.h"
 #include "view/notation.h"
@@ -25,32 +26,43 @@
 
 #define FARTHEST 1e7 /* pixels: what lies beyond is not seen */
 
-/* Write a number of pixels with at most so many decimals. */
-static void put_rounded(FILE *out, double x, int decimals)
-{
-    double size = fabs(x) < FARTHEST ? fabs(x) : FARTHEST;
-    double unit = gsl_pow_int(10, decimals), whole = floor(unit * size + 0.5);
-    double integer = floor(whole / unit);
-    char digits[30];
-    int n = sprintf(digits, "%s%lu.%0*lu", x < 0 && whole > 0 ? "-" : "", (unsigned long)integer,
-                    decimals, (unsigned long)(whole - integer * unit));
+#define NUMBER_SIZE 24
 
-    while (digits[n - 1] == '0')
-        n--;
-    fwrite(digits, 1, (size_t)(digits[n - 1] == '.' ? n - 1 : n), out);
+/* Write a number of pixels with at most so many decimals, halves away from 0; returns its end. */
+static char *write_rounded(double x, int decimals, char *to)
+{
+    double size = fabs(x) < FARTHEST ? fabs(x) : FARTHEST, unit = decimals == OF_CURVE ? 1e2 : 1e4;
+    double rounded = floor(unit * size + 0.5) / unit;
+    char digits[DIGITS_SIZE], *end = flk_digits_fixed(x < 0 ? -rounded : rounded, decimals, digits);
+
+    while (end[-1] == '0')
+        end--;
+    end -= end[-1] == '.';
+    memcpy(to, digits, (size_t)(end - digits));
+    return to + (end - digits);
 }
 
 static void put_number(FILE *out, double x)
 {
-    put_rounded(out, x, OF_DRAWING);
+    char digits[NUMBER_SIZE];
+
+    fwrite(digits, 1, (size_t)(write_rounded(x, OF_DRAWING, digits) - digits), out);
+}
+
+static void put_rounded_place(FILE *out, char before, fourlink_vector at, int decimals)
+{
+    char words[2 * NUMBER_SIZE], *end = words;
+
+    *end++ = before;
+    end = write_rounded(at.x, decimals, end);
+    *end++ = ',';
+    end = write_rounded(at.y, decimals, end);
+    fwrite(words, 1, (size_t)(end - words), out);
 }
 
 static void put_place(FILE *out, char before, fourlink_vector at)
 {
-    putc(before, out);
-    put_number(out, at.x);
-    putc(',', out);
-    put_number(out, at.y);
+    put_rounded_place(out, before, at, OF_DRAWING);
 }
 
 /* ---------------------------------------------------------------------------------------- style sheet */
@@ -127,10 +139,7 @@ static void find_head(const display *d, const display_item *x, fourlink_vector c
 
 static void put_curve_place(FILE *out, char before, fourlink_vector at)
 {
-    putc(before, out);
-    put_rounded(out, at.x, OF_CURVE);
-    putc(',', out);
-    put_rounded(out, at.y, OF_CURVE);
+    put_rounded_place(out, before, at, OF_CURVE);
 }
 
 /* The path of a curve, with its gaps. */

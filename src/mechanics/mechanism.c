@@ -306,6 +306,32 @@ static int move_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     return status;
 }
 
+static int check_speed(const fourlink_crank *crank)
+{
+    return FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) &&
+                   FLK_WITHIN(crank->alpha2, FOURLINK_NUMBER_MAX)
+               ? FOURLINK_OK
+               : FOURLINK_BAD_NUMBER;
+}
+
+int flk_mechanism_stand(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                        const fourlink_crank *crank, fourlink_state *state)
+{
+    const flk_kind *kind;
+    half_angle at;
+    int status = flk_kind_find(mechanism, state, &kind);
+
+    if (status == FOURLINK_OK)
+        status = find_reach(kind, mechanism, branch, crank->theta2, &at);
+    if (status == FOURLINK_OK)
+        status = check_speed(crank);
+    if (status != FOURLINK_OK)
+        return status;
+    place(kind, mechanism, branch, crank->theta2, &at, state);
+    measure_angles(kind, mechanism, state);
+    return FOURLINK_OK;
+}
+
 /* Find the motion of every link, except the angles.  The state is written only if everything is valid,
 ** including the loads. */
 static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechanism,
@@ -318,12 +344,10 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
     if (!crank)
         return FOURLINK_NULL;
     status = find_reach(kind, mechanism, branch, crank->theta2, &at);
-    if (status != FOURLINK_OK)
-        return status;
-    if (!FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) ||
-        !FLK_WITHIN(crank->alpha2, FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
-    status = flk_check_loads(mechanism, loads, n_loads);
+    if (status == FOURLINK_OK)
+        status = check_speed(crank);
+    if (status == FOURLINK_OK)
+        status = flk_check_loads(mechanism, loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     if (mechanism->design.n_groups)

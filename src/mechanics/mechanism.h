@@ -13,6 +13,11 @@
 int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
                        const fourlink_crank *crank, int angles, fourlink_state *state);
 
+/* The same without velocities and accelerations, which are not set, of a mechanism without groups; with the angles
+** (mechanism.c). */
+int flk_mechanism_stand(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                        const fourlink_crank *crank, fourlink_state *state);
+
 /* The places of links 3 and 4 also in a dead position, and beyond it those in line (mechanism.c). */
 void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                          fourlink_state *state);

@@ -29,6 +29,9 @@
 /* Ends closer than this, in rad, count as one. */
 #define CLOSEST 1e-9
 
+/* A crossing that is found this close to a change point, where links turn over, is at it. */
+#define AT_CHANGE 1e-7 /* rad */
+
 static int index_of(fourlink_branch branch)
 {
     return branch == FOURLINK_OPEN ? 0 : 1;
@@ -104,6 +107,28 @@ static void keep_level(flk_corners *c, fourlink_branch branch, size_t j, double 
     }
 }
 
+static int is_at_change(const fourlink_mechanism *mechanism, double theta2)
+{
+    double line = flk_kind_of(mechanism->design.kind)->folded;
+
+    return (mechanism->change_folded &&
+            fabs(flk_cycle_beside(theta2 - line, 2 * M_PI)) < AT_CHANGE) ||
+           (mechanism->change_stretched &&
+            fabs(flk_cycle_beside(theta2 - line - M_PI, 2 * M_PI)) < AT_CHANGE);
+}
+
+/* Leave out crossings at change points, which end pieces themselves. */
+static void drop_at_change(flk_corners *c, fourlink_branch branch)
+{
+    double *list = c->theta2[index_of(branch)];
+    size_t *n = &c->n[index_of(branch)], i, kept = 0;
+
+    for (i = 0; i < *n; i++)
+        if (!is_at_change(&c->d->machine.mechanism, list[i]))
+            list[kept++] = list[i];
+    *n = kept;
+}
+
 /* Find where a branch crosses levels. */
 static void find_crossings(flk_corners *c, fourlink_branch branch)
 {
@@ -124,6 +149,7 @@ static void find_crossings(flk_corners *c, fourlink_branch branch)
         }
         was_there = is_there;
     }
+    drop_at_change(c, branch);
     gsl_sort(c->theta2[index_of(branch)], 1, c->n[index_of(branch)]);
     c->is_known[index_of(branch)] = 1;
 }

@@ -129,6 +129,17 @@ int picture_sample(const picture *p, fourlink_branch branch, double k, int steps
                                   loads);
 }
 
+/* A sample of curves.  The forces are those of columns alone, but for a computed motion, where they say what
+** rounding error torques have. */
+static int sample_curves(const picture *p, fourlink_branch branch, int k, plot_sample *sample)
+{
+    return p->v.problem.mode == FOURLINK_MODE_GIVEN
+               ? fourlink_results_motion_along(p->v.results, branch,
+                                               picture_place(p, k, PICTURE_STEPS), sample->values,
+                                               &sample->now)
+               : picture_sample(p, branch, k, PICTURE_STEPS, sample->values, &sample->now, NULL);
+}
+
 static void forget_samples(plot_deck *d)
 {
     free(d->samples[0]);
@@ -159,8 +170,7 @@ const plot_sample *picture_samples(picture *p, fourlink_branch branch)
     d->from[i] = p->from;
     d->end[i] = p->v.end;
     for (k = 0; k <= PICTURE_STEPS; k++)
-        list[k].status =
-            picture_sample(p, branch, k, PICTURE_STEPS, list[k].values, &list[k].now, NULL);
+        list[k].status = sample_curves(p, branch, k, &list[k]);
     return list;
 }
 
@@ -168,7 +178,8 @@ int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
                   fourlink_instant *now)
 {
     if (!p->v.problem.over.is_crank_angle)
-        return picture_sample(p, branch, k, steps, NULL, now, NULL);
+        return fourlink_results_motion_along(p->v.results, branch, picture_place(p, k, steps), NULL,
+                                             now);
     now->branch = branch;
     fourlink_motion_at(&p->v.problem.motion, picture_place(p, k, steps), &now->row);
     return fourlink_analyse(p->v.mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);

@@ -381,7 +381,10 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
     const flk_machine *machine = &a->d->machine;
     int closed_form = a->is_fast || a->d->solver == SOLVER_DYAD;
     int angles = machine->needs_angles || (needs & NEED_ANGLES);
-    int status = flk_mechanism_move(&machine->mechanism, at->branch, crank, angles, &at->state);
+    int status =
+        needs & PLACES_ALONE
+            ? flk_mechanism_stand(&machine->mechanism, at->branch, crank, &at->state)
+            : flk_mechanism_move(&machine->mechanism, at->branch, crank, angles, &at->state);
 
     if (status != FOURLINK_OK)
         return status;

@@ -81,13 +81,14 @@ enum {
     NEED_DERIVED = 16,
     NEED_SUPERPOSITION = 32,
     NEED_GAS = 64,
-    NEED_LOSSES = 128,  /* columns of friction */
-    NEED_BALANCE = 256, /* of an engine with [balance] */
-    NEED_ACTUAL = 512,  /* columns of the actual motion */
-    NEED_ANGLES = 1024, /* theta3, theta4, mu, phi */
-    NEED_WANTED = 2048, /* of a linkage found for a function */
-    NEED_TIME = 4096,   /* of a crank that moves */
-    NEED_RUBBING = 8192 /* of pins that have a radius */
+    NEED_LOSSES = 128,   /* columns of friction */
+    NEED_BALANCE = 256,  /* of an engine with [balance] */
+    NEED_ACTUAL = 512,   /* columns of the actual motion */
+    NEED_ANGLES = 1024,  /* theta3, theta4, mu, phi */
+    NEED_WANTED = 2048,  /* of a linkage found for a function */
+    NEED_TIME = 4096,    /* of a crank that moves */
+    NEED_RUBBING = 8192, /* of pins that have a radius */
+    PLACES_ALONE = 16384 /* no velocity and no acceleration, of a mechanism without outputs */
 };
 
 /* One row. */

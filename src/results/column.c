@@ -206,6 +206,11 @@ int flk_column_is_direction(const flk_column *c)
             c->info->form == DIRECTION || c->info->form == ANGLE_OF_LINK);
 }
 
+int flk_column_counts_turns(const flk_column *c)
+{
+    return (c->info->traits & COUNTS_TURNS) != 0;
+}
+
 static int is_known(text name)
 {
     text angle;
@@ -290,6 +295,13 @@ int flk_column_is_of_motion(const flk_column *c)
            (!(c->info->traits & HAS_CORNERS) &&
             !(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN | NEED_ANGLES |
                                 NEED_WANTED | NEED_TIME | NEED_RUBBING)));
+}
+
+int flk_column_is_of_places(const flk_column *c)
+{
+    return c->source == &flk_table_columns && !(c->info->need & ~(NEED_ANGLES | NEED_TIME)) &&
+           ((c->info->traits & FOURLINK_OF_CRANK) || c->info->q == QUANTITY_ANGLE ||
+            c->info->q == QUANTITY_LENGTH);
 }
 
 int flk_column_has_vector(const flk_column *c)

@@ -34,6 +34,9 @@ int flk_column_next_name(text *rest, text *name);
 /* 1 for an angle to which whole turns add nothing: of a link, or of a force; not for an angle between two. */
 int flk_column_is_direction(const flk_column *c);
 
+/* 1 for an angle that counts turns, as that of a spring: nothing moves it by whole turns. */
+int flk_column_counts_turns(const flk_column *c);
+
 /* What a column has over the motion: max(COLUMN) and so on. */
 typedef enum flk_statistic {
     FLK_NONE,
@@ -93,6 +96,9 @@ int flk_column_flags(const flk_column *c);
 
 /* What must be computed for it: NEED_FORCES ... */
 int flk_column_need(const flk_column *c);
+
+/* 1 if it depends on where the links are alone, and is printed without their velocities. */
+int flk_column_is_of_places(const flk_column *c);
 
 /* A column is infinite beyond this magnitude, in its unit: a centre or an advantage that does not exist at a
 ** position. */

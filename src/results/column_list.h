@@ -32,6 +32,7 @@ typedef enum column_form {
 enum {
     OF_MOTION_ALONE = 0x1000, /* loads have no corners in it, though it needs forces */
     HAS_CORNERS = 0x2000,     /* it has corners, though it needs no forces */
+    COUNTS_TURNS = 0x4000,    /* an angle to which whole turns add something */
     COLUMN_FLAGS =
         FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING | FOURLINK_FRICTIONLESS
 };

@@ -9,18 +9,18 @@
 #include "mechanics/spring.h"
 
 /* The columns of springs, and of torsional ones. */
-#define SPRING_INFO(q, meaning)                                               \
-    {                                                                         \
-        "", QUANTITY_##q, ALL, 0, HAS_CORNERS, NULL, VALUE, 0, 0, meaning, "" \
+#define SPRING_INFO(q, traits, meaning)                                                \
+    {                                                                                  \
+        "", QUANTITY_##q, ALL, 0, HAS_CORNERS | traits, NULL, VALUE, 0, 0, meaning, "" \
     }
+#define OF_BOTH                                     \
+    SPRING_INFO(ENERGY, 0, "energy of the spring"), \
+        SPRING_INFO(POWER, 0, "power that spring and damper put into the links")
 static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
-    {SPRING_INFO(LENGTH, "length of the spring"), SPRING_INFO(FORCE, "tension of the spring"),
-     SPRING_INFO(ENERGY, "energy of the spring"),
-     SPRING_INFO(POWER, "power that spring and damper put into the links")},
-    {SPRING_INFO(ANGLE, "angle of the spring, which counts turns"),
-     SPRING_INFO(TORQUE, "torque of the spring, -T on 'link' and T on 'to'"),
-     SPRING_INFO(ENERGY, "energy of the spring"),
-     SPRING_INFO(POWER, "power that spring and damper put into the links")}};
+    {SPRING_INFO(LENGTH, 0, "length of the spring"), SPRING_INFO(FORCE, 0, "tension of the spring"),
+     OF_BOTH},
+    {SPRING_INFO(ANGLE, COUNTS_TURNS, "angle of the spring, which counts turns"),
+     SPRING_INFO(TORQUE, 0, "torque of the spring, -T on 'link' and T on 'to'"), OF_BOTH}};
 
 static size_t count_springs(const deck *d)
 {

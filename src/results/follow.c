@@ -198,7 +198,8 @@ double flk_followed_per_period(const flk_followed *t)
 
 double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f)
 {
-    return t->turn > 0 && flk_course_is_periodic(&f->a->course) && !gsl_isnan(t->first + t->last)
+    return t->turn > 0 && !flk_column_counts_turns(t->c) && flk_course_is_periodic(&f->a->course) &&
+                   !gsl_isnan(t->first + t->last)
                ? whole_turns(t, t->last, t->first)
                : 0;
 }
@@ -255,6 +256,7 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
         end == FLK_END_LOCK ? 2 : 1; /* there forces grow as the inverse of the distance */
     e->greatest_order = end == FLK_END_CHANGE_REST ? 6 : end == FLK_END_LOCK ? 2 : 4;
     e->edge = at_end ? f->piece.to : f->piece.from;
+    e->half = half;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
             double most = (e->is_root ? sqrt(half) : half) * (scale + 1) / SCALES, x;
@@ -394,6 +396,27 @@ static double find_growth(const flk_limit_rows *e, values y, int *order)
     return x[0] * near[0];
 }
 
+/* The same where a number is added, which may be larger, and the order is none of the usual ones, as 3/2 of a load with an
+** exponent: the differences of the rows close to the end grow as those of a pole do. */
+static double find_growth_of_steps(const flk_limit_rows *e, values y, int *order)
+{
+    double power[NODES], step = 0, last, first = y[0][0] - y[0][1], ratio;
+    int k;
+
+    for (k = 0; k < NODES; k++)
+        power[k] = pow(e->x[0][k], -LEAST_ORDER);
+    for (k = NODES - 2; k >= 0; k--) {
+        last = step;
+        step = y[0][k] - y[0][k + 1];
+        ratio = k + 2 < NODES ? (power[k] - power[k + 1]) / (power[k + 1] - power[k + 2]) : 0;
+        if (k + 2 < NODES && !(step / last > ratio))
+            return 0;
+    }
+    last = y[0][1] - y[0][2];
+    *order = (int)floor(log(first / last) / log(5.0 / 3) - 0.75);
+    return fabs(first) > FINITE * fabs(y[0][NODES - 1]) ? e->x[0][0] * first : 0;
+}
+
 /* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
 ** order `of_scale` on the scale on which it was found, 0 if on none. */
 static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, int *order,
@@ -403,6 +426,8 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
 
     *order = *of_scale = find_pole(e, y, &strength);
     growth = has_direction ? 0 : find_growth(e, y, order);
+    if (growth == 0 && strength == 0 && !has_direction && e->is_root)
+        growth = find_growth_of_steps(e, y, order);
     return growth != 0 ? growth : strength;
 }
 
@@ -448,13 +473,14 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 #define BESIDE 1e-3 /* ... of the reach */
 
 /* The limit of a column without a pole, or of the direction of a vector that may have one.  Its polynomial
-** replaces rows that can be rounding error. */
+** replaces rows that can be rounding error; in a short piece directions turn closer to the end. */
 static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2], const best *b,
                         double size, flk_limit *l)
 {
-    double lost = e->is_change ? LOST : LOST_DEAD, least;
-    double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
     int is_direction = t->turn > 0;
+    double lost = e->is_change ? LOST : LOST_DEAD * (is_direction ? GSL_MIN_DBL(e->half, 1) : 1);
+    double least;
+    double reach = GSL_MIN_DBL(b->reach, e->is_root ? sqrt(lost) : lost);
 
     size = GSL_MAX_DBL(b->size, is_direction ? 0 : size);
     least = GSL_MAX_DBL(4 * b->error, EXACT * size);

@@ -102,6 +102,7 @@ typedef struct flk_limit_rows {
     int at_end, is_root, is_change;
     int least_order, greatest_order; /* of the poles of columns there */
     double edge;                     /* rad passed at the end */
+    double half;                     /* rad, of the piece */
     double x[FLK_LIMIT_SCALES][FLK_LIMIT_NODES];
     flk_row row[FLK_LIMIT_SCALES][FLK_LIMIT_NODES];
 } flk_limit_rows;

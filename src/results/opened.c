@@ -348,8 +348,12 @@ static int open_deck(flk_opened *o, const flk_opened *from, const flk_opened *li
         take_values(o);
         o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
     }
-    for (i = 0; i < o->n_columns; i++)
+    o->is_of_places =
+        !o->d.machine.has_friction && !o->d.prescribed && !o->d.machine.mechanism.design.n_groups;
+    for (i = 0; i < o->n_columns; i++) {
         o->needs |= flk_column_need(&o->columns[i]);
+        o->is_of_places &= flk_column_is_of_places(&o->columns[i]);
+    }
     if (!from || !copy_outputs(o, from)) {
         list_outputs(o);
         list_conditions(o);

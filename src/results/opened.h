@@ -28,9 +28,10 @@ typedef struct flk_opened {
     flk_extremes extremes;
     flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
-    int needs;      /* what these columns need */
-    flk_list facts; /* of fourlink_results_facts; names by column and statistic */
-    flk_list found; /* facts of a name, found while a value is looked up */
+    int needs;        /* what these columns need */
+    int is_of_places; /* 1: they, and the status of a row, depend on where the links are alone */
+    flk_list facts;   /* of fourlink_results_facts; names by column and statistic */
+    flk_list found;   /* facts of a name, found while a value is looked up */
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
     fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
     flk_line_units line_units;

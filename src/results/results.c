@@ -384,6 +384,25 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
     return copy_row(r->now, &row, values, instant, loads);
 }
 
+/* What a row needs without the forces that no column has: with friction they decide whether it moves. */
+static int needs_of_motion(const flk_opened *o, const double *values)
+{
+    return (values ? o->needs : 0) | NEED_ANGLES |
+           (o->d.machine.has_friction ? o->a.possible & NEED_FORCES : 0);
+}
+
+static int copy_motion(const flk_opened *o, const flk_row *row, double *values,
+                       fourlink_instant *instant)
+{
+    copy_row(o, row, values, instant, NULL);
+    if (instant) {
+        memset(&instant->forces, 0, sizeof instant->forces);
+        memset(&instant->losses, 0, sizeof instant->losses);
+        instant->gas_force = 0;
+    }
+    return row->at.status;
+}
+
 int fourlink_results_motion(fourlink_results *r, fourlink_branch branch, unsigned long i,
                             double *values, fourlink_instant *instant)
 {
@@ -392,15 +411,30 @@ int fourlink_results_motion(fourlink_results *r, fourlink_branch branch, unsigne
 
     if (status != FOURLINK_OK)
         return status;
+    flk_analysis_row(&r->now->a, needs_of_motion(r->now, values), branch, i, &row);
+    return copy_motion(r->now, &row, values, instant);
+}
+
+int fourlink_results_brief(fourlink_results *r, fourlink_branch branch, unsigned long i,
+                           double *values, fourlink_instant *instant)
+{
+    int status = check_row(r, (int)branch, i);
+    flk_row row;
+
+    if (status != FOURLINK_OK)
+        return status;
     flk_analysis_row(&r->now->a,
-                     (values ? r->now->needs : 0) | NEED_ANGLES |
-                         (r->now->d.machine.has_friction ? r->now->a.possible & NEED_FORCES : 0),
+                     needs_of_motion(r->now, values) | (r->now->is_of_places ? PLACES_ALONE : 0),
                      branch, i, &row);
-    copy_row(r->now, &row, values, instant, NULL);
+    if (values)
+        flk_column_values(r->now->columns, r->now->n_columns, &row, values);
     if (instant) {
-        memset(&instant->forces, 0, sizeof instant->forces);
-        memset(&instant->losses, 0, sizeof instant->losses);
-        instant->gas_force = 0;
+        instant->branch = row.at.branch;
+        instant->status = row.at.status;
+        instant->row = row.at.row;
+        instant->state.mu = row.at.state.mu;
+        instant->state.sine = row.at.state.sine;
+        instant->state.group_sine = row.at.state.group_sine;
     }
     return row.at.status;
 }
@@ -465,21 +499,40 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
     return copy_row(r->now, &row, values, instant, loads);
 }
 
+/* Find a place of the course; a status. */
+static int check_place(fourlink_results *r, int branch, double place, double *at)
+{
+    int status = check_motion(r, 1, branch);
+
+    return status != FOURLINK_OK || r->now->a.course.type->find(&r->now->a.course, place, at)
+               ? status
+               : FOURLINK_NO_SUCH_ANGLE;
+}
+
 int fourlink_results_along(fourlink_results *r, fourlink_branch branch, double place,
                            double *values, fourlink_instant *instant, fourlink_load *loads)
 {
-    int status = check_motion(r, 1, (int)branch);
-    const flk_course *course;
     double at;
+    int status = check_place(r, (int)branch, place, &at);
     flk_row row;
 
     if (status != FOURLINK_OK)
         return status;
-    course = &r->now->a.course;
-    if (!course->type->find(course, place, &at))
-        return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_along(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
     return copy_row(r->now, &row, values, instant, loads);
+}
+
+int fourlink_results_motion_along(fourlink_results *r, fourlink_branch branch, double place,
+                                  double *values, fourlink_instant *instant)
+{
+    double at;
+    int status = check_place(r, (int)branch, place, &at);
+    flk_row row;
+
+    if (status != FOURLINK_OK)
+        return status;
+    flk_analysis_along(&r->now->a, needs_of_motion(r->now, values), branch, at, &row);
+    return copy_motion(r->now, &row, values, instant);
 }
 
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,

@@ -55,7 +55,8 @@ static void write_all_rows(sheet *s, fourlink_branch branch)
     unsigned long k;
 
     for (k = 0; k < s->v.problem.n_rows; k++) {
-        find_row(s, branch, k, &at, &row);
+        fourlink_results_brief(s->v.results, branch, k, s->values, &at);
+        take_row(s, branch, &at, &row);
         if (sheet_is_over(s, &at))
             break;
         if (is_open && at.status == first.status) {

@@ -153,7 +153,7 @@ static void test_read_stops_at_the_end(void **unused)
     assert_int_equal(flk_number_read(&rest, &value), NUMBER_NONE);
 }
 
-#define RANDOM_NUMBERS 20000
+#define RANDOM_NUMBERS 60000
 
 static void random_number(uint64_t *seed, char *out)
 {
@@ -170,8 +170,11 @@ static void random_number(uint64_t *seed, char *out)
         digit[0] = (char)('0' + (int)uniform(seed, 0, 10));
         strcat(out, digit);
     }
-    if (uniform(seed, 0, 1) < 0.7)
+    if (uniform(seed, 0, 1) < 0.4)
         sprintf(out + strlen(out), "e%d", (int)uniform(seed, -330, 280));
+    else if (uniform(seed, 0, 1) <
+             0.5) /* where a product or a quotient of doubles is exact, and just beyond */
+        sprintf(out + strlen(out), "e%d", (int)uniform(seed, -26, 27));
 }
 
 /* The C library in the C locale is the judge of the rounding. */

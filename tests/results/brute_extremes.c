@@ -49,9 +49,15 @@ static int n_changes;
 static row *rows[MOST];
 static size_t n;
 
+/* The angle of a spring counts turns. */
+static int counts_turns(unsigned long c)
+{
+    return strstr(columns[c].name, ".angle") && !(columns[c].flags & FOURLINK_DIRECTION);
+}
+
 static int is_angle(unsigned long c)
 {
-    return strcmp(columns[c].quantity, "angle") == 0;
+    return strcmp(columns[c].quantity, "angle") == 0 && !counts_turns(c);
 }
 
 static double turn_of(unsigned long c)
@@ -224,12 +230,20 @@ static void find_rough(double p, double distance, const double *v, double *rough
                        : INFINITY;
 }
 
-/* At a dead position columns are smooth in the root of the distance. */
+/* 1 if the crank is at rest at an edge, or starts there. */
+static int is_slow(double p, int side)
+{
+    double v[COLUMNS];
+
+    return !compute(p + side * 1e-6, v) && !(fabs(v[omega2]) > 0.01 * fastest);
+}
+
+/* At a dead position, and where the crank starts, columns are smooth in the root of the distance. */
 static void add_edge(double p, int side, int is_change)
 {
     edge *e = &edges[n_edges];
     double s = 0.16;
-    int i;
+    int i, is_root = !is_change || is_slow(p, side);
 
     if (n_edges == 100)
         return;
@@ -237,7 +251,7 @@ static void add_edge(double p, int side, int is_change)
     e->side = side;
     e->is_change = is_change;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
-        double distance = is_change ? s : s * s, at = p + side * distance;
+        double distance = is_root ? s * s : s, at = p + side * distance;
         unsigned long c;
 
         if (at < 0 || at > total || compute(at, e->v[i]))
@@ -315,6 +329,9 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double size
             return UNDECIDED; /* a force passes through zero nearer than some of these rows */
     }
     if (!is_angle(c) && doubles(y)) {
+        for (i = HALVINGS - 4; i < HALVINGS; i++)
+            if (e->rough[i][c] > 0.1 * fabs(y[i]))
+                return UNDECIDED; /* rounding error grows too */
         *limit = y[HALVINGS - 1] > 0 ? INFINITY : -INFINITY;
         return UNBOUNDED;
     }
@@ -672,6 +689,24 @@ static double apart_beside(unsigned long c, double p, double value)
     return least;
 }
 
+/* How far a value is from the rows within TOLD of an angle, by their slope there, on the better side: a column may
+** jump at the angle. */
+#define TOLD (1e-5 * PI / 180) /* rad, to which the angle of an extreme is told */
+
+static double apart_about(unsigned long c, double p, double value)
+{
+    double at[COLUMNS], v[COLUMNS], least = INFINITY;
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        int side = i % 2 ? 1 : -1;
+
+        if (!compute(p + (i < 2 ? 0 : side * 1e-8), at) && !compute(p + side * TOLD, v))
+            least = fmin(least, apart(c, at[c], value) - apart(c, v[c], at[c]));
+    }
+    return fmax(least, 0);
+}
+
 /* 1 if a finite extreme is the value of the row at its angle, or a limit there; sets *is_open where the
 ** rows cannot tell.  A row may have no value, between others. */
 static int is_attained(unsigned long c, const fourlink_value *f, double size, int *is_open)
@@ -685,7 +720,7 @@ static int is_attained(unsigned long c, const fourlink_value *f, double size, in
             near = !compute(p + (p < total / 2 ? 1e-7 : -1e-7), v);
         far = apart(c, v[c], f->value) / size;
         if (far > SMOOTH)
-            far = fmin(far, apart_beside(c, p, f->value) / size);
+            far = fmin(far, fmin(apart_beside(c, p, f->value), apart_about(c, p, f->value)) / size);
     }
     if (!near)
         kind_of(c)->attained = fmax(kind_of(c)->attained, far);
@@ -849,7 +884,18 @@ static unsigned long column_named(const char *name)
     return c;
 }
 
-/* 1 if a torsional spring is wound up by the motion: it counts turns, and nothing repeats. */
+/* NaN: none is given. */
+static double stiffness_of(unsigned long c)
+{
+    char name[200];
+    fourlink_value found;
+
+    snprintf(name, sizeof name, "spring %.*s.stiffness",
+             (int)(strstr(columns[c].name, ".angle") - columns[c].name), columns[c].name);
+    return fourlink_results_input(results, name, &found) == FOURLINK_OK ? found.value : NAN;
+}
+
+/* 1 if a torsional spring is wound up by the motion: nothing repeats. */
 static int is_wound(void)
 {
     static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
@@ -861,7 +907,7 @@ static int is_wound(void)
         if (fourlink_results_at(results, branches[i], from, first, NULL, NULL) == FOURLINK_OK &&
             fourlink_results_at(results, branches[i], end, last, NULL, NULL) == FOURLINK_OK)
             for (c = 0; c < n_columns; c++)
-                winds |= strstr(columns[c].name, ".angle") &&
+                winds |= counts_turns(c) && fabs(stiffness_of(c)) > 0 &&
                          fabs(last[c] - first[c]) * columns[c].to_si > 1;
     return winds;
 }

@@ -193,6 +193,35 @@ TEST(test_extremes_of_an_angle_over_a_gap)
     }
 }
 
+/* The angle of a spring counts turns, whatever the gaps between its first row and its last. */
+TEST(test_extremes_of_counted_turns)
+{
+    uint64_t seed = 3;
+    int i, gaps = 0;
+
+    for (i = 0; i < 300; i++) {
+        double a = uniform(&seed, 0.05, 0.1), b = uniform(&seed, 0.05, 0.1);
+        double c = uniform(&seed, 0.05, 0.1), d = uniform(&seed, 0.05, 0.1);
+        double from = uniform(&seed, -360, 360), values[2], end = i % 2 ? from + 360 : from - 360;
+        fourlink_results *r =
+            opened(four_bar(a, b, c, d,
+                            print("[motion]\nspeed = %d rad/s\nfrom = %.17g deg\n"
+                                  "[spring N]\nlink = crank\nto = ground\npreload = %d N m\n"
+                                  "damping = 0.01 N m s/rad\n[table]\ncolumns = theta2, N.angle\n",
+                                  i % 2 ? 3 : -3, from, i % 3 - 1)));
+
+        if (fourlink_results_row(r, FOURLINK_OPEN, 0, values, NULL, NULL) == FOURLINK_OK) {
+            double low = fmin(from, end) + values[1] - from, high = low + 360;
+
+            assert_near(extreme_of(r, "N.angle", FOURLINK_OPEN, -1).value, low, 1e-9);
+            assert_near(extreme_of(r, "N.angle", FOURLINK_OPEN, 1).value, high, 1e-9);
+            gaps += a + d > b + c || fabs(a - d) < fabs(b - c);
+        }
+        fourlink_results_free(r);
+    }
+    assert_true(gaps > 50);
+}
+
 /* Peaks of a motion that ends in a gap, one of them between the last sample and the gap: by dense samples. */
 TEST(test_extremes_of_angles_beside_gaps)
 {

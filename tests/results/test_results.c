@@ -54,6 +54,8 @@ TEST(test_null_pointers)
     assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_row(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_motion(NULL, FOURLINK_OPEN, 0, &x, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_motion_along(NULL, FOURLINK_OPEN, 0, &x, NULL),
+                     FOURLINK_NULL);
     assert_int_equal(fourlink_results_at(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_along(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(NULL, "mu", FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
@@ -723,9 +725,12 @@ TEST(test_rows_that_are_not_there)
         assert_int_equal(fourlink_results_row(r, branch, 0, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_motion(r, branch, 0, values, &x), FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_brief(r, branch, 0, values, &x), FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_at(r, branch, 20, values, &x, &load),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_along(r, branch, 20, values, &x, &load),
+                         FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_motion_along(r, branch, 20, values, &x),
                          FOURLINK_BAD_BRANCH);
         assert_int_equal(fourlink_results_value(r, "mu", branch, 20, &v), FOURLINK_BAD_BRANCH);
     }
