@@ -22,7 +22,7 @@
     X(THETA2_TO, "theta2_to", ANGLE, LIMITS, "last crank angle that can be reached")               \
     X(THETA4_FROM, "theta4_from", ANGLE, LIMITS, "first angle that link 4 can have")               \
     X(THETA4_TO, "theta4_to", ANGLE, LIMITS, "last angle that link 4 can have")                    \
-    X(THETA4_SWING, "theta4_swing", ANGLE, LIMITS, "angle between these")                      \
+    X(THETA4_SWING, "theta4_swing", ANGLE, LIMITS, "angle between these")                          \
     X(ROD_RATIO, "n", NUMBER, LIMITS, "length of rod / length of crank")                           \
     X(ROD_GYRATION, "k", LENGTH, LIMITS, "radius of gyration of the rod")                          \
     X(PAIR_GYRATION, "k1", LENGTH, LIMITS, "of m_a and m_b: k1^2 = b (l - b)")                     \
@@ -36,10 +36,10 @@
     X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle, acute")                        \
     X(GAMMA_MIN, "gamma_min", ANGLE, LIMITS, "smallest angle between links 3 and 4")               \
     X(GAMMA_MAX, "gamma_max", ANGLE, LIMITS, "largest angle between links 3 and 4")                \
-    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of link 4")                                  \
-    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of link 4")                                   \
-    X(SWING, "swing", ANGLE, LIMITS, "swing of link 4, between these")                                 \
-    X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "time ratio, slow swing or stroke to quick one")                \
+    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of link 4")                         \
+    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of link 4")                          \
+    X(SWING, "swing", ANGLE, LIMITS, "swing of link 4, between these")                             \
+    X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "time ratio, slow swing or stroke to quick one")   \
     X(STROKE, "stroke", LENGTH, LIMITS, "distance between the dead centres")                       \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, LIMITS, "farthest from the crankshaft")       \
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "nearest to the crankshaft")          \
@@ -65,8 +65,9 @@
     X(DEFECTS, "defects", NUMBER, LIMITS, "of the linkage found; 0: none")                         \
     X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, TURNING, "efficiency over a cycle")            \
     X(MEAN_TORQUE, "mean_torque", TORQUE, TURNING, "mean of the turning moment -Ts")               \
-    X(MEAN_POWER, "mean_power", POWER, TURNING, "mean power, mean torque times speed")                        \
-    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, TURNING, "fluctuation of energy in a cycle")    \
+    X(MEAN_POWER, "mean_power", POWER, TURNING, "mean power, mean torque times speed")             \
+    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, TURNING,                                   \
+      "fluctuation of energy in a cycle")                                                          \
     X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, TURNING,                                   \
       "coefficient of fluctuation of energy")                                                      \
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
@@ -77,7 +78,7 @@
       "steady: (largest + smallest speed) / 2")                                                    \
     X(PERIOD, "period", TIME, MOTION, "duration of its cycle")                                     \
     X(FLUCTUATION_EXACT, "fluctuation_exact", NUMBER, MOTION,                                      \
-      "steady: (largest - smallest speed) / mean")                                                    \
+      "steady: (largest - smallest speed) / mean")                                                 \
     X(STEADY_RATE, "steady_rate", NUMBER, MOTION, "what a cycle leaves of a difference")           \
     X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "where the machine comes to rest")                \
     X(RUN_UP_TIME, "run_up_time", TIME, MOTION, "until omega2 is the steady mean speed")           \
