@@ -354,6 +354,8 @@ static const struct {
 } followers[] = {{KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any"},
                  {KEY_SYNTHESIS_LENGTHS, KEY_SYNTHESIS_CRANK_TURNS, "5 mm to 300 mm"},
                  {KEY_SYNTHESIS_LENGTH_RATIO, KEY_SYNTHESIS_CRANK_TURNS, "20"},
+                 {KEY_UNITS_VOLUME, KEY_UNITS_MASS_MOMENT, "cm3"},
+                 {KEY_GAS_CLEARANCE, KEY_GAS_BACK_PRESSURE, "8 mm"},
                  {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"},
                  {KEY_GRADING_TEXT, KEY_GRADING_DIGITS, "Find the angle <b> & {1:MC:=2}"}};
 

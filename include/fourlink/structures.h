@@ -1500,7 +1500,7 @@ FOURLINK_API int fourlink_deck_write_pins(const fourlink_deck *deck, double thet
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
-**    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
+**    quantity   length, area, volume, angle, mass, time, speed, acceleration, angular_speed,
 **               angular_acceleration, inertia, force, torque, pressure, power, energy, stiffness, damping,
 **               torsional_stiffness, torsional_damping, mass_moment or number
 ** Returned:

@@ -43,6 +43,8 @@ static const named_unit units[] = {
     {"km", 1e3, 1, {1, 0, 0, 0}},
     {"in", INCH, 1, {1, 0, 0, 0}},
     {"ft", FOOT, 1, {1, 0, 0, 0}},
+    {"L", 1, 1e3, {3, 0, 0, 0}},
+    {"cc", 1, 1e6, {3, 0, 0, 0}},
     {"kg", 1, 1, {0, 1, 0, 0}},
     {"g", 1, 1e3, {0, 1, 0, 0}},
     {"t", 1e3, 1, {0, 1, 0, 0}},
@@ -120,7 +122,8 @@ static const struct {
     {"pascal", "Pa"},       {"joule", "J"},       {"joules", "J"},       {"watt", "W"},
     {"watts", "W"},         {"bar", "bar"},       {"bars", "bar"},       {"psi", "psi"},
     {"slugs", "slug"},      {"pound", "lb"},      {"pounds", "lb"},      {"ounce", "oz"},
-    {"ounces", "oz"},       {"blobs", "blob"},    {"kips", "kip"}};
+    {"ounces", "oz"},       {"blobs", "blob"},    {"kips", "kip"},       {"litre", "L"},
+    {"litres", "L"},        {"liter", "L"},       {"liters", "L"}};
 
 /* Two units in one word; an exponent belongs to the second. */
 static const struct {

@@ -17,6 +17,7 @@ typedef struct dimension {
 #define QUANTITY_LIST(X)                                                                        \
     X(LENGTH, "length", "a length", 1, 0, 0, 0, "m", "80 mm")                                   \
     X(AREA, "area", "an area", 2, 0, 0, 0, "m2", "5 mm2")                                       \
+    X(VOLUME, "volume", "a volume", 3, 0, 0, 0, "m3", "40 cm3")                                 \
     X(ANGLE, "angle", "an angle", 0, 0, 0, 1, "deg", "40 deg")                                  \
     X(MASS, "mass", "a mass", 0, 1, 0, 0, "kg", "0.3 kg")                                       \
     X(TIME, "time", "a time", 0, 0, 1, 0, "s", "2.5 s")                                         \

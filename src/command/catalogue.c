@@ -83,7 +83,10 @@ static void put_deck(char *deck, int kind, const char *motion)
         if (k.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BAR)
             deck += sprintf(deck, "rocker = yes\n");
         if (k.guided)
-            deck += sprintf(deck, "fraction = 0.5\n[gas]\nbore = 50 mm\npressure = 3 bar\n");
+            deck += sprintf(deck, "fraction = 0.5\n[gas]\nbore = 50 mm\n"
+                                  "indicator = 0 deg 3 bar, 90 deg 1 bar\n");
+        if (k.slides_on[FOURLINK_FOLLOWER] == FOURLINK_GROUND)
+            deck += sprintf(deck, "clearance = 5 mm\n");
         deck = put_friction(deck, &k);
     }
     sprintf(deck, "%s", motion);

@@ -66,7 +66,7 @@ typedef enum value_form {
     FORM_CRANK,    /* a crank angle, or `drawn` */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
-    FORM_EITHER    /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
+    FORM_EITHER    /* a quantity or another one, by its unit; see flk_quantity_of_key */
 } value_form;
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
@@ -140,6 +140,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND,       \
       A_UNIT)                                                                                      \
     X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND, A_UNIT)                 \
+    X(UNITS, VOLUME, "volume", UNIT, VOLUME, ANY, ANY_KIND, A_UNIT)                                \
     X(PINS, A, "A", PLACE, LENGTH, ANY, ANY_KIND, "place of pin A")                                \
     X(PINS, B, "B", PLACE, LENGTH, ANY, ANY_KIND, "place of pin B")                                \
     X(PINS, C, "C", PLACE, LENGTH, ANY, WITH_TASKS, "place of pin C")                              \
@@ -190,6 +191,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "pressure on the crank side")                                                                \
     X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND,                     \
       "diameter of the piston rod")                                                                \
+    X(GAS, CLEARANCE, "clearance", EITHER, LENGTH, POSITIVE, WITH_STROKE,                          \
+      "clearance at the inner dead centre")                                                        \
     X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND, "speed of the crank")        \
     X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND,         \
       "acceleration of the crank")                                                                 \

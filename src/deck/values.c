@@ -126,7 +126,7 @@ void flk_values_result_units(parser *p, const char *list)
     }
 }
 
-/* How far the unit of length, %s, settles others: areas always; speeds if it is given; all if it is in or
+/* How far the unit of length, %s, settles others: areas and volumes always; speeds if it is given; all if it is in or
 ** ft. */
 enum { AREAS, SPEEDS, ALL_UNITS };
 
@@ -135,6 +135,7 @@ static const struct {
     quantity q;
     const char *name;
 } by_length[] = {{AREAS, QUANTITY_AREA, "%s2"},
+                 {AREAS, QUANTITY_VOLUME, "%s3"},
                  {SPEEDS, QUANTITY_SPEED, "%s/s"},
                  {SPEEDS, QUANTITY_ACCELERATION, "%s/s2"},
                  {ALL_UNITS, QUANTITY_MASS, "lb"},
@@ -373,8 +374,22 @@ static quantity quantity_of_motion(const section_use *use, key_code key)
     }
 }
 
+/* A clearance is a length, a volume or a share of the displacement. */
+static quantity quantity_of_clearance(const section_use *use)
+{
+    unit u;
+
+    if (!unit_of_text(flk_setting_of(use, KEY_GAS_CLEARANCE)->value, &u))
+        return QUANTITY_LENGTH;
+    return flk_dimension_equal(u.dim, flk_quantities[QUANTITY_VOLUME].dim)   ? QUANTITY_VOLUME
+           : flk_dimension_equal(u.dim, flk_quantities[QUANTITY_NUMBER].dim) ? QUANTITY_NUMBER
+                                                                             : QUANTITY_LENGTH;
+}
+
 quantity flk_quantity_of_key(const section_use *use, key_code key)
 {
+    if (key == KEY_GAS_CLEARANCE)
+        return quantity_of_clearance(use);
     if (key == KEY_LOAD_AT_SPEED)
         return quantity_of_argument(use) == QUANTITY_SPEED ? QUANTITY_SPEED
                                                            : QUANTITY_ANGULAR_SPEED;
@@ -391,11 +406,16 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
                                        : QUANTITY_TORQUE;
 }
 
-/* Stiffness and damping need a unit, which determines the sort of spring. */
+/* Stiffness and damping need a unit, which determines the sort of spring, and a clearance, which may be any of
+** three quantities. */
 static int has_unit(parser *p, key_code key, const setting *s)
 {
     if (key == KEY_SPRING_PRELOAD || flk_quantity_unit_text(s->value).length)
         return 1;
+    if (key == KEY_GAS_CLEARANCE)
+        return flk_mistake(p->mistakes, s->place,
+                           "the clearance needs a unit: a length such as 5 mm, a volume such as 40 "
+                           "cm3, or a share of the displacement such as 8 %%");
     return flk_mistake(p->mistakes, s->place, "the %s of a spring needs a unit: %s",
                        flk_key_table[key].name,
                        key == KEY_SPRING_STIFFNESS ? "N/m, or N m/rad of a torsional spring"

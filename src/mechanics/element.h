@@ -93,7 +93,21 @@ typedef struct flk_gas {
     double pressure;        /* Pa, on the cover side */
     curve indicator;        /* Pa over the crank angle in rad, instead of pressure */
     double back_pressure;   /* Pa, on the crank side */
+    double clearance;       /* m3, on the cover side at the inner dead centre; 0: not given */
 } flk_gas;
+
+/* The gas on a piston or yoke; null if there is none. */
+const flk_gas *flk_gas_on_piston(const struct flk_machine *machine);
+
+/* It on the cover side. */
+typedef struct flk_gas_state {
+    double volume, rate; /* m3, m3/s */
+    double pressure;     /* Pa */
+} flk_gas_state;
+
+/* At a position.  `within`: a crank angle in the piece of the indicator's curve to use (curve.h). */
+void flk_gas_in_cylinder(const flk_gas *gas, const fourlink_state *state, double within,
+                         flk_gas_state *at);
 
 /* Set up an element of each type with its data (given_load.c, spring.c, gas.c). */
 void flk_element_of_given_load(flk_given_load *given, flk_element *element);

@@ -6,6 +6,13 @@
 ** Positive towards the crank (ME3491, "Forces on the reciprocating parts of an engine"),
 **
 **    F = p1 A1 - p2 A2
+**
+** On the cover side of a piston the volume is (Heywood, Internal Combustion Engine Fundamentals, chapter 2)
+**
+**    V = V_c + A1 x
+**
+** with V_c the clearance and x the displacement from the inner dead centre; without a clearance it is the
+** volume swept since then.
 */
 #include <math.h>
 #include <string.h>
@@ -14,11 +21,29 @@
 #include "machine.h"
 #include "switch.h"
 
+static double pressure_of(const flk_gas *gas, double theta2, double within)
+{
+    return gas->indicator.n ? flk_curve_piece(&gas->indicator, theta2, within) : gas->pressure;
+}
+
 static double force_of(const flk_gas *gas, double theta2, double held)
 {
-    double p1 = gas->indicator.n ? flk_curve_piece(&gas->indicator, theta2, held) : gas->pressure;
+    return pressure_of(gas, theta2, held) * gas->area - gas->back_pressure * gas->back_area;
+}
 
-    return p1 * gas->area - gas->back_pressure * gas->back_area;
+const flk_gas *flk_gas_on_piston(const flk_machine *machine)
+{
+    const flk_element *gas = flk_machine_find(machine, &flk_gas_type, 0);
+
+    return gas && gas->n_loads == 1 ? gas->data : NULL;
+}
+
+void flk_gas_in_cylinder(const flk_gas *gas, const fourlink_state *state, double within,
+                         flk_gas_state *at)
+{
+    at->volume = gas->clearance + gas->area * state->x;
+    at->rate = gas->area * state->v;
+    at->pressure = pressure_of(gas, state->link[FOURLINK_CRANK].theta, within);
 }
 
 /* The gas acts on the piston, and on the cylinder head along the line of stroke y = offset. */

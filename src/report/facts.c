@@ -201,8 +201,8 @@ void report_put_facts(report *r)
 static const struct {
     const char *name, *words;
     int statistic; /* FOURLINK_MAX ...; 0: a fact */
-} results[] = {{"theta4_min", NULL, 0},
-               {"theta4_max", NULL, 0},
+} results[] = {{"theta4_min", "smallest angle of link 4", 0},
+               {"theta4_max", "largest angle of link 4", 0},
                {"theta4_swing", "range of the angle of link 4", 0},
                {"swing", "swing of link 4", 0},
                {"stroke", NULL, 0},

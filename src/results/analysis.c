@@ -328,6 +328,7 @@ static int has_time(const deck *d)
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | NEED_ANGLES | (has_time(d) ? NEED_TIME : 0) |
+                (flk_gas_on_piston(&d->machine) ? NEED_CYLINDER : 0) |
                 (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
                 (flk_machine_count(&d->machine, &flk_gas_type) ? NEED_GAS : 0) |
                 (d->machine.has_friction ? NEED_LOSSES | NEED_RUBBING : 0) |
@@ -442,6 +443,8 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     }
     if (at->status == FOURLINK_OK && (needs & NEED_SERIES))
         at->status = fourlink_textbook_series(mechanism, &at->state, &row->series);
+    if (at->status == FOURLINK_OK && (needs & NEED_CYLINDER))
+        flk_gas_in_cylinder(flk_gas_on_piston(machine), &at->state, crank->theta2, &row->gas);
     if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))
         at->status = fourlink_klein_construction(mechanism, &at->state, &row->klein);
     if (at->status == FOURLINK_OK)

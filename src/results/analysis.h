@@ -81,14 +81,15 @@ enum {
     NEED_DERIVED = 16,
     NEED_SUPERPOSITION = 32,
     NEED_GAS = 64,
-    NEED_LOSSES = 128,   /* columns of friction */
-    NEED_BALANCE = 256,  /* of an engine with [balance] */
-    NEED_ACTUAL = 512,   /* columns of the actual motion */
-    NEED_ANGLES = 1024,  /* theta3, theta4, mu, phi */
-    NEED_WANTED = 2048,  /* of a linkage found for a function */
-    NEED_TIME = 4096,    /* of a crank that moves */
-    NEED_RUBBING = 8192, /* of pins that have a radius */
-    PLACES_ALONE = 16384 /* no velocity and no acceleration, of a mechanism without outputs */
+    NEED_LOSSES = 128,     /* columns of friction */
+    NEED_BALANCE = 256,    /* of an engine with [balance] */
+    NEED_ACTUAL = 512,     /* columns of the actual motion */
+    NEED_ANGLES = 1024,    /* theta3, theta4, mu, phi */
+    NEED_WANTED = 2048,    /* of a linkage found for a function */
+    NEED_TIME = 4096,      /* of a crank that moves */
+    NEED_RUBBING = 8192,   /* of pins that have a radius */
+    NEED_CYLINDER = 16384, /* of gas on a piston or yoke */
+    PLACES_ALONE = 32768   /* no velocity and no acceleration, of a mechanism without outputs */
 };
 
 /* One row. */
@@ -99,6 +100,7 @@ typedef struct flk_row {
     fourlink_klein klein;
     flk_derived derived;   /* from the motion, and from the forces if needed */
     flk_actual_row actual; /* of a deck whose motion is not given */
+    flk_gas_state gas;
     flk_group_forces group[FOURLINK_MOST_GROUPS]; /* of outputs, with the forces */
 } flk_row;
 

@@ -111,6 +111,8 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define DIFFERENCE_OF(member, exact) \
     NEED_SERIES | NEED_ANGLES, 0, NULL, DIFFERENCE, SERIES(member), STATE(exact)
 #define OF_GAS NEED_GAS, 0, NULL, VALUE, offsetof(flk_row, at.gas_force), 0
+#define OF_CYLINDER(member, traits) \
+    NEED_CYLINDER, traits, NULL, VALUE, offsetof(flk_row, gas.member), 0
 #define OF_ENGINE(member) NEED_ENGINE, 0, NULL, VALUE, offsetof(flk_row, engine.member), 0
 #define OF_LOSSES(member, traits) \
     NEED_FORCES | NEED_LOSSES, traits, NULL, VALUE, offsetof(flk_row, at.losses.member), 0
@@ -321,6 +323,10 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
     X(gas_force, FORCE, STROKE | INVERTED, OF_GAS,                                                 \
       "gas on piston, towards the crank; on a rod, along the slide",                               \
       "F_p (ME3491), (P1 - P2) A (DFA)")                                                           \
+    X(volume, VOLUME, STROKE, OF_CYLINDER(volume, OF_MOTION_ALONE),                                \
+      "volume of the gas on the cover side; without a clearance that swept", "V")                  \
+    X(pressure, PRESSURE, STROKE, OF_CYLINDER(pressure, 0),                                        \
+      "pressure of the gas on the cover side", "P1 (DFA)")                                         \
     ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
     ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
            "F (ME3491), F_p (DFA)")                                                                \

@@ -82,6 +82,8 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs --synthesis and a [synthesis] with a function";
     if (info->need & NEED_BALANCE)
         return "needs a [balance] section; the deck has none";
+    if (info->need & NEED_CYLINDER)
+        return "needs gas; the deck has none";
     if (!d->has_forces)
         return "needs masses, loads or gas; the deck has none";
     if (info->need == NEED_GAS)

@@ -10,6 +10,7 @@
 #include "base/trig.h"
 #include "deck/synthesis.h"
 #include "fact.h"
+#include "indicated.h"
 #include "mean.h"
 #include "mechanics/group_limits.h"
 #include "mechanics/kind.h"
@@ -36,8 +37,8 @@
     X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle, acute")                        \
     X(GAMMA_MIN, "gamma_min", ANGLE, LIMITS, "smallest angle between links 3 and 4")               \
     X(GAMMA_MAX, "gamma_max", ANGLE, LIMITS, "largest angle between links 3 and 4")                \
-    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of link 4")                         \
-    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of link 4")                          \
+    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest theta4")                                  \
+    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest theta4")                                   \
     X(SWING, "swing", ANGLE, LIMITS, "swing of link 4, between these")                             \
     X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "time ratio, slow swing or stroke to quick one")   \
     X(STROKE, "stroke", LENGTH, LIMITS, "distance between the dead centres")                       \
@@ -45,6 +46,8 @@
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "nearest to the crankshaft")          \
     X(SLIDE_MIN, "slide_min", LENGTH, LIMITS, "smallest slide: one end of the slot")               \
     X(SLIDE_MAX, "slide_max", LENGTH, LIMITS, "largest slide: the other end")                      \
+    X(DISPLACEMENT, "displacement", VOLUME, LIMITS, "swept by the piston in a stroke")             \
+    X(COMPRESSION_RATIO, "compression_ratio", NUMBER, LIMITS, "largest volume / smallest")         \
     X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, LIMITS, "mass moment of its counterweight")     \
     X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, LIMITS, "its direction, from the crank")  \
     X(BALANCE_MASS, "balance_mass", MASS, LIMITS, "mass of the crank's counterweight")             \
@@ -73,6 +76,10 @@
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, TURNING,                               \
       "coefficient of fluctuation of speed")                                                       \
+    X(INDICATED_WORK, "indicated_work", ENERGY, TURNING,                                           \
+      "of the gas in a cycle: area of p over V")                                                   \
+    X(INDICATED_POWER, "indicated_power", POWER, TURNING, "indicated_work / duration of a cycle")  \
+    X(MEAN_EFFECTIVE, "mep", PRESSURE, TURNING, "indicated_work / displacement")                   \
     X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the steady motion")     \
     X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
       "steady: (largest + smallest speed) / 2")                                                    \
@@ -430,6 +437,18 @@ static void add_balance(listing *t)
         add_counterweight(t, &of_rocker, &b->moment.rocker, b->mass[1]);
 }
 
+/* The compression ratio is (V_c + V_s) / V_c, with V_c the clearance and V_s the displacement. */
+static void add_displacement(listing *t, double stroke)
+{
+    const flk_gas *gas = flk_gas_on_piston(&t->d->machine);
+
+    if (!gas)
+        return;
+    add_fact(t, FACT_DISPLACEMENT, gas->area * stroke);
+    if (gas->clearance > 0)
+        add_fact(t, FACT_COMPRESSION_RATIO, 1 + gas->area * stroke / gas->clearance);
+}
+
 static void add_limits(listing *t)
 {
     fourlink_limits limits;
@@ -458,6 +477,7 @@ static void add_limits(listing *t)
         add_fact(t, FACT_STROKE, limits.stroke);
         add_fact(t, FACT_INNER_DEAD_CENTRE, on_page(t, limits.inner));
         add_fact(t, FACT_OUTER_DEAD_CENTRE, on_page(t, limits.outer));
+        add_displacement(t, limits.stroke);
     }
 }
 
@@ -590,6 +610,19 @@ static void add_extremes(listing *t, flk_analysis *a, flk_extremes *x, const flk
                                       &t->list[t->n]) == FOURLINK_OK;
 }
 
+static void add_indicated(listing *t, flk_analysis *a)
+{
+    flk_indicated found;
+
+    if (!is_any_wanted(t, FACT_INDICATED_WORK, FACT_MEAN_EFFECTIVE) ||
+        !flk_indicated_find(a, (fourlink_branch)t->branch, &found))
+        return;
+    add_fact(t, FACT_INDICATED_WORK, found.work);
+    if (!gsl_isnan(found.power))
+        add_fact(t, FACT_INDICATED_POWER, found.power);
+    add_fact(t, FACT_MEAN_EFFECTIVE, found.mean_effective);
+}
+
 static void add_turning(listing *t, flk_analysis *a)
 {
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
@@ -686,8 +719,10 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         }
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
             add_extremes(&t, a, x, &columns[j], list->names);
-        if (groups & FOURLINK_FACTS_TURNING)
+        if (groups & FOURLINK_FACTS_TURNING) {
             add_turning(&t, a);
+            add_indicated(&t, a);
+        }
         if (groups & FOURLINK_FACTS_MOTION)
             add_actual(&t, a);
     }

@@ -10,7 +10,7 @@
 
 /* The largest number of facts besides extremes, on both branches. */
 #define FLK_FACT_RANGES 16 /* of crank angles on a branch, of decks with outputs */
-#define FLK_FACT_LIMIT (100 + 4 * FLK_FACT_RANGES + 2 * OUTPUT_FACTS * FOURLINK_MOST_GROUPS)
+#define FLK_FACT_LIMIT (116 + 4 * FLK_FACT_RANGES + 2 * OUTPUT_FACTS * FOURLINK_MOST_GROUPS)
 
 /* The handle of a fact, which is negative; 0 if no deck has one of this name, or the deck has no output of it.
 ** `d` may be null. */

@@ -330,6 +330,9 @@ static void derive_gas(listing *t)
     if (gas->back_area != gas->area)
         add_derived(t, "gas", "back_area", QUANTITY_AREA, gas->back_area,
                     "area of the piston on the crank side");
+    if (gas->clearance > 0)
+        add_derived(t, "gas", "clearance_volume", QUANTITY_VOLUME, gas->clearance,
+                    "volume at the inner dead centre");
 }
 
 static void derive_gravity(listing *t)
@@ -380,7 +383,7 @@ static int has_inputs(section_code section)
 }
 
 #define MOST_DERIVED \
-    47 /* links 20, pins 4, offset 1, gas 2, motion 7, gravity 2, friction 4, flywheel 1 */
+    48 /* links 20, pins 4, offset 1, gas 3, motion 7, gravity 2, friction 4, flywheel 1 */
 
 size_t flk_list_input_limit(const deck *d)
 {

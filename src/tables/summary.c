@@ -15,7 +15,7 @@
 #include "head.h"
 #include "view/rounding.h"
 
-#define LINE 104
+#define LINE 100
 #define NAME 20
 #define UNIT 6
 #define BRANCH 8         /* of extremes */

@@ -499,6 +499,10 @@ static const struct {
     {"in", {{QUANTITY_LENGTH, IN}, {QUANTITY_COUNT, 0}}},
     {"ft", {{QUANTITY_LENGTH, FT}, {QUANTITY_COUNT, 0}}},
     {"in2", {{QUANTITY_AREA, IN *IN}, {QUANTITY_COUNT, 0}}},
+    {"in3", {{QUANTITY_VOLUME, IN *IN *IN}, {QUANTITY_COUNT, 0}}},
+    {"L", {{QUANTITY_VOLUME, 1e-3}, {QUANTITY_COUNT, 0}}},
+    {"litres", {{QUANTITY_VOLUME, 1e-3}, {QUANTITY_COUNT, 0}}},
+    {"cc", {{QUANTITY_VOLUME, 1e-6}, {QUANTITY_COUNT, 0}}},
 };
 
 /* The factor of a customary unit in a quantity; 0 if it is none of its units. */

@@ -131,7 +131,7 @@ each() {
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" \
     "$data/watt-six-bar.deck" .
 for deck in springs steady motor free lever; do cp "$decks/../fuzz/decks/$deck.deck" "$deck.deck"; done
-sed 's/^indicator.*/indicator = file card.csv deg bar/' gas-engine.deck >card.deck
+sed 's/^indicator.*/indicator = file card.csv deg bar\nclearance = 8 %/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
 sed "s/^duration.*/duration = 40 ms/" free.deck >time.deck # rows by time
 sed '/^rows\|^duration\|^time_step/d; s|^speed.*|speed = 20 rad/s|' free.deck >turning.deck
@@ -182,6 +182,7 @@ all 0 -o result $few ../card.deck
 all 1 -o result ../reach.deck
 all 2 -o result ../mistakes.deck
 all 0 --summary -o result ../card.deck
+all 0 --plot=x.svg --plot-kind=columns -c pressure --plot-x=volume ../card.deck
 all 0 --summary -f json -o result ../steam-engine-240.deck
 all 0 --check -o result ../steam-engine-240.deck
 all 0 --check=../alvi-5.1.expect -o result ../alvi-5.1.deck

@@ -84,6 +84,8 @@ def columns(m, s, forces=True):
         v['h%d' % (k + 1)] = quotient(inertia * s.alpha[k], size)
     if m.gas:
         v['gas_force'] = m.gas(s.theta2)
+    if m.gas and m.slides:
+        v['volume'], v['pressure'] = m.clearance_volume() + m.bore_area * v['x'], m.pressure(s.theta2)
     if forces:
         add_forces(m, s, v, vector)
     return v, small

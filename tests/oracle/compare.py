@@ -100,6 +100,8 @@ def scales_of(m, s, values, small, units):
     force = sum(mass * np.abs(s.a[k] - m.g).astype(float) for k, (mass, _, _) in enumerate(m.masses) if k) + 1e-300
     scale = {'m': r, 'm/s': r * w, 'm/s2': r * (w * w + al), 'rad/s': w, 'rad/s2': w * w + al, 'N': force, 'rad': 1,
              'kg.m2': sum(mass for mass, _, _ in m.masses) * r * r, '1': 1, 'm2': r * r, 's': 1e-300}
+    if m.gas:
+        scale.update({'m3': float(m.bore_area * sum(m.length)), 'Pa': m.largest_pressure})
     scale = {unit: value + 0 * w for unit, value in scale.items()}
     for name, value in values.items():
         if name in units and name not in small and units[name] not in ('1', 'rad'):

@@ -12,6 +12,7 @@ TURN = 2 * math.pi
 # value, and powers of m, kg, s and rad
 UNITS = {'': (1, 0, 0, 0, 0), '1': (1, 0, 0, 0, 0), '%': (0.01, 0, 0, 0, 0),
          'm': (1, 1, 0, 0, 0), 'mm': (1e-3, 1, 0, 0, 0), 'cm': (1e-2, 1, 0, 0, 0), 'km': (1e3, 1, 0, 0, 0),
+         'L': (1e-3, 3, 0, 0, 0), 'cc': (1e-6, 3, 0, 0, 0),
          'in': (0.0254, 1, 0, 0, 0), 'ft': (0.3048, 1, 0, 0, 0),
          'kg': (1, 0, 1, 0, 0), 'g': (1e-3, 0, 1, 0, 0), 't': (1e3, 0, 1, 0, 0), 'lb': (0.45359237, 0, 1, 0, 0),
          's': (1, 0, 0, 1, 0), 'ms': (1e-3, 0, 0, 1, 0), 'min': (60, 0, 0, 1, 0), 'h': (3600, 0, 0, 1, 0),
@@ -29,7 +30,7 @@ UNITS.update({'oz': (0.45359237 / 16, 0, 1, 0, 0), 'lbf': (POUND, 1, 1, -2, 0), 
 # the units of bare numbers, by the keys of [units]
 BARE = {'number': '', 'length': 'm', 'angle': 'deg', 'mass': 'kg', 'time': 's', 'speed': 'm/s', 'acceleration': 'm/s2',
         'angular_speed': 'rad/s', 'angular_acceleration': 'rad/s2', 'inertia': 'kg m2', 'force': 'N', 'torque': 'N m',
-        'pressure': 'Pa', 'power': 'W', 'energy': 'J', 'stiffness': 'N/m', 'damping': 'N s/m'}
+        'volume': 'm3', 'pressure': 'Pa', 'power': 'W', 'energy': 'J', 'stiffness': 'N/m', 'damping': 'N s/m'}
 
 PLAIN = str.maketrans({'\u2212': '-', '\u2009': ' ', '\u202f': ' ', '\u00a0': ' ', '\u00b7': ' ', '\u22c5': ' ',
                        '\u00d7': ' ', '\u00b0': ' deg', '\u00b2': '2', '\u00b3': '3'})
@@ -47,7 +48,7 @@ def unit_of(text):
     return value, powers
 
 
-NAMES = {unit_of(name)[1][:4].__repr__(): name for name in ('1', 'm', 'm/s', 'm/s2', 'm2', 'kg', 'kg.m2', 'kg.m', 's', 'rad', 'rad/s', 'rad/s2', 'N', 'N.m', 'W')}
+NAMES = {unit_of(name)[1][:4].__repr__(): name for name in ('1', 'm', 'm/s', 'm/s2', 'm2', 'm3', 'Pa', 'kg', 'kg.m2', 'kg.m', 's', 'rad', 'rad/s', 'rad/s2', 'N', 'N.m', 'W')}
 
 
 def si_name(unit):

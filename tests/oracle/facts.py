@@ -97,6 +97,9 @@ def of_branch(m, label):
         found['mu_min'] = 0
     if m.slides and full:
         (high, outer), (low, inner) = sought(m, label, 'x', 1, reach), sought(m, label, 'x', -1, reach)
+        if m.gas:
+            swept, clearance = m.bore_area * (high - low), m.clearance_volume()
+            found.update(displacement=swept, **({'compression_ratio': (clearance + swept) / clearance} if clearance else {}))
         found.update(stroke=high - low, inner_dead_centre=inner, outer_dead_centre=outer)
         way = (outer - inner) % TURN
     elif m.pinned and full and (m.kind == 'four-bar' and m.a + max(m.b, m.c, m.d) <= (m.a + m.b + m.c + m.d) / 2 and m.a < min(m.b, m.c, m.d)
@@ -134,6 +137,10 @@ def turning(m, label, omega, inertia, motor=None):
         energy = np.append(energy, taken[k] + (b - a)[k] * (integrals(f) @ COEFFICIENTS @ (T[k] - mean)))
     found = {'mean_torque': mean, 'mean_power': mean * omega, 'energy_fluctuation': energy.max() - energy.min()}
     found['energy_coefficient'] = found['energy_fluctuation'] / abs(mean * m.cycle) if mean else 0
+    if m.gas and m.slides and m.card:
+        power = m.bore_area * m.pressure(s.theta2) * m.variable(s, 'v')
+        found['indicated_work'] = (((b - a) * power.reshape(len(a), -1)) @ WEIGHTS).sum() / abs(omega)
+        found['indicated_power'] = found['indicated_work'] * abs(omega) / m.cycle
     own, wanted = m.deck.number('flywheel', 'inertia', 'inertia'), m.deck.number('flywheel', 'fluctuation', 'number')
     if inertia:
         found['flywheel_fluctuation'] = found['energy_fluctuation'] / (inertia * omega ** 2)

@@ -402,7 +402,23 @@ class Machine:
         back = deck.number('gas', 'back_pressure', 'pressure') * (area - PI / 4 * deck.number('gas', 'piston_rod', 'length') ** 2)
         pressure, card = deck.number('gas', 'pressure', 'pressure'), deck.word('gas', 'indicator')
         self.card = steffen(deck.curve(card, 'angle', 'pressure'), self.cycle) if card else None
-        self.gas = (lambda theta2: (self.card(theta2) if card else pressure) * area - back)
+        self.bore_area, self.pressure = area, (lambda theta2: self.card(theta2) if card else pressure + 0 * theta2)
+        self.gas = (lambda theta2: self.pressure(theta2) * area - back)
+        self.largest_pressure = max(abs(y) for _, y in deck.curve(card, 'angle', 'pressure')) if card else abs(pressure)
+        self.clearance = deck.section('gas').get('clearance')
+
+    def clearance_volume(self):
+        """A share of the displacement, a length along the stroke or a volume."""
+        if not self.clearance:
+            return 0
+        number, unit = self.clearance.split(None, 1)
+        value, powers = unit_of(unit)
+        return float(number) * value * {0: self.bore_area * self.stroke(), 1: self.bore_area, 3: 1}[powers[0]]
+
+    def stroke(self):
+        if self.kind == 'scotch-yoke':
+            return 2 * self.a / abs(np.sin(REAL(self.beta)))
+        return np.sqrt((self.b + self.a) ** 2 - self.e ** 2) - np.sqrt((self.b - self.a) ** 2 - self.e ** 2)
 
     def gas_efforts(self, s):
         """On the piston, towards the crank; or on the rod along the slide, and on the cylinder against it."""

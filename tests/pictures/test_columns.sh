@@ -79,6 +79,20 @@ has 'x x (mm)'
 block gas_force_open >curve
 check 'four strokes' awk 'NR > 1 {s = $1 > last ? 1 : -1; if (s != way) turns++; way = s} {last = $1} END {exit turns != 4}' curve
 
+# --- the p-V diagram: a closed loop, clockwise, whose area is the work of the gas
+otto=$data/otto-4x4.deck
+columns -c pressure --plot-x=volume "$otto"
+panels 1
+has 'x volume (in³)'
+has 'y pressure (psi)'
+block pressure_open >curve
+"$fourlink" -S -f csv "$otto" | tr -d '\r' | awk -F, '/^(indicated_work|displacement),/ {print $2}' >facts
+check 'the area of the diagram' awk '
+    NR == FNR {fact[FNR] = $1; next}
+    NF {if (n++) area += ($1 - x) * ($2 + y) / 2; else {x0 = $1; y0 = $2}; x = $1; y = $2; if ($1 > most) most = $1; if (n == 1 || $1 < least) least = $1}
+    END {if (x != x0 || y != y0) exit 1
+        exit !((area / fact[2] - 1) ^ 2 < 1e-6 && ((most - least) / fact[1] - 1) ^ 2 < 1e-8)}' facts curve
+
 # --- breaks: no position, jumps of loads, unbounded values, no number
 columns -b open -c F14 "$data/me3491-exercise-4.deck"
 block F14_open >curve
