@@ -173,9 +173,6 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(OUTPUT, AT, "at", POINT, LENGTH, ANY, ANY_KIND, "the point P of that link")                  \
     X(OUTPUT, PLACE, "place", PLACE, LENGTH, ANY, ANY_KIND, "P as drawn")                          \
     X(OUTPUT, ROD, "rod", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "length of its rod, from P to Q")  \
-    X(OUTPUT, SLOT, "slot", WORD, NUMBER, ANY, ANY_KIND, "what has the slot, instead of a rod")    \
-    X(OUTPUT, SLOT_ANGLE, "slot_angle", QUANTITY, ANGLE, ANY, ANY_KIND,                            \
-      "direction of the slot, from the line or in the link")                                       \
     X(OUTPUT, LINE, "line", PLACE, LENGTH, ANY, ANY_KIND, "slider: a point of its line of stroke") \
     X(OUTPUT, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND, "slider: direction of that line")    \
     X(OUTPUT, PIVOT, "pivot", PLACE, LENGTH, ANY, ANY_KIND, "rocker: its fixed pin")               \
@@ -183,11 +180,14 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(OUTPUT, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND, "rocker: its pin on that link")        \
     X(OUTPUT, TO_PLACE, "to_place", PLACE, LENGTH, ANY, ANY_KIND, "its pin there as drawn")        \
     X(OUTPUT, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "rocker: length")            \
-    X(OUTPUT, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                   \
-      "rocker with a slot: distance at which this passes its pin")                                 \
     X(OUTPUT, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")                      \
     OUTPUT_MASS_KEYS(X, END_, "", "")                                                              \
     OUTPUT_MASS_KEYS(X, ROD_, "rod_", ", of the rod")                                              \
+    X(OUTPUT, SLOT, "slot", WORD, NUMBER, ANY, ANY_KIND, "what has the slot, instead of a rod")    \
+    X(OUTPUT, SLOT_ANGLE, "slot_angle", QUANTITY, ANGLE, ANY, ANY_KIND,                            \
+      "direction of the slot, from the line or in the link")                                       \
+    X(OUTPUT, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                   \
+      "rocker with a slot: distance at which this passes its pin")                                 \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \

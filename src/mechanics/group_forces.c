@@ -8,6 +8,7 @@
 
 #include "base/trig.h"
 #include "body.h"
+#include "group.h"
 #include "group_type.h"
 
 int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_state *state)

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "base/trig.h"
+#include "group.h"
 #include "group_type.h"
 
 #define UNIT 1e-9 /* by which the length of a unit vector may differ from 1 */

@@ -5,7 +5,7 @@
 #ifndef FOURLINK_MECHANICS_GROUP_TYPE_H
 #define FOURLINK_MECHANICS_GROUP_TYPE_H
 
-#include "group.h"
+#include "kind.h"
 
 /* A group in a state, with the links between which it hangs. */
 typedef struct flk_hanging {
