@@ -1065,6 +1065,32 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
 ** and "Ts".  A constant string, never null. */
 FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 
+/* The six equations of a group, A x = b.  They stand alone: what the group does to the links that carry it is in b of
+** fourlink_system, and what a group on its links does to it is in its own.
+**
+** Given:
+**    mechanism, state, loads, n_loads  as for fourlink_solve
+**    group      its number, from 0
+** Returned:
+**    A          6 x 6, row by row: of the rod or block, then of slider or rocker, the forces along x and along y, and the
+**               moments about the link's origin
+**    b, x       6, right-hand side and solution; forces in N, moments in N m
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_GROUP, FOURLINK_SINGULAR, FOURLINK_BAD_NUMBER,
+**    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+** Note:
+**    x = (FPx FPy FQx FQy FDx FDy); of a slider (... N M), the guide's.  The force of a slot, FP in a slot of the
+**    carrying link and FQ in one of the group, is (S C): S along the slot's normal, to the left of the block's axis, and the
+**    couple C, which is 0.
+*/
+FOURLINK_API int fourlink_group_system(const fourlink_mechanism *mechanism,
+                                       const fourlink_state *state, const fourlink_load *loads,
+                                       unsigned long n_loads, int group, double A[6][6],
+                                       double b[6], double x[6]);
+
+/* The names of these unknowns, i = 0 to 5: "FPx" ... A constant string, never null. */
+FOURLINK_API const char *fourlink_group_unknown_text(const fourlink_group *group, int i);
+
 /* The nine unknowns from the forces: the solution x of fourlink_system.
 **
 ** Given:

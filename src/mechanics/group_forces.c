@@ -123,8 +123,8 @@ static void put_equations(const fourlink_group *group, const fourlink_link_state
     put_force(A, 0, group->hang == FOURLINK_HANGS_IN_SLOT ? &n : NULL, &rho, L);
     put_force(A, 2, group->hang == FOURLINK_HANGS_BY_OWN_SLOT ? &n : NULL, &rho, L);
     if (group->hang == FOURLINK_HANGS_BY_ROD) {
-        AT(A, 2, 2) = rod->axis.y;
-        AT(A, 2, 3) = -rod->axis.x;
+        AT(A, 2, 2) = rod->axis.y * (group->rod / L);
+        AT(A, 2, 3) = -rod->axis.x * (group->rod / L);
     }
     if (group->end == FOURLINK_GROUP_SLIDES) {
         AT(A, 3, 4) = nu.x;
@@ -149,27 +149,42 @@ static double length_of(const fourlink_group *group, const fourlink_link_state *
     return L > 0 ? L : 1;
 }
 
-static void solve_equations(const fourlink_group *group, const fourlink_link_state *rod,
-                            const flk_body body[2], flk_group_forces *f)
+static void put_right_side(const flk_body body[2], double L, double b[SIX])
 {
-    double A[SIX * WIDTH], x[SIX], L = length_of(group, rod);
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        b[3 * i] = body[i].force.x;
+        b[3 * i + 1] = body[i].force.y;
+        b[3 * i + 2] = FLK_MOMENT_ABOUT_ORIGIN(&body[i]) / L;
+    }
+}
+
+/* The solution, whose couples are divided by L. */
+static void solve_six(const fourlink_group *group, const fourlink_link_state *rod,
+                      const flk_body body[2], double L, double x[SIX])
+{
+    double A[SIX * WIDTH];
     unsigned int pivot[SIX];
     gsl_matrix_view A_view = gsl_matrix_view_array(A, SIX, WIDTH);
     gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(pivot, SIX);
     gsl_vector_view x_view = gsl_vector_view_array(x, SIX);
+
+    put_equations(group, rod, L, A);
+    put_right_side(body, L, x);
+    gsl_linalg_LU_band_decomp(SIX, BAND, BAND, &A_view.matrix, &pivot_view.vector);
+    gsl_linalg_LU_band_svx(BAND, BAND, &A_view.matrix, &pivot_view.vector, &x_view.vector);
+}
+
+static void solve_equations(const fourlink_group *group, const fourlink_link_state *rod,
+                            const flk_body body[2], flk_group_forces *f)
+{
+    double x[SIX], L = length_of(group, rod);
     fourlink_vector n, nu;
-    int i;
 
     FLK_TURN_LEFT(n, rod->axis);
     FLK_TURN_LEFT(nu, rod[1].axis);
-    put_equations(group, rod, L, A);
-    for (i = 0; i < 2; i++) {
-        x[3 * i] = body[i].force.x;
-        x[3 * i + 1] = body[i].force.y;
-        x[3 * i + 2] = FLK_MOMENT_ABOUT_ORIGIN(&body[i]) / L;
-    }
-    gsl_linalg_LU_band_decomp(SIX, BAND, BAND, &A_view.matrix, &pivot_view.vector);
-    gsl_linalg_LU_band_svx(BAND, BAND, &A_view.matrix, &pivot_view.vector, &x_view.vector);
+    solve_six(group, rod, body, L, x);
     f->FP.x = group->hang == FOURLINK_HANGS_IN_SLOT ? x[0] * n.x : x[0];
     f->FP.y = group->hang == FOURLINK_HANGS_IN_SLOT ? x[0] * n.y : x[1];
     f->FQ.x = group->hang == FOURLINK_HANGS_BY_OWN_SLOT ? x[2] * n.x : x[2];
@@ -245,16 +260,24 @@ void flk_groups_cut(const fourlink_mechanism *mechanism, const fourlink_state *s
     memcpy(body, all, 3 * sizeof *body);
 }
 
+/* Cut links 2 to 4, without their loads. */
+static void cut_four(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     flk_body *body)
+{
+    int i;
+
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        flk_cut_link(FLK_LINK(mechanism, i), &state->link[i], &mechanism->design.gravity,
+                     &body[i - 2]);
+}
+
 void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                        const fourlink_load *loads, unsigned long n_loads, int closed_form,
                        flk_group_forces *list)
 {
     flk_body all[FOURLINK_LINKS - 2];
-    int i;
 
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        flk_cut_link(FLK_LINK(mechanism, i), &state->link[i], &mechanism->design.gravity,
-                     &all[i - 2]);
+    cut_four(mechanism, state, all);
     cut_all(mechanism, state, loads, n_loads, closed_form, all, list);
 }
 
@@ -272,4 +295,52 @@ void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state 
         force->y -= list[i].FD.y;
         *moment -= list[i].M + FLK_CROSS(*at, list[i].FD);
     }
+}
+
+/* ------------------------------------------------------------------------------------------- equations */
+
+const char *fourlink_group_unknown_text(const fourlink_group *group, int i)
+{
+    static const char *const pins[SIX] = {"FPx", "FPy", "FQx", "FQy", "FDx", "FDy"};
+    static const char *const slot[2] = {"S", "C"}, *const guide[2] = {"N", "M"};
+
+    if (!group || i < 0 || i >= SIX)
+        return "unknown";
+    if (i < 2)
+        return group->hang == FOURLINK_HANGS_IN_SLOT ? slot[i] : pins[i];
+    if (i < 4)
+        return group->hang == FOURLINK_HANGS_BY_OWN_SLOT ? slot[i - 2] : pins[i];
+    return group->end == FOURLINK_GROUP_SLIDES ? guide[i - 4] : pins[i];
+}
+
+/* Moments are not divided: L is 1. */
+int fourlink_group_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                          const fourlink_load *loads, unsigned long n_loads, int group,
+                          double A[6][6], double b[6], double x[6])
+{
+    const flk_kind *kind;
+    flk_group_forces list[FOURLINK_MOST_GROUPS];
+    flk_body all[FOURLINK_LINKS - 2];
+    double banded[SIX * WIDTH];
+    const fourlink_link_state *rod;
+    int status = flk_kind_find(mechanism, A, &kind), i, j;
+
+    if (status == FOURLINK_OK)
+        status = state && b && x ? flk_check_loads(mechanism, loads, n_loads) : FOURLINK_NULL;
+    if (status == FOURLINK_OK && (group < 0 || group >= mechanism->design.n_groups))
+        status = FOURLINK_BAD_GROUP;
+    if (status == FOURLINK_OK && flk_groups_are_singular(mechanism, state))
+        status = FOURLINK_SINGULAR;
+    if (status != FOURLINK_OK)
+        return status;
+    rod = &state->link[FLK_ROD_OF(group)];
+    cut_four(mechanism, state, all);
+    cut_all(mechanism, state, loads, n_loads, 0, all, list);
+    put_equations(&mechanism->design.group[group], rod, 1, banded);
+    for (i = 0; i < SIX; i++)
+        for (j = 0; j < SIX; j++)
+            A[i][j] = AT(banded, i, j);
+    put_right_side(&all[FLK_ROD_OF(group) - 2], 1, b);
+    solve_six(&mechanism->design.group[group], rod, &all[FLK_ROD_OF(group) - 2], 1, x);
+    return FOURLINK_OK;
 }

@@ -1104,6 +1104,45 @@ static void check_forces(const machine *m, const fourlink_forces *F)
     }
 }
 
+/* The six equations as they are given hold for the forces that are found, by the names of their unknowns. */
+static void check_equations(const machine *m)
+{
+    flk_group_forces of[MOST];
+    int i, k, j;
+
+    flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, 1, of);
+    for (i = 0; i < m->design.n_groups; i++) {
+        const fourlink_group *g = &m->group[i];
+        fourlink_vector e = m->state.link[5 + 2 * i].axis, u = g->direction;
+        double A[6][6], b[6], x[6], size = 0, wanted;
+
+        assert_int_equal(
+            fourlink_group_system(&m->mechanism, &m->state, m->load, MOST + 1, i, A, b, x),
+            FOURLINK_OK);
+        for (k = 0; k < 6; k++)
+            size += fabs(x[k]) + fabs(b[k]);
+        for (k = 0; k < 6; k++) {
+            double sum = -b[k];
+
+            for (j = 0; j < 6; j++)
+                sum += A[k][j] * x[j];
+            assert_near(sum, 0, 1e-12 * size);
+        }
+        for (k = 0; k < 6; k++) {
+            const char *name = fourlink_group_unknown_text(g, k);
+            fourlink_vector F = k < 2 ? of[i].FP : k < 4 ? of[i].FQ : of[i].FD;
+
+            wanted = strcmp(name, "S") == 0   ? e.x * F.y - e.y * F.x
+                     : strcmp(name, "C") == 0 ? 0
+                     : strcmp(name, "N") == 0 ? u.x * F.y - u.y * F.x
+                     : strcmp(name, "M") == 0 ? of[i].M
+                     : strchr(name, 'x')      ? F.x
+                                              : F.y;
+            assert_near(x[k], wanted, 1e-11 * size / m->state.group_sine);
+        }
+    }
+}
+
 TEST(test_random_machines)
 {
     uint64_t seed = 72;
@@ -1125,6 +1164,7 @@ TEST(test_random_machines)
         assert_int_equal(fourlink_solve_dyad(&m.mechanism, &m.state, m.load, MOST + 1, &F[1]),
                          FOURLINK_OK);
         check_forces(&m, &F[0]);
+        check_equations(&m);
         size = fabs(F[0].F12x) + fabs(F[0].F12y) + fabs(F[0].F34x) + fabs(F[0].F34y);
         assert_near(F[0].Ts, F[1].Ts, 1e-12 * (size + fabs(F[0].Ts)) / m.state.group_sine);
         assert_near(F[0].F34x, F[1].F34x, 1e-12 * size / m.state.group_sine);
@@ -1289,6 +1329,7 @@ TEST(test_mistakes_of_slots)
     fourlink_state s;
     fourlink_forces F;
     fourlink_crank crank = {0.6, 10, 0};
+    double A[6][6], x[6];
 
 #define SLOT_REFUSED(number, change, status)                \
     do {                                                    \
@@ -1309,6 +1350,13 @@ TEST(test_mistakes_of_slots)
     SLOT_REFUSED(O9, (g[1] = g[0], g[1].link = 5, d.n_groups = 2), FOURLINK_BAD_GROUP);
     SLOT_REFUSED(O9, (g[1] = g[0], g[1].link = 6, d.n_groups = 2), FOURLINK_OK);
     SLOT_REFUSED(O4, load.link = 5, FOURLINK_OK);
+    assert_int_equal(fourlink_group_system(&m, NULL, NULL, 0, 0, A, x, x), FOURLINK_NULL);
+    assert_int_equal(fourlink_analyse(&m, FOURLINK_OPEN, &crank, NULL, 0, &s, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_group_system(&m, &s, NULL, 0, 1, A, x, x), FOURLINK_BAD_GROUP);
+    assert_int_equal(fourlink_group_system(&m, &s, NULL, 0, -1, A, x, x), FOURLINK_BAD_GROUP);
+    assert_int_equal(fourlink_group_system(&m, &s, &load, 1, 0, A, x, x), FOURLINK_BAD_LINK);
+    assert_string_equal(fourlink_group_unknown_text(g, 6), "unknown");
+    assert_string_equal(fourlink_group_unknown_text(NULL, 0), "unknown");
     assert_int_equal(fourlink_analyse(&m, FOURLINK_OPEN, &crank, &load, 1, &s, &F),
                      FOURLINK_BAD_LINK);
 }
