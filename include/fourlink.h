@@ -803,7 +803,7 @@ FOURLINK_API const char *fourlink_version(void);
     X(FOURLINK_OVERFLOW, 17, "a speed or a torque grows beyond all numbers")                      \
     X(FOURLINK_LONG_SEARCH, 18,                                                                   \
       "the search takes too many rows: give fewer turns, less time or fewer columns")             \
-    X(FOURLINK_GROUP_APART, 19, "an output cannot be assembled: its rod does not reach")          \
+    X(FOURLINK_GROUP_APART, 19, "an output cannot be assembled: its rod or slot does not reach")  \
     X(FOURLINK_INPUT_DEAD_CENTRE, 63,                                                             \
       "dead centre: the input or the drive stands still while the crank turns")                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \

@@ -197,6 +197,14 @@ static int is_along_slot(const deck_block *b, key_code key)
             (is_place && strcmp(value_of(b, link, ""), "slider") == 0));
 }
 
+/* 1 for the direction of a slot in the slider of a yoke, which an output runs in. */
+static int is_slot_of_slider(const deck_block *b, key_code key)
+{
+    return kind == FOURLINK_SCOTCH_YOKE && key == KEY_OUTPUT_SLOT_ANGLE &&
+           strcmp(value_of(b, KEY_OUTPUT_LINK, ""), "slider") == 0 &&
+           strcmp(value_of(b, KEY_OUTPUT_SLOT, ""), "link") == 0;
+}
+
 static void less_from_half_turn(deck_number *n)
 {
     unit u;
@@ -213,7 +221,8 @@ static void mirror_number(deck_number *n, const deck_line *line, const void *how
 
     if (line->key >= KEY_COUNT)
         return;
-    if (line->key == KEY_YOKE_ANGLE || (n->part == POLAR && is_along_slot(b, line->key))) {
+    if (line->key == KEY_YOKE_ANGLE || is_slot_of_slider(b, line->key) ||
+        (n->part == POLAR && is_along_slot(b, line->key))) {
         less_from_half_turn(n);
         return;
     }
@@ -225,7 +234,7 @@ static void mirror_number(deck_number *n, const deck_line *line, const void *how
     else if (n->part == WHOLE)
         changes = (flk_key_table[line->key].sign == SIGN_ANY && is_turning(n->dim)) ||
                   line->key == KEY_MOTION_TURNS || line->key == KEY_GROUND_OFFSET ||
-                  line->key == KEY_LEVER_OFFSET;
+                  line->key == KEY_LEVER_OFFSET || line->key == KEY_OUTPUT_OFFSET;
     if (has_sign_of_speed(b) && (line->key == KEY_LOAD_FORCE || line->key == KEY_LOAD_TORQUE) &&
         n->part != POLAR)
         changes = !changes;
@@ -317,7 +326,8 @@ static int mirror(deck_lines *d)
             swap_names(b, KEY_LOAD_BACK, KEY_LOAD_FORCE);
             swap_names(b, KEY_LOAD_BACK, KEY_LOAD_TORQUE);
         }
-        if (line_of(b, KEY_OUTPUT_PIVOT) || line_of(b, KEY_OUTPUT_TO)) {
+        if (!line_of(b, KEY_OUTPUT_SLOT) &&
+            (line_of(b, KEY_OUTPUT_PIVOT) || line_of(b, KEY_OUTPUT_TO))) {
             int is_right = strcmp(value_of(b, KEY_OUTPUT_SIDE, "left"), "right") == 0;
 
             if (!line_of(b, KEY_OUTPUT_SIDE))

@@ -5,8 +5,8 @@
 **    random_decks SORT N FOLDER [FIRST]
 **    random_decks options
 **
-** SORT is `given`, wild machines whose motions are given, `machines`, of all kinds, `outputs`, machines with outputs,
-** `motors`, whose motion follows from what drives them, or `any`, with keys of every section of the schema
+** SORT is `given`, wild machines whose motions are given, `machines`, of all kinds, `outputs`, machines with outputs by
+** rods, `slots`, with outputs most of which hang by slots, `motors`, whose motion follows from what drives them, or `any`, with keys of every section of the schema
 ** (random_schema.h).  The decks
 ** are FOLDER/SORT-FIRST.deck and on.  Those of `any` depend on those before them in the run, so that all keys are drawn
 ** as often: FIRST and N give them again.  Beside a deck of the sort `any` stand options for it, one a line, in .options, and the
@@ -67,7 +67,8 @@ int main(int argc, char **argv)
     }
 
     if (argc < 4) {
-        fprintf(stderr, "usage: random_decks given|machines|outputs|motors|any N FOLDER [FIRST]\n");
+        fprintf(stderr,
+                "usage: random_decks given|machines|outputs|slots|motors|any N FOLDER [FIRST]\n");
         return 2;
     }
     n = atol(argv[2]);
@@ -80,7 +81,9 @@ int main(int argc, char **argv)
         else if (strcmp(argv[1], "machines") == 0)
             make_machine(i, LAWS | SPRINGS | FRICTION, seldom(0.25) ? DRIVEN : GIVEN);
         else if (strcmp(argv[1], "outputs") == 0)
-            make_machine_with_outputs(i);
+            make_machine_with_outputs(i, 0);
+        else if (strcmp(argv[1], "slots") == 0)
+            make_machine_with_outputs(i, 1);
         else if (strcmp(argv[1], "motors") == 0)
             make_machine(i, LAWS | SPRINGS | FRICTION | GAS, DRIVEN);
         else if (is_any)

@@ -13,6 +13,9 @@ static void write_masses_of_output(const char *front)
           between(0.1, 3), front, between(-20, 80), between(-20, 20), front, between(5, 60));
 }
 
+static int with_slots;  /* 1: most hang by a slot */
+static int has_slot[3]; /* by number of the output: its block takes nothing */
+
 /* A link, of the machine or of an output before, other than `other`, by its number, which is returned. */
 static int write_any_link(const char *key, int outputs, int other)
 {
@@ -20,12 +23,36 @@ static int write_any_link(const char *key, int outputs, int other)
 
     do
         i = one_of(3 + 2 * outputs);
-    while (i == other);
+    while (i == other || (i > 3 && i % 2 == 0 && has_slot[(i - 3) / 2]));
     if (i < 3)
         write("%s = %s\n", key, machine_links[machine][i]);
     else
         write("%s = %c%s\n", key, 'P' + (i - 3) / 2, (i - 3) % 2 ? ".rod" : "");
     return i;
+}
+
+/* The slot of an output, of its own or of the carrying link; the rest as write_output has it. */
+static void write_slot(int slides)
+{
+    int is_own = seldom(0.5);
+
+    write("at = (%.6g, %.6g) mm\nslot = %s\n", between(-40, 80), between(-40, 40),
+          is_own ? "output" : "link");
+    if (slides || !is_own)
+        write("slot_angle = %.6g deg\n", is_own ? between(15, 165) : between(-180, 180));
+    if (slides) {
+        write("line = (%.6g, %.6g) mm\nangle = %.6g deg\n", between(-100, 200), between(-100, 100),
+              between(-180, 180));
+    } else {
+        write("pivot = (%.6g, %.6g) mm\n", between(-200, 250), between(-200, 200));
+        if (is_own)
+            write("offset = %.6g mm\n", between(-40, 40));
+        else
+            write("length = %.6g mm\n", between(60, 350));
+        if (seldom(0.5))
+            write("side = behind\n");
+    }
+    write_masses_of_output("");
 }
 
 static void write_output(int number)
@@ -34,6 +61,11 @@ static void write_output(int number)
 
     write("[output %c]\n", 'P' + number);
     carrier = write_any_link("link", number, -1);
+    has_slot[number] = with_slots && seldom(0.6);
+    if (has_slot[number]) {
+        write_slot(slides);
+        return;
+    }
     write("at = (%.6g, %.6g) mm\nrod = %.6g mm\n", between(-40, 80), between(-40, 40),
           between(60, 300));
     if (slides) {
@@ -54,12 +86,14 @@ static void write_output(int number)
     write_masses_of_output("rod_");
 }
 
-/* A machine with up to three outputs, which can hang on one another, and loads on them. */
-static inline void make_machine_with_outputs(long number)
+/* A machine with up to three outputs, by rods or most of them by slots, which can hang on one another, and loads on them. */
+static inline void make_machine_with_outputs(long number, int slots)
 {
     int outputs = between_whole(1, 4), i;
 
     choose_machine(number);
+    memset(has_slot, 0, sizeof has_slot);
+    with_slots = slots;
     is_wild = 0;
     has_bodies = 1;
     write_machine();

@@ -347,17 +347,32 @@ static int is_of_kind(section_code section, int kind)
 #define EVERY_SECTION (~0UL)
 
 /* Keys that are tried beside another of their section: decks of a number stay what they were before these came. They are the
-** last of their sections. */
+** last of their sections.  Two keys are left out for it. */
 static const struct {
     key_code key, beside;
     const char *value;
-} followers[] = {{KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any"},
-                 {KEY_SYNTHESIS_LENGTHS, KEY_SYNTHESIS_CRANK_TURNS, "5 mm to 300 mm"},
-                 {KEY_SYNTHESIS_LENGTH_RATIO, KEY_SYNTHESIS_CRANK_TURNS, "20"},
-                 {KEY_UNITS_VOLUME, KEY_UNITS_MASS_MOMENT, "cm3"},
-                 {KEY_GAS_CLEARANCE, KEY_GAS_BACK_PRESSURE, "8 mm"},
-                 {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half"},
-                 {KEY_GRADING_TEXT, KEY_GRADING_DIGITS, "Find the angle <b> & {1:MC:=2}"}};
+    key_code without[2]; /* KEY_COUNT: none */
+} followers[] = {
+    {KEY_SYNTHESIS_ORDER, KEY_SYNTHESIS_CRANK_TURNS, "any", {KEY_COUNT, KEY_COUNT}},
+    {KEY_SYNTHESIS_LENGTHS, KEY_SYNTHESIS_CRANK_TURNS, "5 mm to 300 mm", {KEY_COUNT, KEY_COUNT}},
+    {KEY_SYNTHESIS_LENGTH_RATIO, KEY_SYNTHESIS_CRANK_TURNS, "20", {KEY_COUNT, KEY_COUNT}},
+    {KEY_UNITS_VOLUME, KEY_UNITS_MASS_MOMENT, "cm3", {KEY_COUNT, KEY_COUNT}},
+    {KEY_GAS_CLEARANCE, KEY_GAS_BACK_PRESSURE, "8 mm", {KEY_COUNT, KEY_COUNT}},
+    {KEY_GRADING_HINT, KEY_GRADING_UNITS, "half", {KEY_COUNT, KEY_COUNT}},
+    {KEY_GRADING_TEXT,
+     KEY_GRADING_DIGITS,
+     "Find the angle <b> & {1:MC:=2}",
+     {KEY_COUNT, KEY_COUNT}},
+    {KEY_OUTPUT_SLOT, KEY_OUTPUT_END_MASS, "link", {KEY_OUTPUT_ROD, KEY_COUNT}},
+    {KEY_OUTPUT_SLOT_ANGLE, KEY_OUTPUT_END_MASS, "25 deg", {KEY_COUNT, KEY_COUNT}},
+    {KEY_OUTPUT_OFFSET,
+     KEY_OUTPUT_END_CG,
+     "4 mm\nslot = output",
+     {KEY_OUTPUT_ROD, KEY_OUTPUT_LENGTH}},
+    {KEY_OUTPUT_SLOT_ANGLE,
+     KEY_OUTPUT_END_INERTIA,
+     "70 deg\nslot = output",
+     {KEY_OUTPUT_ROD, KEY_COUNT}}};
 
 static int is_follower(key_code k)
 {
@@ -529,7 +544,7 @@ static void try_key(int kind, unsigned long sections)
     key_code code = rarest_key(kind, sections), first, other;
     const key_info *key = &flk_key_table[code];
     const char *const *links = flk_kind_of((fourlink_kind)kind)->link;
-    int n, i, kept;
+    int n, i, j, kept;
 
     first = flk_first_key(key->section);
     n = count_leaders(key->section);
@@ -554,6 +569,11 @@ static void try_key(int kind, unsigned long sections)
         if (followers[i].beside == code) {
             with_line(less, sizeof less, deck_text, &flk_key_table[followers[i].key],
                       followers[i].value, "");
+            for (j = 0; j < 2 && followers[i].without[j] < KEY_COUNT; j++) {
+                memcpy(two, less, sizeof two);
+                with_line(less, sizeof less, two, &flk_key_table[followers[i].without[j]], NULL,
+                          "");
+            }
             keys_tried[followers[i].key]++;
             keys_kept[followers[i].key] += (unsigned long)keep_if_right(less, kind);
         }

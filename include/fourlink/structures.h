@@ -92,10 +92,18 @@ typedef enum fourlink_group_end {
     FOURLINK_GROUP_TURNS       /* about a pin */
 } fourlink_group_end;
 
+/* How it hangs on the link that carries it. */
+typedef enum fourlink_group_hang {
+    FOURLINK_HANGS_BY_ROD = 0,  /* from P of that link to Q of slider or rocker */
+    FOURLINK_HANGS_BY_OWN_SLOT, /* a pin P of that link runs in a slot of slider or rocker */
+    FOURLINK_HANGS_IN_SLOT /* a pin Q of slider or rocker runs in a slot of that link, through P */
+} fourlink_group_hang;
+
 /* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.  It
 ** has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links 5 + 2 i,
 ** the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along `direction`; the
-** rocker's from its pin D to Q.  Set it to zero first. */
+** rocker's from its pin D to Q.  With a slot, link 5 + 2 i is a block without mass on the pin, its axis that of the slot;
+** Q of a slider with a slot is where the slot meets the line; a rocker's slot is along the rocker.  Set it to zero first. */
 typedef struct fourlink_group {
     fourlink_group_end end;
     int link;              /* that carries it: 2, 3, 4, or one of a group before it */
@@ -105,8 +113,15 @@ typedef struct fourlink_group {
     fourlink_vector direction; /* 1, slider: unit vector along its line */
     double rod, length;        /* m, of rod and rocker */
     int side;                  /* slider: 1 ahead of P along `direction`, -1 behind; rocker: Q is to
-                                  the left (1) or right (-1) of the line from P to its pin */
+                                  the left (1) or right (-1) of the line from P to its pin; rocker by a
+                                  slot: P, or Q, is ahead (1) of the foot of its pin along the slot or
+                                  behind (-1); slider by a slot: 1 */
     fourlink_link body[2];     /* masses of the rod and of slider or rocker */
+    fourlink_group_hang hang;
+    fourlink_vector
+        slot; /* 1, unit vector along the slot: in the slider's own axes, not along its line; in
+                             those of the carrying link; unused for a rocker's slot */
+    double offset; /* m, rocker with a slot: the slot passes its pin at this distance on its left */
 } fourlink_group;
 
 /* The data of a mechanism.  Set it to zero first: members that stay 0 are absent. */
@@ -1049,6 +1064,32 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
 ** (an inverted slider-crank has "M34" and "N34" for "F34x" and "F34y"),
 ** and "Ts".  A constant string, never null. */
 FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
+
+/* The six equations of a group, A x = b.  They stand alone: what the group does to the links that carry it is in b of
+** fourlink_system, and what a group on its links does to it is in its own.
+**
+** Given:
+**    mechanism, state, loads, n_loads  as for fourlink_solve
+**    group      its number, from 0
+** Returned:
+**    A          6 x 6, row by row: of the rod or block, then of slider or rocker, the forces along x and along y, and the
+**               moments about the link's origin
+**    b, x       6, right-hand side and solution; forces in N, moments in N m
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_GROUP, FOURLINK_SINGULAR, FOURLINK_BAD_NUMBER,
+**    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+** Note:
+**    x = (FPx FPy FQx FQy FDx FDy); of a slider (... N M), the guide's.  The force of a slot, FP in a slot of the
+**    carrying link and FQ in one of the group, is (S C): S along the slot's normal, to the left of the block's axis, and the
+**    couple C, which is 0.
+*/
+FOURLINK_API int fourlink_group_system(const fourlink_mechanism *mechanism,
+                                       const fourlink_state *state, const fourlink_load *loads,
+                                       unsigned long n_loads, int group, double A[6][6],
+                                       double b[6], double x[6]);
+
+/* The names of these unknowns, i = 0 to 5: "FPx" ... A constant string, never null. */
+FOURLINK_API const char *fourlink_group_unknown_text(const fourlink_group *group, int i);
 
 /* The nine unknowns from the forces: the solution x of fourlink_system.
 **

@@ -26,8 +26,8 @@ static const char elements[] = "[point P]\nlink = crank\nat = 20 mm\n[gravity]\n
 static const char given[] = "[spring T]\nlink = crank\nto = ground\nstiffness = 1 N m/rad\n"
                             "[output Q]\nlink = crank\nat = 20 mm\nrod = 200 mm\n"
                             "line = (0, 0) mm\nangle = 0 deg\n"
-                            "[output R]\nlink = crank\nat = 20 mm\nrod = 200 mm\n"
-                            "pivot = (150, 0) mm\nlength = 100 mm\n"
+                            "[output R]\nlink = crank\nat = 20 mm\nslot = output\n"
+                            "pivot = (150, 0) mm\n"
                             "[motion]\nspeed = 10 rad/s\n[flywheel]\nfluctuation = 0.02\n";
 static const char steady[] =
     "[motor]\ntorque = constant\n[motion]\nmode = steady\nmean_speed = 10 rad/s\n"

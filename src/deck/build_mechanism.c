@@ -541,5 +541,10 @@ int flk_build_check_link(parser *p, const section_use *use, const setting *link)
         return flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
                            flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
                            own[4]);
+    else if (flk_output_has_slot(p, link->word))
+        return flk_mistake(
+            p->mistakes, link->place,
+            "there is no %t: this output hangs by a slot, and its block takes nothing",
+            link->value);
     return 1;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_output.c - builds [output] from values: a slider or a rocker, with its rod, on a point of a link.
+** build_output.c - builds [output] from values: a slider or a rocker, with its rod or slot, on a point of a link.
 */
 #include <string.h>
 
@@ -59,7 +59,7 @@ enum { MASS, UNIFORM, CG, GYRATION, INERTIA, KEYS };
     }
 static const key_code keys_of[2][KEYS] = {KEYS_OF(ROD_), KEYS_OF(END_)};
 
-static void build_uniform(parser *p, const section_use *use, const key_code keys[KEYS],
+static void build_uniform(parser *p, const section_use *use, int number, const key_code keys[KEYS],
                           fourlink_link *link)
 {
     const setting *uniform = flk_setting_of(use, keys[UNIFORM]);
@@ -73,7 +73,9 @@ static void build_uniform(parser *p, const section_use *use, const key_code keys
     if (link->length > 0)
         fourlink_uniform_bar(link->length, link->mass, link);
     else if (!use->is_mistaken)
-        flk_mistake(p->mistakes, uniform->place, "a slider has no length: it is not a uniform bar");
+        flk_mistake(p->mistakes, uniform->place, "%s has no length: it is not a uniform bar",
+                    p->d->groups[number].end == FOURLINK_GROUP_SLIDES ? "a slider"
+                                                                      : "a rocker with a slot");
 }
 
 static void build_masses(parser *p, const section_use *use, int number, int is_rod)
@@ -92,7 +94,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
         flk_mistake(p->mistakes, other->place, "%s needs a mass",
                     IS_SET(gyration) ? "the radius of gyration" : "a uniform link");
     if (uniform->word) {
-        build_uniform(p, use, keys, link);
+        build_uniform(p, use, number, keys, link);
         return;
     }
     if (cg->of_centre)
@@ -135,7 +137,9 @@ static void require(parser *p, const section_use *use, key_code key, const char 
 /* The link of `link` or `to`, which moves and comes before the output; 0 after a mistake. */
 static int read_link(parser *p, const section_use *use, int number, const setting *link)
 {
-    if (!flk_build_check_link(p, use, link) || link->word < FLK_ROD_OF(number))
+    if (!flk_build_check_link(p, use, link))
+        return 0;
+    if (link->word < FLK_ROD_OF(number))
         return link->word;
     flk_mistake(p->mistakes, link->place,
                 "an output hangs on one of the four links or on an output before it, not on %t",
@@ -143,15 +147,69 @@ static int read_link(parser *p, const section_use *use, int number, const settin
     return 0;
 }
 
-static int side_of(parser *p, const section_use *use, int is_slider)
+static int side_of(parser *p, const section_use *use, const fourlink_group *g)
 {
     const setting *side = flk_setting_of(use, KEY_OUTPUT_SIDE);
+    int is_slider = g->end == FOURLINK_GROUP_SLIDES;
+    int by_rod = g->hang == FOURLINK_HANGS_BY_ROD, along = is_slider || !by_rod;
 
-    if (side->word && is_slider != (side->word <= SIDE_BEHIND))
+    if (side->word && is_slider && !by_rod)
+        flk_mistake(p->mistakes, side->place,
+                    "a slider by a slot has one assembly: leave out side");
+    else if (side->word && along != (side->word <= SIDE_BEHIND))
         flk_mistake(p->mistakes, side->place, "the side of a %s is %s, not %t",
-                    is_slider ? "slider" : "rocker",
-                    is_slider ? "ahead or behind" : "left or right", side->value);
+                    is_slider ? "slider"
+                    : by_rod  ? "rocker"
+                              : "rocker by a slot",
+                    along ? "ahead or behind" : "left or right", side->value);
     return side->word == SIDE_BEHIND || side->word == SIDE_RIGHT ? -1 : 1;
+}
+
+/* By a rod, or by a slot. */
+static void build_hang(parser *p, const section_use *use, fourlink_group *g)
+{
+    static const char none[] = "belongs to a slot: give slot = output or slot = link",
+                      no_rod[] = "belongs to a rod, and this output hangs by a slot";
+    const setting *rod = flk_setting_of(use, KEY_OUTPUT_ROD),
+                  *slot = flk_setting_of(use, KEY_OUTPUT_SLOT);
+    int i;
+
+    g->hang = (fourlink_group_hang)slot->word;
+    g->rod = g->body[0].length = IS_SET(slot) ? 0 : rod->si[0];
+    if (!IS_SET(slot)) {
+        refuse_setting(p, use, KEY_OUTPUT_SLOT_ANGLE, none);
+        refuse_setting(p, use, KEY_OUTPUT_OFFSET, none);
+        if (!IS_SET(rod) && !use->is_mistaken)
+            flk_mistake(p->mistakes, use->place,
+                        "[output] has no rod, its length from P to Q, and no slot: give one");
+        return;
+    }
+    refuse_setting(p, use, KEY_OUTPUT_ROD, "and 'slot' are two ways to hang: give one");
+    for (i = 0; i < KEYS; i++)
+        refuse_setting(p, use, keys_of[0][i], no_rod);
+}
+
+/* The direction of a slot in a slider or in the carrying link; the offset of that of a rocker. */
+static void build_slot(parser *p, const section_use *use, fourlink_group *g)
+{
+    const setting *angle = flk_setting_of(use, KEY_OUTPUT_SLOT_ANGLE);
+    int is_own = g->hang == FOURLINK_HANGS_BY_OWN_SLOT, is_slider = g->end == FOURLINK_GROUP_SLIDES;
+
+    if (g->hang == FOURLINK_HANGS_BY_ROD)
+        return;
+    if (is_own && !is_slider) {
+        refuse_setting(p, use, KEY_OUTPUT_SLOT_ANGLE,
+                       "is of other slots: that of a rocker is along the rocker, at its 'offset'");
+        g->offset = flk_setting_of(use, KEY_OUTPUT_OFFSET)->si[0];
+        return;
+    }
+    refuse_setting(p, use, KEY_OUTPUT_OFFSET, "is of the slot of a rocker");
+    if (is_own)
+        require(p, use, KEY_OUTPUT_SLOT_ANGLE, "the direction of its slot, from its line");
+    flk_vector_direction(angle->si[0], &g->slot.x, &g->slot.y);
+    if (is_own && IS_SET(angle) && g->slot.y * g->slot.y <= FLK_DEAD)
+        flk_mistake(p->mistakes, angle->place,
+                    "the slot is along the line: the output could not be moved");
 }
 
 static void build_slider(parser *p, const section_use *use, fourlink_group *g)
@@ -184,7 +242,11 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
     g->end = FOURLINK_GROUP_TURNS;
     refuse_setting(p, use, KEY_OUTPUT_LINE, why);
     refuse_setting(p, use, KEY_OUTPUT_ANGLE, why);
-    require(p, use, KEY_OUTPUT_LENGTH, "the length of the rocker, from its pin to Q");
+    if (g->hang == FOURLINK_HANGS_BY_OWN_SLOT)
+        refuse_setting(p, use, KEY_OUTPUT_LENGTH,
+                       "is not needed: the slot of the rocker is as long as it has to be");
+    else
+        require(p, use, KEY_OUTPUT_LENGTH, "the length of the rocker, from its pin to Q");
     g->length = g->body[1].length = flk_setting_of(use, KEY_OUTPUT_LENGTH)->si[0];
     if (!IS_SET(to)) {
         refuse_setting(p, use, KEY_OUTPUT_TO_AT, "needs 'to', the link that the pin is on");
@@ -194,6 +256,9 @@ static void build_rocker(parser *p, const section_use *use, int number, fourlink
         g->pivot = flk_build_on_ground(p, at);
         return;
     }
+    if (g->hang != FOURLINK_HANGS_BY_ROD)
+        flk_mistake(p->mistakes, to->place,
+                    "a rocker by a slot has a fixed pin, 'pivot': only one by a rod can have 'to'");
     refuse_setting(p, use, KEY_OUTPUT_PIVOT,
                    "is a fixed pin, and 'to' puts the pin on a link: give one");
     if (!IS_SET(place))
@@ -227,6 +292,12 @@ static void name_results(parser *p, const section_use *use, const fourlink_group
 
 /* ----------------------------------------------------------------------------------------------- build */
 
+/* Why it cannot be assembled, by how it hangs; a slider by a slot always can. */
+static const char *const apart[] = {
+    " cannot be assembled: its rod does not reach",
+    " cannot be assembled: P is nearer to its pin than the offset of its slot",
+    " cannot be assembled: it does not reach the slot"};
+
 static void build_output(parser *p, const section_use *use, int number)
 {
     fourlink_group *g = &p->d->groups[number];
@@ -239,17 +310,16 @@ static void build_output(parser *p, const section_use *use, int number)
     int is_rocker =
         IS_SET(flk_setting_of(use, KEY_OUTPUT_PIVOT)) || IS_SET(flk_setting_of(use, KEY_OUTPUT_TO));
 
-    o->name[0] = flk_reader_copy(p, use->name, ".rod");
+    build_hang(p, use, g);
+    o->name[0] = flk_reader_copy(p, use->name, g->hang ? ".block" : ".rod");
     o->name[1] = flk_reader_copy(p, use->name, "");
-    o->apart = flk_reader_copy(p, use->name, " cannot be assembled: its rod does not reach");
+    o->apart = flk_reader_copy(p, use->name, apart[g->hang]);
     check_name(p, use);
     g->link = read_link(p, use, number, link);
     if (!IS_SET(at) && !IS_SET(place) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place,
                     "[output] has no at: the point P of the link that carries it");
     flk_build_point(p, at, place, g->link, &g->at);
-    require(p, use, KEY_OUTPUT_ROD, "its length, from P to Q");
-    g->rod = g->body[0].length = flk_setting_of(use, KEY_OUTPUT_ROD)->si[0];
     if (!is_slider && !is_rocker && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place,
                     "[output] has neither a line, on which it slides, nor a pivot, about which it "
@@ -258,9 +328,13 @@ static void build_output(parser *p, const section_use *use, int number)
         build_slider(p, use, g);
     else if (is_rocker)
         build_rocker(p, use, number, g);
-    g->side = side_of(p, use, is_slider);
+    if (g->end) {
+        build_slot(p, use, g);
+        g->side = side_of(p, use, g);
+    }
     build_masses(p, use, number, 0);
-    build_masses(p, use, number, 1);
+    if (g->hang == FOURLINK_HANGS_BY_ROD)
+        build_masses(p, use, number, 1);
     name_results(p, use, g, o);
     if (g->body[0].mass > 0 || g->body[1].mass > 0 || g->body[0].inertia > 0 ||
         g->body[1].inertia > 0)

@@ -7,48 +7,54 @@
 
 #include "fourlink.h"
 
-enum { OF_SLIDER = 1 << FOURLINK_GROUP_SLIDES, OF_ROCKER = 1 << FOURLINK_GROUP_TURNS };
+enum {
+    OF_SLIDER = 1 << FOURLINK_GROUP_SLIDES,
+    OF_ROCKER = 1 << FOURLINK_GROUP_TURNS,
+    OF_ANY = OF_SLIDER | OF_ROCKER,
+    WITH_ROD = 8, /* not by a slot */
+    BY_SLOT = 16  /* not with a rod */
+};
 
 /* code, ending, whose, quantity, need, form, 1 if printed when the deck names no columns, meaning */
-#define OUTPUT_COLUMN_LIST(X)                                                                    \
-    X(ALONG, ".x", OF_SLIDER, LENGTH, 0, VALUE, 1, "place of its pin Q along its line")          \
-    X(V, ".v", OF_SLIDER, SPEED, 0, VALUE, 1, "velocity along its line")                         \
-    X(A, ".a", OF_SLIDER, ACCELERATION, 0, VALUE, 1, "acceleration along its line")              \
-    X(THETA, ".theta", OF_ROCKER, ANGLE, NEED_ANGLES, ANGLE_OF_LINK, 1, "angle of the rocker")   \
-    X(OMEGA, ".omega", OF_ROCKER, ANGULAR_SPEED, 0, VALUE, 1, "angular speed of the rocker")     \
-    X(ALPHA, ".alpha", OF_ROCKER, ANGULAR_ACCELERATION, 0, VALUE, 1,                             \
-      "angular acceleration of the rocker")                                                      \
-    X(ROD_THETA, ".rod_theta", OF_SLIDER | OF_ROCKER, ANGLE, NEED_ANGLES, ANGLE_OF_LINK, 0,      \
-      "angle of its rod, from P to Q")                                                           \
-    X(ROD_OMEGA, ".rod_omega", OF_SLIDER | OF_ROCKER, ANGULAR_SPEED, 0, VALUE, 0,                \
-      "angular speed of its rod")                                                                \
-    X(ROD_ALPHA, ".rod_alpha", OF_SLIDER | OF_ROCKER, ANGULAR_ACCELERATION, 0, VALUE, 0,         \
-      "angular acceleration of its rod")                                                         \
-    X(MU, ".mu", OF_SLIDER | OF_ROCKER, ANGLE, 0, VALUE, 1,                                      \
-      "transmission angle of its rod, acute: 0 to 90 deg")                                       \
-    X(FPX, ".FPx", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, VECTOR_X, 1,                       \
-      "force of the carrying link on its rod, x")                                                \
-    X(FPY, ".FPy", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, VECTOR_Y, 1,                       \
-      "force of the carrying link on its rod, y")                                                \
-    X(FQX, ".FQx", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, VECTOR_X, 1,                       \
-      "force of its rod on slider or rocker, x")                                                 \
-    X(FQY, ".FQy", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, VECTOR_Y, 1,                       \
-      "force of its rod on slider or rocker, y")                                                 \
-    X(N, ".N", OF_SLIDER, FORCE, NEED_FORCES, VALUE, 1,                                          \
-      "force of the guide on the slider, to the left of its line")                               \
-    X(M, ".M", OF_SLIDER, TORQUE, NEED_FORCES, VALUE, 0,                                         \
-      "couple of the guide on the slider, about Q")                                              \
-    X(FDX, ".FDx", OF_ROCKER, FORCE, NEED_FORCES, VECTOR_X, 1,                                   \
-      "force of ground, or the link 'to', on the rocker, x")                                     \
-    X(FDY, ".FDy", OF_ROCKER, FORCE, NEED_FORCES, VECTOR_Y, 1,                                   \
-      "force of ground, or the link 'to', on the rocker, y")                                     \
-    X(FP, ".FP", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, SIZE, 0, "resultant of FPx and FPy") \
-    X(FP_DIR, ".FP_dir", OF_SLIDER | OF_ROCKER, ANGLE, NEED_FORCES, DIRECTION, 0,                \
-      "direction of FP")                                                                         \
-    X(FQ, ".FQ", OF_SLIDER | OF_ROCKER, FORCE, NEED_FORCES, SIZE, 0, "resultant of FQx and FQy") \
-    X(FQ_DIR, ".FQ_dir", OF_SLIDER | OF_ROCKER, ANGLE, NEED_FORCES, DIRECTION, 0,                \
-      "direction of FQ")                                                                         \
-    X(FD, ".FD", OF_ROCKER, FORCE, NEED_FORCES, SIZE, 0, "resultant of FDx and FDy")             \
+#define OUTPUT_COLUMN_LIST(X)                                                                      \
+    X(ALONG, ".x", OF_SLIDER, LENGTH, 0, VALUE, 1, "place of its pin Q along its line")            \
+    X(V, ".v", OF_SLIDER, SPEED, 0, VALUE, 1, "velocity along its line")                           \
+    X(A, ".a", OF_SLIDER, ACCELERATION, 0, VALUE, 1, "acceleration along its line")                \
+    X(THETA, ".theta", OF_ROCKER, ANGLE, NEED_ANGLES, ANGLE_OF_LINK, 1, "angle of the rocker")     \
+    X(OMEGA, ".omega", OF_ROCKER, ANGULAR_SPEED, 0, VALUE, 1, "angular speed of the rocker")       \
+    X(ALPHA, ".alpha", OF_ROCKER, ANGULAR_ACCELERATION, 0, VALUE, 1,                               \
+      "angular acceleration of the rocker")                                                        \
+    X(ROD_THETA, ".rod_theta", OF_ANY | WITH_ROD, ANGLE, NEED_ANGLES, ANGLE_OF_LINK, 0,            \
+      "angle of its rod, from P to Q")                                                             \
+    X(ROD_OMEGA, ".rod_omega", OF_ANY | WITH_ROD, ANGULAR_SPEED, 0, VALUE, 0,                      \
+      "angular speed of its rod")                                                                  \
+    X(ROD_ALPHA, ".rod_alpha", OF_ANY | WITH_ROD, ANGULAR_ACCELERATION, 0, VALUE, 0,               \
+      "angular acceleration of its rod")                                                           \
+    X(SLIDE, ".slide", OF_ANY | BY_SLOT, LENGTH, 0, VALUE, 1, "place of its block along the slot") \
+    X(SLIDE_V, ".slide_v", OF_ANY | BY_SLOT, SPEED, 0, VALUE, 0,                                   \
+      "velocity of its block along the slot")                                                      \
+    X(MU, ".mu", OF_ANY, ANGLE, 0, VALUE, 1, "its transmission angle, acute: 0 to 90 deg")         \
+    X(FPX, ".FPx", OF_ANY, FORCE, NEED_FORCES, VECTOR_X, 1,                                        \
+      "force of the carrying link on its rod or block, x")                                         \
+    X(FPY, ".FPy", OF_ANY, FORCE, NEED_FORCES, VECTOR_Y, 1,                                        \
+      "force of the carrying link on its rod or block, y")                                         \
+    X(FQX, ".FQx", OF_ANY, FORCE, NEED_FORCES, VECTOR_X, 1,                                        \
+      "force of its rod or block on slider or rocker, x")                                          \
+    X(FQY, ".FQy", OF_ANY, FORCE, NEED_FORCES, VECTOR_Y, 1,                                        \
+      "force of its rod or block on slider or rocker, y")                                          \
+    X(N, ".N", OF_SLIDER, FORCE, NEED_FORCES, VALUE, 1,                                            \
+      "force of the guide on the slider, to the left of its line")                                 \
+    X(M, ".M", OF_SLIDER, TORQUE, NEED_FORCES, VALUE, 0,                                           \
+      "couple of the guide on the slider, about Q")                                                \
+    X(FDX, ".FDx", OF_ROCKER, FORCE, NEED_FORCES, VECTOR_X, 1,                                     \
+      "force of ground, or the link 'to', on the rocker, x")                                       \
+    X(FDY, ".FDy", OF_ROCKER, FORCE, NEED_FORCES, VECTOR_Y, 1,                                     \
+      "force of ground, or the link 'to', on the rocker, y")                                       \
+    X(FP, ".FP", OF_ANY, FORCE, NEED_FORCES, SIZE, 0, "resultant of FPx and FPy")                  \
+    X(FP_DIR, ".FP_dir", OF_ANY, ANGLE, NEED_FORCES, DIRECTION, 0, "direction of FP")              \
+    X(FQ, ".FQ", OF_ANY, FORCE, NEED_FORCES, SIZE, 0, "resultant of FQx and FQy")                  \
+    X(FQ_DIR, ".FQ_dir", OF_ANY, ANGLE, NEED_FORCES, DIRECTION, 0, "direction of FQ")              \
+    X(FD, ".FD", OF_ROCKER, FORCE, NEED_FORCES, SIZE, 0, "resultant of FDx and FDy")               \
     X(FD_DIR, ".FD_dir", OF_ROCKER, ANGLE, NEED_FORCES, DIRECTION, 0, "direction of FD")
 
 #define OUTPUT_COLUMN_CODE(code, ending, whose, q, need, form, usual, meaning) OUTPUT_##code,

@@ -61,6 +61,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, LEVER_UNIFORM)                                               \
     YES_WORDS(X, OUTPUT_END_UNIFORM)                                          \
     YES_WORDS(X, OUTPUT_ROD_UNIFORM)                                          \
+    X(OUTPUT_SLOT, "output", FOURLINK_HANGS_BY_OWN_SLOT)                      \
+    X(OUTPUT_SLOT, "link", FOURLINK_HANGS_IN_SLOT)                            \
     X(OUTPUT_SIDE, "ahead", SIDE_AHEAD)                                       \
     X(OUTPUT_SIDE, "behind", SIDE_BEHIND)                                     \
     X(OUTPUT_SIDE, "left", SIDE_LEFT)                                         \

@@ -184,6 +184,11 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(OUTPUT, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")                      \
     OUTPUT_MASS_KEYS(X, END_, "", "")                                                              \
     OUTPUT_MASS_KEYS(X, ROD_, "rod_", ", of the rod")                                              \
+    X(OUTPUT, SLOT, "slot", WORD, NUMBER, ANY, ANY_KIND, "what has the slot, instead of a rod")    \
+    X(OUTPUT, SLOT_ANGLE, "slot_angle", QUANTITY, ANGLE, ANY, ANY_KIND,                            \
+      "direction of the slot, from the line or in the link")                                       \
+    X(OUTPUT, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                   \
+      "rocker with a slot: distance at which this passes its pin")                                 \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \

@@ -275,6 +275,17 @@ int flk_output_link(const parser *p, text name)
     return 0;
 }
 
+int flk_output_has_slot(const parser *p, int rod)
+{
+    const section_use *use = NULL;
+    int i;
+
+    for (i = 0; (use = flk_section_next(p, SECTION_OUTPUT, use)) != NULL; i++)
+        if (FLK_ROD_OF(i) == rod)
+            return IS_SET(flk_setting_of(use, KEY_OUTPUT_SLOT));
+    return 0;
+}
+
 int flk_setting_kind(const parser *p)
 {
     const section_use *top = flk_section_find(p, SECTION_TOP, NULL);

@@ -16,6 +16,9 @@ section_use *flk_section_next(const parser *p, section_code section, const secti
 /* The number of the link that NAME or NAME.rod of an [output] is; 0 if there is none. */
 int flk_output_link(const parser *p, text name);
 
+/* 1 if this is the number of the rod of an [output] that hangs by a slot. */
+int flk_output_has_slot(const parser *p, int rod);
+
 /* The kind of mechanism that the deck has; 0 if it is not known. */
 int flk_setting_kind(const parser *p);
 

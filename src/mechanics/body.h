@@ -59,11 +59,4 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
         data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
 }
 
-/* The moment equation of a link about its origin O instead of G: with f the right-hand side of its force
-** equations, m that of its moment equation, and r = G - O,
-**
-**    M_O = m + r x f
-*/
-#define FLK_MOMENT_ABOUT_ORIGIN(body) ((body)->moment + FLK_CROSS((body)->arm, (body)->force))
-
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** group.h - groups: a rod on a point of a moving link, and a slider or a rocker on the rod.
+** group.h - groups: a rod or a block on a point of a moving link, and a slider or a rocker on it.
 */
 #ifndef FOURLINK_MECHANICS_GROUP_H
 #define FOURLINK_MECHANICS_GROUP_H
@@ -9,6 +9,14 @@
 
 /* FOURLINK_OK, or what is wrong with the groups of a design. */
 int flk_groups_check(const fourlink_design *design);
+
+/* 1 if a link is the block of a group with a slot: without mass, it takes no loads and carries no group. */
+int flk_group_is_block(const fourlink_design *design, int link);
+
+/* The place of the block of group i along its slot, m, and its rate: from P in a slot of the carrying link, from the pin Q
+** of a slider's own slot, from the foot of the pin in a rocker's (group_slot.c). */
+void flk_group_slide(const fourlink_mechanism *mechanism, const fourlink_state *state, int i,
+                     double *slide, double *rate);
 
 /* The motion of links 5, 6 ... in a state whose other links have theirs: position, the derivatives by theta2
 ** and the velocities, accelerations, angles.  The first returns a status; the last does all but the angles. */
@@ -31,6 +39,11 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
 /* The first group without a position at a crank angle at which the four links have one; -1: none. */
 int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2);
 
+/* 1 if one of these angles is where a slider goes beyond all bounds and comes back from the other side: the slot of the
+** carrying link is along its line. */
+int flk_groups_are_beyond(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          double theta2);
+
 #define FLK_GROUPS_ENDS 64 /* at most, in a turn or two */
 
 /* The ranges of crank angles, rad, in which the mechanism can be assembled on a branch with its groups: a list of
@@ -47,8 +60,8 @@ int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_
 
 /* The forces in a group. */
 typedef struct flk_group_forces {
-    fourlink_vector FP; /* N, at P, of the carrying link on the rod */
-    fourlink_vector FQ; /* N, at Q, of the rod on slider or rocker */
+    fourlink_vector FP; /* N, at P, of the carrying link on the rod; with a slot, on the block */
+    fourlink_vector FQ; /* N, at Q, of the rod on slider or rocker; with a slot, of the block */
     fourlink_vector
         FD;   /* N, of the guide on the slider; of the ground, or the link with its pin, on
                            the rocker */

@@ -5,7 +5,8 @@
 ** There is no closed form: the margin of the groups is sampled over the ranges in which the four links can be
 ** assembled, more closely towards their ends, where it can change as the root of the distance.  Between two
 ** samples of other signs base/solve finds its zero.  Where three samples of one sign show a peak towards 0,
-** the peak is found first, as two zeros may be beside it.
+** the peak is found first, as two zeros may be beside it.  A slot of a link turns through the line of a slider: there
+** the margin only touches 0, and the sine itself changes its sign.
 */
 #include <math.h>
 
@@ -23,6 +24,7 @@ typedef struct search {
     fourlink_mechanism bare; /* without groups */
     const fourlink_mechanism *mechanism;
     fourlink_branch branch;
+    int group;   /* whose sine is searched */
     double sign; /* of the margin about a peak */
     double period, *list;
     size_t n, most;
@@ -78,6 +80,52 @@ static void take_peak(search *x, const flk_sample p[3])
     take_zero(x, &top, &p[2]);
 }
 
+/* The sine of a slider in a slot of the carrying link, of the slot to its line. */
+static double sine_at(double theta2, void *data)
+{
+    search *x = data;
+    const fourlink_group *g = &x->mechanism->design.group[x->group];
+    fourlink_mechanism before = *x->mechanism;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_state state;
+    fourlink_vector e;
+
+    crank.theta2 = theta2;
+    before.design.n_groups = x->group;
+    if (fourlink_analyse_dyad(&before, x->branch, &crank, NULL, 0, &state, NULL) != FOURLINK_OK)
+        return GSL_NAN;
+    FLK_TURN(e, &state.link[g->link], g->slot);
+    return FLK_CROSS(g->direction, e);
+}
+
+#define IS_IN_SLOT(g) ((g)->hang == FOURLINK_HANGS_IN_SLOT && (g)->end == FOURLINK_GROUP_SLIDES)
+
+/* Take where slots turn through the line of their slider. */
+static void search_sines(search *x, double from, double to)
+{
+    int n = (int)ceil(SAMPLES * (to - from) / (2 * M_PI)) + 8, i;
+
+    for (x->group = 0; x->group < x->mechanism->design.n_groups; x->group++) {
+        const fourlink_group *g = &x->mechanism->design.group[x->group];
+        double before = GSL_NAN, last = from;
+
+        for (i = 0; i <= n && IS_IN_SLOT(g); i++) {
+            double at = from + (to - from) * i / n, sine = sine_at(at, x);
+
+            if (before * sine < 0 && x->n < x->most) {
+                flk_bracket bracket = flk_bracket_of(last, at, before, sine);
+
+                x->list[x->n++] =
+                    flk_cycle_place(flk_find_zero(sine_at, x, &bracket, 0), 0, x->period);
+            }
+            if (sine != 0) { /* a zero at a sample is found between its neighbours */
+                before = sine;
+                last = at;
+            }
+        }
+    }
+}
+
 /* A whole turn has one more sample, for the peaks about its first and last angle. */
 static void search_range(search *x, double from, double to, int is_whole)
 {
@@ -128,6 +176,20 @@ static void set_up(search *x, const fourlink_mechanism *mechanism, fourlink_bran
     x->most = most;
 }
 
+#define BEYOND 1e-9 /* a sine */
+
+int flk_groups_are_beyond(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          double theta2)
+{
+    search x;
+
+    set_up(&x, mechanism, branch, 2 * M_PI, NULL, 0);
+    for (x.group = 0; x.group < mechanism->design.n_groups; x.group++)
+        if (IS_IN_SLOT(&mechanism->design.group[x.group]) && fabs(sine_at(theta2, &x)) < BEYOND)
+            return 1;
+    return 0;
+}
+
 #define IS_TURN(reach, i) ((reach).to[i] - (reach).from[i] >= 2 * M_PI * (1 - 1e-15))
 
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
@@ -140,11 +202,13 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
     set_up(&x, mechanism, branch, period, list, most);
     if (!mechanism->design.n_groups || fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;
-    for (i = 0; i < reach.n_ranges; i++)
-        if (IS_TURN(reach, i))
-            search_range(&x, 1e-3, period + 1e-3, 1);
-        else
-            search_range(&x, reach.from[i], reach.to[i], 0);
+    for (i = 0; i < reach.n_ranges; i++) {
+        double from = IS_TURN(reach, i) ? 1e-3 : reach.from[i];
+        double to = IS_TURN(reach, i) ? period + 1e-3 : reach.to[i];
+
+        search_range(&x, from, to, IS_TURN(reach, i));
+        search_sines(&x, from, to);
+    }
     gsl_sort(list, 1, x.n);
     return x.n;
 }

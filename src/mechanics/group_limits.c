@@ -91,8 +91,11 @@ static double go_on(search *x, double value)
 static int comes_back(const fourlink_mechanism *mechanism, fourlink_branch branch)
 {
     flk_range range[2];
+    double
+        end; /* also one at which a slider goes beyond all bounds and comes back from the other side */
 
     return !mechanism->change_folded && !mechanism->change_stretched &&
+           !flk_groups_ends(mechanism, branch, 2 * M_PI, &end, 1) &&
            flk_groups_ranges(mechanism, branch, range, 2) == 1 &&
            range[0].to - range[0].from >= 2 * M_PI * (1 - 1e-15);
 }

@@ -41,6 +41,9 @@
 /* NaN for an undefined value, without a sign, which printf would show. */
 #define FLK_UNDEFINED fabs(GSL_NAN)
 
+/* n = J v, v turned left by 90 deg */
+#define FLK_TURN_LEFT(n, v) ((n).x = 0 - (v).y, (n).y = (v).x)
+
 /* z component of u x v, and u . v */
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
@@ -121,5 +124,12 @@ void flk_list_forces(const fourlink_forces *forces, double list[FLK_FORCES]);
             FLK_TURN(F, link, (load)->force);     \
         FLK_UNIT_VELOCITY(k, link, r);            \
     } while (0)
+
+/* The moment equation of a link about its origin O instead of G: with f the right-hand side of its force
+** equations, m that of its moment equation, and r = G - O,
+**
+**    M_O = m + r x f
+*/
+#define FLK_MOMENT_ABOUT_ORIGIN(body) ((body)->moment + FLK_CROSS((body)->arm, (body)->force))
 
 #endif

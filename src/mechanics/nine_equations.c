@@ -13,9 +13,10 @@
 #include "free_body.h"
 #include "group.h"
 
-static int check_load(const fourlink_load *load, int last)
+static int check_load(const fourlink_mechanism *mechanism, const fourlink_load *load)
 {
-    if (load->link < FOURLINK_CRANK || load->link > last)
+    if (load->link < FOURLINK_CRANK || load->link > FLK_LAST_LINK(mechanism) ||
+        flk_group_is_block(&mechanism->design, load->link))
         return FOURLINK_BAD_LINK;
     if (load->frame != FOURLINK_FRAME_GROUND && load->frame != FOURLINK_FRAME_LINK)
         return FOURLINK_BAD_FRAME;
@@ -34,7 +35,7 @@ int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *lo
     if (n_loads && !loads)
         return FOURLINK_NULL;
     for (n = 0; n < n_loads; n++) {
-        int status = check_load(&loads[n], FLK_LAST_LINK(mechanism));
+        int status = check_load(mechanism, &loads[n]);
 
         if (status != FOURLINK_OK)
             return status;

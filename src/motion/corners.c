@@ -300,7 +300,10 @@ static void offer_ends(search *s)
                                        c->ends[i], FLK_GROUPS_ENDS);
     c->are_ends_known[i] = 1;
     for (k = 0; k < c->n_ends[i]; k++)
-        offer_angle(s, c->ends[i][k], c->period, FLK_END_DEAD);
+        offer_angle(s, c->ends[i][k], c->period,
+                    flk_groups_are_beyond(&c->d->machine.mechanism, s->p->branch, c->ends[i][k])
+                        ? FLK_END_POLE
+                        : FLK_END_DEAD);
 }
 
 /* Dead positions are the ends of the reachable ranges; change points are where a range could end, at 0 and

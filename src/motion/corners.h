@@ -14,8 +14,9 @@ typedef enum flk_piece_end {
     FLK_END_PLAIN, /* the motion begins or ends, a load has a corner, links come near to one line */
     FLK_END_ROOT,  /* the crank is at rest: as the root of the distance */
     FLK_END_DEAD,  /* dead position: as the root, with poles; no row there */
-    FLK_END_LOCK,  /* friction begins or ceases to lock: as the root, with a pole; no row beyond */
-    FLK_END_CHANGE,      /* change point: smooth, or a pole; no row there */
+    FLK_END_POLE, /* a slider goes beyond all bounds, its slot along its line: poles; no row there */
+    FLK_END_LOCK,   /* friction begins or ceases to lock: as the root, with a pole; no row beyond */
+    FLK_END_CHANGE, /* change point: smooth, or a pole; no row there */
     FLK_END_CHANGE_REST, /* the same with the crank at rest: as the root of the distance */
     FLK_END_NOWHERE      /* after the last piece */
 } flk_piece_end;

@@ -446,7 +446,9 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
         if (!p->swings && (why == AT_STOP || creeps(c, &p->node[p->n - 2], &after)))
             return FOURLINK_STALLS;
     }
-    return why == AT_END && c->what == FLK_END_DEAD ? FOURLINK_DEAD_POSITION : FOURLINK_OK;
+    return why == AT_END && (c->what == FLK_END_DEAD || c->what == FLK_END_POLE)
+               ? FOURLINK_DEAD_POSITION
+               : FOURLINK_OK;
 }
 
 /* Start at a speed, in the sense of the motion. */

@@ -93,9 +93,18 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     for (i = 0; i < p->v.design->n_groups; i++) {
         geometry_output x = geometry_find_output(&p->v, state, i);
 
+        if (geometry_is_far(&p->v, state, i))
+            continue;
         sketch_include(s, place_beside(x.Q, -margin, -margin));
         sketch_include(s, place_beside(x.Q, margin, margin));
         sketch_include(s, x.D);
+        if (geometry_has_slot(&p->v, i)) {
+            geometry_slot slot = geometry_find_slot(&p->v, state, i);
+
+            sketch_include(s, x.P);
+            sketch_include(s, place_in(slot.block, slot.axis, slot.from - margin, 0));
+            sketch_include(s, place_in(slot.block, slot.axis, slot.to + margin, 0));
+        }
     }
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
@@ -264,6 +273,28 @@ static void put_bar(sketch *s, const picture *p, const fourlink_state *state, in
     sketch_line(s, kind, geometry_joint(&p->v, state, from), geometry_joint(&p->v, state, to));
 }
 
+/* The block of an output, and its slot with what joins it to its link: the line from P, or from the pin of a rocker. */
+static void put_slot(sketch *s, const picture *p, const fourlink_state *state, int i, pen kind)
+{
+    geometry_slot x = geometry_find_slot(&p->v, state, i);
+    geometry_output pins = geometry_find_output(&p->v, state, i);
+    double half = figure_block(s), margin = 1.5 * half;
+    fourlink_vector from = x.link == p->v.design->group[i].link ? pins.P : pins.D, foot;
+    double along = x.axis.x * (from.x - x.block.x) + x.axis.y * (from.y - x.block.y);
+    pen of_slot = kind ? kind : FIGURE_PEN(x.link);
+
+    foot = place_in(x.block, x.axis, along, 0);
+    sketch_show(s, SKETCH_LINK, (unsigned long)x.link);
+    put_rectangle(s, of_slot, x.block, &x.axis, x.from - margin, x.to + margin, FIGURE_HIGH * half);
+    sketch_line(s, of_slot, from, foot);
+    if (along < x.from - margin || along > x.to + margin)
+        sketch_line(s, of_slot, foot,
+                    place_in(x.block, x.axis, along < x.from ? x.from - margin : x.to + margin, 0));
+    sketch_show(s, SKETCH_LINK, (unsigned long)FOURLINK_FOLLOWER + 1 + 2 * (unsigned long)i);
+    put_rectangle(s, kind ? kind : FIGURE_PEN(FOURLINK_FOLLOWER + 1 + 2 * i), x.block, &x.axis,
+                  -0.8 * half, 0.8 * half, FIGURE_HIGH * half);
+}
+
 static void put_outputs(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     int i;
@@ -273,12 +304,16 @@ static void put_outputs(sketch *s, const picture *p, const fourlink_state *state
         int rod = FOURLINK_FOLLOWER + 1 + 2 * i;
         pen of_end = kind ? kind : FIGURE_PEN(rod + 1);
 
-        sketch_show(s, SKETCH_LINK, (unsigned long)rod);
-        sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
+        if (geometry_has_slot(&p->v, i))
+            put_slot(s, p, state, i, kind);
+        else {
+            sketch_show(s, SKETCH_LINK, (unsigned long)rod);
+            sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
+        }
         sketch_show(s, SKETCH_LINK, (unsigned long)rod + 1);
         if (p->v.design->group[i].end == FOURLINK_GROUP_SLIDES)
             figure_piston(s, of_end, x.Q, &p->v.design->group[i].direction);
-        else
+        else if (p->v.design->group[i].hang != FOURLINK_HANGS_BY_OWN_SLOT)
             sketch_line(s, of_end, x.D, x.Q);
     }
 }
@@ -319,8 +354,10 @@ static void put_pins_of_outputs(sketch *s, const picture *p, const fourlink_stat
         geometry_output x = geometry_find_output(&p->v, state, i);
         int end = FOURLINK_FOLLOWER + 2 + 2 * i, first = FOURLINK_FOLLOWER + 3 * i;
 
-        put_pin(s, (unsigned long)first, x.P, "");
-        put_pin(s, (unsigned long)first + 1, x.Q, "");
+        if (p->v.design->group[i].hang != FOURLINK_HANGS_IN_SLOT)
+            put_pin(s, (unsigned long)first, x.P, "");
+        if (p->v.design->group[i].hang != FOURLINK_HANGS_BY_OWN_SLOT)
+            put_pin(s, (unsigned long)first + 1, x.Q, "");
         if (p->v.design->group[i].end == FOURLINK_GROUP_TURNS)
             put_pin(s, (unsigned long)first + 2, x.D, "");
         sketch_name(s, x.Q, 0.8, 0.8,

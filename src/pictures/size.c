@@ -69,8 +69,10 @@ static place_box box_of_motion(const picture *p, fourlink_branch branch)
         for (i = 0; i < p->v.design->n_groups; i++) {
             geometry_output x = geometry_find_output(&p->v, &now.state, i);
 
-            place_grow(&b, c * x.Q.x - s * x.Q.y, s * x.Q.x + c * x.Q.y);
-            place_grow(&b, c * x.D.x - s * x.D.y, s * x.D.x + c * x.D.y);
+            if (!geometry_is_far(&p->v, &now.state, i))
+                place_grow(&b, c * x.Q.x - s * x.Q.y, s * x.Q.x + c * x.Q.y);
+            if (p->v.design->group[i].end == FOURLINK_GROUP_TURNS)
+                place_grow(&b, c * x.D.x - s * x.D.y, s * x.D.x + c * x.D.y);
         }
     }
     return b;

@@ -190,10 +190,6 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     unsigned long n;
 
     view_take(&r->v, r->request->opened);
-    if (r->v.design->n_groups)
-        return view_refuse(mistake, "--report",
-                           "a report has the equations of four links; the deck has an [output]",
-                           "");
     if (!view_find_motion(&r->v))
         return -1;
     r->has_rows = view_count_missing(&r->v, &n, &why) < n;
@@ -257,6 +253,11 @@ int report_write_sample(FILE *out, const fourlink_source *source, const report_r
     report r;
     int opened = open_report(&r, out, source, request, mistake);
 
+    if (opened > 0 && r.v.design->n_groups)
+        opened = view_refuse(mistake, "--quiz",
+                             "a sample calculation has the forces of four links; the deck has an "
+                             "[output]",
+                             "");
     if (opened > 0)
         report_put_sample(&r);
     return close_report(&r, opened);

@@ -27,6 +27,27 @@ static void set_sizes(const report *r, math *m)
         m->size[i] = sizes[quantities[i]];
 }
 
+/* What is said of outputs, whose equations are not written. */
+static void put_outputs(report *r)
+{
+    int i, n = r->v.design->n_groups;
+    page *p = &r->page;
+
+    page_print(p, "<p>Not written out: the motion%s of ",
+               r->v.problem.has_forces ? " and the forces" : "");
+    for (i = 0; i < n; i++)
+        page_print(p, "%s<b>%s</b>",
+                   i == 0      ? ""
+                   : i + 1 < n ? ", "
+                               : " and ",
+                   fourlink_deck_link_text(r->v.deck, FOURLINK_FOLLOWER + 2 + 2 * i));
+    page_print(p, ", which %s on these links", n == 1 ? "hangs" : "hang");
+    if (r->v.problem.has_forces)
+        page_print(p, ", and the forces of the links, on which %s",
+                   n == 1 ? "it acts" : "they act");
+    page_print(p, ". The tables and curves have the values.</p>\n");
+}
+
 void report_put_sample(report *r)
 {
     page *p = &r->page;
@@ -57,7 +78,9 @@ void report_put_sample(report *r)
                    view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
                    r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
-    if (r->v.problem.has_forces)
+    if (r->v.design->n_groups)
+        put_outputs(r);
+    else if (r->v.problem.has_forces)
         sample_put_forces(r, &m);
     else
         page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");

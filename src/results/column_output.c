@@ -28,6 +28,13 @@ static size_t count_outputs(const deck *d)
     return OUTPUT_COLUMNS * (size_t)d->machine.mechanism.design.n_groups;
 }
 
+/* 1 if such outputs have a column. */
+static int owns(int whose, const fourlink_group *g)
+{
+    return (whose & 1 << g->end) != 0 &&
+           !(whose & (g->hang == FOURLINK_HANGS_BY_ROD ? BY_SLOT : WITH_ROD));
+}
+
 static int make_of_output(const flk_analysis *a, size_t i, flk_column *c)
 {
     int number = (int)(i / OUTPUT_COLUMNS), code = (int)(i % OUTPUT_COLUMNS);
@@ -37,24 +44,36 @@ static int make_of_output(const flk_analysis *a, size_t i, flk_column *c)
     c->of.output = number;
     c->component = code;
     c->is_usual = owners[code].is_usual;
-    return (owners[code].whose & 1 << a->d->groups[number].end) != 0 &&
+    return owns(owners[code].whose, &a->d->groups[number]) &&
            (table[code].need & ~a->possible) == 0;
 }
 
-/* The angle between two unit vectors as lines, 0 to 90 deg. */
+/* The angle between two vectors as lines, 0 to 90 deg. */
 static double acute_angle(const fourlink_vector *u, const fourlink_vector *v)
 {
     return flk_angle(fabs(FLK_CROSS(*u, *v)), fabs(FLK_DOT(*u, *v)));
 }
 
-/* The transmission angle: of the rod and the rocker, or the rod and what is square to the line. */
+/* The transmission angle: of the rod and the rocker, or the rod and what is square to the line.  By a slot, of its
+** normal and the way of the block on slider or rocker: of the slot and the line, or of the arm of the block and the
+** slot's normal. */
 static double transmission_angle(const fourlink_group *g, const fourlink_link_state *rod)
 {
-    fourlink_vector n;
+    const fourlink_link_state *end = rod + 1;
+    fourlink_vector n, arm;
 
-    n.x = -rod[1].axis.y;
-    n.y = rod[1].axis.x;
-    return acute_angle(&rod->axis, g->end == FOURLINK_GROUP_SLIDES ? &n : &rod[1].axis);
+    if (g->hang != FOURLINK_HANGS_BY_ROD) {
+        if (g->end == FOURLINK_GROUP_SLIDES)
+            return acute_angle(&rod->axis, &end->axis);
+        n.x = -rod->axis.y;
+        n.y = rod->axis.x;
+        arm.x = rod->origin.x - end->origin.x;
+        arm.y = rod->origin.y - end->origin.y;
+        return acute_angle(&n, &arm);
+    }
+    n.x = -end->axis.y;
+    n.y = end->axis.x;
+    return acute_angle(&rod->axis, g->end == FOURLINK_GROUP_SLIDES ? &n : &end->axis);
 }
 
 /* Along the line of a slider, from its point `line`. */
@@ -104,6 +123,7 @@ static double value_of_output(const flk_column *c, const flk_row *row)
     const fourlink_group *g = &c->d->groups[c->of.output];
     const fourlink_link_state *rod = &row->at.state.link[FLK_ROD_OF(c->of.output)], *end = rod + 1;
     const flk_group_forces *f = &row->group[c->of.output];
+    double slide, rate;
 
     switch (c->component) {
     case OUTPUT_ALONG:
@@ -124,6 +144,10 @@ static double value_of_output(const flk_column *c, const flk_row *row)
         return rod->omega;
     case OUTPUT_ROD_ALPHA:
         return rod->alpha;
+    case OUTPUT_SLIDE:
+    case OUTPUT_SLIDE_V:
+        flk_group_slide(&c->d->machine.mechanism, &row->at.state, c->of.output, &slide, &rate);
+        return c->component == OUTPUT_SLIDE ? slide : rate;
     case OUTPUT_MU:
         return transmission_angle(g, rod);
     case OUTPUT_N:

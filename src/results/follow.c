@@ -72,7 +72,7 @@ static int is_change(flk_piece_end end)
 
 int flk_follow_has_limit(flk_piece_end end)
 {
-    return end == FLK_END_DEAD || end == FLK_END_LOCK || is_change(end);
+    return end == FLK_END_DEAD || end == FLK_END_POLE || end == FLK_END_LOCK || is_change(end);
 }
 
 double flk_follow_corner(const flk_follower *f, double s)
@@ -254,7 +254,9 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
     e->is_change = is_change(end);
     e->least_order =
         end == FLK_END_LOCK ? 2 : 1; /* there forces grow as the inverse of the distance */
-    e->greatest_order = end == FLK_END_CHANGE_REST ? 6 : end == FLK_END_LOCK ? 2 : 4;
+    e->greatest_order = end == FLK_END_CHANGE_REST || end == FLK_END_POLE ? 6
+                        : end == FLK_END_LOCK                             ? 2
+                                                                          : 4;
     e->edge = at_end ? f->piece.to : f->piece.from;
     e->half = half;
     for (scale = 0; scale < SCALES; scale++)

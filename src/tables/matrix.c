@@ -41,15 +41,44 @@ static void put_system(sheet *s, const fourlink_instant *at)
     }
 }
 
+/* The six equations of output i. */
+static void put_system_of_output(sheet *s, const fourlink_instant *at, int i)
+{
+    const fourlink_mechanism *mechanism = &s->v.problem.mechanism;
+    double A[6][6], b[6], x[6];
+    int k, j, link = FOURLINK_FOLLOWER + 1 + 2 * i;
+
+    fourlink_group_system(mechanism, &at->state, s->loads, s->v.problem.n_loads, i, A, b, x);
+    line_put(&s->l, "\n\n# %s and %s\n# ", fourlink_deck_link_text(s->v.deck, link),
+             fourlink_deck_link_text(s->v.deck, link + 1));
+    for (j = 0; j < 6; j++)
+        line_field(&s->l, fourlink_group_unknown_text(&mechanism->design.group[i], j), j ? 13 : 11);
+    line_field(&s->l, "x", 17);
+    line_field(&s->l, "b", 17);
+    line_put(&s->l, "\n");
+    for (k = 0; k < 6; k++) {
+        for (j = 0; j < 6; j++)
+            line_value(&s->l, A[k][j], 6, 13);
+        line_value(&s->l, x[k], 9, 17);
+        line_value(&s->l, b[k], 9, 17);
+        line_put(&s->l, "\n");
+    }
+}
+
 void matrix_write(sheet *s)
 {
-    int i, blocks = 0;
+    int i, j, blocks = 0;
     fourlink_instant at;
     unsigned long k;
 
     line_put(&s->l, "# A x = b in SI units: the columns of A under their unknowns, then the "
                     "solution x and the right-hand side b.\n# Rows: for each of the links 2, 3, 4 "
                     "the forces along x, along y, and the moments about the centre of mass.\n");
+    if (s->v.design->n_groups)
+        line_put(&s->l,
+                 "# Behind them the six of each output, for its two links the same, with the "
+                 "moments about the link's origin.\n# S and C are the force along the normal "
+                 "of a slot, and its couple.\n");
     for (i = 0; i < s->v.n_branches; i++) {
         for (k = 0; k < s->v.problem.n_rows; k++) {
             int status =
@@ -61,6 +90,8 @@ void matrix_write(sheet *s)
             put_title(s, &at);
             if (status == FOURLINK_OK)
                 put_system(s, &at);
+            for (j = 0; j < s->v.design->n_groups && status == FOURLINK_OK; j++)
+                put_system_of_output(s, &at, j);
             s->failed += status != FOURLINK_OK && !view_goes_to(&s->v, status);
         }
         sheet_write_stop(s, s->v.branches[i]);

@@ -4,7 +4,12 @@
 */
 #include <math.h>
 
+#include <gsl/gsl_math.h>
+
 #include "geometry.h"
+
+#define SLOT_STEPS 72 /* of a turn, to find how long a slot is */
+#define FAR 0.1       /* sine of a slot to the line of its slider */
 
 fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at)
 {
@@ -25,11 +30,64 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
 geometry_output geometry_find_output(const view *v, const fourlink_state *state, int i)
 {
     const fourlink_link_state *rod = &state->link[FOURLINK_FOLLOWER + 1 + 2 * i];
+    const fourlink_group *g = &v->design->group[i];
     geometry_output x;
 
     x.P = rod->origin;
-    x.Q = place_in(rod->origin, rod->axis, v->design->group[i].rod, 0);
+    x.Q = place_in(rod->origin, rod->axis, g->rod, 0);
     x.D = rod[1].origin;
+    if (g->hang == FOURLINK_HANGS_IN_SLOT)
+        x.P = geometry_of_link(state, g->link, &g->at);
+    else if (g->hang == FOURLINK_HANGS_BY_OWN_SLOT && g->end == FOURLINK_GROUP_SLIDES)
+        x.Q = x.D;
+    return x;
+}
+
+int geometry_has_slot(const view *v, int i)
+{
+    return v->design->group[i].hang != FOURLINK_HANGS_BY_ROD;
+}
+
+int geometry_is_far(const view *v, const fourlink_state *state, int i)
+{
+    const fourlink_group *g = &v->design->group[i];
+    const fourlink_vector *e = &state->link[FOURLINK_FOLLOWER + 1 + 2 * i].axis;
+
+    return g->hang == FOURLINK_HANGS_IN_SLOT && g->end == FOURLINK_GROUP_SLIDES &&
+           fabs(g->direction.x * e->y - g->direction.y * e->x) < FAR;
+}
+
+/* How far the block is along its slot, from P of the carrying link, or from slider or rocker. */
+static double slide_of(const view *v, const fourlink_state *state, int i)
+{
+    const fourlink_link_state *block = &state->link[FOURLINK_FOLLOWER + 1 + 2 * i];
+    geometry_output x = geometry_find_output(v, state, i);
+    fourlink_vector from = v->design->group[i].hang == FOURLINK_HANGS_IN_SLOT ? x.P : x.D;
+
+    return block->axis.x * (block->origin.x - from.x) + block->axis.y * (block->origin.y - from.y);
+}
+
+geometry_slot geometry_find_slot(const view *v, const fourlink_state *state, int i)
+{
+    const fourlink_link_state *block = &state->link[FOURLINK_FOLLOWER + 1 + 2 * i];
+    double here = slide_of(v, state, i), slide;
+    fourlink_state other;
+    geometry_slot x;
+    int k;
+
+    x.block = block->origin;
+    x.axis = block->axis;
+    x.from = x.to = 0;
+    x.link = v->design->group[i].hang == FOURLINK_HANGS_IN_SLOT ? v->design->group[i].link
+                                                                : FOURLINK_FOLLOWER + 2 + 2 * i;
+    for (k = 0; k < SLOT_STEPS; k++)
+        if (fourlink_position(v->mechanism, state->branch, 2 * M_PI * k / SLOT_STEPS, &other) ==
+                FOURLINK_OK &&
+            !geometry_is_far(v, &other, i)) {
+            slide = slide_of(v, &other, i) - here;
+            x.from = GSL_MIN_DBL(x.from, slide);
+            x.to = GSL_MAX_DBL(x.to, slide);
+        }
     return x;
 }
 

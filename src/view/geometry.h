@@ -14,12 +14,26 @@ fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fo
 /* The place of a joint, by its number in the kind. */
 fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int joint);
 
-/* The pins of output i: P, Q, and that of a rocker, or Q again. */
+/* The pins of output i: P, Q, and that of a rocker, or Q again.  Q of a rocker with a slot is P. */
 typedef struct geometry_output {
     fourlink_vector P, Q, D;
 } geometry_output;
 
 geometry_output geometry_find_output(const view *v, const fourlink_state *state, int i);
+
+/* The slot of an output that hangs by one: where its block is, the unit vector along it, and where it begins and ends,
+** beside the block.  `link` has it. */
+typedef struct geometry_slot {
+    fourlink_vector block, axis;
+    double from, to;
+    int link;
+} geometry_slot;
+
+int geometry_has_slot(const view *v, int i);
+geometry_slot geometry_find_slot(const view *v, const fourlink_state *state, int i);
+
+/* 1 if a slider is far away, as the slot of the carrying link is nearly along its line. */
+int geometry_is_far(const view *v, const fourlink_state *state, int i);
 
 /* A link's second pin. */
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link);

@@ -129,7 +129,7 @@ each() {
 
 # Decks are one folder up from where the program works.
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" \
-    "$data/watt-six-bar.deck" .
+    "$data/watt-six-bar.deck" "$data/shaper-by-slot.deck" .
 for deck in springs steady motor free lever; do cp "$decks/../fuzz/decks/$deck.deck" "$deck.deck"; done
 sed 's/^indicator.*/indicator = file card.csv deg bar\nclearance = 8 %/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
@@ -171,6 +171,8 @@ all 0 -f csv -b open -o result $few ../turning.deck
 all 0 -f csv -b open -o result $few ../run-up.deck
 all 0 -f csv -o result $few ../watt-six-bar.deck
 all 0 --plot=x.svg $few ../watt-six-bar.deck
+all 0 -f csv -S -o result $few ../shaper-by-slot.deck
+all 0 --plot=x.svg $few ../shaper-by-slot.deck
 for format in table csv json; do
     all 0 -f $format -o result $few ../single.deck
 done

@@ -6,8 +6,9 @@
 #include "check.h"
 #include "fourlink.h"
 #include "mechanics/group.h"
+#include "mechanics/group_limits.h"
 
-enum { O1 = 1, O2, O3, O5 = 5, O7 = 7 };
+enum { O1 = 1, O2, O3, O4, O5, O6, O7, O8, O9 };
 
 typedef struct case_row {
     int mechanism, side;
@@ -344,6 +345,211 @@ static const case_row rows[] = {
      {0, 0, 0, 0, 0, 0, 0, 0}},
 };
 
+/* Groups by a slot: also the place of the block in a slot of the lever, m; the angle of a rocker, deg; or 0. */
+static const struct slot_row {
+    case_row row;
+    double slide, theta;
+} slot_rows[] = {
+    {{O4,
+      1,
+      {35, 10, 0},
+      {0.187683269579, 2.03994015203, -41.8372460229, 0, 0, 0, 0},
+      {24.7200397253, 72.4413096566},
+      {24.7200397253, 72.4413096566},
+      {-171.870039725, 0},
+      2.16382619313,
+      -6.10023459287,
+      {-69.5636274409, -102.753529182, -41.752106998, -97.0177648182, -31.9321947323,
+       -93.5763062001, -27.3928106204, 30.7012692084}},
+     0.581141127163,
+     0},
+    {{O4,
+      1,
+      {160, 10, 50},
+      {0.054688339793, -1.55692823251, -8.66322798319, 0, 0, 0, 0},
+      {56.6821354916, 570.051580252},
+      {56.6821354916, 570.051580252},
+      {-203.832135492, 0},
+      12.116031605,
+      -82.8116817976,
+      {59.6474075579, 709.840960901, 71.5805820667, 717.959625439, 71.873486772, 722.830824161,
+       -63.0340057135, -184.914412118}},
+     0.552712234811,
+     0},
+    {{O4,
+      1,
+      {285, -6, -20},
+      {-0.237044315096, 0.231886901225, 9.09274941695, 0, 0, 0, 0},
+      {-360.475979882, 836.391241254},
+      {-360.475979882, 836.391241254},
+      {213.325979882, 0},
+      17.4428248251,
+      -35.3576491979,
+      {-790.766120058, 1771.96898322, -768.282519843, 1769.00928833, -761.659359714, 1767.2334714,
+       332.521712003, -907.525030456}},
+     0.598907344519,
+     0},
+    {{O6,
+      1,
+      {35, 10, 0},
+      {0.176981279707, 2.12758919564, -48.933382592, 0, 0, 0, 0},
+      {-9.11047052511, -34.0007388806},
+      {-9.11047052511, -34.0007388806},
+      {-138.039529475, 0},
+      -3.12731648104,
+      -28.1117886849,
+      {-169.967199579, -396.983083045, -142.155679136, -391.247318681, -132.33576687,
+       -387.805860063, 39.180251267, 218.488774534}},
+     0,
+     0},
+    {{O6,
+      1,
+      {160, 10, 50},
+      {0.0300074677024, -1.77544782372, -10.0519495579, 0, 0, 0, 0},
+      {147.163258206, 549.220756632},
+      {147.163258206, 549.220756632},
+      {-294.313258206, 0},
+      80.5468463025,
+      -91.5700215798,
+      {67.1006809958, 784.798445556, 79.0338555046, 792.917110093, 79.3267602098, 797.788308816,
+       19.9938435629, -280.702720393}},
+     0,
+     0},
+    {{O6,
+      1,
+      {285, -6, -20},
+      {-0.263980366533, 0.179068992317, 7.12684857912, 0, 0, 0, 0},
+      {216.208934522, 806.902728687},
+      {216.208934522, 806.902728687},
+      {-363.358934522, 0},
+      76.8468905903,
+      -27.114830094,
+      {-602.781561291, 1335.79945399, -580.297961076, 1332.8397591, -573.674800948, 1331.06394217,
+       721.222067641, -500.844013795}},
+     0,
+     0},
+    {{O8,
+      1,
+      {35, 10, 0},
+      {0, 0, 0, 0, 0, 1.36911016978, -29.9693193985},
+      {7.45815526306, 10.1338077258},
+      {7.45815526306, 10.1338077258},
+      {-15.4320413239, 0.892739537338},
+      0,
+      1.62526586041,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -36.3518682349},
+    {{O8,
+      -1,
+      {35, 10, 0},
+      {0, 0, 0, 0, 0, 1.45269461271, -27.5093400744},
+      {-2.2765532282, -4.28380517307},
+      {-2.2765532282, -4.28380517307},
+      {8.26408952638, 36.4435883805},
+      0,
+      0.629363762673,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -207.987628039},
+    {{O8,
+      1,
+      {160, 10, 50},
+      {0, 0, 0, 0, 0, -2.93464981925, 0.11854709393},
+      {21.6551996955, 14.596953534},
+      {21.6551996955, 14.596953534},
+      {-23.8885300723, 10.0526300965},
+      0,
+      -4.23390189984,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -56.017575793},
+    {{O8,
+      -1,
+      {160, 10, 50},
+      {0, 0, 0, 0, 0, -3.05669900009, -4.576818648},
+      {4.65753487434, 4.55813858586},
+      {4.65753487434, 4.55813858586},
+      {-0.266340732399, 15.7099593317},
+      0,
+      -2.36409896582,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -225.617943663},
+    {{O8,
+      1,
+      {285, -6, -20},
+      {0, 0, 0, 0, 0, -0.944811135763, 3.70967802832},
+      {18.46153584, 9.1048551851},
+      {18.46153584, 9.1048551851},
+      {-17.2250686131, 13.6158870104},
+      0,
+      2.46863154909,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -63.7484192227},
+    {{O8,
+      -1,
+      {285, -6, -20},
+      {0, 0, 0, 0, 0, -0.92317745681, 4.38997568958},
+      {7.91507644965, 5.42284585314},
+      {7.91507644965, 5.42284585314},
+      {-9.22654881018, 14.6889921454},
+      0,
+      1.72664878081,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -235.58383888},
+    {{O9,
+      1,
+      {160, 10, 50},
+      {0, 0, 0, 0, 0, -3.76735739065, 112.750206987},
+      {0.317194078168, 0.962082942947},
+      {0.317194078168, 0.962082942947},
+      {28.5666181938, 5.56504847354},
+      0,
+      -1.66704004852,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -125.844309034},
+    {{O9,
+      -1,
+      {160, 10, 50},
+      {0, 0, 0, 0, 0, 9.14313120369, -119.971311206},
+      {-51.5512616833, -156.360389322},
+      {-51.5512616833, -156.360389322},
+      {16.3588478698, 192.670986612},
+      0,
+      -17.6356523197,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -90.6499651727},
+    {{O9,
+      1,
+      {285, -6, -20},
+      {0, 0, 0, 0, 0, -1.30415154951, 15.8329889367},
+      {15.0660452472, 55.1778541996},
+      {15.0660452472, 55.1778541996},
+      {-11.1495949053, -39.3841942164},
+      0,
+      -0.657463554659,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -129.181714439},
+    {{O9,
+      -1,
+      {285, -6, -20},
+      {0, 0, 0, 0, 0, 4.15168299189, -24.1554826455},
+      {-17.1109510124, -62.667113014},
+      {-17.1109510124, -62.667113014},
+      {9.48113427002, 82.9937558909},
+      0,
+      7.48238462396,
+      {0, 0, 0, 0, 0, 0, 0, 0}},
+     0,
+     -81.3624240359},
+};
+
 static void set_link(fourlink_link *link, double length, double mass, double inertia, double x,
                      double y)
 {
@@ -375,6 +581,20 @@ static void set_four_bar(fourlink_design *d)
     set_link(&d->link[4], 0.3, 1.5, 0.02, 0.15, 0);
 }
 
+/* The shaper with its ram by a slot instead of a rod. */
+static void set_shaper(int number, fourlink_design *d, fourlink_group *g, fourlink_load *load)
+{
+    d->link[1].length = 0.3;
+    d->link[2].length = 0.12;
+    g->rod = 0;
+    set_link(&g->body[0], 0, 0, 0, 0, 0);
+    set_link(&g->body[1], 0, 15, 0.1, 0.1, -0.02);
+    set_vector(&load->force, 0, -700);
+    set_vector(&g->at, number == O4 ? 0.7 : 0.62, 0);
+    set_vector(&g->pivot, number == O4 ? -0.25 : -0.2, 0);
+    set_direction(&g->slot, 1, number == O4 ? 0 : 75);
+}
+
 /* The mechanism, its group and the load on that. */
 static void set_case(int number, int side, fourlink_design *d, fourlink_group *g,
                      fourlink_load *load)
@@ -386,10 +606,13 @@ static void set_case(int number, int side, fourlink_design *d, fourlink_group *g
     d->n_groups = 1;
     d->gravity.y = -9.81;
     load->link = 6;
-    g->end = number == O3 || number == O7 ? FOURLINK_GROUP_TURNS : FOURLINK_GROUP_SLIDES;
+    g->end = number == O3 || number >= O7 ? FOURLINK_GROUP_TURNS : FOURLINK_GROUP_SLIDES;
+    g->hang = number == O4 || number == O9   ? FOURLINK_HANGS_IN_SLOT
+              : number == O6 || number == O8 ? FOURLINK_HANGS_BY_OWN_SLOT
+                                             : FOURLINK_HANGS_BY_ROD;
     g->side = side;
     g->rod = 0.45;
-    if (number == O1 || number == O3)
+    if (number == O1 || number == O3 || number >= O8)
         set_four_bar(d);
     switch (number) {
     case O1:
@@ -401,6 +624,8 @@ static void set_case(int number, int side, fourlink_design *d, fourlink_group *g
         set_link(&g->body[1], 0, 2.5, 0.01, 0.03, 0.02);
         set_vector(&load->force, -200, 30);
         return;
+    case O4:
+    case O6:
     case O2:
         d->kind = FOURLINK_INVERTED_SLIDER_CRANK;
         d->link[1].length = 0.35;
@@ -416,6 +641,8 @@ static void set_case(int number, int side, fourlink_design *d, fourlink_group *g
         set_link(&g->body[0], 0, 1.1, 0.01, 0.15, 0);
         set_link(&g->body[1], 0, 20, 0.1, 0.1, -0.02);
         set_vector(&load->force, 0, -900);
+        if (number != O2)
+            set_shaper(number, d, g, load);
         return;
     case O3:
         g->link = 3;
@@ -440,6 +667,23 @@ static void set_case(int number, int side, fourlink_design *d, fourlink_group *g
         set_link(&g->body[0], 0, 0.9, 0.004, 0.06, 0);
         set_link(&g->body[1], 0, 0.7, 0, 0, 0);
         set_direction(&load->force, -2500, 60);
+        return;
+    case O8:
+        g->link = 3;
+        set_vector(&g->at, 0.2, 0.12);
+        set_vector(&g->pivot, -0.2, 0.5);
+        g->offset = 0.03;
+        set_link(&g->body[1], 0, 2.2, 0.06, 0.2, 0.01);
+        load->torque = -6;
+        return;
+    case O9:
+        g->link = 4;
+        g->length = 0.35;
+        set_vector(&g->at, 0.2, 0.1);
+        set_direction(&g->slot, 1, 30);
+        set_vector(&g->pivot, 0.75, 0.25);
+        set_link(&g->body[1], 0, 1.8, 0.04, 0.15, 0.02);
+        load->torque = 8;
         return;
     case O7:
         d->kind = FOURLINK_FOUR_BAR;
@@ -494,22 +738,40 @@ static void check_motion(const fourlink_group *g, const fourlink_state *s, const
         found[1] = u.x * end->velocity.x + u.y * end->velocity.y;
         found[2] = u.x * end->acceleration.x + u.y * end->acceleration.y;
     }
-    found[3] = rod->omega;
-    found[4] = rod->alpha;
+    if (g->hang == FOURLINK_HANGS_BY_ROD) {
+        found[3] = rod->omega;
+        found[4] = rod->alpha;
+    }
     found[5] = end->omega;
     found[6] = end->alpha;
     for (i = 0; i < 7; i++)
         assert_near(found[i], motion[i], close);
 }
 
+/* Of a group by a slot. */
+static void check_block(const fourlink_mechanism *m, const fourlink_state *s,
+                        const struct slot_row *row)
+{
+    double slide, rate;
+
+    if (row->theta != 0)
+        assert_near(remainder(s->link[6].theta - row->theta * DEG, 2 * PI), 0, CLOSE);
+    flk_group_slide(m, s, 0, &slide, &rate);
+    if (row->slide != 0)
+        assert_near(0.7 + slide, row->slide, CLOSE);
+}
+
+#define N_ROWS (sizeof rows / sizeof rows[0])
+#define N_SLOT_ROWS (sizeof slot_rows / sizeof slot_rows[0])
+
 TEST(test_values)
 {
     size_t i;
     int closed;
 
-    for (i = 0; i < sizeof rows / sizeof rows[0]; i++)
+    for (i = 0; i < N_ROWS + N_SLOT_ROWS; i++)
         for (closed = 0; closed < 2; closed++) {
-            const case_row *row = &rows[i];
+            const case_row *row = i < N_ROWS ? &rows[i] : &slot_rows[i - N_ROWS].row;
             fourlink_design d;
             fourlink_group g;
             fourlink_load load;
@@ -529,6 +791,8 @@ TEST(test_values)
                              FOURLINK_OK);
             flk_groups_forces(&m, &s, &load, 1, closed, &of);
             check_motion(&g, &s, row->motion);
+            if (i >= N_ROWS)
+                check_block(&m, &s, &slot_rows[i - N_ROWS]);
             check_vector(of.FP, row->FP);
             check_vector(of.FQ, row->FQ);
             check_vector(of.FD, row->FD);
@@ -566,12 +830,22 @@ static void random_link(fourlink_link *link, uint64_t *seed)
              uniform(seed, -0.2, 0.3), uniform(seed, -0.1, 0.1));
 }
 
+/* 1 if a link is the block of one of these groups. */
+static int is_block(const fourlink_group *groups, int link)
+{
+    return link > 4 && link % 2 && groups[(link - 5) / 2].hang != FOURLINK_HANGS_BY_ROD;
+}
+
 static void random_group(fourlink_group *g, int i, uint64_t *seed)
 {
     g->end = uniform(seed, 0, 1) < 0.5 ? FOURLINK_GROUP_SLIDES : FOURLINK_GROUP_TURNS;
     g->link = (int)uniform(seed, 2, 5 + 2 * i);
     g->to = (int)uniform(seed, 0, 5 + 2 * i);
-    if (g->end == FOURLINK_GROUP_SLIDES || g->to == g->link)
+    g->hang = (fourlink_group_hang)uniform(seed, 0, 3);
+    if (is_block(g - i, g->link))
+        g->link++;
+    if (g->end == FOURLINK_GROUP_SLIDES || g->to == g->link || is_block(g - i, g->to) ||
+        g->hang != FOURLINK_HANGS_BY_ROD)
         g->to = i % 2;
     g->side = uniform(seed, 0, 1) < 0.5 ? 1 : -1;
     random_vector(&g->at, 0.4, seed);
@@ -579,8 +853,28 @@ static void random_group(fourlink_group *g, int i, uint64_t *seed)
     set_direction(&g->direction, 1, uniform(seed, 0, 360));
     g->rod = uniform(seed, 0.2, 1.2);
     g->length = uniform(seed, 0.2, 1.2);
-    random_link(&g->body[0], seed);
     random_link(&g->body[1], seed);
+    g->offset = uniform(seed, -0.1, 0.1);
+    set_direction(&g->slot, 1, uniform(seed, 10, 170));
+    if (g->hang == FOURLINK_HANGS_BY_ROD)
+        random_link(&g->body[0], seed);
+    else if (g->end == FOURLINK_GROUP_SLIDES)
+        g->side = 1;
+}
+
+/* 1 if no P of a slotted rocker is close to its pin, where this is fast. */
+static int are_arms_long(const machine *m)
+{
+    double slide, rate;
+    int i, are_long = 1;
+
+    for (i = 0; i < m->design.n_groups; i++)
+        if (m->group[i].hang == FOURLINK_HANGS_BY_OWN_SLOT &&
+            m->group[i].end == FOURLINK_GROUP_TURNS) {
+            flk_group_slide(&m->mechanism, &m->state, i, &slide, &rate);
+            are_long &= fabs(slide) > 0.2;
+        }
+    return are_long;
 }
 
 /* 0 if this machine cannot be assembled at this angle. */
@@ -608,6 +902,7 @@ static int random_machine(machine *m, uint64_t *seed)
         random_group(&m->group[i], i, seed);
     for (i = 0; i <= MOST; i++) {
         m->load[i].link = (int)uniform(seed, 2, 5 + 2 * d->n_groups);
+        m->load[i].link += is_block(m->group, m->load[i].link);
         m->load[i].frame = uniform(seed, 0, 1) < 0.5 ? FOURLINK_FRAME_GROUND : FOURLINK_FRAME_LINK;
         random_vector(&m->load[i].force, 200, seed);
         random_vector(&m->load[i].at, 0.3, seed);
@@ -621,7 +916,7 @@ static int random_machine(machine *m, uint64_t *seed)
     m->crank.alpha2 = uniform(seed, -100, 100);
     return fourlink_analyse(&m->mechanism, m->branch, &m->crank, NULL, 0, &m->state, NULL) ==
                FOURLINK_OK &&
-           m->state.group_sine > 0.15;
+           m->state.group_sine > 0.15 && are_arms_long(m);
 }
 
 /* The state a little later. */
@@ -706,6 +1001,56 @@ static void check_differences(const machine *m, double step)
     }
 }
 
+/* The block is on its pin and on the line of its slot, so far along it as it says, and moves along it so fast. */
+static void check_slot(const machine *m, int i)
+{
+    const fourlink_state *s = &m->state;
+    const fourlink_group *g = &m->group[i];
+    const fourlink_link_state *block = &s->link[5 + 2 * i], *end = block + 1;
+    int is_own = g->hang == FOURLINK_HANGS_BY_OWN_SLOT, slides = g->end == FOURLINK_GROUP_SLIDES;
+    int with_slot = is_own ? 6 + 2 * i : g->link, with_pin = is_own ? g->link : 6 + 2 * i;
+    fourlink_vector at = {0, 0}, slot = g->slot, place, velocity, P, Q = {0, 0}, v, e, moved;
+    double slide, rate, later_slide, h = 1e-6;
+    fourlink_state next;
+
+    flk_group_slide(&m->mechanism, s, i, &slide, &rate);
+    if (is_own && !slides)
+        set_vector(&slot, 1, 0);
+    if (is_own)
+        set_vector(&at, 0, slides ? 0 : g->offset);
+    else
+        at = g->at;
+    e.x = s->link[with_slot].axis.x * slot.x - s->link[with_slot].axis.y * slot.y;
+    e.y = s->link[with_slot].axis.y * slot.x + s->link[with_slot].axis.x * slot.y;
+    assert_near(block->axis.x, e.x, 1e-14);
+    assert_near(block->axis.y, e.y, 1e-14);
+    set_vector(&moved, at.x + slide * slot.x, at.y + slide * slot.y);
+    fourlink_point(s, with_slot, &moved, &place, &v, NULL);
+    Q.x = is_own ? 0 : slides ? 0 : g->length;
+    fourlink_point(s, with_pin, is_own ? &g->at : &Q, &P, &velocity, NULL);
+    assert_near(place.x, P.x, 1e-13 * (1 + fabs(slide)));
+    assert_near(place.y, P.y, 1e-13 * (1 + fabs(slide)));
+    assert_near(block->origin.x, P.x, 1e-14 * (1 + fabs(P.x)));
+    assert_near(block->origin.y, P.y, 1e-14 * (1 + fabs(P.y)));
+    assert_near(velocity.x - v.x, rate * e.x, 1e-12 * (fabs(v.x) + fabs(v.y) + fabs(rate)));
+    assert_near(velocity.y - v.y, rate * e.y, 1e-12 * (fabs(v.x) + fabs(v.y) + fabs(rate)));
+    if (slides)
+        assert_near(g->direction.x * (end->origin.y - g->pivot.y) -
+                        g->direction.y * (end->origin.x - g->pivot.x),
+                    0, 1e-13 * (1 + fabs(slide)));
+    else {
+        assert_near(end->origin.x, g->pivot.x, 0);
+        assert_near(end->origin.y, g->pivot.y, 0);
+        assert_true(g->side * (e.x * (P.x - g->pivot.x) + e.y * (P.y - g->pivot.y)) > 0);
+    }
+    later(m, h, &next);
+    flk_group_slide(&m->mechanism, &next, i, &later_slide, &rate);
+    flk_group_slide(&m->mechanism, s, i, &slide, &rate);
+    assert_near((later_slide - slide) / h, rate,
+                3e-5 * (1 + fabs(rate) + pow(m->crank.omega2, 2) + fabs(m->crank.alpha2)) /
+                    pow(s->group_sine, 3));
+}
+
 /* Joints hold: P is on the carrying link, Q on both links, D where it is fixed. */
 static void check_joints(const machine *m)
 {
@@ -718,6 +1063,10 @@ static void check_joints(const machine *m)
         double r = g->end == FOURLINK_GROUP_TURNS ? g->length : 0, side;
         fourlink_vector P, D = g->pivot, Q;
 
+        if (g->hang != FOURLINK_HANGS_BY_ROD) {
+            check_slot(m, i);
+            continue;
+        }
         fourlink_point(s, g->link, &g->at, &P, NULL, NULL);
         if (g->to > 1)
             fourlink_point(s, g->to, &g->pivot, &D, NULL, NULL);
@@ -755,6 +1104,45 @@ static void check_forces(const machine *m, const fourlink_forces *F)
     }
 }
 
+/* The six equations as they are given hold for the forces that are found, by the names of their unknowns. */
+static void check_equations(const machine *m)
+{
+    flk_group_forces of[MOST];
+    int i, k, j;
+
+    flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, 1, of);
+    for (i = 0; i < m->design.n_groups; i++) {
+        const fourlink_group *g = &m->group[i];
+        fourlink_vector e = m->state.link[5 + 2 * i].axis, u = g->direction;
+        double A[6][6], b[6], x[6], size = 0, wanted;
+
+        assert_int_equal(
+            fourlink_group_system(&m->mechanism, &m->state, m->load, MOST + 1, i, A, b, x),
+            FOURLINK_OK);
+        for (k = 0; k < 6; k++)
+            size += fabs(x[k]) + fabs(b[k]);
+        for (k = 0; k < 6; k++) {
+            double sum = -b[k];
+
+            for (j = 0; j < 6; j++)
+                sum += A[k][j] * x[j];
+            assert_near(sum, 0, 1e-12 * size);
+        }
+        for (k = 0; k < 6; k++) {
+            const char *name = fourlink_group_unknown_text(g, k);
+            fourlink_vector F = k < 2 ? of[i].FP : k < 4 ? of[i].FQ : of[i].FD;
+
+            wanted = strcmp(name, "S") == 0   ? e.x * F.y - e.y * F.x
+                     : strcmp(name, "C") == 0 ? 0
+                     : strcmp(name, "N") == 0 ? u.x * F.y - u.y * F.x
+                     : strcmp(name, "M") == 0 ? of[i].M
+                     : strchr(name, 'x')      ? F.x
+                                              : F.y;
+            assert_near(x[k], wanted, 1e-11 * size / m->state.group_sine);
+        }
+    }
+}
+
 TEST(test_random_machines)
 {
     uint64_t seed = 72;
@@ -776,6 +1164,7 @@ TEST(test_random_machines)
         assert_int_equal(fourlink_solve_dyad(&m.mechanism, &m.state, m.load, MOST + 1, &F[1]),
                          FOURLINK_OK);
         check_forces(&m, &F[0]);
+        check_equations(&m);
         size = fabs(F[0].F12x) + fabs(F[0].F12y) + fabs(F[0].F34x) + fabs(F[0].F34y);
         assert_near(F[0].Ts, F[1].Ts, 1e-12 * (size + fabs(F[0].Ts)) / m.state.group_sine);
         assert_near(F[0].F34x, F[1].F34x, 1e-12 * size / m.state.group_sine);
@@ -812,13 +1201,21 @@ TEST(test_load_at_P)
         if (n)
             continue;
         for (k = 0; k <= MOST; k++)
-            m.load[k].link = 4 + 2 * m.design.n_groups - k % 2;
+            m.load[k].link = 4 + 2 * m.design.n_groups -
+                             (k % 2 && !is_block(m.group, 3 + 2 * m.design.n_groups));
         assert_int_equal(fourlink_solve(&m.mechanism, &m.state, m.load, MOST + 1, &F), FOURLINK_OK);
         flk_groups_forces(&m.mechanism, &m.state, m.load, MOST + 1, 1, of);
         memset(loads, 0, sizeof loads);
         for (k = 0; k < m.design.n_groups; k++) {
             loads[n].link = m.group[k].link;
             loads[n].at = m.group[k].at;
+            if (m.group[k].hang == FOURLINK_HANGS_IN_SLOT) {
+                double slide, rate;
+
+                flk_group_slide(&m.mechanism, &m.state, k, &slide, &rate);
+                loads[n].at.x += slide * m.group[k].slot.x;
+                loads[n].at.y += slide * m.group[k].slot.y;
+            }
             set_vector(&loads[n++].force, -of[k].FP.x, -of[k].FP.y);
             if (m.group[k].to > 1) {
                 loads[n].link = m.group[k].to;
@@ -918,7 +1315,142 @@ TEST(test_mistakes)
     REFUSED(g.length = NAN, FOURLINK_BAD_NUMBER);
     REFUSED(g.at.x = 1e300, FOURLINK_BAD_NUMBER);
     REFUSED(g.body[1].mass = -1, FOURLINK_BAD_MASS);
+    REFUSED(g.hang = (fourlink_group_hang)3, FOURLINK_BAD_GROUP);
+    REFUSED(g.hang = FOURLINK_HANGS_IN_SLOT, FOURLINK_BAD_GROUP);
     REFUSED((g.end = FOURLINK_GROUP_SLIDES, g.to = 0, g.direction.x = 2), FOURLINK_BAD_NUMBER);
+}
+
+TEST(test_mistakes_of_slots)
+{
+    fourlink_design d;
+    fourlink_group g[2];
+    fourlink_load load;
+    fourlink_mechanism m;
+    fourlink_state s;
+    fourlink_forces F;
+    fourlink_crank crank = {0.6, 10, 0};
+    double A[6][6], x[6];
+
+#define SLOT_REFUSED(number, change, status)                \
+    do {                                                    \
+        set_case(number, 1, &d, g, &load);                  \
+        change;                                             \
+        assert_int_equal(fourlink_prepare(&d, &m), status); \
+    } while (0)
+    SLOT_REFUSED(O4, g[0].side = -1, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O4, g[0].slot.x = 1.1, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O4, g[0].slot.x = NAN, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O4, g[0].body[0].mass = 1, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O4, g[0].body[0].inertia = 1, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O6, set_vector(&g[0].slot, 1, 0), FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O6, set_vector(&g[0].slot, 0, -1), FOURLINK_OK);
+    SLOT_REFUSED(O8, g[0].to = 4, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O8, g[0].offset = NAN, FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O9, g[0].length = 0, FOURLINK_BAD_LENGTH);
+    SLOT_REFUSED(O9, (g[1] = g[0], g[1].link = 5, d.n_groups = 2), FOURLINK_BAD_GROUP);
+    SLOT_REFUSED(O9, (g[1] = g[0], g[1].link = 6, d.n_groups = 2), FOURLINK_OK);
+    SLOT_REFUSED(O4, load.link = 5, FOURLINK_OK);
+    assert_int_equal(fourlink_group_system(&m, NULL, NULL, 0, 0, A, x, x), FOURLINK_NULL);
+    assert_int_equal(fourlink_analyse(&m, FOURLINK_OPEN, &crank, NULL, 0, &s, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_group_system(&m, &s, NULL, 0, 1, A, x, x), FOURLINK_BAD_GROUP);
+    assert_int_equal(fourlink_group_system(&m, &s, NULL, 0, -1, A, x, x), FOURLINK_BAD_GROUP);
+    assert_int_equal(fourlink_group_system(&m, &s, &load, 1, 0, A, x, x), FOURLINK_BAD_LINK);
+    assert_string_equal(fourlink_group_unknown_text(g, 6), "unknown");
+    assert_string_equal(fourlink_group_unknown_text(NULL, 0), "unknown");
+    assert_int_equal(fourlink_analyse(&m, FOURLINK_OPEN, &crank, &load, 1, &s, &F),
+                     FOURLINK_BAD_LINK);
+}
+
+/* Where the theory says that its pin does not reach the slot. */
+TEST(test_short_rocker)
+{
+    fourlink_design d;
+    fourlink_group g;
+    fourlink_load load;
+    fourlink_mechanism m;
+    fourlink_state s;
+    int side;
+
+    for (side = -1; side <= 1; side += 2) {
+        set_case(O9, side, &d, &g, &load);
+        assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+        assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, 35 * DEG, &s), FOURLINK_GROUP_APART);
+        assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, 160 * DEG, &s), FOURLINK_OK);
+    }
+}
+
+/* A slot of a link turns through the line of its slider twice in a turn: there the slider has no place, and a range ends.
+** That of a slotted rocker with an offset ends where P comes as near to its pin. */
+TEST(test_ends)
+{
+    fourlink_design d;
+    fourlink_group g;
+    fourlink_load load;
+    fourlink_mechanism m;
+    fourlink_state s;
+    double ends[4], slide, rate;
+    flk_range ranges[4];
+    size_t i, n;
+
+    set_case(O4, 1, &d, &g, &load);
+    g.link = 2;
+    set_direction(&g.slot, 1, 20);
+    assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+    n = flk_groups_ends(&m, FOURLINK_OPEN, 2 * PI, ends, 4);
+    assert_int_equal(n, 2);
+    assert_near(ends[0], 70 * DEG, 1e-12);
+    assert_near(ends[1], 250 * DEG, 1e-12);
+    assert_int_equal(flk_groups_ranges(&m, FOURLINK_OPEN, ranges, 4), 2);
+    assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, 70 * DEG, &s), FOURLINK_DEAD_POSITION);
+    assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, 70.001 * DEG, &s), FOURLINK_OK);
+    set_case(O8, 1, &d, &g, &load);
+    g.offset = 0.4;
+    assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+    n = flk_groups_ends(&m, FOURLINK_OPEN, 2 * PI, ends, 4);
+    assert_int_equal(n, 2);
+    for (i = 0; i < n; i++) {
+        int ahead = fourlink_position(&m, FOURLINK_OPEN, ends[i] + 1e-6, &s) == FOURLINK_OK;
+
+        assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, ends[i] - (ahead ? 1e-6 : -1e-6), &s),
+                         FOURLINK_GROUP_APART);
+        assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, ends[i] + (ahead ? 1e-6 : -1e-6), &s),
+                         FOURLINK_OK);
+        flk_group_slide(&m, &s, 0, &slide, &rate);
+        assert_true(fabs(slide) < 0.002);
+    }
+}
+
+/* Strokes and swings of the theory, and its greatest angles. */
+TEST(test_limits)
+{
+    static const struct {
+        int number, side;
+        double least, least_at, most, most_at, ratio;
+    } wanted[] = {
+        {O4, 1, -0.24003967926, 293.578178478, 0.24003967926, 66.4218215218, 1.70995278172},
+        {O6, 1, -0.266284688417, 293.578178478, 0.229715311583, 66.4218215218, 1.70995278172},
+        {O8, 1, -67.5350199466 * DEG, 237.288296566, -34.5739618593 * DEG, 60.9103893126,
+         1.04107195514},
+        {O8, -1, 121.114495083 * DEG, 242.247526484, 154.200413764 * DEG, 64.9960381882,
+         1.0310125656}};
+    size_t i;
+
+    for (i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
+        fourlink_design d;
+        fourlink_group g;
+        fourlink_load load;
+        fourlink_mechanism m;
+        flk_group_limits found;
+
+        set_case(wanted[i].number, wanted[i].side, &d, &g, &load);
+        assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+        assert_int_equal(flk_group_limits_find(&m, FOURLINK_OPEN, 0, &found), 1);
+        assert_near(found.least, wanted[i].least, CLOSE);
+        assert_near(found.most, wanted[i].most, CLOSE);
+        assert_near(found.least_at, wanted[i].least_at * DEG, 1e-8);
+        assert_near(found.most_at, wanted[i].most_at * DEG, 1e-8);
+        assert_near(found.time_ratio, wanted[i].ratio, 1e-8);
+    }
 }
 
 int main(void)

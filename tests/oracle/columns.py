@@ -94,12 +94,14 @@ def columns(m, s, forces=True):
 def move_output(s, o, v, small):
     rod, end = o.first, o.first + 1
     for front, k in (('.rod_', rod), ('.', end)):
-        if front == '.rod_' or not o.slides:
+        if not o.slot if front == '.rod_' else not o.slides:
             for key, value in (('theta', np.angle(s.e[k])), ('omega', s.omega[k]), ('alpha', s.alpha[k])):
                 v[o.name + front + key] = value + 0 * s.theta2
     if o.slides:
         v[o.name + '.x'] = turned(o.u, s.place(end, 0) - o.q)
         v[o.name + '.v'], v[o.name + '.a'] = turned(o.u, s.velocity(end, 0)), turned(o.u, s.acceleration(end, 0))
+    if o.slot:
+        v[o.name + '.slide'], v[o.name + '.slide_v'] = o.slide(s)
     sine = o.sine(s)
     v[o.name + '.mu'] = np.arcsin(np.minimum(sine, 1))
     small[o.name + '.mu'] = np.maximum(np.sqrt(np.maximum(1 - sine ** 2, 0)), 1e-8)
@@ -152,7 +154,7 @@ def add_forces(m, s, v, vector):
     for output in m.outputs:
         (FP, _), (FQ, _), (FD, M) = (at[output.name + end] for end in ('.P', '.Q', '.D'))
         vector(output.name + '.FP', FP)
-        vector(output.name + '.FQ', FQ)
+        vector(output.name + '.FQ', -FQ if output.slot == 'output' else FQ)
         if output.slides:
             v[output.name + '.N'], v[output.name + '.M'] = cross(output.u, FD), M + 0 * Ts
         else:

@@ -37,9 +37,12 @@ WORDS = {'cannot be assembled: B and D are too far apart': 'apart', 'cannot be a
          'the rod does not reach the line of stroke': 'apart', 'dead position: the motion is not determined by the crank': 'dead',
          'change point: the motion can continue in two ways': 'change', 'friction locks the mechanism': 'locked'}
 
+OUTPUT_APART = tuple(' cannot be assembled: ' + why for why in ('its rod does not reach', 'P is nearer to its pin than the offset of its slot',
+                                                               'it does not reach the slot'))
+
 
 def meaning_of(words):
-    return 'apart' if words.endswith(' cannot be assembled: its rod does not reach') else WORDS.get(words)
+    return 'apart' if words.endswith(OUTPUT_APART) else WORDS.get(words)
 
 
 class Tally:

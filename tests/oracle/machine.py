@@ -63,13 +63,16 @@ class Spring:
 
 
 class Output:
-    """A rod on a point P of a body, and a slider or a rocker on the rod: bodies first and first + 1."""
+    """A rod on a point P of a body, and a slider or a rocker on the rod: bodies first and first + 1.  By a slot: a block without mass."""
 
     def __init__(self, machine, name, keys, first):
         deck = machine.deck
-        self.name, self.first = name, first
+        self.name, self.first, self.machine = name, first, machine
         self.i, self.p = machine.body(keys['link']), machine.point(machine.body(keys['link']), keys['at'])
         self.rod, self.slides = deck.number(keys, 'rod', 'length'), 'line' in keys
+        self.slot = keys.get('slot')  # output, link
+        self.slot_angle = deck.number(keys, 'slot_angle', 'angle')
+        self.offset = deck.number(keys, 'offset', 'length')
         self.r = 0 if self.slides else deck.number(keys, 'length', 'length')
         self.side = -1 if keys.get('side') in ('behind', 'right') else 1
         self.j = machine.body(keys['to']) if 'to' in keys else 0
@@ -88,20 +91,58 @@ class Output:
         machine.length += [self.rod, self.r]
 
     def joints(self):
+        end, e = self.first + 1, np.exp(1j * REAL(self.slot_angle))
+        if self.slot == 'output':
+            hang = Pin(self.first, 0, self.i, self.p), \
+                Slide(self.first, 0, end, 0, e, self.slot_angle) if self.slides else Slide(self.first, 0, end, 1j * self.offset, 1, 0)
+        elif self.slot:
+            hang = Slide(self.first, 0, self.i, self.p, e, self.slot_angle), Pin(end, self.r, self.first, 0)
+        else:
+            hang = Pin(self.first, 0, self.i, self.p), Pin(end, self.r, self.first, self.rod)
         guide = Slide(self.first + 1, 0, 0, self.q, self.u, self.angle) if self.slides else Pin(self.first + 1, 0, self.j, self.q)
-        return {self.name + '.P': Pin(self.first, 0, self.i, self.p), self.name + '.Q': Pin(self.first + 1, self.r, self.first, self.rod),
-                self.name + '.D': guide}
+        return {self.name + '.P': hang[0], self.name + '.Q': hang[1], self.name + '.D': guide}
 
     def guess(self, point):
         """Origins and angles of both bodies; point(body, at) is where a point of a body is."""
         P, R = point(self.i, self.p), point(self.j, self.q)
+        if self.slot:
+            return self.guess_by_slot(P, R, point(self.i, self.p + np.exp(1j * REAL(self.slot_angle))) - P)
         if self.slides:
             Q = reach(P, self.rod, R, self.u, self.side)
             return (P, Q), (np.angle(Q - P), self.angle + 0 * P.real)
         Q = meet(P, self.rod, R, self.r, self.side)
         return (P, R), (np.angle(Q - P), np.angle(Q - R))
 
+    def guess_by_slot(self, P, R, e):
+        """e is the direction of a slot in the carrying body."""
+        if self.slides:
+            e = self.u * np.exp(1j * REAL(self.slot_angle)) + 0 * P if self.slot == 'output' else e
+            Q = R + cross(P - R, e) / cross(self.u, e) * self.u
+            return (P if self.slot == 'output' else Q, Q), (np.angle(e), self.angle + 0 * P.real)
+        if self.slot == 'output':
+            r = P - R
+            e = r / (self.side * root(abs(r) ** 2 - self.offset ** 2, abs(r)) + 1j * self.offset)
+            return (P, R), (np.angle(e), np.angle(e))
+        c = turned(1j * e, P - R) / self.r
+        axis = c * 1j * e + self.side * root(1 - c ** 2, 1) * e
+        return (R + self.r * axis, R), (np.angle(e) + 0 * axis.real, np.angle(axis))
+
+    def arm(self, s):
+        """From the origin of slider or rocker to the block."""
+        return s.place(self.first, 0) - s.place(self.first + 1, 0)
+
+    def slide(self, s):
+        """The place of the block along its slot, and its rate."""
+        e, body = s.e[self.first], self.first + 1 if self.slot == 'output' else self.i
+        at = (s.place(self.first, 0) - s.r[body]) / s.e[body] + self.machine.masses[body][2]  # in the axes of that body
+        start = 0 if self.slot == 'output' else self.p
+        return turned(e, s.place(self.first, 0) - s.place(body, start)), turned(e, s.velocity(self.first, 0) - s.velocity(body, at))
+
     def sine(self, s):
+        if self.slot and self.slides:
+            return abs(cross(s.e[self.first], self.u))
+        if self.slot:
+            return abs(turned(s.e[self.first], self.arm(s))) / abs(self.arm(s))
         rod, end = s.e[self.first], s.e[self.first + 1]
         return abs(turned(rod, end)) if self.slides else abs(cross(rod, end))
 

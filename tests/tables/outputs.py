@@ -113,9 +113,6 @@ def check_expected(deck, folder):
 
 
 def check_report(deck, folder):
-    with open(deck, encoding='utf-8', errors='replace') as text:
-        if re.search(r'^ *\[output', text.read(), re.M):
-            return  # a report is refused: it has the equations of four links
     REPORT.at(deck)
     status, text, errors = run('--report=' + os.path.join(folder, 'r.html'), '--format=csv', '--units=SI', deck)
     if REPORT.that(status <= 1, 'status', status, errors[-200:]) and 'max(' not in text.split('\n')[0]:  # values, no rows
