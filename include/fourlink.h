@@ -627,7 +627,8 @@ FOURLINK_API int fourlink_results_rows(fourlink_results *results, fourlink_branc
 **    value      in the column's unit; angles that differ by whole turns count as equal
 **    max        size of `angles`
 ** Returned:
-**    angles     in the deck's unit of angle and the order of the motion; may be null if max is 0
+**    angles     of the crank, also where the rows go over another input, in the deck's unit of angle and the order of the
+**               motion; may be null if max is 0
 **    n          how many there are, which may exceed max
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_CONSTANT, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG; FOURLINK_NO_SUCH_NAME,

@@ -87,7 +87,7 @@ static int read_angle(const input *in, double *theta2, char message[MESSAGE_SIZE
     view v;
 
     view_take(&v, in->results);
-    if (!view_read_spot(&v, at, at, &spot, message))
+    if (!view_read_spot(&v, at, &spot, message))
         return 0;
     if (spot.is_place) {
         flk_message(message, MESSAGE_SIZE, "expected a crank angle, not '%t'", at);

@@ -83,6 +83,23 @@ static void check_twice(parser *p, const section_use *use)
     }
 }
 
+/* A boom's cylinder has columns cylinder.length ..., which another part with that name would have too. */
+static void check_cylinder(parser *p)
+{
+    static const section_code sections[] = {SECTION_SPRING, SECTION_ACTUATOR};
+    text name = flk_text_of("cylinder");
+    const section_use *use;
+    size_t i;
+
+    for (i = 0; i < sizeof sections / sizeof sections[0]; i++) {
+        use = flk_section_find(p, sections[i], &name);
+        if (p->d->has_cylinder && use)
+            flk_mistake(p->mistakes, use->place,
+                        "the cylinder of a %t has columns with this name: give it another one",
+                        flk_setting_find(p, KEY_TOP_MECHANISM)->value);
+    }
+}
+
 static void build_actuators(parser *p)
 {
     deck *d = p->d;
@@ -245,6 +262,7 @@ void flk_build_drive(parser *p)
     flk_drive *drive;
 
     build_actuators(p);
+    check_cylinder(p);
     drive = flk_reader_keep(p, sizeof *drive);
     if (!drive || flk_mistakes_count(p->mistakes))
         return;

@@ -201,6 +201,7 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
+    int has_cylinder;              /* 1: the slide is a cylinder by name, as that of a boom */
     const flk_program *program;    /* of the crank over time; null: the motion is another */
     deck_prescribed *prescribed;   /* in place of the crank angle; null: it is the crank angle */
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */

@@ -163,34 +163,37 @@ void flk_link_add_others(int kind, const char **words, size_t n)
 /* Other words for kinds of mechanism; without the kind that is meant, what to write instead. */
 typedef struct other_kind {
     const char *written, *meant, *advice;
+    int has_cylinder; /* 1: what its crank is held by is called a cylinder */
 } other_kind;
 
 static const other_kind other_kinds[] = {
-    {"fourbar", "four-bar", NULL},
-    {"4-bar", "four-bar", NULL},
-    {"4bar", "four-bar", NULL},
-    {"four-bar-linkage", "four-bar", NULL},
-    {"crank-rocker", "four-bar", NULL},
-    {"crank-slider", "slider-crank", NULL},
-    {"slidercrank", "slider-crank", NULL},
-    {"whitworth", "inverted-slider-crank", NULL},
-    {"quick-return", "inverted-slider-crank", NULL},
-    {"shaper", "inverted-slider-crank", NULL},
-    {"slotted-lever", "inverted-slider-crank", NULL},
-    {"crank-and-slotted-lever", "inverted-slider-crank", NULL},
-    {"oscillating-cylinder", "inverted-slider-crank", NULL},
-    {"boom", "inverted-slider-crank", NULL},
-    {"hatch", "inverted-slider-crank", NULL},
-    {"tailgate", "inverted-slider-crank", NULL},
-    {"dump-body", "inverted-slider-crank", NULL},
-    {"tower", "inverted-slider-crank", NULL},
-    {"yoke", "scotch-yoke", NULL},
+    {"fourbar", "four-bar", NULL, 0},
+    {"4-bar", "four-bar", NULL, 0},
+    {"4bar", "four-bar", NULL, 0},
+    {"four-bar-linkage", "four-bar", NULL, 0},
+    {"crank-rocker", "four-bar", NULL, 0},
+    {"crank-slider", "slider-crank", NULL, 0},
+    {"slidercrank", "slider-crank", NULL, 0},
+    {"whitworth", "inverted-slider-crank", NULL, 0},
+    {"quick-return", "inverted-slider-crank", NULL, 0},
+    {"shaper", "inverted-slider-crank", NULL, 0},
+    {"slotted-lever", "inverted-slider-crank", NULL, 0},
+    {"crank-and-slotted-lever", "inverted-slider-crank", NULL, 0},
+    {"oscillating-cylinder", "inverted-slider-crank", NULL, 0},
+    {"boom", "inverted-slider-crank", NULL, 1},
+    {"hatch", "inverted-slider-crank", NULL, 1},
+    {"tailgate", "inverted-slider-crank", NULL, 1},
+    {"dump-body", "inverted-slider-crank", NULL, 1},
+    {"tower", "inverted-slider-crank", NULL, 1},
+    {"yoke", "scotch-yoke", NULL, 0},
     {"toggle", NULL,
-     "a toggle is a four-bar or, if it presses along a line, a slider-crank: write which"},
+     "a toggle is a four-bar or, if it presses along a line, a slider-crank: write which", 0},
     {"trammel", NULL,
-     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"},
+     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that",
+     0},
     {"elliptic-trammel", NULL,
-     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that"}};
+     "a trammel moves as the rod of a slider-crank whose rod is as long as its crank: write that",
+     0}};
 
 #define OTHER_KINDS (sizeof other_kinds / sizeof other_kinds[0])
 
@@ -223,6 +226,13 @@ const char *flk_word_advice(key_code key, text t)
     const other_kind *other = other_kind_of(key, t);
 
     return other ? other->advice : NULL;
+}
+
+int flk_word_has_cylinder(text mechanism)
+{
+    const other_kind *other = other_kind_of(KEY_TOP_MECHANISM, mechanism);
+
+    return other && other->has_cylinder;
 }
 
 /* The list that has the words of a key. */

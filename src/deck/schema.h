@@ -433,6 +433,9 @@ const word_info *flk_word_find(key_code key, int kind, text t);
 /* What to write in place of a word that a key does not accept; null if nothing is known. */
 const char *flk_word_advice(key_code key, text t);
 
+/* 1 if a word for an inverted slider-crank, such as boom, is that of a crank on a cylinder. */
+int flk_word_has_cylinder(text mechanism);
+
 /* The name of a link, and of its section, that another name means for a kind of mechanism, or this name. */
 text flk_link_meant(int kind, text name);
 

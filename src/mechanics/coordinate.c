@@ -131,7 +131,20 @@ static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism,
     return fabs(apart) <= ON_BRANCH * scale_of(q, mechanism);
 }
 
-/* The crank angles of a value on a side, with links 3 and 4 on the side of a branch; NaN where there is none.  Of an
+/* The crank angle of a piston beyond a change point, where its x is still that of the branch b that the mechanism is on:
+**
+**    X = b (x_dc - x)
+*/
+static double find_beyond(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          fourlink_branch beyond, int side, double x)
+{
+    return flk_kind_of(mechanism->design.kind)
+        ->theta2_of(mechanism, FLK_OF_PIN, beyond, -(int)branch * side,
+                    (double)branch * (mechanism->dead_centre - x));
+}
+
+/* The crank angles of a value on a side of a branch, with links 3 and 4 on the side of it or, beyond a change point, of the
+** other one; NaN where there is none.  Of an
 ** actuator of length n from the ground point G to a point P of the crank, gamma is the angle at A of the triangle APG, and
 ** of one to link 4 that at D:
 **
@@ -139,7 +152,8 @@ static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism,
 **    theta4 alike about D;                                             it rises with + gamma where theta4 does
 */
 static int list_cranks(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                       fourlink_branch branch, int side, double value, double theta2[2])
+                       fourlink_branch branch, fourlink_branch of_links, int side, double value,
+                       double theta2[2])
 {
     const flk_kind *kind = flk_kind_of(mechanism->design.kind);
     const flk_actuator *x = q->actuator;
@@ -148,7 +162,9 @@ static int list_cranks(const flk_coordinate *q, const fourlink_mechanism *mechan
     int link, k;
 
     if (!x) {
-        theta2[0] = kind->theta2_of(mechanism, q->what, branch, side, value);
+        theta2[0] = q->what == FLK_OF_DISPLACEMENT && of_links != branch
+                        ? find_beyond(mechanism, branch, of_links, side, value)
+                        : kind->theta2_of(mechanism, q->what, of_links, side, value);
         return 1;
     }
     link = x->link == FOURLINK_GROUND ? x->to : x->link;
@@ -164,7 +180,7 @@ static int list_cranks(const flk_coordinate *q, const fourlink_mechanism *mechan
         return 1;
     }
     for (k = 0; k < 2; k++)
-        theta2[k] = kind->theta2_of(mechanism, FLK_OF_FOLLOWER, branch, k ? -side : side,
+        theta2[k] = kind->theta2_of(mechanism, FLK_OF_FOLLOWER, of_links, k ? -side : side,
                                     middle + (k ? -gamma : gamma));
     return 2;
 }
@@ -176,6 +192,29 @@ static int is_at_end(const flk_stretch *stretch, double value)
     return fabs(value - stretch->from) <= close || fabs(value - stretch->to) <= close;
 }
 
+double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
+                              double value)
+{
+    double turn = 2 * M_PI, n = floor((theta2 - stretch->theta2_from) / turn);
+
+    if (!q->is_angle || !(fabs(stretch->to - stretch->from) > turn * (1 + LEAST)))
+        return value;
+    return flk_cycle_place(value, stretch->from + turn * (stretch->side > 0 ? n : -n - 1), turn);
+}
+
+/* 1 if a value of a stretch of more than one turn is in the same turn as a crank angle; where a turn begins, both are at
+** the same distance from the beginning. */
+static int is_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
+                      double value)
+{
+    double way = theta2 - stretch->theta2_from;
+
+    if (fabs(flk_cycle_beside(way, 2 * M_PI)) <= INSIDE)
+        return !q->is_angle || fabs(stretch->to - stretch->from) <= 2 * M_PI * (1 + LEAST) ||
+               fabs(way - fabs(value - stretch->from)) < M_PI;
+    return fabs(value - flk_coordinate_in_turn(q, stretch, theta2, value)) < M_PI;
+}
+
 /* Move a crank angle by whole periods to where a stretch has it; 0 if that does not. */
 static int move_into(const flk_stretch *stretch, double period, double *theta2)
 {
@@ -183,8 +222,23 @@ static int move_into(const flk_stretch *stretch, double period, double *theta2)
     return *theta2 <= stretch->theta2_to + INSIDE;
 }
 
+/* The crank at an end of a stretch, where there may be no row. */
+static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                    fourlink_branch branch, const flk_stretch *stretch, double value,
+                    double *theta2, flk_prescribed *unit)
+{
+    int is_first = fabs(value - stretch->from) < fabs(value - stretch->to), status;
+
+    *theta2 = is_first ? stretch->theta2_from : stretch->theta2_to;
+    status = at_unit_speed(q, mechanism, branch, *theta2, unit);
+    if (status == FOURLINK_OK && fabs(unit->rate) < AT_END * scale_of(q, mechanism))
+        unit->rate = 0;
+    return status;
+}
+
 /* The crank angle of a value in a stretch of a branch.  Beyond a change point links 3 and 4 are on the side of the other
-** branch, for half a turn or for a whole one. */
+** branch, for half a turn or for a whole one.  A place without a row has the status of one of the angles that come into
+** question. */
 static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                       fourlink_branch branch, const flk_stretch *stretch, double value,
                       double *theta2, flk_prescribed *unit)
@@ -192,25 +246,30 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
     int can_change = mechanism->change_stretched || mechanism->change_folded;
     int turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1, i, k, n;
     int status = FOURLINK_NO_SUCH_ANGLE, tried;
-    double list[2];
+    double list[2], without = GSL_NAN;
 
     for (i = 0; i < (can_change ? 2 * turns : 1); i++) {
-        n = list_cranks(q, mechanism, (fourlink_branch)(i % 2 ? -(int)branch : (int)branch),
+        n = list_cranks(q, mechanism, branch, (fourlink_branch)(i % 2 ? -(int)branch : (int)branch),
                         stretch->side, value, list);
         for (k = 0; k < n; k++) {
             *theta2 = list[k] + (i / 2) * 2 * M_PI;
             if (gsl_isnan(*theta2) || !move_into(stretch, turns * 2 * M_PI, theta2))
                 continue;
             tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
-            if (tried != FOURLINK_OK)
+            if (tried != FOURLINK_OK) {
                 status = tried;
-            else if (is_same(q, mechanism, unit->value, value)) {
+                without = *theta2;
+            } else if (is_same(q, mechanism, unit->value, value) &&
+                       is_in_turn(q, stretch, *theta2, value)) {
                 if (is_at_end(stretch, value) && fabs(unit->rate) < AT_END * scale_of(q, mechanism))
                     unit->rate = 0;
                 return FOURLINK_OK;
             }
         }
     }
+    if (is_at_end(stretch, value))
+        return take_end(q, mechanism, branch, stretch, value, theta2, unit);
+    *theta2 = gsl_isnan(without) ? *theta2 : without;
     return status;
 }
 
@@ -280,6 +339,7 @@ double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism 
             return middle;
         at = flk_coordinate_value(q, mechanism, branch, middle);
         at = q->is_angle ? flk_cycle_place(at, low, 2 * M_PI) : at;
+        at = flk_coordinate_in_turn(q, stretch, middle, at);
         if ((at < value) == (stretch->side > 0))
             from = middle;
         else

@@ -69,6 +69,11 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
 double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, double theta2);
 
+/* A value moved by whole turns to what it is at a crank angle of a stretch of more than one turn, over which crank and link 4
+** turn alike; else the value. */
+double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
+                              double value);
+
 /* The crank angle of a value in a stretch, at those places too: by bisection. */
 double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                               fourlink_branch branch, const flk_stretch *stretch, double value);

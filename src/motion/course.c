@@ -389,7 +389,7 @@ static int find_coordinate(const flk_course *c, double place, double *at)
     double tiny = 1e-9 * GSL_MAX(last - first, size);
 
     *at = place;
-    if (c->d->prescribed->q->is_angle)
+    if (c->d->prescribed->q->is_angle && !(first - tiny <= place && place <= last + tiny))
         *at = flk_cycle_place(place, first - tiny, 2 * M_PI);
     return first - tiny <= *at && *at <= last + tiny && !c->d->prescribed->is_at_crank;
 }
@@ -462,6 +462,8 @@ static void next_over_coordinate(const flk_pieces *x, flk_piece *piece)
     if (passed < way - FLK_CORNERS_CLOSE(way)) {
         value = flk_coordinate_value(of->q, &c->d->machine.mechanism, x->branch,
                                      p.from + p.sense * passed);
+        value = flk_coordinate_in_turn(of->q, DECK_STRETCH(of, x->branch),
+                                       p.from + p.sense * passed, value);
         find_coordinate(c, value + of->motion.x_at, &to);
         piece->to = (to - x->first) / x->rate;
         if (piece->to > piece->from && piece->to < x->length)
@@ -490,8 +492,10 @@ static int pass_coordinate(const flk_course *c, fourlink_branch branch, double t
     row->crank.theta2 = in_stretch(s, theta2, position_period(c));
     if (row->crank.theta2 > s->theta2_to + INSIDE_STRETCH ||
         flk_coordinate_crank_at(x->q, &c->d->machine.mechanism, branch, &at, &row->crank) !=
-            FOURLINK_OK ||
-        !find_coordinate(c, at.value + x->motion.x_at, &place))
+            FOURLINK_OK)
+        return 0;
+    at.value = flk_coordinate_in_turn(x->q, s, row->crank.theta2, at.value);
+    if (!find_coordinate(c, at.value + x->motion.x_at, &place))
         return 0;
     theta2 = row->crank.theta2;
     flk_course_prescribed_at(x, place, &at, row);

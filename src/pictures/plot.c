@@ -242,7 +242,7 @@ static int read_spots(picture *p, fourlink_mistake *mistake)
             return view_refuse(mistake, "--plot-at", plot_names[p->request->kind],
                                " draws one position, not several");
         spot = &p->spots[p->n_spots++];
-        if (!view_read_spot(&p->v, item, item, spot, words) || !is_in_range(p, spot, words))
+        if (!view_read_spot(&p->v, item, spot, words) || !is_in_range(p, spot, words))
             return view_refuse(mistake, "--plot-at", words, "");
     }
     return 1;

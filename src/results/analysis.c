@@ -374,9 +374,11 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
                      &a->acting.ground_moment);
 }
 
-/* Compute the motion, and with `forces` the loads and forces; returns a status. */
+/* Compute the motion, and with `forces` the loads and forces; returns a status.  At a place of the course, which may be
+** null, what is prescribed has its own values in them all: where it moves at constant speed, an acceleration of
+** rounding error would have an inertia force with a direction. */
 static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
-                   flk_row *row)
+                   const double *place, flk_row *row)
 {
     fourlink_instant *at = &row->at;
     const flk_machine *machine = &a->d->machine;
@@ -389,6 +391,8 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
 
     if (status != FOURLINK_OK)
         return status;
+    if (place && a->d->prescribed)
+        flk_course_set_prescribed(&a->course, *place, &at->state);
     if (forces)
         status = flk_machine_forces(machine, &at->state, closed_form, &a->acting, &at->forces,
                                     &at->losses);
@@ -425,8 +429,8 @@ static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *
     return FOURLINK_OK;
 }
 
-void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
-                     const fourlink_crank *crank, flk_row *row)
+static void analyse(flk_analysis *a, int needs, fourlink_branch branch, const fourlink_crank *crank,
+                    const double *place, flk_row *row)
 {
     const flk_machine *machine = &a->d->machine;
     const fourlink_mechanism *mechanism = &machine->mechanism;
@@ -435,7 +439,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     fourlink_instant *at = &row->at;
 
     at->branch = branch;
-    at->status = compute(a, needs, forces, crank, row);
+    at->status = compute(a, needs, forces, crank, place, row);
     if (at->status == FOURLINK_OK && (needs & NEED_ENGINE)) {
         at->status = fourlink_engine_method(mechanism, &at->state, 0, a->acting.load,
                                             machine->n_loads, a->d->approximation, &row->engine);
@@ -451,16 +455,19 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
         at->status = derive(a, needs, forces, crank, at, &row->derived);
 }
 
+void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
+                     const fourlink_crank *crank, flk_row *row)
+{
+    analyse(a, needs, branch, crank, NULL, row);
+}
+
 /* Complete a row, unless the machine does not get there. */
 static void complete(flk_analysis *a, int needs, fourlink_branch branch, int status, flk_row *row)
 {
     row->at.branch = branch;
     row->at.status = status;
-    if (status != FOURLINK_OK)
-        return;
-    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
-    if (a->d->prescribed && row->at.status == FOURLINK_OK)
-        flk_course_set_prescribed(&a->course, row->at.row.place, &row->at.state);
+    if (status == FOURLINK_OK)
+        analyse(a, needs, branch, &row->at.row.crank, &row->at.row.place, row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,

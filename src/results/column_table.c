@@ -49,6 +49,12 @@ static int is_first_number(const flk_column_info *info, const deck_axes *axes)
            (!axes->is_page && (info->form <= POLAR_DIRECTION || info->form >= ON_PAGE));
 }
 
+/* 1 for the slide, its speed and acceleration, which are a boom's cylinder. */
+static int is_slide(const flk_column_info *info)
+{
+    return info->kinds & SLOT && strncmp(info->name, "slide", 5) == 0;
+}
+
 static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
 {
     int usual = USUAL | (a->possible & NEED_ACTUAL || a->d->program ? USUAL_ACTUAL : 0) |
@@ -58,7 +64,7 @@ static int make_of_table(const flk_analysis *a, size_t i, flk_column *c)
     if (table[i].traits & FOURLINK_CRANK_ANGLE)
         c->scale = 1; /* already in the deck's unit, exactly */
     c->is_number = is_first_number(&table[i], &a->d->axes);
-    c->is_usual = (table[i].kinds & usual) != 0;
+    c->is_usual = (table[i].kinds & usual) != 0 && !(a->d->has_cylinder && is_slide(&table[i]));
     return has(a, &table[i]);
 }
 

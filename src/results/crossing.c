@@ -8,6 +8,7 @@
 ** whatever place that leads to, the row itself must have the value: a jump across it is no crossing,
 ** neither of a load, nor through infinity, nor of an angle by half a turn.
 */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -27,9 +28,11 @@ typedef struct crossings {
     flk_samples x;
     flk_sampled *c;
     double value;
-    double side;        /* 1 or -1: the side of the present samples */
-    double first, last; /* rad passed at the first and the last crossing found */
-    int was_level;      /* 1: the column has the value throughout the last piece */
+    double side; /* 1 or -1: the side of the present samples */
+    double first,
+        last; /* rad passed at the first and the last crossing found; of another input, crank angles */
+    double last_passed;
+    int was_level; /* 1: the column has the value throughout the last piece */
     unsigned long max, n;
     double *angles;
 } crossings;
@@ -93,24 +96,79 @@ static double scale_of(const crossings *k, const flk_row *row, double around)
     return scale;
 }
 
+/* The column minus the value in the row at a crank angle, as it is printed; the row's status. */
+static int find_at_angle(double angle, crossings *k, double *off, flk_row *row)
+{
+    int is_there;
+
+    k->x.f.a->is_fast = 0;
+    is_there =
+        flk_analysis_at_angle(k->x.f.a, flk_column_need(k->c->of.c), k->x.f.branch, angle, row);
+    k->x.f.a->is_fast = 1;
+    *off = GSL_NAN;
+    if (!is_there)
+        return FOURLINK_NO_SUCH_ANGLE;
+    if (row->at.status == FOURLINK_OK)
+        *off = off_of(k, flk_column_value(k->c->of.c, row));
+    return row->at.status;
+}
+
+static double off_at_angle(double angle, void *data)
+{
+    flk_row row;
+    double off;
+
+    find_at_angle(angle, data, &off, &row);
+    return off;
+}
+
+/* The crank angle of a crossing at a place of another input.  Near a dead centre of that the column changes much from one
+** value of the input to the next that there is, over which crank angles have many. */
+#define NEXT (16 * DBL_EPSILON) /* of the largest value */
+
+static double crank_angle(crossings *k, double place)
+{
+    const flk_pieces *motion = &k->x.f.motion;
+    double least = GSL_MIN(motion->first, motion->end), most = GSL_MAX(motion->first, motion->end);
+    double next = NEXT * GSL_MAX(fabs(least), fabs(most));
+    double from = flk_follow_crank(&k->x.f, GSL_MAX(place - next, least));
+    double to = flk_follow_crank(&k->x.f, GSL_MIN(place + next, most));
+    double before = off_at_angle(from, k), behind = off_at_angle(to, k);
+    flk_bracket b;
+
+    if (!(before * behind < 0)) /* or one is NaN */
+        return flk_follow_crank(&k->x.f, place);
+    b = from < to ? flk_bracket_of(from, to, before, behind)
+                  : flk_bracket_of(to, from, behind, before);
+    return flk_find_zero(off_at_angle, k, &b, 0);
+}
+
 /* Keep the crossing at a parameter, if the row as it is printed has the value and it is not the last crossing
 ** found. */
 static void keep_crossing(crossings *k, double s, double around)
 {
     double passed = flk_follow_corner(&k->x.f, s), off;
+    double angle = flk_follow_place(&k->x.f, passed), at = passed;
+    int is_prescribed = k->x.f.a->d->prescribed != NULL;
     flk_row row;
 
-    if (fabs(passed - k->last) < SAME)
+    if (is_prescribed) {
+        angle = crank_angle(k, angle);
+        at = angle * k->x.f.a->d->motion.angle_unit;
+    }
+    if (fabs(at - k->last) < SAME)
         return;
-    off = off_of_row(s, k, &row);
+    if (!is_prescribed || find_at_angle(angle, k, &off, &row) != FOURLINK_OK)
+        off = off_of_row(s, k, &row);
     if (FLK_SINE(&row.at.state) < FLK_SAMPLES_NEAR_LINE || flk_sampled_is_rounded(k->c, passed))
         around = 0; /* the values around the row are no smoother than it is */
     if (!(fabs(off) <= EXACT * scale_of(k, &row, around)))
         return;
     if (k->n < k->max)
-        k->angles[k->n] = flk_follow_place(&k->x.f, passed);
-    k->first = k->n == 0 ? passed : k->first;
-    k->last = passed;
+        k->angles[k->n] = angle;
+    k->first = k->n == 0 ? at : k->first;
+    k->last = at;
+    k->last_passed = passed;
     k->n++;
 }
 
@@ -444,7 +502,7 @@ static void keep_level(crossings *k)
     unsigned long n;
     int end;
 
-    if (k->was_level && k->last == k->x.f.piece.from)
+    if (k->was_level && k->last_passed == k->x.f.piece.from)
         k->n--;
     for (end = k->was_level; end < 2; end++) {
         n = k->n;
@@ -517,7 +575,7 @@ static void search_crossings(crossings *k)
 {
     flk_sample before = {0, 0};
 
-    before.value = k->last = GSL_NAN;
+    before.value = k->last = k->last_passed = GSL_NAN;
     while (flk_samples_next(&k->x))
         search_piece(k, &before);
     /* a revolution ends with its first row */

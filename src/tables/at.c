@@ -40,21 +40,39 @@ static int find_column(fourlink_results *results, text name, fourlink_value *col
     return 0;
 }
 
+/* The only instant of a motion: '[motion] at = 30 deg', or of another input 'C.x = 700 mm'. */
+#define INSTANT 120
+
+static const char *tell_instant(const view *v, char out[INSTANT])
+{
+    fourlink_instant now;
+    double place = v->problem.motion.from;
+
+    if (v->problem.is_prescribed) {
+        if (fourlink_results_row(v->results, v->branches[0], 0, NULL, &now, NULL) != FOURLINK_OK)
+            return "";
+        place = view_shown_place(v, &now.row);
+    }
+    return flk_message(out, INSTANT, ", %s = %g %s",
+                       v->problem.is_prescribed ? v->problem.over.name : "[motion] at", place,
+                       v->units[v->problem.is_prescribed ? v->over : QUANTITY_ANGLE].name);
+}
+
 static int take_column(const view *v, text name, text value, at_item *item, char message[400])
 {
     fourlink_value column;
+    char instant[INSTANT];
 
     if (!find_column(v->results, name, &column, message))
         return -1;
-    if (!v->problem.over.is_crank_angle) {
+    if (!v->problem.over.is_crank_angle && !v->problem.is_prescribed) {
         flk_message(message, 400, "'%t' needs rows by angle; these are rows by %s", item->words,
                     v->problem.over.rows);
         return -1;
     }
     if (v->problem.one_instant) {
-        flk_message(message, 400,
-                    "'%t' is sought along a motion; this one is one instant, [motion] at = %g %s",
-                    item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
+        flk_message(message, 400, "'%t' is sought along a motion; this one is one instant%s",
+                    item->words, tell_instant(v, instant));
         return -1;
     }
     item->column = column.name;
@@ -67,6 +85,7 @@ static int take_column(const view *v, text name, text value, at_item *item, char
 int at_next(const view *v, const char **list, at_item *item, char message[400])
 {
     text rest, name;
+    char instant[INSTANT];
     int i;
 
     if (!*list)
@@ -83,20 +102,17 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
         (v->problem.over.is_crank_angle ||
          !flk_text_equal(flk_text_trim(name), v->problem.over.name)))
         return take_column(v, flk_text_trim(name), flk_text_trim(rest), item, message);
-    if (!view_read_spot(v, rest.start ? flk_text_trim(rest) : item->words, item->words, &item->spot,
-                        message))
+    if (!view_read_spot(v, item->words, &item->spot, message))
         return -1;
     for (i = 0; i < v->n_branches; i++)
         if (view_find_spot(v, v->branches[i], &item->spot, NULL, NULL, NULL) !=
             FOURLINK_NO_SUCH_ANGLE)
             return 1;
-    flk_message(message, 400,
-                v->problem.one_instant
-                    ? "the motion does not reach theta2 = %t: it is one instant, "
-                      "[motion] at = %g %s"
-                : item->spot.is_place ? "the motion does not reach %t"
-                                      : "the motion does not reach theta2 = %t",
-                item->words, v->problem.motion.from, v->units[QUANTITY_ANGLE].name);
+    name = view_value_of_spot(item->words);
+    flk_message(message, 400, "the motion does not reach %s = %t%s%s",
+                item->spot.is_place ? v->problem.over.name : "theta2", name,
+                v->problem.one_instant ? ": it is one instant" : "",
+                v->problem.one_instant ? tell_instant(v, instant) : "");
     return -1;
 }
 

@@ -225,20 +225,37 @@ double view_turn_of_range(const view *v, double from, double to)
     return to - from < 2 * M_PI - 1e-9 ? view_direction(v, from) - from : 0;
 }
 
-/* 1 if a value has a unit of what the rows go over, and that is no angle. */
+text view_value_of_spot(text words)
+{
+    text rest = words, name;
+
+    flk_text_split(&rest, '=', &name);
+    return rest.start ? flk_text_trim(rest) : words;
+}
+
+/* 1 if a value is one of what the rows go over, and that is no crank angle: by its unit; a bare one is one of the
+** input, as in a deck. */
 static int is_of_place(const view *v, text value)
 {
     text name = flk_quantity_unit_text(value), bad;
     unit u;
 
-    return !v->problem.over.is_crank_angle && name.length && flk_unit_read(name, &u, &bad) &&
-           flk_dimension_equal(u.dim, flk_quantities[v->over].dim);
+    if (!name.length)
+        return v->problem.is_prescribed;
+    return flk_unit_read(name, &u, &bad) && flk_dimension_equal(u.dim, flk_quantities[v->over].dim);
 }
 
-int view_read_spot(const view *v, text value, text words, view_spot *spot,
-                   char message[MESSAGE_SIZE])
+int view_read_spot(const view *v, text words, view_spot *spot, char message[MESSAGE_SIZE])
 {
-    spot->is_place = is_of_place(v, value);
+    text value = view_value_of_spot(words), rest = words, name;
+
+    flk_text_split(&rest, '=', &name);
+    name = flk_text_trim(name);
+    spot->is_place =
+        !v->problem.over.is_crank_angle &&
+        (rest.start && flk_text_equal(name, "theta2")               ? 0
+         : rest.start && flk_text_equal(name, v->problem.over.name) ? 1
+                                                                    : is_of_place(v, value));
     return spot->is_place ? view_read(v, v->over, value, words, &spot->at, message)
                           : view_read_crank(v, value, words, &spot->at, message);
 }

@@ -86,9 +86,11 @@ typedef struct view_spot {
     int is_place;
 } view_spot;
 
-/* Read a spot; 0 and a message if it is none. */
-int view_read_spot(const view *v, text value, text words, view_spot *spot,
-                   char message[MESSAGE_SIZE]);
+/* Read a spot, "60 deg", "theta2 = 60 deg" or "C.x = 700 mm"; 0 and a message if it is none. */
+int view_read_spot(const view *v, text words, view_spot *spot, char message[MESSAGE_SIZE]);
+
+/* Its value without the name. */
+text view_value_of_spot(text words);
 
 /* The row there, as from fourlink_results_at. */
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,

@@ -4,6 +4,7 @@
 **
 **    brute_crossings DECKS [SEED [FIRST]]    (brute_decks.h)
 **    brute_crossings FILE [CHANCE]...
+**    brute_crossings inputs DECKS [SEED [FIRST]]    the same decks, moved by another input than the crank
 **
 ** Of each column on both branches, two values are sought: one that it has between two rows chosen by
 ** chance, and one of its peaks.  The rows are thousands, closer to dead positions and to the ends of the
@@ -42,7 +43,7 @@ static int status[MOST];
 static double rows[MOST][COLUMNS];
 static int n;
 
-static long sought, found, expected, touches, rounded, wrong, missing;
+static long n_inputs, sought, found, expected, touches, rounded, wrong, missing;
 static double worst;
 
 static double angle_of(double p)
@@ -363,6 +364,25 @@ static void try_column(unsigned long c)
     try_value(c, seldom(0.3) ? 0 : peak_of(c));
 }
 
+/* The crank angles of the motion of the branch, from `from` to `end`; 0 if it has none.  Of another input the rows at its
+** ends have them, also at its dead centres. */
+static int find_motion(const fourlink_problem *problem)
+{
+    fourlink_instant first, last;
+
+    from = problem->motion.from;
+    if (problem->is_prescribed && !(branch == FOURLINK_OPEN ? problem->open : problem->crossed))
+        return 0; /* it reaches another range */
+    if (!problem->is_prescribed)
+        return fourlink_results_end(results, branch, &end) == FOURLINK_OK && end != from;
+    fourlink_results_row(results, branch, 0, NULL, &first, NULL);
+    fourlink_results_row(results, branch, problem->n_rows - 1, NULL, &last, NULL);
+    from = first.row.angle;
+    end = last.row.angle;
+    n_inputs++;
+    return fabs(end - from) > 0; /* no NaN */
+}
+
 static void try_deck(fourlink_results *r)
 {
     fourlink_problem problem;
@@ -374,9 +394,8 @@ static void try_deck(fourlink_results *r)
     for (mu = 0; mu + 1 < n_columns && strcmp(columns[mu].name, "mu") != 0; mu++)
         ;
     angle_unit = problem.motion.angle_unit;
-    from = problem.motion.from;
     for (branch = FOURLINK_OPEN;; branch = FOURLINK_CROSSED) {
-        if (fourlink_results_end(results, branch, &end) == FOURLINK_OK && end != from) {
+        if (find_motion(&problem)) {
             sense = end < from ? -1 : 1;
             total = fabs(end - from) * angle_unit;
             take_rows();
@@ -388,13 +407,40 @@ static void try_deck(fourlink_results *r)
     }
 }
 
+/* The same deck, moved by another input, over all that it reaches on a side. */
+static void prescribe(void)
+{
+    static const char *const four_bar[] = {"theta4"}, *const guided[] = {"x", "C.x"},
+                             *const inverted[] = {"theta4", "slide"};
+    const char *input = strstr(deck_text, "four-bar")   ? four_bar[0]
+                        : strstr(deck_text, "inverted") ? inverted[one_of(2)]
+                                                        : guided[one_of(2)];
+    char *motion = strstr(deck_text, "\n[motion]"), *after;
+
+    if (motion) {
+        after = strstr(motion + 1, "\n[");
+        memmove(motion, after ? after : motion + strlen(motion),
+                strlen(after ? after : motion + strlen(motion)) + 1);
+    }
+    length = strlen(deck_text);
+    length += (size_t)snprintf(deck_text + length, sizeof deck_text - length,
+                               "\n[motion]\ninput = %s\nside = %s\nspeed = %s%.17g %s\n", input,
+                               seldom(0.5) ? "falling" : "rising", seldom(0.5) ? "-" : "",
+                               power_of_ten(-1, 1), strcmp(input, "theta4") == 0 ? "rad/s" : "m/s");
+}
+
 int main(int argc, char **argv)
 {
-    int none = try_decks(argc, argv, "crossings", COLUMNS, try_deck);
+    int of_inputs = argc > 1 && strcmp(argv[1], "inputs") == 0, none;
+
+    change_deck = of_inputs ? prescribe : NULL;
+    none = try_decks(argc - of_inputs, argv + of_inputs,
+                     of_inputs ? "crossings-of-inputs" : "crossings", COLUMNS, try_deck);
 
     printf("%ld decks, %ld refused: %ld values sought, %ld crossings found, the worst off by %.2g; "
            "%ld by bisection, of them not found %ld touches and %ld that rounding decides\n",
            n_decks, n_refused, sought, found, worst, expected, touches, rounded);
-    printf("%ld false, %ld lost, in %ld decks\n", wrong, missing, n_failed_decks);
+    printf("%ld of the motions by another input; %ld false, %ld lost, in %ld decks\n", n_inputs,
+           wrong, missing, n_failed_decks);
     return wrong + missing > 0 || none;
 }

@@ -21,6 +21,8 @@ static long n_decks, n_refused, n_failed_decks;
 static double corners[1000]; /* rad; where something happens, in every cycle */
 static int n_corners;
 
+static void (*change_deck)(void); /* if not null, makes another deck of deck_text */
+
 static void read_deck(void)
 {
     FILE *in = fopen(deck_name, "r");
@@ -112,6 +114,8 @@ static void try_one(unsigned long most_columns, void (*try)(fourlink_results *))
     n_decks++;
     deck_failed = 0;
     deck_text[length] = '\0';
+    if (change_deck)
+        change_deck();
     find_corners();
     r = open_deck(most_columns);
     if (!r) {
