@@ -38,7 +38,8 @@ static const flk_column_info of_actuator[FLK_ACTUATOR_COLUMNS] = {
 
 static size_t count_drives(const deck *d)
 {
-    return NAMED + FLK_ACTUATOR_COLUMNS * d->n_actuators;
+    return (d->machine.mechanism.drive != NULL) + (d->has_cylinder ? (size_t)CYLINDER_FORCE : 0) +
+           FLK_ACTUATOR_COLUMNS * d->n_actuators;
 }
 
 /* One of `named`; where a cylinder drives, drive and slide are there by these names only. */
@@ -52,7 +53,7 @@ static int make_named(const flk_analysis *a, int i, flk_column *c)
     c->of.actuator = NULL;
     c->component = i;
     c->is_usual = i != FORCE_OF_DRIVE || !(is_cylinder && drives);
-    return i == FORCE_OF_DRIVE ? drive != NULL : is_cylinder && (i != CYLINDER_FORCE || drives);
+    return i != CYLINDER_FORCE || drives;
 }
 
 static int make_of_drive(const flk_analysis *a, size_t i, flk_column *c)
@@ -61,9 +62,11 @@ static int make_of_drive(const flk_analysis *a, size_t i, flk_column *c)
     const flk_actuator *actuator;
     int component;
 
-    if (i < NAMED)
-        return make_named(a, (int)i, c);
-    i -= NAMED;
+    if (drive && i-- == 0)
+        return make_named(a, FORCE_OF_DRIVE, c);
+    if (a->d->has_cylinder && i < CYLINDER_FORCE)
+        return make_named(a, CYLINDER_LENGTH + (int)i, c);
+    i -= a->d->has_cylinder ? (size_t)CYLINDER_FORCE : 0;
     actuator = &a->d->actuators[i / FLK_ACTUATOR_COLUMNS];
     component = (int)(i % FLK_ACTUATOR_COLUMNS);
     flk_column_start(a->d, &of_actuator[component], c);
