@@ -185,6 +185,11 @@ void system_remove(const char *name)
         file->length = 0;
 }
 
+void system_watch(char *name)
+{
+    (void)name;
+}
+
 /* ------------------------------------------------------------------------ terminals, signals, programs */
 
 int system_is_terminal(FILE *stream)

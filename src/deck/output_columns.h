@@ -67,7 +67,7 @@ typedef enum output_column { OUTPUT_COLUMN_LIST(OUTPUT_COLUMN_CODE) OUTPUT_COLUM
     X(MOST, ".x_max", ".theta_max", LENGTH, ANGLE, "largest place along its line",                 \
       "largest angle")                                                                             \
     X(STROKE, ".stroke", ".swing", LENGTH, ANGLE, "distance between these", "angle between these") \
-    X(RATIO, ".time_ratio", ".time_ratio", NUMBER, NUMBER, "time ratio, slow stroke to quick one",              \
+    X(RATIO, ".time_ratio", ".time_ratio", NUMBER, NUMBER, "time ratio, slow stroke to quick one", \
       "time ratio, slow swing to quick one")
 
 #define OUTPUT_FACT_CODE(code, slider, rocker, q, q_rocker, meaning, meaning_rocker) \

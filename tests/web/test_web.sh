@@ -10,7 +10,7 @@ needs chromium chromium
 needs node nodejs
 
 page=$top/web/fourlink.html
-check "$(wc -c <"$page") bytes" test "$(wc -c <"$page")" -lt 900000
+check "$(wc -c <"$page") bytes" test "$(wc -c <"$page")" -lt 930000
 for name in generator fourlink-sources; do
     check "no $name" grep -q "^<meta name=\"$name\" content=\"[a-z0-9]*[ :][0-9a-f.]*\">$" "$page"
 done
