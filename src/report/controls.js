@@ -131,7 +131,16 @@ function controls(find, seen) {
             drawing.layOut();
         }
     });
-    window.addEventListener("beforeprint", stop);
+    /* On paper the drawings of the page have the width of paper, so that their letters keep their size. */
+    window.addEventListener("beforeprint", () => {
+        stop();
+        if (drawing)
+            drawing.layOut();
+    });
+    window.addEventListener("afterprint", () => {
+        if (drawing)
+            drawing.layOut();
+    });
     return {take, renew, go, stop, play};
 }
 

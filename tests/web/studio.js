@@ -294,6 +294,9 @@ module.exports = function (at, root, address) {
             getComputedStyle(document.getElementById("fourlink-branches")).display === "none"`));
         await b().evaluate(`window.dispatchEvent(new Event("beforeprint"))`);
         check("what is printed has a title: " + await text("printed-title"), (await text("printed-title")).length > 3);
+        await b().page("Emulation.setEmulatedMedia", {media: "print"});
+        check("the drawing is printed", await b().evaluate(`document.querySelector("#fourlink-panels svg").getBoundingClientRect().width > 300`));
+        await b().page("Emulation.setEmulatedMedia", {media: ""});
         await b().evaluate(`window.dispatchEvent(new Event("afterprint"))`);
         check("nothing was fetched: " + await b().evaluate(`performance.getEntriesByType("resource").map((x) => x.name).join()`),
               await b().evaluate(`performance.getEntriesByType("resource").every((x) => /^(blob|data):/.test(x.name))`));
