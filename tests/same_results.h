@@ -215,6 +215,8 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     AT_LEAST(LENGTH, crank);
     arm = scale[QUANTITY_LENGTH];
     AT_LEAST(AREA, crank * crank);
+    AT_LEAST(VOLUME, fabs(named(c, row, "volume") / named(c, row, "x")) *
+                         arm); /* the piston's area, or more */
     AT_LEAST(ANGULAR_SPEED, w);
     AT_LEAST(ANGULAR_ACCELERATION, pow(scale[QUANTITY_ANGULAR_SPEED], 2) + a);
     AT_LEAST(SPEED, crank * w);

@@ -90,10 +90,10 @@ static const double power_of_ten[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4
 /* The number with these digits, which may have a sign, times 10^exponent; 0 if it is not known exactly. */
 static int read_exactly(const char *s, const char *end, long exponent, double *value)
 {
-    int negative = *s == '-';
+    int negative = s < end && *s == '-';
     double whole = 0;
 
-    if (*s == '-' || *s == '+')
+    if (s < end && (*s == '-' || *s == '+'))
         s++;
     while (s < end && *s == '0')
         s++;
