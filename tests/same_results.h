@@ -202,7 +202,7 @@ static double named(const columns *c, const double *row, const char *name)
 static double find_scales(const columns *c, const double *row, double crank, double w,
                           double *scale)
 {
-    double a = fabs(named(c, row, "alpha2")), condition, arm;
+    double a = fabs(named(c, row, "alpha2")), condition, arm, x;
     int j;
 
     for (j = 0; j < QUANTITY_COUNT; j++)
@@ -215,8 +215,9 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     AT_LEAST(LENGTH, crank);
     arm = scale[QUANTITY_LENGTH];
     AT_LEAST(AREA, crank * crank);
-    AT_LEAST(VOLUME, fabs(named(c, row, "volume") / named(c, row, "x")) *
-                         arm); /* the piston's area, or more */
+    x = fabs(named(c, row, "x"));
+    AT_LEAST(VOLUME, /* by the piston's area, or more */
+             x > 0 ? fabs(named(c, row, "volume")) / x * arm : INFINITY);
     AT_LEAST(ANGULAR_SPEED, w);
     AT_LEAST(ANGULAR_ACCELERATION, pow(scale[QUANTITY_ANGULAR_SPEED], 2) + a);
     AT_LEAST(SPEED, crank * w);

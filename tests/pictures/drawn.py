@@ -889,13 +889,19 @@ def check_mechanism(deck, text, row, position, rows):
             checks.near('the note of ' + name, value_of(panel.note(name), deck.unit('torque')), value, abs(value), 1e-4)
 
 
+def crank_angle(deck, row):
+    """The crank angle of a row for --plot-at, where a number without a unit is a value of what is prescribed."""
+    unit = ' rad' if deck.unit('angle') == 'rad' else ' deg'
+    return row.values['theta2'] + (unit if 'motion.input' in deck.inputs else '')
+
+
 def check_several(deck, rows):
     """Further positions of --plot-at, thin; and without --plot-at positions in grey, all where the lengths put them."""
     picked = [row for row in rows if row.is_ok][1:5]
     if len(picked) < 2 or deck.is_single:
         return
     text = deck.program.listing(deck, 'mechanism', '--branch=' + picked[0].branch,
-                               '--plot-at=' + ','.join(row.values['theta2'] for row in picked), *deck.options)
+                               '--plot-at=' + ','.join(crank_angle(deck, row) for row in picked), *deck.options)
     panel = Listing(text, cmath.exp(-1j * deck.turn)).panels[0]
     size = extent(panel)
     for row in picked[1:]:
@@ -1084,7 +1090,7 @@ def check_deck(deck, folder):
                 continue
             checks.where = '%s, %s, %s' % (own.name, branch, row.values['theta2'])
             position = own.at(row)
-            at = ('--branch=' + branch, '--plot-at=' + row.values['theta2']) + own.options
+            at = ('--branch=' + branch, '--plot-at=' + crank_angle(own, row)) + own.options
             check_vectors(own, own.program.listing(own, 'vectors', *at), row, position)
             # in a construction with a rod as long as the crank, K and L are one point
             if own.slides and not own.yoke and own.length(2) != own.length(3) and k % 4 < 2 and not is_slow(own):

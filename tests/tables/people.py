@@ -27,7 +27,7 @@ ROUNDING = ('residual', 'superposition', 'energy_residual')  # shown with fewer 
 
 def unit_for(si, length):
     """The unit that people get for one of SI, with the crank in this unit of length."""
-    if si in ('m', 'm2'):
+    if si in ('m', 'm2', 'm3'):
         return length + si[1:]
     return CUSTOMARY[si].replace('L', length) if length in ('in', 'ft') and si in CUSTOMARY else si
 
