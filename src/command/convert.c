@@ -54,7 +54,7 @@ const char *convert_svg(FILE *svg, plot_file file, FILE *out, char reason[CONVER
 #define TO_PIPE "--print-to-pdf=/dev/stdout"
 #define NO_SANDBOX "--no-sandbox"
 
-/* Run a browser on a file.  1; 0 with errno set. */
+/* Run a browser on a file; it does not read its input.  1; 0 with errno set. */
 static int run_browser(const char *program, const char *name, FILE *out, FILE *complaints,
                        system_outcome *outcome)
 {
@@ -138,14 +138,16 @@ const char *convert_page(FILE *page, const char *path, FILE *out, char reason[CO
 {
     char *work = files_beside(path, "fourlinkXXXXXX");
     char *name = work ? memory_get(1, strlen(work) + sizeof ".html") : NULL;
-    const char *why = NULL;
+    const char *why;
 
-    if (!name || !make_file(page, work, name, path))
-        why = name ? strerror(errno) : "not enough memory";
-    else
+    if (!name) {
+        why = "not enough memory";
+    } else if (!make_file(page, work, name, path)) {
+        why = strerror(errno);
+    } else {
         why = print_page(name, out, reason);
-    if (name && system_kind_of(name) == SYSTEM_FILE)
         system_remove(name);
+    }
     free(name);
     free(work);
     return why;

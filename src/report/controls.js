@@ -221,26 +221,27 @@ function printTables() {
     const before = [];
     window.addEventListener("beforeprint", () => {
         for (const table of document.querySelectorAll("table.rows, details table")) {
-            const fold = table.closest("details") || {open: true}, widths = widthsOf(table);
+            const details = table.closest("details"), fold = details || {open: true}, widths = widthsOf(table);
             if (!fold.open && fold.classList.contains("long"))
                 continue;
             const columns = table.matches(".rows") ? divide(widths) : [];
             const parts = columns.map((some) => partOf(table, some, widths));
             const isNarrow = parts.length === 1 && widths.reduce((sum, x) => sum + x, 0) <= HALF;
-            before.push({fold, table, parts, open: fold.open});
-            if (isNarrow)
-                fold.classList.add("narrow");
+            before.push({fold, details, table, parts, open: fold.open});
+            if (details && isNarrow)
+                details.classList.add("narrow");
             table.after(...parts);
             table.hidden = parts.length > 0;
             fold.open = true;
         }
     });
     window.addEventListener("afterprint", () => {
-        for (const {fold, table, parts, open} of before.splice(0)) {
+        for (const {fold, details, table, parts, open} of before.splice(0)) {
             parts.forEach((part) => part.remove());
             table.hidden = false;
             fold.open = open;
-            fold.classList?.remove("narrow");
+            if (details)
+                details.classList.remove("narrow");
         }
     });
 }

@@ -7,9 +7,10 @@
 #include "pictures/plot.h"
 #include "report.h"
 
-/* Put a figure, if the deck has such a picture.  `alt` says what it shows to those who do not see it. */
-static void put_figure(report *r, plot_kind kind, plot_part part, const char *at, const char *alt,
-                       const char *caption)
+/* Put a part of a picture as a figure, if the deck has such a picture.  `alt` says what it shows to those who do not see
+** it. */
+static void put_part(report *r, plot_kind kind, plot_part part, const char *at, const char *alt,
+                     const char *caption)
 {
     static const char *const parts[] = {"", " of-motion", " of-forces"};
     fourlink_mistake mistake;
@@ -37,6 +38,12 @@ static void put_figure(report *r, plot_kind kind, plot_part part, const char *at
     plot_free(&drawn);
 }
 
+static void put_figure(report *r, plot_kind kind, const char *at, const char *alt,
+                       const char *caption)
+{
+    put_part(r, kind, PLOT_WHOLE, at, alt, caption);
+}
+
 /* "NAME at theta2 = ANGLE, WHY" */
 static const char *at_angle(const report *r, const char *name, char out[320])
 {
@@ -50,13 +57,13 @@ static void put_vectors(report *r)
     char caption[320];
 
     if (!view_is_still(&r->v))
-        put_figure(r, PLOT_VECTORS, PLOT_OF_MOTION, r->drawn_at,
-                   "Polygons of velocity and of acceleration",
-                   at_angle(r, "Velocity and acceleration polygons", caption));
+        put_part(r, PLOT_VECTORS, PLOT_OF_MOTION, r->drawn_at,
+                 "Polygons of velocity and of acceleration",
+                 at_angle(r, "Velocity and acceleration polygons", caption));
     if (r->v.problem.has_forces)
-        put_figure(r, PLOT_VECTORS, PLOT_OF_FORCES, r->drawn_at,
-                   "Each link with the forces on it, and their polygon, which closes",
-                   at_angle(r, "Free bodies and polygons of forces", caption));
+        put_part(r, PLOT_VECTORS, PLOT_OF_FORCES, r->drawn_at,
+                 "Each link with the forces on it, and their polygon, which closes",
+                 at_angle(r, "Free bodies and polygons of forces", caption));
 }
 
 void report_put_mechanism(report *r)
@@ -73,7 +80,7 @@ void report_put_mechanism(report *r)
         at_angle(r, "The mechanism", caption);
     flk_text_join(alt, sizeof alt, "Drawing to scale of the ", r->v.kind.words,
                   ": its links, pins and points", (char *)NULL);
-    put_figure(r, PLOT_MECHANISM, PLOT_WHOLE, at, alt, caption);
+    put_figure(r, PLOT_MECHANISM, at, alt, caption);
     report_put_interactive(r);
     put_vectors(r);
 }
@@ -84,20 +91,18 @@ void report_put_curves(report *r)
     const char *over = r->v.problem.over.words;
     char caption[320];
 
-    put_figure(r, PLOT_MOTION, PLOT_WHOLE, NULL,
-               "Curves of angles, angular velocities and accelerations",
+    put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
                flk_text_join(caption, sizeof caption, "The motion over ", over, ".", (char *)NULL));
-    put_figure(r, PLOT_FORCES, PLOT_WHOLE, NULL, "Curves of pin forces and of the driving torque",
+    put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
                flk_text_join(caption, sizeof caption, "The pin forces and the driving torque over ",
                              over, ".", (char *)NULL));
-    put_figure(r, PLOT_TURNING, PLOT_WHOLE, NULL,
-               "Turning moment, its mean, and the areas between them", "The turning moment.");
-    put_figure(r, PLOT_POLAR, PLOT_WHOLE, NULL, "Pin forces as vectors, drawn from one origin",
+    put_figure(r, PLOT_TURNING, NULL, "Turning moment, its mean, and the areas between them",
+               "The turning moment.");
+    put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",
                "Polar diagrams of the pin forces.");
-    put_figure(r, PLOT_SPEED, PLOT_WHOLE, NULL,
-               "Curves of the crank's speed, of torques, and of the energy",
+    put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",
                "The actual motion: speed with its mean, torques over the speed, energy.");
-    put_figure(r, PLOT_KLEIN, PLOT_WHOLE, at,
+    put_figure(r, PLOT_KLEIN, at,
                "Klein's construction: lengths that stand for velocity and acceleration",
                at_angle(r, "Klein's construction", caption));
 }

@@ -30,10 +30,11 @@ if [ "$shim" = sanitizer ]; then
     shim=
 fi
 
-# An rsvg-convert that takes no time, and does not convert.
+# An rsvg-convert and a Chromium that take no time, and do not convert.
 mkdir bin
 printf '#!/bin/sh\nexec cat\n' >bin/rsvg-convert
-chmod +x bin/rsvg-convert
+printf '#!/bin/sh\nfor page; do :; done\nexec cat "$page"\n' >bin/chromium
+chmod +x bin/rsvg-convert bin/chromium
 PATH=$work/bin:$PATH
 
 tries=0 refused=0 same=0 wrong=0 runs=0
@@ -274,6 +275,7 @@ done
 all 0 --plot=plot.svg --plot-kind=columns --plot-x=theta4 -o result -b open $few ../single.deck
 WHOLE=1
 all 0 --plot=plot.png $few ../single.deck
+all 0 --report=report.pdf $few ../single.deck
 WHOLE=0
 
 # a text in UTF-16; a value that is sought on the other branch too, whose motion is found then

@@ -292,7 +292,11 @@ module.exports = function (at, root, address) {
         await load("scotch-yoke-pump.deck");
         check("no empty row for one assembly mode", await b().evaluate(`document.getElementById("fourlink-branches").hidden === (document.querySelectorAll("#fourlink-branches input").length < 2) &&
             getComputedStyle(document.getElementById("fourlink-branches")).display === "none"`));
+        await put("x.deck", words + "\n[table]\ncolumns = theta2, theta4\n");
+        await click("tab-table");
+        await settled();
         await b().evaluate(`window.dispatchEvent(new Event("beforeprint"))`);
+        check("a narrow table is printed", await b().evaluate(`document.querySelectorAll("#table-place table:not([hidden])").length === 1`));
         check("what is printed has a title: " + await text("printed-title"), (await text("printed-title")).length > 3);
         await b().page("Emulation.setEmulatedMedia", {media: "print"});
         check("the drawing is printed", await b().evaluate(`document.querySelector("#fourlink-panels svg").getBoundingClientRect().width > 300`));
