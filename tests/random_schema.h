@@ -304,9 +304,18 @@ static const char *load_card(void *host, const char *name, unsigned long *size)
     return strcmp(name, "card.csv") == 0 ? card : NULL;
 }
 
-/* The kind of mechanism of a text; 0 if it is a deck with mistakes, or one of very many rows.  Motions that are computed
-** are only read: to open them takes long. */
-static int kind_of_text(const char *words)
+/* How a deck is tried: motions that are computed are only read, since to open them takes long; READ does so with
+** linkages through points and poses, too. */
+typedef enum trying { READ, OPENED } trying;
+
+static int is_only_read(const char *words, trying how)
+{
+    return (strstr(words, "mode = ") && !strstr(words, "mode = given")) ||
+           (how == READ && (strstr(words, "task = path") || strstr(words, "task = motion")));
+}
+
+/* The kind of mechanism of a text; 0 if it is a deck with mistakes, or one of very many rows. */
+static int kind_of_text(const char *words, trying how)
 {
     fourlink_source source;
     fourlink_results *r = NULL;
@@ -321,7 +330,7 @@ static int kind_of_text(const char *words)
     source.load = load_card;
     source.synthesis = strstr(words, "[synthesis]") != NULL;
     source.design = FOURLINK_ANY_DESIGN;
-    if (strstr(words, "mode = ") && !strstr(words, "mode = given"))
+    if (is_only_read(words, how))
         status = fourlink_deck_read(words, source.length, load_card, NULL, 0, &d, NULL, NULL);
     else
         status = fourlink_results_open(&source, 0, &r, NULL, NULL);
@@ -527,9 +536,9 @@ static void with_line(char *out, size_t size, const char *in, const key_info *ke
 #undef PUT
 }
 
-static int keep_if_right(const char *with, int kind)
+static int keep_if_right(const char *with, int kind, trying how)
 {
-    if (strlen(with) + 1 >= sizeof deck_text || kind_of_text(with) != kind)
+    if (strlen(with) + 1 >= sizeof deck_text || kind_of_text(with, how) != kind)
         return 0;
     length = strlen(with);
     memcpy(deck_text, with, length + 1);
@@ -543,6 +552,7 @@ static void try_key(int kind, unsigned long sections)
     char value[LONGEST] = "", second[LONGEST] = "";
     key_code code = rarest_key(kind, sections), first, other;
     const key_info *key = &flk_key_table[code];
+    const trying how = key->section == SECTION_SYNTHESIS ? OPENED : READ;
     const char *const *links = flk_kind_of((fourlink_kind)kind)->link;
     int n, i, j, kept;
 
@@ -553,16 +563,16 @@ static void try_key(int kind, unsigned long sections)
     append_value(value, key, code, links);
     append_value(second, &flk_key_table[other], other, links);
     with_line(with, sizeof with, deck_text, key, value, companion_of(key->section));
-    kept = keep_if_right(with, kind);
+    kept = keep_if_right(with, kind, how);
     with_line(two, sizeof two, with, &flk_key_table[other], second, "");
-    kept = kept || (other != code && keep_if_right(two, kind));
+    kept = kept || (other != code && keep_if_right(two, kind, how));
     for (i = 0; i < n && !kept; i++)
         if (first + (key_code)i != code) {
             with_line(less, sizeof less, with, &flk_key_table[first + (key_code)i], NULL, "");
-            kept = keep_if_right(less, kind);
+            kept = keep_if_right(less, kind, how);
             with_line(less, sizeof less, two, &flk_key_table[first + (key_code)i], NULL, "");
-            kept = kept ||
-                   (first + (key_code)i != other && other != code && keep_if_right(less, kind));
+            kept = kept || (first + (key_code)i != other && other != code &&
+                            keep_if_right(less, kind, how));
         }
     keys_kept[code] += (unsigned long)kept;
     for (i = 0; kept && i < (int)(sizeof followers / sizeof *followers); i++)
@@ -575,7 +585,7 @@ static void try_key(int kind, unsigned long sections)
                           "");
             }
             keys_tried[followers[i].key]++;
-            keys_kept[followers[i].key] += (unsigned long)keep_if_right(less, kind);
+            keys_kept[followers[i].key] += (unsigned long)keep_if_right(less, kind, how);
         }
 }
 
@@ -651,7 +661,7 @@ static void try_keys(int tries, unsigned long sections)
     int kind;
 
     deck_text[length] = '\0';
-    kind = kind_of_text(deck_text);
+    kind = kind_of_text(deck_text, OPENED);
     while (kind && tries--)
         try_key(kind, sections);
 }

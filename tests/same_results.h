@@ -231,6 +231,19 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     return condition > 1 ? condition : 1;
 }
 
+/* The larger component of a place that may be far away: in axes that are turned each has the error of both. */
+static double size_of_place(const columns *c, int j, const double *row)
+{
+    char name[100];
+    char *last = name + strlen(c->list[j].told->name) - 1;
+    int other;
+
+    snprintf(name, sizeof name, "%s", c->list[j].told->name);
+    *last = (char)(*last == 'x' ? 'y' : *last == 'y' ? 'x' : *last == 'X' ? 'Y' : 'X');
+    other = find_column(c, name);
+    return other < 0 || !isfinite(row[other]) ? fabs(row[j]) : hypot(row[j], row[other]);
+}
+
 /* The scale of a value; infinite if it is not determined. */
 static double scale_of(const columns *c, int j, const double *row, const double *scale,
                        double condition)
@@ -242,7 +255,7 @@ static double scale_of(const columns *c, int j, const double *row, const double 
     case OF_ROUNDING:
         return 1e3 * condition * condition / tolerances[ROW] * 1e-12;
     case OF_POLE: /* n / d is uncertain by its square / n */
-        doubt = fmax(1, x / size);
+        doubt = fmax(1, size_of_place(c, j, row) / size);
         size *= doubt;
         break;
     case OF_DIRECTION:
@@ -267,7 +280,8 @@ static double scale_of(const columns *c, int j, const double *row, const double 
 
 /* ------------------------------------------------------------------------------------------- two decks */
 
-/* Open a deck; a mistake fails unless it is in a deck of which a sweep was left out. */
+/* Open a deck; a mistake fails unless it is in a deck of which a sweep was left out, or in which a drawn angle is now one
+** from the ground. */
 static fourlink_results *opened(const char *words, const char *units)
 {
     fourlink_source source;
@@ -282,7 +296,7 @@ static fourlink_results *opened(const char *words, const char *units)
     source.synthesis = strstr(words, "[synthesis]") != NULL;
     if (fourlink_results_open(&source, 1, &r, &mistake, NULL) == FOURLINK_OK)
         return r;
-    if (words != base_text || !strstr(deck_text, "[sweep]"))
+    if (words != base_text || !(strstr(deck_text, "[sweep]") || strstr(deck_text, "= drawn")))
         fail("line %ld: %s", mistake.line, mistake.message);
     return NULL;
 }
@@ -320,11 +334,24 @@ typedef struct side {
     unsigned long rows;
 } side;
 
+/* 1 for a linkage that makes an error least, where its square root of rounding is flat. */
+static int makes_error_least(fourlink_results *r)
+{
+    fourlink_value value;
+
+    return strstr(base_text, "[synthesis]") &&
+           (strstr(base_text, "\nfit = ") || strstr(base_text, "\nchoose = ") ||
+            fourlink_results_find(r, "path_error", &value) == FOURLINK_OK);
+}
+
+static int is_fitted; /* by the side that was prepared last */
+
 static void prepare(side *s, fourlink_results *r)
 {
     s->r = r;
     if (!r)
         return;
+    is_fitted = makes_error_least(r);
     list_columns(r, &s->c);
     s->rows = problem_of(r).n_rows;
 }
@@ -336,25 +363,32 @@ static int is_computed(const char *words)
 
 static double factor_mirrored(const fourlink_value *of);
 
-/* 1 for a linkage that makes an error least, where its square root of rounding is flat. */
-static int is_fitted(void)
-{
-    return strstr(base_text, "[synthesis]") &&
-           (strstr(base_text, "\nfit = ") || strstr(base_text, "\nchoose = "));
-}
-
 /* The largest values of the columns, and of each quantity, in the rows of a branch. */
 static double sizes[MOST_COLUMNS], size_of_quantity[QUANTITY_COUNT];
 static double quickest;  /* rad/s, of the crank in those so far */
 static double doubt = 1; /* of rows: by how much more the law may be wrong */
 static int was_locked;
+static fourlink_branch compared; /* of the rows */
+
+/* By how much more a row may be wrong than the integration of a turn: that errs in each one, and a steady motion gathers
+** what a cycle leaves of a difference. */
+static double doubt_of_motion(fourlink_results *r, double theta2)
+{
+    fourlink_value rate;
+    double turns = 1 + fabs(theta2) / (2 * PI);
+
+    if (strstr(base_text, "mode = steady") &&
+        fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK)
+        turns /= fmax(1e-4, 1 - fabs(rate.value));
+    return turns;
+}
 
 /* Compare two rows, the expected one first, in the units of their columns.  Returns 1 / sin(mu). */
 static double compare_rows(const side *a, const side *b, double *expected, double *row,
                            const char *where)
 {
-    double scale[QUANTITY_COUNT], condition, turns; /* an integration errs in each turn */
-    int j, sort = is_fitted() ? FITTED : is_computed(base_text) ? COMPUTED_ROW : ROW;
+    double scale[QUANTITY_COUNT], condition, turns;
+    int j, sort = is_fitted ? FITTED : is_computed(base_text) ? COMPUTED_ROW : ROW;
 
     for (j = 0; j < a->c.n; j++)
         expected[j] *= present->factor(a->c.list[j].told);
@@ -366,7 +400,9 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
                     fabs(named(&a->c, expected, "omega2")));
     condition = find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length,
                             quickest, scale);
-    turns = sort == COMPUTED_ROW ? 1 + fabs(named(&a->c, expected, "theta2")) / (2 * PI) : 1;
+    for (j = 0; j < QUANTITY_COUNT && sort == COMPUTED_ROW && strstr(base_text, "[motor]"); j++)
+        scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
+    turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2")) : 1;
     for (j = 0; j < a->c.n; j++) {
         double size = doubt * turns * scale_of(&a->c, j, expected, scale, condition);
 
@@ -427,6 +463,19 @@ static int is_at_rest(const columns *c, const double *row)
                1e-12 * quickest;
 }
 
+/* Rows whose statuses differ: near a dead position rounding decides, and so does where the steps of a motion that takes
+** too many end. */
+static void compare_statuses(const side *a, const double *expected, int status, const side *b,
+                             const double *row, int told, const char *where)
+{
+    double condition = fmax(named(&a->c, expected, "condition"), named(&b->c, row, "condition"));
+
+    if (present->is_exact || (condition > 0 && condition < 1e4 && status != FOURLINK_TOO_LONG &&
+                              told != FOURLINK_TOO_LONG))
+        fail("%s: status %d, expected %d", where, told, status);
+    present->undecided++;
+}
+
 /* Compare the rows of b with those of a, from the one with this number; those from its end, where time is
 ** reversed.  1 if a row is
 ** near a dead position or at rest. */
@@ -438,6 +487,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
     int is_near = 0;
 
     was_locked = 0;
+    compared = branch;
     quickest = quickest_of_program(a, branch);
     memset(sizes, 0, sizeof sizes);
     memset(size_of_quantity, 0, sizeof size_of_quantity);
@@ -451,11 +501,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
         snprintf(where, sizeof where, "%s, row %lu", fourlink_branch_text(branch), k);
         was_locked |= status == FOURLINK_LOCKED;
         if (status != told) {
-            condition = fmax(named(&a->c, expected, "condition"), named(&b->c, row, "condition"));
-            if (present->is_exact || (condition > 0 && condition < 1e4 &&
-                                      status != FOURLINK_TOO_LONG && told != FOURLINK_TOO_LONG))
-                fail("%s: status %d, expected %d", where, told, status);
-            present->undecided++;
+            compare_statuses(a, expected, status, b, row, told, where);
             is_near = 1;
             continue;
         }
@@ -474,7 +520,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
 /* The sort of a statistic: with friction |N| is not smooth where N changes its sign. */
 static int sort_of_statistic(int which, int is_near)
 {
-    return is_fitted()                       ? FITTED
+    return is_fitted                         ? FITTED
            : is_near                         ? NEAR_EXTREME
            : which < FOURLINK_MEAN           ? EXTREME
            : strstr(base_text, "[friction]") ? RUBBING_MEAN
@@ -564,6 +610,7 @@ static void compare_statistics(const side *a, const side *b, fourlink_branch bra
             if (which < FOURLINK_MEAN) /* its rows are no better */
                 size = fmax(size, tolerances[ROW] / tolerances[EXTREME] *
                                       size_of_quantity[a->c.list[j].q]);
+            size *= doubt_of_motion(a->r, 0);
             expected = which == FOURLINK_RMS ? fabs(expected) : expected;
             if (!present->is_exact && (!(size > 1e-9 * size_of_quantity[a->c.list[j].q]) ||
                                        (isinf(value) && isinf(expected)))) {
@@ -583,6 +630,18 @@ static void compare_statistics(const side *a, const side *b, fourlink_branch bra
                     names[which], a->c.list[j].told->name, (int)branch);
         }
     }
+}
+
+/* Energies over a cycle are differences of works: where they are small beside the mean torque's they have its rounding
+** error.  By how much more they may be wrong. */
+static double doubt_of_energies(const fourlink_value *facts, unsigned long n)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (strcmp(facts[i].name, "energy_coefficient") == 0)
+            return fmax(1, 1e-6 / fabs(facts[i].value));
+    return 1;
 }
 
 /* Facts of a motion that takes too many steps depend on where its budget ended. */
@@ -636,6 +695,9 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                     ? 1 / fmax(fabs(sin(expected)), 1e-9) /* an arc cosine */
                 : strcmp(facts[i].name, "motor_torque") == 0
                     ? fmax(fabs(expected), 1e-3) /* of a cycle without work it is rounding error */
+                : is_one_of(facts[i].name, " energy_fluctuation energy_coefficient "
+                                           "flywheel_inertia flywheel_fluctuation ")
+                    ? fabs(expected) * doubt_of_energies(facts, n)
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 100 /* of differences, over a cycle */
                 : strcmp(facts[i].name, "K") == 0                 /* a difference of squares */
                     ? fmax(fabs(expected), d * d)
@@ -648,7 +710,8 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                         ? 1e3
                         : 1;
         }
-        compare(is_fitted()              ? FITTED
+        scale *= doubt_of_motion(a->r, 0);
+        compare(is_fitted                ? FITTED
                 : is_computed(base_text) ? COMPUTED_FACT
                                          : FACT,
                 expected, value, scale, "%s on %d", facts[i].name, (int)branch);

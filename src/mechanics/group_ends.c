@@ -192,6 +192,19 @@ int flk_groups_are_beyond(const fourlink_mechanism *mechanism, fourlink_branch b
 
 #define IS_TURN(reach, i) ((reach).to[i] - (reach).from[i] >= 2 * M_PI * (1 - 1e-15))
 
+/* A margin that touches 0 is found there, too, up to its rounding error: then an end stands twice. */
+#define SAME 1e-7 /* rad */
+
+static size_t drop_repeated(double *list, size_t n)
+{
+    size_t kept = 0, i;
+
+    for (i = 0; i < n; i++)
+        if (kept == 0 || list[i] - list[kept - 1] > SAME)
+            list[kept++] = list[i];
+    return kept;
+}
+
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
                        double *list, size_t most)
 {
@@ -210,7 +223,7 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
         search_sines(&x, from, to);
     }
     gsl_sort(list, 1, x.n);
-    return x.n;
+    return drop_repeated(list, x.n);
 }
 
 /* Add the ranges between `from` and `to` in which all is assembled, cut at the ends that are there. */

@@ -1420,6 +1420,38 @@ TEST(test_ends)
     }
 }
 
+/* Where a slot of a link passes through the line, the margin touches 0 and may be found there, too: an end stands once, of
+** the same linkage in 600 sizes. */
+TEST(test_ends_once)
+{
+    static const double lengths[] = {0.10938, 0.08375142, 0.096485, 0.133093};
+    fourlink_design d;
+    fourlink_group g;
+    fourlink_load load;
+    fourlink_mechanism m;
+    flk_range ranges[4];
+    int k, i;
+
+    for (k = 0; k < 600; k++) {
+        double size = 0.5 + 0.00137 * k;
+
+        set_case(O4, 1, &d, &g, &load);
+        d.kind = FOURLINK_FOUR_BAR;
+        d.offset = 0;
+        for (i = 0; i < 4; i++)
+            d.link[FOURLINK_GROUND + i].length = size * lengths[i];
+        g.link = FOURLINK_FOLLOWER;
+        g.at.x = 0.009 * size;
+        g.at.y = 0.004 * size;
+        g.pivot.x = 0.02 * size;
+        g.pivot.y = 0.01 * size;
+        set_direction(&g.direction, 1, 15);
+        set_direction(&g.slot, 1, 25);
+        assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+        assert_int_equal(flk_groups_ranges(&m, FOURLINK_CROSSED, ranges, 4), 2);
+    }
+}
+
 /* Strokes and swings of the theory, and its greatest angles. */
 TEST(test_limits)
 {
