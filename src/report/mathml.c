@@ -69,32 +69,28 @@ static const struct {
                {"gamma", "\316\263", MATH_ANGLE},
                {"psi", "\317\210", MATH_ANGLE},
                {"delta", "\316\264", MATH_ANGLE},
-               {"omega", "\317\211", MATH_RAD_S},
-               {"alpha", "\316\261", MATH_RAD_S2},
-               {"rho", "\317\201", MATH_M},
+               {"omega", "\317\211", MATH_ANGULAR_SPEED},
+               {"alpha", "\316\261", MATH_ANGULAR_ACCELERATION},
+               {"rho", "\317\201", MATH_LENGTH},
                {"mu", "\316\274", MATH_ONE},
-               {"sdot", "\341\271\241", MATH_M_S},
-               {"sddot", "s\314\210", MATH_M_S2},
-               {"v", "v", MATH_M_S},
-               {"aB", "a", MATH_M_S2},
-               {"aC", "a", MATH_M_S2},
-               {"aG", "a", MATH_M_S2},
-               {"acor", "a", MATH_M_S2},
-               {"F", "F", MATH_N},
-               {"N", "N", MATH_N},
-               {"M", "M", MATH_NM},
-               {"T", "T", MATH_NM},
-               {"P", "P", MATH_W},
+               {"sdot", "\341\271\241", MATH_SPEED},
+               {"sddot", "s\314\210", MATH_ACCELERATION},
+               {"v", "v", MATH_SPEED},
+               {"aB", "a", MATH_ACCELERATION},
+               {"aC", "a", MATH_ACCELERATION},
+               {"aG", "a", MATH_ACCELERATION},
+               {"acor", "a", MATH_ACCELERATION},
+               {"F", "F", MATH_FORCE},
+               {"N", "N", MATH_FORCE},
+               {"M", "M", MATH_TORQUE},
+               {"T", "T", MATH_TORQUE},
+               {"P", "P", MATH_POWER},
                {"K", "K", MATH_ONE},
                {"Q", "Q", MATH_ONE},
-               {"S2", "S", MATH_M2},
-               {"S3", "S", MATH_M2}};
+               {"S2", "S", MATH_AREA},
+               {"S3", "S", MATH_AREA}};
 
 enum { LETTERS = sizeof letters / sizeof letters[0] };
-
-static const char *const unit_names[MATH_UNITS] = {"m",   "m\302\262",   "",      "",
-                                                   "m/s", "m/s\302\262", "rad/s", "rad/s\302\262",
-                                                   "N",   "N\302\267m",  "W"};
 
 /* The entry of a name; LETTERS if it has none. */
 static int letter_of(const char *name)
@@ -110,7 +106,7 @@ static math_unit unit_of(const char *name)
 {
     int i = letter_of(name);
 
-    return i < LETTERS ? letters[i].unit : MATH_M;
+    return i < LETTERS ? letters[i].unit : MATH_LENGTH;
 }
 
 void math_symbol(page *p, const char *name)
@@ -175,9 +171,21 @@ static int find(const math *m, text name)
     return i;
 }
 
+void math_begin(math *m, page *p, const fourlink_unit *units)
+{
+    memset(m, 0, sizeof *m);
+    m->p = p;
+    math_units_take(&m->units, units);
+}
+
 double math_settled(const math *m, double value, math_unit unit)
 {
     return format_settled(value, m->size[unit]);
+}
+
+double math_shown(const math *m, double value, math_unit unit)
+{
+    return math_units_value(&m->units, math_settled(m, value, unit), unit);
 }
 
 void math_set(math *m, const char *name, double value)
@@ -219,6 +227,7 @@ static void put_named(writer *w, text token)
 {
     page *p = w->m->p;
     int i = find(w->m, token), in_brackets;
+    math_unit unit;
     char name[24];
 
     if (!w->has_numbers || i == w->m->n) {
@@ -227,7 +236,8 @@ static void put_named(writer *w, text token)
     }
     in_brackets = w->m->symbol[i].value < 0 && !w->is_first;
     page_print(p, in_brackets ? "<mrow>" LEFT : "");
-    put_number(p, w->m->symbol[i].value, unit_of(w->m->symbol[i].name) == MATH_ANGLE);
+    unit = unit_of(w->m->symbol[i].name);
+    put_number(p, math_units_value(&w->m->units, w->m->symbol[i].value, unit), unit == MATH_ANGLE);
     page_print(p, in_brackets ? RIGHT "</mrow>" : "");
 }
 
@@ -353,13 +363,20 @@ static void put_equation(math *m, const char *equation, int has_numbers)
         put_token(&w, token);
 }
 
+/* Write = VALUE UNIT, and the same in the unit of the tables. */
 static void put_value(math *m, double value, math_unit unit)
 {
-    const char *name = unit_names[unit];
+    const math_units *u = &m->units;
 
     page_print(m->p, INFIX("="));
-    put_number(m->p, value, unit == MATH_ANGLE);
-    page_print(m->p, *name ? "<mtext>\302\240%s</mtext>" : "%s", name);
+    put_number(m->p, math_units_value(u, value, unit), unit == MATH_ANGLE);
+    if (*u->of[unit].name)
+        page_print(m->p, "<mtext>%U</mtext>", u->of[unit].name);
+    if (!u->of[unit].tables.name || value == 0)
+        return;
+    page_print(m->p, INFIX("="));
+    put_number(m->p, math_units_in_tables(u, value, unit), 0);
+    page_print(m->p, "<mtext>%U</mtext>", u->of[unit].tables.name);
 }
 
 /* Begin the block of an equation: what it is for, or null, and the equation in symbols. */

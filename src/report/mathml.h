@@ -15,30 +15,16 @@
 #ifndef FOURLINK_MATHML_H
 #define FOURLINK_MATHML_H
 
+#include "math_units.h"
 #include "page.h"
 
 #define MATH_SYMBOLS 64
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
 
-/* The unit of a symbol follows from its name.  Angles are in radians, and written in degrees. */
-typedef enum math_unit {
-    MATH_M,
-    MATH_M2,
-    MATH_ANGLE,
-    MATH_ONE,
-    MATH_M_S,
-    MATH_M_S2,
-    MATH_RAD_S,
-    MATH_RAD_S2,
-    MATH_N,
-    MATH_NM,
-    MATH_W,
-    MATH_UNITS
-} math_unit;
-
-/* Set it to zero, then set `p`. */
+/* The unit of a symbol follows from its name.  Values are given in SI units and written in those of `units`. */
 typedef struct math {
     page *p;
+    math_units units;
     double
         size[MATH_UNITS]; /* how large values are: beside them rounding error is 0; 0: not known */
     int n;
@@ -48,8 +34,12 @@ typedef struct math {
     } symbol[MATH_SYMBOLS];
 } math;
 
-/* A value in a unit; 0 if it is rounding error. */
+/* Begin on a page with the units of a deck, no symbol and no size. */
+void math_begin(math *m, page *p, const fourlink_unit *units);
+
+/* A value in SI units, 0 if it is rounding error; the same in the unit of equations. */
 double math_settled(const math *m, double value, math_unit unit);
+double math_shown(const math *m, double value, math_unit unit);
 
 /* Give a symbol its value; write NAME = VALUE UNIT within a line, too. */
 void math_set(math *m, const char *name, double value);
@@ -65,7 +55,7 @@ void math_zero(math *m, const char *equation, double value, double size, math_un
 void math_show(math *m, const char *equation);
 void math_show_numbers(math *m, const char *equation);
 
-/* Write a number, or a symbol, as an element within <math>. */
+/* Write a number as it is, or a symbol, as an element within <math>. */
 void math_number(page *p, double value);
 void math_symbol(page *p, const char *name);
 

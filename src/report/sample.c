@@ -2,8 +2,6 @@
 **
 ** sample.c - the sample calculation of a report, as a textbook writes it.
 */
-#include <string.h>
-
 #include "mathml.h"
 #include "report.h"
 #include "sample_forces.h"
@@ -60,14 +58,14 @@ void report_put_sample(report *r)
     }
     if (*r->why)
         page_print(p, "<p>Chosen position: %s.</p>\n", r->why);
-    memset(&m, 0, sizeof m);
-    m.p = p;
+    math_begin(&m, p, r->v.units);
     set_sizes(r, &m);
     page_print(p,
-               "<p>At \316\270\342\202\202 = %s, %s branch, in SI units; angles and torques are "
+               "<p>At \316\270\342\202\202 = %s, %s branch, in%U,%U and s; angles and torques are "
                "positive counter-clockwise.  Numbers are computed with 16 digits and printed with "
                "%d, angles with four decimals.</p>\n",
-               r->at, fourlink_branch_text((int)r->now.branch), MATH_DIGITS);
+               r->at, fourlink_branch_text((int)r->now.branch), m.units.of[MATH_LENGTH].name,
+               m.units.of[MATH_FORCE].name, MATH_DIGITS);
     if (r->v.problem.axes_on_page)
         page_print(p,
                    "<p>These equations are in the axes of link 1. Its x axis is at %.9g%U on the "

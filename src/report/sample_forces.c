@@ -4,13 +4,17 @@
 ** check by virtual work.
 */
 #include <math.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
+#include "base/text.h"
 #include "mathml.h"
 #include "report.h"
 #include "sample_friction.h"
 #include "sample_forces.h"
+#include "system/format.h"
+#include "view/notation.h"
 
 static double dot(fourlink_vector u, fourlink_vector v)
 {
@@ -102,27 +106,57 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
 
 /* ------------------------------------------------------------------------------ nine equations */
 
+/* The heading of a table, with the name of a unit, or of two, in brackets. */
+static const char *with_units(char out[120], const char *words, const char *first,
+                              const char *second)
+{
+    char typeset[2][NOTATION_SIZE];
+
+    return flk_text_join(out, 120, words, " (", notation_unit(first, typeset[0]),
+                         second ? ", " : "", second ? notation_unit(second, typeset[1]) : "", ")",
+                         (char *)NULL);
+}
+
+/* What mass times acceleration is divided by, where their units do not go together. */
+static void put_factor(math *m)
+{
+    const math_units *u = &m->units;
+    char product[80];
+
+    if (fabs(u->per_force - 1) > 1e-9)
+        page_print(m->p,
+                   " Masses are in%U: m a and I \316\261 are divided by %.6g, as 1%U = "
+                   "%.6g%U.",
+                   u->mass, u->per_force, u->of[MATH_FORCE].name, u->per_force,
+                   flk_text_join(product, sizeof product, u->mass, ".",
+                                 u->of[MATH_ACCELERATION].name, (char *)NULL));
+}
+
 /* Write an equation's right-hand side and its parts: inertia, weight, loads. */
 static void put_side(math *m, const char *link, const char *what, double inertia, double weight,
                      double load, double b, math_unit of)
 {
-    page_row(m->p, "%s, %s|%.6g|%.6g|%.6g|%.6g", link, what, math_settled(m, inertia, of),
-             math_settled(m, -weight, of), math_settled(m, -load, of), math_settled(m, b, of));
+    page_row(m->p, "%s, %s|%.6g|%.6g|%.6g|%.6g", link, what, math_shown(m, inertia, of),
+             math_shown(m, -weight, of), math_shown(m, -load, of), math_shown(m, b, of));
 }
 
 static void put_sides(report *r, math *m, const fourlink_body bodies[5], const double b[9])
 {
     page *p = m->p;
+    char heading[120];
     int link;
 
     page_print(p,
                "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along "
                "y, and the moments about its centre of mass; F<sub>ij</sub> is the force of link i "
                "on link j.  What is known stands on the right: mass times acceleration, less "
-               "weight, less loads.</p>\n");
-    page_table_of(
-        p, "facts sides", "What is known of the nine equations",
-        "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b (N, N\302\267m)");
+               "weight, less loads.");
+    put_factor(m);
+    page_print(p, "</p>\n");
+    page_table_of(p, "facts sides", "What is known of the nine equations",
+                  with_units(heading,
+                             "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b",
+                             m->units.of[MATH_FORCE].name, m->units.of[MATH_TORQUE].name));
     for (link = 2; link <= 4; link++) {
         const fourlink_body *x = &bodies[link];
         const fourlink_link *data = &r->v.design->link[link];
@@ -130,11 +164,11 @@ static void put_sides(report *r, math *m, const fourlink_body bodies[5], const d
         const double *side = b + 3 * (link - 2);
 
         put_side(m, name, "x", data->mass * x->acceleration.x, x->weight.x, x->force.x, side[0],
-                 MATH_N);
+                 MATH_FORCE);
         put_side(m, name, "y", data->mass * x->acceleration.y, x->weight.y, x->force.y, side[1],
-                 MATH_N);
+                 MATH_FORCE);
         put_side(m, name, "moments", data->inertia * r->now.state.link[link].alpha, 0, x->moment,
-                 side[2], MATH_NM);
+                 side[2], MATH_TORQUE);
     }
     page_table_end(p);
 }
@@ -142,18 +176,30 @@ static void put_sides(report *r, math *m, const fourlink_body bodies[5], const d
 static void put_entry(math *m, double value, math_unit of)
 {
     page_print(m->p, "<mtd>");
-    math_number(m->p, math_settled(m, value, of));
+    math_number(m->p, math_shown(m, value, of));
     page_print(m->p, "</mtd>");
 }
 
-/* A x = b as one table, so that rows stand side by side; the style puts the brackets. */
-/* The ninth unknown is what drives: Ts, or the effort E of what drives elsewhere. */
-static const char *name_unknown(const report *r, int i)
+/* 1 if unknown i is a torque; the ninth is what drives: Ts, or the effort of what drives elsewhere. */
+static int is_torque(const report *r, int i)
 {
-    return i == 8 && r->v.problem.mechanism.drive ? "Edrive"
-                                                  : fourlink_unknown_text((int)r->v.kind.kind, i);
+    fourlink_value effort;
+
+    if (i == 8 && r->v.problem.mechanism.drive &&
+        fourlink_results_find(r->v.results, "drive", &effort) == FOURLINK_OK)
+        return strcmp(effort.quantity, "torque") == 0;
+    return strchr("MT", fourlink_unknown_text((int)r->v.kind.kind, i)[0]) != NULL;
 }
 
+static const char *name_unknown(const report *r, int i)
+{
+    return i < 8 || !r->v.problem.mechanism.drive ? fourlink_unknown_text((int)r->v.kind.kind, i)
+           : is_torque(r, i)                      ? "Tdrive"
+                                                  : "Fdrive";
+}
+
+/* A x = b as one table, so that rows stand side by side; the style puts the brackets.  In the equations of moments a
+** force has an arm. */
 static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
 {
     page *p = m->p;
@@ -163,13 +209,15 @@ static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
     math_open(p, "matrix");
     page_print(p, "<mtable>\n");
     for (i = 0; i < 9; i++) {
+        int is_moment = i % 3 == 2;
+
         page_print(p, "<mtr>");
         for (j = 0; j < 9; j++)
-            put_entry(m, A[i][j], MATH_M);
+            put_entry(m, A[i][j], is_moment && !is_torque(r, j) ? MATH_LENGTH : MATH_ONE);
         page_print(p, "<mtd>");
         math_symbol(p, name_unknown(r, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
-        put_entry(m, b[i], i % 3 == 2 ? MATH_NM : MATH_N);
+        put_entry(m, b[i], is_moment ? MATH_TORQUE : MATH_FORCE);
         page_print(p, "</mtr>\n");
     }
     page_print(p, "</mtable>");
@@ -191,9 +239,10 @@ static void put_solution(report *r, math *m)
         math_given(m, name_unknown(r, i), x[i]);
     page_print(m->p, "</ul>\n");
     if (r->v.problem.mechanism.drive)
-        page_print(m->p, "<p>E is the effort of what drives: its force in N, or its torque in "
-                         "N\302\267m. T<sub>s</sub> below is the torque on the crank that would do "
-                         "the same work.</p>\n");
+        page_print(m->p,
+                   "<p>%s<sub>drive</sub> is the %s of what drives. T<sub>s</sub> below is the "
+                   "torque on the crank that would do the same work.</p>\n",
+                   is_torque(r, 8) ? "T" : "F", is_torque(r, 8) ? "torque" : "force");
     page_print(m->p, "<p>The resultants of the pins:</p>\n");
     math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]));
     math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]));
@@ -208,8 +257,8 @@ static void put_solution(report *r, math *m)
 /* Write the terms of a link, or their sum. */
 static void put_works(math *m, const char *name, const double work[3])
 {
-    page_row(m->p, "%s|%.6g|%.6g|%.6g", name, math_settled(m, work[0], MATH_NM),
-             math_settled(m, work[1], MATH_NM), math_settled(m, work[2], MATH_NM));
+    page_row(m->p, "%s|%.6g|%.6g|%.6g", name, math_shown(m, work[0], MATH_TORQUE),
+             math_shown(m, work[1], MATH_TORQUE), math_shown(m, work[2], MATH_TORQUE));
 }
 
 /* Virtual work: with the velocities of a unit crank speed,
@@ -219,6 +268,7 @@ static void put_works(math *m, const char *name, const double work[3])
 static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
 {
     double sum[3] = {0, 0, 0}, work[3];
+    char caption[120];
     page *p = m->p;
     int link, i;
 
@@ -226,7 +276,8 @@ static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
                "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the "
                "sum of all forces times the velocities of their points for a unit crank speed, of "
                "all torques times the angular velocities.</p>\n");
-    page_table_of(p, "facts works", "Terms of virtual work, N\302\267m",
+    page_table_of(p, "facts works",
+                  with_units(caption, "Terms of virtual work", m->units.of[MATH_TORQUE].name, NULL),
                   "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
                   "\342\210\222 loads\302\267v");
     for (link = 2; link <= 4; link++) {
@@ -248,9 +299,31 @@ static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
     math_set(m, "Tloads", sum[2]);
     math_let(m, "Ts", "Tinertia + Tweight + Tloads", r->now.forces.Ts_work);
     page_print(p,
-               "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
+               "<p>The nine equations give %.6g%U; relative to the largest term of the "
                "balance, the difference is %.2g.</p>\n",
-               math_settled(m, r->now.forces.at_crank, MATH_NM), fabs(r->now.forces.residual));
+               math_shown(m, r->now.forces.at_crank, MATH_TORQUE), m->units.of[MATH_TORQUE].name,
+               fabs(r->now.forces.residual));
+}
+
+/* The power of the crank: a torque and a power can have units that do not go together. */
+static void put_power(report *r, math *m)
+{
+    const math_units *u = &m->units;
+    double per = u->per_power;
+    char equation[80], number[FORMAT_SIZE], rate[60];
+
+    if (fabs(per - 1) < 1e-9) {
+        strcpy(equation, "Ts * omega2");
+    } else {
+        format_general(per > 1 ? per : 1 / per, 9, number);
+        flk_text_join(equation, sizeof equation, per > 1 ? "{ " : "", "Ts * omega2 ",
+                      per > 1 ? "| " : "* ", number, per > 1 ? " }" : "", (char *)NULL);
+        flk_text_join(rate, sizeof rate, u->of[MATH_TORQUE].name, "/s", (char *)NULL);
+        page_print(m->p, "<p>The power, where 1%U = %s%U:</p>\n",
+                   per > 1 ? u->of[MATH_POWER].name : rate, number,
+                   per > 1 ? rate : u->of[MATH_POWER].name);
+    }
+    math_let(m, "P", equation, r->now.forces.at_crank * r->now.row.crank.omega2);
 }
 
 void sample_put_forces(report *r, math *m)
@@ -266,5 +339,5 @@ void sample_put_forces(report *r, math *m)
     put_solution(r, m);
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
-    math_let(m, "P", "Ts * omega2", r->now.forces.at_crank * r->now.row.crank.omega2);
+    put_power(r, m);
 }

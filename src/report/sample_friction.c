@@ -6,9 +6,11 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/text.h"
 #include "mathml.h"
 #include "report.h"
 #include "sample_friction.h"
+#include "view/notation.h"
 
 #define PINS 4
 
@@ -98,8 +100,9 @@ static void put_loads_of_joint(report *r, const math *m, unsigned long joint)
                  load->torque != 0                      ? pins[joint].pin
                  : r->v.kind.guided && joint < PINS - 1 ? "slot"
                                                         : "guide",
-                 r->v.kind.link[info.link], math_settled(m, load->force.x, MATH_N),
-                 math_settled(m, load->force.y, MATH_N), math_settled(m, load->torque, MATH_NM));
+                 r->v.kind.link[info.link], math_shown(m, load->force.x, MATH_FORCE),
+                 math_shown(m, load->force.y, MATH_FORCE),
+                 math_shown(m, load->torque, MATH_TORQUE));
     }
 }
 
@@ -108,16 +111,20 @@ static void put_loads_of_joint(report *r, const math *m, unsigned long joint)
 static void put_loads(report *r, const math *m)
 {
     page *p = &r->page;
+    char force[NOTATION_SIZE], torque[NOTATION_SIZE], columns[120];
     unsigned long joint;
 
+    notation_unit(m->units.of[MATH_FORCE].name, force);
+    notation_unit(m->units.of[MATH_TORQUE].name, torque);
+    flk_text_join(columns, sizeof columns, "Load|x (", force, ")|y (", force, ")|moment (", torque,
+                  ")", (char *)NULL);
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.slot > 0)
         page_print(p, "; the force of the slot acts at B");
     if (r->now.losses.guide > 0)
         page_print(p, "; the force of the guide acts at %s", r->v.kind.guided ? "C" : "B");
     page_print(p, ":</p>\n");
-    page_table_of(p, "facts friction", "Forces and moments of friction",
-                  "Load|x (N)|y (N)|moment (N\302\267m)");
+    page_table_of(p, "facts friction", "Forces and moments of friction", columns);
     for (joint = 0; joint < PINS; joint++)
         put_loads_of_joint(r, m, joint);
     page_table_end(p);

@@ -88,10 +88,10 @@ static void put_four_bar_position(report *r, math *m)
     put_words(m, "The loop A, B, C, D closes along x and along y:");
     math_zero(m, "a * cos theta2 + b * cos theta3 - c * cos theta4 - d",
               a * cos(r->now.row.crank.theta2) + b * cos(theta3) - c * cos(theta4) - d,
-              a + b + c + d, MATH_M);
+              a + b + c + d, MATH_LENGTH);
     math_zero(m, "a * sin theta2 + b * sin theta3 - c * sin theta4",
               a * sin(r->now.row.crank.theta2) + b * sin(theta3) - c * sin(theta4), a + b + c + d,
-              MATH_M);
+              MATH_LENGTH);
 }
 
 /* Alvi, eqs. 4.1 and 4.2 and section 3.3, corrected; see four_bar.c. */
@@ -133,11 +133,12 @@ static void put_four_bar(report *r, math *m)
 static void put_from_dead_centre(report *r, math *m)
 {
     page_print(m->p,
-               "<p>In the tables the %s is counted from its inner dead centre: x = %.6g m, "
-               "v = %.6g m/s, a = %.6g m/s\302\262.</p>\n",
-               r->v.kind.link[4], math_settled(m, r->now.state.x, MATH_M),
-               math_settled(m, r->now.state.v, MATH_M_S),
-               math_settled(m, r->now.state.a, MATH_M_S2));
+               "<p>In the tables the %s is counted from its inner dead centre: x = %.6g%U, "
+               "v = %.6g%U, a = %.6g%U.</p>\n",
+               r->v.kind.link[4], math_shown(m, r->now.state.x, MATH_LENGTH),
+               m->units.of[MATH_LENGTH].name, math_shown(m, r->now.state.v, MATH_SPEED),
+               m->units.of[MATH_SPEED].name, math_shown(m, r->now.state.a, MATH_ACCELERATION),
+               m->units.of[MATH_ACCELERATION].name);
 }
 
 static void put_slider_crank_position(report *r, math *m)
@@ -156,7 +157,7 @@ static void put_slider_crank_position(report *r, math *m)
     math_let(m, "xC", "r * cos theta2 + l * cos theta3", now->link[4].origin.x);
     put_words(m, "The loop closes at right angles to the line of stroke:");
     math_zero(m, "r * sin theta2 + l * sin theta3 <e - e >", a * sin(theta2) + l * sin(theta3) - e,
-              a + l + fabs(e), MATH_M);
+              a + l + fabs(e), MATH_LENGTH);
 }
 
 /* DFA, eq. 1, and its derivatives; see slider_crank.c. */
@@ -211,9 +212,9 @@ static void put_inverted_position(report *r, math *m)
                now->link[4].theta);
     put_words(m, "The loop A, B, D closes along x and along y:");
     math_zero(m, "a * cos theta2 - d - s * cos theta3 <h + h * sin theta3 >",
-              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, MATH_M);
+              a * cos(theta2) - d - s * cos(theta3) + h * sin(theta3), a + d, MATH_LENGTH);
     math_zero(m, "a * sin theta2 - s * sin theta3 <h - h * cos theta3 >",
-              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, MATH_M);
+              a * sin(theta2) - s * sin(theta3) - h * cos(theta3), a + d, MATH_LENGTH);
 }
 
 static void give_slide(report *r, math *m)
@@ -271,9 +272,9 @@ static void put_yoke_position(report *r, math *m)
     math_let(m, "xC", "a * cos theta2 - s * cos beta", X);
     put_words(m, "The loop A, B, C closes along x and along y:");
     math_zero(m, "a * cos theta2 - s * cos beta - xC", a * cos(theta2) - s * cos(beta) - X,
-              a + fabs(s), MATH_M);
+              a + fabs(s), MATH_LENGTH);
     math_zero(m, "a * sin theta2 - s * sin beta <e - e >", a * sin(theta2) - s * sin(beta) - e,
-              a + fabs(s), MATH_M);
+              a + fabs(s), MATH_LENGTH);
 }
 
 /* See scotch_yoke.c. */

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "mathml.h"
 #include "report.h"
+#include "view/notation.h"
 
 #define MOST_EQUATIONS 10
 #define DIGITS 6
@@ -149,10 +150,22 @@ static void put_guided(report *r, math *m)
     math_let(m, "e", "( yC - yA ) * cos gamma - ( xC - xA ) * sin gamma", s->design.offset);
 }
 
-/* An error in degrees or m; 0 if it is rounding. */
-static double shown_error(double error, int is_angle)
+/* A length, in the deck's unit. */
+static double shown_length(const report *r, double length)
 {
-    return format_settled(is_angle ? DEGREES(error) : error, 100);
+    return view_value(&r->v, QUANTITY_LENGTH, length);
+}
+
+static const char *unit_of_length(const report *r)
+{
+    return r->v.units[QUANTITY_LENGTH].name;
+}
+
+/* An error in degrees or the deck's length; 0 if it is rounding. */
+static double shown_error(const report *r, double error, int is_angle)
+{
+    return is_angle ? format_settled(DEGREES(error), 100)
+                    : shown_length(r, format_settled(error, 100));
 }
 
 /* -------------------------------------------------------------------------------- many positions */
@@ -162,6 +175,7 @@ static void put_many(report *r, math *m)
     const fourlink_solution *s = r->request->found;
     const fourlink_precision *first = &s->position[0];
     double theta3 = first->theta3 + first->residual, a = s->design.link[FOURLINK_CRANK].length;
+    const char *length_unit = unit_of_length(r);
     fourlink_vector p = s->point;
     int slides = is_slider_crank(s);
 
@@ -171,12 +185,13 @@ static void put_many(report *r, math *m)
         "%d wanted positions, of the descents from %d starts. A better one may exist.</p>\n",
         s->n_positions, (int)s->starts);
     page_print(&r->page,
-               "<ul>\n<li>Root mean square distance: %.6g m</li>\n<li>Largest distance: %.6g "
-               "m</li>\n<li>Sum: %.6g m\302\262</li>\n",
-               shown_error(s->rms, 0), shown_error(s->largest, 0), s->sum);
+               "<ul>\n<li>Root mean square distance: %.6g%U</li>\n<li>Largest distance: %.6g%U"
+               "</li>\n<li>Sum: %.6g%U\302\262</li>\n",
+               shown_error(r, s->rms, 0), length_unit, shown_error(r, s->largest, 0), length_unit,
+               shown_length(r, shown_length(r, s->sum)), length_unit);
     if (s->max_error != 0)
         page_print(&r->page, "<li>Largest error of the coupler's angle: %.6g\302\260</li>\n",
-                   shown_error(s->max_error, 1));
+                   shown_error(r, s->max_error, 1));
     page_print(&r->page, "</ul>\n");
     put_words(r, "The coupler point in the first position, in the frame of the linkage:");
     math_set(m, "theta2", first->theta2);
@@ -221,20 +236,20 @@ static void put_quick_return(report *r, math *m)
             "( a * cos { delta | 2 } )^2 + ( b * sin { delta | 2 } )^2 - ( c * sin { psi | 2 } )^2",
             gsl_pow_2(a * cos(delta / 2)) + gsl_pow_2(b * sin(delta / 2)) -
                 gsl_pow_2(c * sin(psi / 2)),
-            b * b, MATH_M2);
+            b * b, MATH_AREA);
         math_zero(m,
                   "( a * cos ( { psi - delta | 2 } ) )^2 + "
                   "( b * sin ( { psi - delta | 2 } ) )^2 - ( d * sin ( { psi | 2 } ) )^2",
                   gsl_pow_2(a * cos((psi - delta) / 2)) + gsl_pow_2(b * sin((psi - delta) / 2)) -
                       gsl_pow_2(d * sin(psi / 2)),
-                  b * b, MATH_M2);
+                  b * b, MATH_AREA);
     } else if (is_slider_crank(s)) {
         math_set(m, "s", extent);
         put_words(r, "The crank and the rod are in line at both ends of the stroke s:");
         math_zero(m, "( r * cos { delta | 2 } )^2 + ( l * sin { delta | 2 } )^2 - { s ^2 | 4 }",
                   gsl_pow_2(a * cos(delta / 2)) + gsl_pow_2(b * sin(delta / 2)) -
                       extent * extent / 4,
-                  b * b, MATH_M2);
+                  b * b, MATH_AREA);
         math_let(m, "e", "{ ( l ^2 - r ^2 ) * sin delta | s }", s->design.offset);
     } else if (s->type == FOURLINK_WHITWORTH) {
         put_words(r, "The tool reverses where the lever is at right angles to AD:");
@@ -257,27 +272,34 @@ static void put_positions(report *r)
 {
     const fourlink_solution *s = r->request->found;
     int is_angle = !s->has_point && !is_slider_crank(s), i;
+    char length_unit[NOTATION_SIZE], columns[400];
 
-    page_table(&r->page, "Wanted positions, in the frame of the linkage",
-               s->has_point ? "Position|" THETA2 DEG "|x, m|y, m|" THETA3 DEG "|Error, m|" MU DEG
-                              "|Branch"
-               : is_angle ? "Position|" THETA2 DEG "|" THETA4 DEG "|Error" DEG "|" MU DEG "|Branch"
-                          : "Position|" THETA2 DEG "|X, m|Error, m|" MU DEG "|Branch");
+    notation_unit(unit_of_length(r), length_unit);
+    if (s->has_point)
+        flk_text_join(columns, sizeof columns, "Position|" THETA2 DEG "|x, ", length_unit, "|y, ",
+                      length_unit, "|" THETA3 DEG "|Error, ", length_unit, "|" MU DEG "|Branch",
+                      (char *)NULL);
+    else if (is_angle)
+        strcpy(columns, "Position|" THETA2 DEG "|" THETA4 DEG "|Error" DEG "|" MU DEG "|Branch");
+    else
+        flk_text_join(columns, sizeof columns, "Position|" THETA2 DEG "|X, ", length_unit,
+                      "|Error, ", length_unit, "|" MU DEG "|Branch", (char *)NULL);
+    page_table(&r->page, "Wanted positions, in the frame of the linkage", columns);
     for (i = 0; i < s->n_positions; i++) {
         const fourlink_precision *p = &s->position[i];
         double theta2 = DEGREES(p->theta2), mu = DEGREES(p->mu);
-        double error = shown_error(p->error, is_angle);
+        double error = shown_error(r, p->error, is_angle);
         const char *branch =
             p->branch ? fourlink_branch_text(p->branch) : fourlink_status_text(p->status);
 
         if (s->has_point)
-            page_row(&r->page, "%d|%v|%v|%v|%v|%v|%v|%s", i + 1, theta2, DIGITS, p->point.x, DIGITS,
-                     p->point.y, DIGITS, DEGREES(p->theta3), DIGITS, error, DIGITS, mu, DIGITS,
-                     branch);
+            page_row(&r->page, "%d|%v|%v|%v|%v|%v|%v|%s", i + 1, theta2, DIGITS,
+                     shown_length(r, p->point.x), DIGITS, shown_length(r, p->point.y), DIGITS,
+                     DEGREES(p->theta3), DIGITS, error, DIGITS, mu, DIGITS, branch);
         else
             page_row(&r->page, "%d|%v|%v|%v|%v|%s", i + 1, theta2, DIGITS,
-                     is_angle ? DEGREES(p->output) : p->output, DIGITS, error, DIGITS, mu, DIGITS,
-                     branch);
+                     is_angle ? DEGREES(p->output) : shown_length(r, p->output), DIGITS, error,
+                     DIGITS, mu, DIGITS, branch);
     }
     page_table_end(&r->page);
 }
@@ -303,8 +325,8 @@ static void put_checks(report *r)
     if (s->condition > 1)
         page_print(p, "<li>Condition of the linear equations: %.4g</li>\n", s->condition);
     if (s->K[0] != 0)
-        page_print(p, "<li>Largest error: %.6g%s, at " THETA2 " = %.6g\302\260</li>\n",
-                   shown_error(s->max_error, !is_length), is_length ? " m" : "\302\260",
+        page_print(p, "<li>Largest error: %.6g%U, at " THETA2 " = %.6g\302\260</li>\n",
+                   shown_error(r, s->max_error, !is_length), is_length ? unit_of_length(r) : "deg",
                    DEGREES(s->max_error_at));
     page_print(p, "</ul>\n");
 }
@@ -314,9 +336,8 @@ void report_put_synthesis(report *r)
     const fourlink_solution *s = r->request->found;
     math m;
 
-    memset(&m, 0, sizeof m);
-    m.p = &r->page;
-    m.size[MATH_M] = fabs(s->a) + s->design.link[FOURLINK_COUPLER].length;
+    math_begin(&m, &r->page, r->v.units);
+    m.size[MATH_LENGTH] = fabs(s->a) + s->design.link[FOURLINK_COUPLER].length;
     set_lengths(s, &m);
     if (s->K[0] != 0)
         put_function(r, &m);

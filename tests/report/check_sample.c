@@ -361,7 +361,7 @@ static void check_equation(const xml_node *div, results *found)
 {
     static equation e;
     const xml_node *line, *math, *last = NULL;
-    char *left, *right, words[1000], last_words[200];
+    char *left, *right, *tables, words[1000], last_words[200];
     double difference;
 
     memset(&e, 0, sizeof e);
@@ -380,7 +380,9 @@ static void check_equation(const xml_node *div, results *found)
         wrong("no equation: %s", xml_words(div, words, sizeof words));
         return;
     }
-    keep_result(found, content(xml_next_named(div, div, "math")), evaluate(right, e.value));
+    tables = strtok(NULL, "="); /* the same in their unit */
+    keep_result(found, content(xml_next_named(div, div, "math")),
+                evaluate(tables ? tables : right, e.value));
     difference = evaluate(left, e.value) - evaluate(right, e.value);
     if (strstr(words_of(last, last_words), "\302\260"))
         difference = remainder(difference, 360 * DEGREE);
@@ -478,13 +480,7 @@ static void check_sums(const xml_node *section)
     }
 }
 
-/* ------------------------------------------------------------------------------------------ rounding error */
-
-#define ROUNDING 1e-13 /* of the size of a quantity */
-
-typedef struct {
-    double length, speed, acceleration, force; /* m, rad/s, rad/s2, N */
-} sizes;
+/* ----------------------------------------------------------------------------------------------- units */
 
 /* The number in front of its unit. */
 static double number_of(const xml_node *unit)
@@ -508,42 +504,166 @@ static const char *unit_of(const xml_node *x, char words[200])
     return words + 2;
 }
 
+typedef enum { LENGTH, FORCE, ENERGY, POWER, TIME, TIME_SQUARED, ANGLE, SPEED } part_kind;
+
+typedef struct {
+    const char *name;
+    part_kind kind;
+    double si;
+} part;
+
+/* A part of a unit, of so many bytes. */
+static part part_of(const char *words, size_t length)
+{
+    static const part known[] = {{"m", LENGTH, 1},
+                                 {"mm", LENGTH, 1e-3},
+                                 {"cm", LENGTH, 1e-2},
+                                 {"in", LENGTH, 0.0254},
+                                 {"ft", LENGTH, 0.3048},
+                                 {"N", FORCE, 1},
+                                 {"kN", FORCE, 1e3},
+                                 {"lbf", FORCE, 4.4482216152605},
+                                 {"kgf", FORCE, 9.80665},
+                                 {"J", ENERGY, 1},
+                                 {"kJ", ENERGY, 1e3},
+                                 {"W", POWER, 1},
+                                 {"kW", POWER, 1e3},
+                                 {"hp", POWER, 550 * 0.3048 * 4.4482216152605},
+                                 {"s", TIME, 1},
+                                 {"s\302\262", TIME_SQUARED, 1},
+                                 {"ms", TIME, 1e-3},
+                                 {"rad", ANGLE, 1},
+                                 {"deg", ANGLE, DEGREE},
+                                 {"\302\260", ANGLE, DEGREE},
+                                 {"rev", ANGLE, 360 * DEGREE},
+                                 {"rpm", SPEED, 6 * DEGREE}};
+    static const part none = {"", ANGLE, NAN};
+    size_t i;
+
+    for (i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strlen(known[i].name) == length && strncmp(known[i].name, words, length) == 0)
+            return known[i];
+    wrong("an unknown unit: %.*s", (int)length, words);
+    return none;
+}
+
+/* How large the quantities of the crank are: m, N, rad/s, rad/s2. */
+typedef struct {
+    double length, force, speed, acceleration;
+    double table; /* of numbers in tables, in their units */
+} sizes;
+
+static double size_of_part(const sizes *s, part_kind kind)
+{
+    switch (kind) {
+    case LENGTH:
+        return s->length;
+    case FORCE:
+        return s->force;
+    case ENERGY:
+        return s->force * s->length;
+    case POWER:
+        return s->force * s->length * s->speed;
+    case TIME:
+        return 1 / s->speed;
+    case TIME_SQUARED:
+        return 1 / s->acceleration;
+    case SPEED:
+        return s->speed;
+    default:
+        return 1;
+    }
+}
+
+/* A unit in SI; with sizes, how large what is in it is. */
+static double measure(const char *unit, const sizes *s)
+{
+    double all = 1;
+    int is_below = 0;
+
+    while (*unit) {
+        const char *slash = strchr(unit, '/'), *dot = strstr(unit, "\302\267");
+        const char *end = slash && (!dot || slash < dot) ? slash : dot;
+        part one = part_of(unit, end ? (size_t)(end - unit) : strlen(unit));
+        double x = s ? size_of_part(s, one.kind) : one.si;
+
+        all = is_below ? all / x : all * x;
+        is_below = end && end == slash;
+        unit = !end ? "" : end + (end == slash ? 1 : 2);
+    }
+    return all;
+}
+
+static double si_of(const char *unit)
+{
+    return measure(unit, NULL);
+}
+
+/* A result in two units is the same in both: "800 mm/s = 0.8 m/s". */
+static void check_units(const xml_node *section)
+{
+    const xml_node *x, *before = NULL;
+    char words[200], other[200];
+
+    for (x = section; x; x = xml_next(x, section)) {
+        const char *unit = unit_of(x, words), *first;
+
+        if (xml_is(x, "math"))
+            before = NULL;
+        if (!unit)
+            continue;
+        if (before && (first = unit_of(before, other)) != NULL) {
+            double a = number_of(before), b = number_of(x), in_first = si_of(unit) / si_of(first);
+
+            if (!(fabs(a - b * in_first) <= half_unit(a) + half_unit(b) * in_first))
+                wrong("%.6g %s is not %.6g %s", a, first, b, unit);
+        }
+        before = x;
+    }
+}
+
+/* ------------------------------------------------------------------------------------------ rounding error */
+
+#define ROUNDING 1e-13 /* of the size of a quantity */
+
+/* The units of length and force: "in mm, N and s". */
+static void find_units(const xml_node *section, char length[40], char force[40])
+{
+    const xml_node *x;
+    char words[1000], *at = NULL;
+
+    *length = *force = '\0';
+    for (x = section; x && !at; x = xml_next_named(x, section, "p"))
+        at = xml_is(x, "p") ? strstr(xml_words(x, words, sizeof words), " branch, in") : NULL;
+    if (!at || sscanf(at, " branch, in\302\240%39[^,],\302\240%39s and s", length, force) != 2)
+        wrong("no units of the sample");
+}
+
 /* The length, the speed and the acceleration of the crank are the first of their units. */
 static sizes find_sizes(const xml_node *section)
 {
-    sizes s = {0, 0, 0, 0};
+    sizes s = {0, 0, 0, 0, 0};
     const xml_node *x;
-    char words[200];
+    char words[200], length[40], force[40];
 
+    find_units(section, length, force);
     for (x = section; x; x = xml_next(x, section)) {
         const char *unit = unit_of(x, words);
         double size = unit ? fabs(number_of(x)) : 0;
 
         if (!unit)
             continue;
-        if (strcmp(unit, "m") == 0 && s.length == 0)
-            s.length = size;
+        if (strcmp(unit, length) == 0 && s.length == 0)
+            s.length = size * si_of(unit);
         if (strcmp(unit, "rad/s") == 0 && s.speed == 0)
             s.speed = size;
         if (strcmp(unit, "rad/s\302\262") == 0 && s.acceleration == 0)
             s.acceleration = fmax(size, s.speed * s.speed);
-        if (strcmp(unit, "N") == 0)
-            s.force = fmax(s.force, size);
+        if (strcmp(unit, force) == 0)
+            s.force = fmax(s.force, size * si_of(unit));
     }
+    s.table = s.force / si_of(force) * fmin(s.length / si_of(length), 1);
     return s;
-}
-
-static double size_of(const sizes *s, const char *unit)
-{
-    return strcmp(unit, "m") == 0               ? s->length
-           : strcmp(unit, "rad/s") == 0         ? s->speed
-           : strcmp(unit, "rad/s\302\262") == 0 ? s->acceleration
-           : strcmp(unit, "m/s") == 0           ? s->length * s->speed
-           : strcmp(unit, "m/s\302\262") == 0   ? s->length * s->acceleration
-           : strcmp(unit, "N") == 0             ? s->force
-           : strcmp(unit, "N\302\267m") == 0    ? s->force * s->length
-           : strcmp(unit, "W") == 0             ? s->force * s->length * s->speed
-                                                : 0;
 }
 
 static void check_rounding(const xml_node *section)
@@ -557,11 +677,11 @@ static void check_rounding(const xml_node *section)
         double value = 0, size = 0;
 
         if (unit) {
-            value = number_of(x);
-            size = size_of(&s, unit);
+            value = number_of(x) * si_of(unit);
+            size = measure(unit, &s);
         } else if (xml_is(x, "td") && xml_is(x->parent->parent, "tbody")) {
             value = cell(x);
-            size = s.force * fmin(s.length, 1); /* N or N m */
+            size = s.table; /* forces or torques */
         }
         if (value != 0 && fabs(value) < ROUNDING * size)
             wrong("%g %s is rounding error", value, unit ? unit : "in a table");
@@ -596,7 +716,7 @@ static const xml_node *find_section(const xml_document *d, const char *id)
     return x;
 }
 
-/* The value of an entry "F12x = 3 N" of a list. */
+/* The value of an entry "F12x = 3 N" of a list, the first one of "Ts = 3000 N mm = 3 N m". */
 static double entry(const xml_node *x)
 {
     static equation e;
@@ -604,7 +724,7 @@ static double entry(const xml_node *x)
 
     memset(&e, 0, sizeof e);
     put_row(&e, content(math)->next->next);
-    return evaluate(e.text, e.value);
+    return evaluate(strtok(e.text, "="), e.value);
 }
 
 /* 1 if a name stands for a number in an equation. */
@@ -678,6 +798,7 @@ static void check_report(int argc, char **argv)
     if (n)
         check_sums(section);
     check_rounding(section);
+    check_units(section);
     for (i = 1; i < argc; i++)
         if (strchr(argv[i], '='))
             check_expected(&found, argv[i]);

@@ -57,7 +57,16 @@ function is_words(value) { # they take the place of value, unit, angle and branc
 
 # ------------------------------------------------------------------------------------------------------ cells
 
-BEGIN { FS = "\t" }
+BEGIN {
+    FS = "\t"
+    in_si["N"] = in_si["m"] = 1
+    in_si["cm"] = 0.01
+    in_si["mm"] = 0.001
+    in_si["in"] = 0.0254
+    in_si["ft"] = 0.3048
+    in_si["lbf"] = 4.4482216152605
+    in_si["kgf"] = 9.80665
+}
 FNR == 1 { files++ }
 files == 1 && /^table/ {
     class = $2
@@ -66,6 +75,10 @@ files == 1 && /^table/ {
     sub(/^Table [0-9]*\. /, "", title)
     branch = title ~ / open branch /  ? "open" : "crossed"
     tables_of[class]++
+    if (class == "facts works" && split(title, of_works, /[()]|·/) > 2) { # "Terms of virtual work (N·mm)"
+        force = in_si[of_works[2]]
+        torque = force * in_si[of_works[3]]
+    }
     if (class == "rows")
         that(title ~ " " (tables_of["rows"] == 1 ? "open" : "crossed") " branch ", "the title " title)
     sub(/ \([0-9]+\)$/, "", title)
@@ -174,13 +187,14 @@ matrix && !/^#/ && !/^$/ {
     size = part[n] > size ? part[n] : -part[n] > size ? -part[n] : size
 }
 # What is known of the nine equations: m a less weight less loads.
-function check_sides(i, part) {
+function check_sides(i, part, scale) {
     that(sides == 9 && n_right == 9, sides " equations, the matrix has " n_right)
     for (i = 1; i <= sides; i++) {
         gsub(/−/, "-", side[i])
         split(side[i], part, "\t")
-        near("the right side of " part[1], part[5], right[i], 1e-5 * size)
-        near("the parts of " part[1], part[2] + part[3] + part[4], right[i], 1e-4 * size)
+        scale = part[1] ~ /moments$/ ? torque : force
+        near("the right side of " part[1], part[5] * scale, right[i], 1e-5 * size)
+        near("the parts of " part[1], (part[2] + part[3] + part[4]) * scale, right[i], 1e-4 * size)
         that(part[1] !~ /moments$/ || part[3] + 0 == 0, "a weight has a moment: " side[i])
     }
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "system/xml.h"
 #include "check.h"
 #include "report/mathml.h"
@@ -117,13 +118,29 @@ static const char *text_of(char *markup)
     return markup;
 }
 
+/* Metre, newton, second, in which a speed is written twice where the tables have mm/s. */
+static fourlink_unit si[QUANTITY_COUNT];
+
+static void set_up_units(void)
+{
+    static const fourlink_unit one = {"1", 1, 1, 0};
+    int i;
+
+    for (i = 0; i < QUANTITY_COUNT; i++)
+        si[i] = one;
+    si[QUANTITY_LENGTH].name = "m";
+    si[QUANTITY_FORCE].name = "N";
+    si[QUANTITY_SPEED].name = "mm/s";
+    si[QUANTITY_SPEED].down = 1000;
+}
+
 static const char *equation(const char *words, double beta)
 {
     page p = new_page();
     math m;
 
-    memset(&m, 0, sizeof m);
-    m.p = &p;
+    set_up_units();
+    math_begin(&m, &p, si);
     math_set(&m, "a", -2);
     math_set(&m, "b", 1.5e-7);
     math_set(&m, "beta", beta);

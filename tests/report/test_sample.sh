@@ -72,6 +72,12 @@ for deck in norton.deck offset.deck crank.deck ${3+"$matrix" "$alvi" "$decks/eng
         done
     done
 done
+# other units than those of the deck: where they do not go together a result stands in both, with a factor for m a and P
+for units in 'in, lbf' 'ft, slug, hp' 'cm, kN, kW' 'mm, kgf, rpm, m/s'; do
+    for deck in norton.deck crank.deck ${3+"$alvi" "$data/me3491-exercise-4.deck" "$data/four-bar-on-a-ram.deck"}; do
+        sample "$deck" --branch=open --units="$units"
+    done
+done
 # friction: the moments of pins, the force of a guide, also of one whose couple presses its edges
 for deck in norton.deck offset.deck; do
     { cat $deck; printf '[friction]\nA = 0.1\nradius_A = 15 mm\nB = 8 %%\nradius_B = 10 mm\nD = 0.1\nradius_D = 9 mm\nguide = 0.1\nguide_length = 50 mm\n'; } >rubbed-$deck
@@ -112,5 +118,10 @@ check 'the loads of friction are written' grep -q 'guide, on the lever</th><td>[
 # an error is found
 sed 's|<mn>0.0732971</mn>|<mn>0.0733971</mn>|' r.html >wrong.html
 check "a wrong number is found" fails "$programs/check_sample" wrong.html
+
+"$fourlink" --report=r.html norton.deck --units='mm, kgf'
+check 'm a in kgf' grep -q 'Masses are in.kg: m a and I α are divided by 9806.65, as 1.kgf = 9806.65.kg·mm/s²' r.html
+sed 's|<mn>\([0-9.]*\)</mn>\(</mrow>\)*<mtext>.N·m</mtext>|<mn>1\1</mn>\2<mtext>\xc2\xa0N·m</mtext>|' r.html >wrong.html
+check "a wrong number in the unit of the tables is found" fails "$programs/check_sample" wrong.html
 
 finish

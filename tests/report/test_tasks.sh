@@ -9,7 +9,8 @@
 n=0 good=0
 task() {
     n=$((n + 1))
-    "$fourlink" --synthesis --report=r-$n.html t.deck >found.deck 2>err
+    case $((n % 3)) in 0) units=in ;; 1) units=mm ;; *) units=m ;; esac
+    "$fourlink" --synthesis --units=$units --report=r-$n.html t.deck >found.deck 2>err
     "$fourlink" --synthesis t.deck >found.deck 2>err
     status=$?
     check "task $n: status $status: $(grep -v note err)" test $status -le 1
