@@ -8,12 +8,14 @@
 #include "base/quantity.h"
 #include "base/text.h"
 #include "math_units.h"
+#include "system/format.h"
 
 /* What the tables call the quantities. */
 static const quantity quantities[MATH_UNITS] = {
     QUANTITY_LENGTH, QUANTITY_AREA,         QUANTITY_ANGLE,         QUANTITY_NUMBER,
     QUANTITY_SPEED,  QUANTITY_ACCELERATION, QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
-    QUANTITY_FORCE,  QUANTITY_TORQUE,       QUANTITY_POWER};
+    QUANTITY_FORCE,  QUANTITY_TORQUE,       QUANTITY_POWER,         QUANTITY_MASS,
+    QUANTITY_INERTIA};
 
 #define SAME 1e-12 /* relative difference of units that have two names */
 
@@ -52,6 +54,12 @@ void math_units_take(math_units *u, const fourlink_unit *units)
     set(u, MATH_FORCE, force, "", NULL);
     set(u, MATH_TORQUE, force, ".", length);
     set(u, MATH_POWER, &units[QUANTITY_POWER], "", NULL);
+    set(u, MATH_MASS, mass, "", NULL);
+    set(u, MATH_INERTIA, mass, ".", length);
+    flk_text_join(u->of[MATH_INERTIA].name, sizeof u->of[MATH_INERTIA].name, mass->name, ".",
+                  length->name, "2", (char *)NULL);
+    u->of[MATH_INERTIA].up *= length->up;
+    u->of[MATH_INERTIA].down *= length->down;
     for (i = 0; i < MATH_UNITS; i++) {
         const fourlink_unit *t = &units[quantities[i]];
 
@@ -60,9 +68,22 @@ void math_units_take(math_units *u, const fourlink_unit *units)
             fabs(size_of(u, (math_unit)i) * t->down / t->up - 1) > SAME)
             u->of[i].tables = *t;
     }
-    flk_text_join(u->mass, sizeof u->mass, mass->name, (char *)NULL);
     u->per_force = size_of(u, MATH_FORCE) / size_of(u, MATH_LENGTH) * mass->down / mass->up;
     u->per_power = size_of(u, MATH_POWER) / size_of(u, MATH_TORQUE);
+}
+
+#define ONE 1e-9 /* relative difference of a factor that is 1 */
+
+const char *math_units_over(char out[MATH_EQUATION], const char *equation, double factor)
+{
+    char number[FORMAT_SIZE];
+
+    format_general(factor > 1 ? factor : 1 / factor, 9, number);
+    if (fabs(factor - 1) < ONE)
+        return flk_text_join(out, MATH_EQUATION, equation, (char *)NULL);
+    return factor > 1 ? flk_text_join(out, MATH_EQUATION, "{ ", equation, " | ", number, " }",
+                                      (char *)NULL)
+                      : flk_text_join(out, MATH_EQUATION, equation, " * ", number, (char *)NULL);
 }
 
 double math_units_value(const math_units *u, double si, math_unit of)

@@ -10,6 +10,8 @@
 
 #include "fourlink.h"
 
+#define MATH_EQUATION 200 /* bytes of one that is put together */
+
 /* What a symbol is.  Angles are in radians, and written in degrees; powers are in the unit of the tables. */
 typedef enum math_unit {
     MATH_LENGTH,
@@ -23,6 +25,8 @@ typedef enum math_unit {
     MATH_FORCE,
     MATH_TORQUE,
     MATH_POWER,
+    MATH_MASS,
+    MATH_INERTIA,
     MATH_UNITS
 } math_unit;
 
@@ -32,7 +36,6 @@ typedef struct math_units {
         double up, down;      /* value * up / down is in SI units */
         fourlink_unit tables; /* the other one of the tables; no name: it is the same */
     } of[MATH_UNITS];
-    char mass[24];
     double per_force,
         per_power; /* how many of mass * acceleration are a force; of torque / s, a power */
 } math_units;
@@ -43,5 +46,8 @@ void math_units_take(math_units *u, const fourlink_unit *units);
 /* A value in the unit of equations; in that of the tables. */
 double math_units_value(const math_units *u, double si, math_unit of);
 double math_units_in_tables(const math_units *u, double si, math_unit of);
+
+/* An equation, divided by such a factor if that is not 1. */
+const char *math_units_over(char out[MATH_EQUATION], const char *equation, double factor);
 
 #endif

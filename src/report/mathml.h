@@ -18,7 +18,7 @@
 #include "math_units.h"
 #include "page.h"
 
-#define MATH_SYMBOLS 64
+#define MATH_SYMBOLS 96
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
 
 /* The unit of a symbol follows from its name.  Values are given in SI units and written in those of `units`. */

@@ -4,6 +4,7 @@
 */
 #include "mathml.h"
 #include "report.h"
+#include "sample_engine.h"
 #include "sample_forces.h"
 #include "sample_motion.h"
 #include "view/rounding.h"
@@ -16,7 +17,8 @@ static void set_sizes(const report *r, math *m)
         QUANTITY_SPEED,         QUANTITY_ACCELERATION,
         QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
         QUANTITY_FORCE,         QUANTITY_TORQUE,
-        QUANTITY_POWER};
+        QUANTITY_POWER,         QUANTITY_MASS,
+        QUANTITY_INERTIA};
     double sizes[QUANTITY_COUNT];
     int i;
 
@@ -76,10 +78,12 @@ void report_put_sample(report *r)
                    view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
                    r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
-    if (r->v.design->n_groups)
+    if (r->v.design->n_groups) {
         put_outputs(r);
-    else if (r->v.problem.has_forces)
+    } else if (r->v.problem.has_forces) {
         sample_put_forces(r, &m);
-    else
+        sample_put_engine(r, &m);
+    } else {
         page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");
+    }
 }

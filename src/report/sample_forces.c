@@ -127,8 +127,8 @@ static void put_factor(math *m)
         page_print(m->p,
                    " Masses are in%U: m a and I \316\261 are divided by %.6g, as 1%U = "
                    "%.6g%U.",
-                   u->mass, u->per_force, u->of[MATH_FORCE].name, u->per_force,
-                   flk_text_join(product, sizeof product, u->mass, ".",
+                   u->of[MATH_MASS].name, u->per_force, u->of[MATH_FORCE].name, u->per_force,
+                   flk_text_join(product, sizeof product, u->of[MATH_MASS].name, ".",
                                  u->of[MATH_ACCELERATION].name, (char *)NULL));
 }
 
@@ -310,14 +310,11 @@ static void put_power(report *r, math *m)
 {
     const math_units *u = &m->units;
     double per = u->per_power;
-    char equation[80], number[FORMAT_SIZE], rate[60];
+    char equation[MATH_EQUATION], number[FORMAT_SIZE], rate[60];
 
-    if (fabs(per - 1) < 1e-9) {
-        strcpy(equation, "Ts * omega2");
-    } else {
+    math_units_over(equation, "Ts * omega2", per);
+    if (fabs(per - 1) > 1e-9) {
         format_general(per > 1 ? per : 1 / per, 9, number);
-        flk_text_join(equation, sizeof equation, per > 1 ? "{ " : "", "Ts * omega2 ",
-                      per > 1 ? "| " : "* ", number, per > 1 ? " }" : "", (char *)NULL);
         flk_text_join(rate, sizeof rate, u->of[MATH_TORQUE].name, "/s", (char *)NULL);
         page_print(m->p, "<p>The power, where 1%U = %s%U:</p>\n",
                    per > 1 ? u->of[MATH_POWER].name : rate, number,

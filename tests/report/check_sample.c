@@ -504,7 +504,18 @@ static const char *unit_of(const xml_node *x, char words[200])
     return words + 2;
 }
 
-typedef enum { LENGTH, FORCE, ENERGY, POWER, TIME, TIME_SQUARED, ANGLE, SPEED } part_kind;
+typedef enum {
+    LENGTH,
+    AREA,
+    MASS,
+    FORCE,
+    ENERGY,
+    POWER,
+    TIME,
+    TIME_SQUARED,
+    ANGLE,
+    SPEED
+} part_kind;
 
 typedef struct {
     const char *name;
@@ -520,6 +531,15 @@ static part part_of(const char *words, size_t length)
                                  {"cm", LENGTH, 1e-2},
                                  {"in", LENGTH, 0.0254},
                                  {"ft", LENGTH, 0.3048},
+                                 {"mm\302\262", AREA, 1e-6},
+                                 {"m\302\262", AREA, 1},
+                                 {"cm\302\262", AREA, 1e-4},
+                                 {"in\302\262", AREA, 0.0254 * 0.0254},
+                                 {"ft\302\262", AREA, 0.3048 * 0.3048},
+                                 {"kg", MASS, 1},
+                                 {"g", MASS, 1e-3},
+                                 {"lb", MASS, 0.45359237},
+                                 {"slug", MASS, 4.4482216152605 / 0.3048},
                                  {"N", FORCE, 1},
                                  {"kN", FORCE, 1e3},
                                  {"lbf", FORCE, 4.4482216152605},
@@ -558,6 +578,10 @@ static double size_of_part(const sizes *s, part_kind kind)
     switch (kind) {
     case LENGTH:
         return s->length;
+    case AREA:
+        return s->length * s->length;
+    case MASS:
+        return 0; /* it is given */
     case FORCE:
         return s->force;
     case ENERGY:

@@ -101,13 +101,26 @@ check 'what s and h are' grep -q 'is h; θ₃ is the angle of the slide:' r-$n.h
 "$programs/check_sample" r-*.html >checked 2>&1
 check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
 
+fails() { ! "$@"; }
 # the results are those of the table
 PATH=$work/empty "$fourlink" --report=r.html "$data/me3491-matrix.deck" --plot-at='40 deg' -b open
 check 'results of the reference' "$programs/check_sample" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
     alpha4=56.4558 Ts=0.0313823 theta3=0.680440 theta4=1.81201
 
+# the engine method is that of the columns, by the series too
+for branch in open crossed; do
+    for deck in "$data/dfa-example-2.deck" "$data/me3491-example-2.deck" "$data/khurmi-22.1.deck" crank.deck; do
+        "$fourlink" --report=engine.html -b $branch "$deck" >out 2>err || check "$deck: $(cat err)" test $? -eq 1
+        run 0 -f csv -b $branch -c theta2,piston_effort,rod_force,side_thrust,crank_effort,radial_force,T_piston,T_engine "$deck"
+        at=$(sed -n 's/.*<p>At θ₂ = \([^,]*\)°, .*/\1/p' engine.html | sed 's/−/-/')
+        values=$(tr -d '\r' <out | awk -F, -v at="$at" '$2 - at < 1e-9 && at - $2 < 1e-9 {print "F=" $3, "Frod=" $4, "FN=" $5, "FT=" $6, "FR=" $7, "Tpiston=" $8, "Tengine=" $9; exit}')
+        check "the engine method of $deck at $at: $values" test "$values"
+        check "the engine method of $deck at $at" "$programs/check_sample" engine.html $values
+    done
+done
+check 'of an engine without gas, masses and loads there is none' fails grep -q 'Engine method' r-1.html
+
 # friction is that of the columns
-fails() { ! "$@"; }
 check 'no friction without its section' fails grep -q '<h3>Friction</h3>' r.html
 sample rubbed-norton.deck --plot-at='95 deg' --branch=open
 run 0 -f csv -b open -s 'motion.at=95 deg' -c friction_A,friction_B,friction_D,friction_guide,F34 rubbed-norton.deck
