@@ -6,6 +6,7 @@
 #include "report.h"
 #include "sample_engine.h"
 #include "sample_forces.h"
+#include "sample_limits.h"
 #include "sample_motion.h"
 #include "view/rounding.h"
 
@@ -78,6 +79,7 @@ void report_put_sample(report *r)
                    view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
                    r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
+    sample_put_limits(r, &m);
     if (r->v.design->n_groups) {
         put_outputs(r);
     } else if (r->v.problem.has_forces) {

@@ -174,7 +174,7 @@ char *notation_name(const char *name, char out[NOTATION_SIZE])
     return out;
 }
 
-/* A digit behind a letter is its power. */
+/* A digit behind a letter, or behind ^, is its power. */
 char *notation_unit(const char *unit, char out[NOTATION_SIZE])
 {
     char own[2] = {0, 0};
@@ -188,7 +188,7 @@ char *notation_unit(const char *unit, char out[NOTATION_SIZE])
             c += 2;
         } else if (c > unit && is_digit(*c)) {
             put_scripts(own, 1, out);
-        } else {
+        } else if (*c != '^') {
             flk_text_join(out + strlen(out), NOTATION_SIZE - strlen(out),
                           *c == '.' ? "\302\267" : own, (char *)NULL);
         }

@@ -68,10 +68,18 @@ TEST(below)
 
 TEST(units)
 {
-    static const char *const units[][2] = {
-        {"deg", "°"},         {"m/s2", "m/s²"}, {"N.m", "N·m"},       {"kg.m2", "kg·m²"},
-        {"rad/s2", "rad/s²"}, {"1", "1"},       {"lbf.in", "lbf·in"}, {"deg/s2", "°/s²"},
-        {"mm", "mm"},         {"m4", "m⁴"},     {"m6", "m6"}};
+    static const char *const units[][2] = {{"deg/s^2", "\302\260/s\302\262"},
+                                           {"deg", "°"},
+                                           {"m/s2", "m/s²"},
+                                           {"N.m", "N·m"},
+                                           {"kg.m2", "kg·m²"},
+                                           {"rad/s2", "rad/s²"},
+                                           {"1", "1"},
+                                           {"lbf.in", "lbf·in"},
+                                           {"deg/s2", "°/s²"},
+                                           {"mm", "mm"},
+                                           {"m4", "m⁴"},
+                                           {"m6", "m6"}};
     char out[NOTATION_SIZE];
     size_t i;
 
