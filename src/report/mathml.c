@@ -380,6 +380,7 @@ static void put_value(math *m, double value, math_unit unit)
         page_print(m->p, "<mtext>%U</mtext>", u->of[unit].name);
     if (!u->of[unit].tables.name || value == 0)
         return;
+    begin_piece(m->p);
     page_print(m->p, INFIX("="));
     put_number(m->p, math_units_in_tables(u, value, unit), 0);
     page_print(m->p, "<mtext>%U</mtext>", u->of[unit].tables.name);
@@ -426,7 +427,7 @@ void math_let(math *m, const char *name, const char *equation, double value)
 
 void math_zero(math *m, const char *equation, double value, double size, math_unit unit)
 {
-    put_symbols(m, NULL, equation, "<mo>=</mo><mn>0</mn>");
+    put_symbols(m, NULL, equation, "<mo>=</mo><mn>0</mn><mtext>:</mtext>");
     open_line(m->p, "numbers");
     put_equation(m, equation, 1);
     begin_piece(m->p);

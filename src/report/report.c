@@ -41,7 +41,8 @@ static void put_running_title(report *r, const char *title)
         if (title[n])
             fprintf(p->out, "\\%02x ", (unsigned)title[n++]);
     }
-    page_print(p, "\"}}</style>\n");
+    page_print(p, "\"} @bottom-left {font: 8pt serif; content: \"Made by fourlink %s\"}}</style>\n",
+               fourlink_version());
 }
 
 static void put_head(report *r, const char *title)

@@ -36,21 +36,24 @@ static void put_crank_rocker(report *r, math *m, const fourlink_limits *limits)
         flk_cycle_beside((is_open ? folded - stretched : stretched - folded) - M_PI, 2 * M_PI);
     double end = is_open ? limits->theta4_min : limits->theta4_max,
            betas = M_PI - fabs(flk_cycle_beside(end, 2 * M_PI));
+    double a = r->v.design->link[2].length, b = r->v.design->link[3].length;
 
-    begin(
-        m,
-        "Crank and coupler are in line in both limits of the rocker, stretched (s) and folded (f). "
-        "The triangle ACD by the law of cosines, its angle at A and then \316\262 at D:");
+    begin(m,
+          "Crank and coupler are in line in both limits of the rocker, stretched (s) and folded "
+          "(f), with "
+          "AC = u. The triangle ACD by the law of cosines, its angle at A and then \316\262 at D:");
+    math_let(m, "us", "a + b", a + b);
+    math_let(m, "uf", "b - a", b - a);
     math_let(m, "theta2s",
-             is_open ? "acos { ( a + b )^2 + d ^2 - c ^2 | 2 * ( a + b ) * d }"
-                     : "360deg - acos { ( a + b )^2 + d ^2 - c ^2 | 2 * ( a + b ) * d }",
+             is_open ? "acos { us ^2 + d ^2 - c ^2 | 2 * us * d }"
+                     : "360deg - acos { us ^2 + d ^2 - c ^2 | 2 * us * d }",
              stretched);
     math_let(m, "theta2f",
-             is_open ? "180deg + acos { ( b - a )^2 + d ^2 - c ^2 | 2 * ( b - a ) * d }"
-                     : "180deg - acos { ( b - a )^2 + d ^2 - c ^2 | 2 * ( b - a ) * d }",
+             is_open ? "180deg + acos { uf ^2 + d ^2 - c ^2 | 2 * uf * d }"
+                     : "180deg - acos { uf ^2 + d ^2 - c ^2 | 2 * uf * d }",
              folded);
-    math_let(m, "betas", "acos { c ^2 + d ^2 - ( a + b )^2 | 2 * c * d }", betas);
-    math_let(m, "betaf", "acos { c ^2 + d ^2 - ( b - a )^2 | 2 * c * d }",
+    math_let(m, "betas", "acos { c ^2 + d ^2 - us ^2 | 2 * c * d }", betas);
+    math_let(m, "betaf", "acos { c ^2 + d ^2 - uf ^2 | 2 * c * d }",
              betas - (limits->theta4_max - limits->theta4_min));
     page_print(m->p, "<p>The swing \317\210 of the rocker:</p>\n");
     math_let(m, "psi", "betas - betaf", limits->theta4_max - limits->theta4_min);
@@ -60,14 +63,18 @@ static void put_crank_rocker(report *r, math *m, const fourlink_limits *limits)
 }
 
 /* The angle between coupler and rocker is least, and greatest, where the crank is in line with the ground. */
-static void put_transmission(math *m, const fourlink_limits *limits)
+static void put_transmission(report *r, math *m, const fourlink_limits *limits)
 {
+    double a = r->v.design->link[2].length, d = r->v.design->link[1].length;
+
     page_print(
         m->p,
         "<p>The angle \316\263 between coupler and rocker is least and greatest where the crank "
-        "is in line with the ground:</p>\n");
-    math_let(m, "gammamin", "acos { b ^2 + c ^2 - ( d - a )^2 | 2 * b * c }", limits->gamma_min);
-    math_let(m, "gammamax", "acos { b ^2 + c ^2 - ( d + a )^2 | 2 * b * c }", limits->gamma_max);
+        "is in line with the ground, with BD = f:</p>\n");
+    math_let(m, "fmin", "d - a", d - a);
+    math_let(m, "fmax", "d + a", d + a);
+    math_let(m, "gammamin", "acos { b ^2 + c ^2 - fmin ^2 | 2 * b * c }", limits->gamma_min);
+    math_let(m, "gammamax", "acos { b ^2 + c ^2 - fmax ^2 | 2 * b * c }", limits->gamma_max);
 }
 
 static void put_piston(report *r, math *m, const fourlink_limits *limits)
@@ -106,7 +113,7 @@ void sample_put_limits(report *r, math *m)
         if (!limits.has_swing)
             return;
         put_crank_rocker(r, m, &limits);
-        put_transmission(m, &limits);
+        put_transmission(r, m, &limits);
         return;
     case FOURLINK_SLIDER_CRANK:
         if (limits.has_stroke)

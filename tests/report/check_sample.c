@@ -632,7 +632,7 @@ static void check_units(const xml_node *section)
     for (x = section; x; x = xml_next(x, section)) {
         const char *unit = unit_of(x, words), *first;
 
-        if (xml_is(x, "math"))
+        if (xml_is(x, "div") || xml_is(x, "li"))
             before = NULL;
         if (!unit)
             continue;
