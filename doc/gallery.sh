@@ -3,7 +3,7 @@
 #
 # gallery.sh BUILD [FOLDER] - make the pictures of doc/gallery.md, with its own command lines and the program in
 # BUILD, in FOLDER (default: doc/gallery).  Fails if a command fails, or a picture that the page shows is not made.
-# doc/screens.js makes those of the page and of a report in README, page.png and report.png.
+# doc/screens.js makes those of the page and of a report, page.png and report.png.
 set -eu
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")"

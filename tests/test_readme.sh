@@ -100,8 +100,8 @@ for document in README.md doc/*.md data/*.md; do
   [ "$pictures" ] || compare "$document" "$folder"
   run "$document" "$folder"
 done
-[ -x "$work/README.md/example" ]
-result $? 'README.md has no whole program in C'
+[ -x "$work/library.md/example" ]
+result $? 'doc/library.md has no whole program in C'
 for name in $(grep -o '`\(expect/[a-z0-9-]*\|[a-z/]*\(test_[a-zA-Z0-9_]*\|brute_extremes\)\)[.a-z]*`' doc/accuracy.md | tr -d '`'); do
   case $name in
   */*.*) [ -f "tests/${name#tests/}" ] ;;

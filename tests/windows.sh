@@ -40,7 +40,7 @@ random_decks 60
 results native/build/fourlink native/results
 compare windows
 
-# The one line of the README builds it too.
+# The one line of doc/platforms.md builds it too.
 status=0
 (cd "$source" && $mingw-gcc -Iinclude -Isrc -I"$usr/include" src/*/*.c -L"$usr/lib" -lgsl -lgslcblas -lm \
     -o "$work/windows/line.exe") && wine windows/line.exe --version | grep -q '^fourlink ' || status=1

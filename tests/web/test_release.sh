@@ -31,6 +31,20 @@ for file in include/fourlink.h src/base/number.c src/results/mean.c src/report/r
     mv before "copy/$file"
 done
 check 'a page of these sources, again' sh copy/tests/release.sh >out
+
+# A page that was just built: the same bytes, where the compiler is that of Debian 12.
+echo 'VERSION_CODENAME=bookworm' >os-release
+export OS_RELEASE="$work/os-release"
+cp copy/web/fourlink.html built.html
+check 'the same bytes' sh copy/tests/release.sh built.html >out
+check 'they are compared' grep -q 'has the bytes of the page just built' out
+sed 's/<title>/&x/' built.html >other.html
+check 'a page has other bytes' sh -c '! cmp -s built.html other.html'
+check 'other bytes' sh -c '! sh copy/tests/release.sh other.html 2>err >out'
+says 'Run sh web/build.sh web/fourlink.html FOLDER'
+echo 'VERSION_CODENAME=trixie' >os-release
+check 'another compiler' sh copy/tests/release.sh other.html >out
+check 'it says so' grep -q 'is not compared' out
 : >copy/src/base/new.c
 check 'a new file' sh -c '! sh copy/tests/release.sh 2>err'
 rm copy/src/base/new.c

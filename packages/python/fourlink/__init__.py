@@ -202,7 +202,7 @@ class Results:
     def _told(self, mistakes: list[_Mistake]) -> Mistake:
         def told(m: _Mistake, others: list[Mistake]) -> Mistake:
             file = os.fsdecode(m.file)
-            place = str(self._folder / file) if file else self.name
+            place = str(self._folder / file) if file not in ("", self.name) else self.name
             return Mistake(m.message.decode(errors="replace"), m.line, place if m.line else file, others)
 
         return told(mistakes[0], [told(m, []) for m in mistakes[1:]])

@@ -128,6 +128,24 @@ def test_mistakes_have_file_and_line(tmp_path):
         fourlink.open(TEXT, changes={"crank.length": "20 kg"})
 
 
+def test_mistakes_of_a_relative_path(tmp_path, monkeypatch):
+    """The path as it was given, of the deck and of a file that it names; also of a number that is set."""
+    (tmp_path / "decks").mkdir()
+    (tmp_path / "decks" / "torque.txt").write_text("0 1\n180 two\n360 1\n")
+    monkeypatch.chdir(tmp_path)
+    deck = os.path.join("decks", "a.deck")
+    with open(deck, "w") as f:
+        f.write(TEXT.replace("20 mm", "20 parsec") + "[load T]\nlink = rocker\ntorque = file torque.txt\n")
+    with pytest.raises(fourlink.Mistake) as told:
+        fourlink.open(deck)
+    assert [x.file for x in (told.value, *told.value.others)] == [os.path.join("decks", "torque.txt"), deck]
+    with open(deck, "w") as f:
+        f.write(TEXT)
+    with fourlink.open(deck) as r, pytest.raises(fourlink.Mistake) as told:
+        r.set("ground.length", "800 mm")
+    assert told.value.file == deck and str(told.value).startswith(f"{deck}:{told.value.line}: ")
+
+
 def test_version():
     assert f'version = "{fourlink.version()}"' in (TOP / "packages" / "python" / "pyproject.toml").read_text()
 
