@@ -9,12 +9,16 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "base/text.h"
 #include "system/memory.h"
 #include "graph.h"
 #include "sketch.h"
+#include "spread.h"
 #include "view/results.h"
 
 #define MOST_DESIGNS 1000000UL
+#define MANY_DESIGNS 400 /* more are lines, or their spread */
+#define MANY_CURVES 12
 #define NO_VALUES "no design of the [sweep] has a number to draw"
 
 /* The designs of a sweep. */
@@ -219,7 +223,7 @@ static void put_branch(picture *p, const designs *d, unsigned long output, int b
                 display_add_place(p->on.d, place_at(inputs_of(d, i)[d->axis], value));
         }
     }
-    for (i = 0; i < d->n; i++) {
+    for (i = 0; i < d->n && !(has_lines && d->n > MANY_DESIGNS); i++) {
         value = values_of(d, p, i, branch)[output];
         if (gsl_isnan(value))
             continue;
@@ -228,6 +232,48 @@ static void put_branch(picture *p, const designs *d, unsigned long output, int b
     }
     canvas_add_key(&p->on, has_lines ? DISPLAY_LINE : DISPLAY_MARK, stroke,
                    fourlink_branch_text((int)p->v.branches[branch]));
+}
+
+/* 1 if there are more curves, or points, than the eye tells apart. */
+static int are_many(const designs *d, int has_lines)
+{
+    unsigned long n_curves = 0, i;
+
+    for (i = 0; i < d->n; i++)
+        n_curves += i == 0 || begins(d, i);
+    return d->n > MANY_DESIGNS && !(has_lines && n_curves <= MANY_CURVES);
+}
+
+/* Draw the spread of an output on a branch; 0: out of memory. */
+static int put_spread(picture *p, const designs *d, unsigned long output, int branch)
+{
+    static const char *const sizes[] = {"least", "lower", "median", "upper", "greatest"};
+    const char *its = fourlink_branch_text((int)p->v.branches[branch]);
+    spread_point *points = memory_get(d->n, sizeof *points);
+    spread_group groups[SPREAD_MOST];
+    size_t n = 0, n_groups, k;
+    char of[40], words[80];
+    unsigned long i;
+    int size;
+
+    for (i = 0; points && i < d->n; i++) {
+        points[n].x = inputs_of(d, i)[d->axis];
+        points[n].y = values_of(d, p, i, branch)[output];
+        n += !gsl_isnan(points[n].y);
+    }
+    n_groups = points ? spread_find(points, n, groups) : 0;
+    for (size = 0; size < SPREAD_SIZES; size++) {
+        flk_text_join(of, sizeof of, its, "_", sizes[size], (char *)NULL);
+        graph_begin(p, (size == SPREAD_MEDIAN ? PEN_CURVE : PEN_JUMP) + branch,
+                    d->outputs[output].name, of);
+        for (k = 0; k < n_groups; k++)
+            display_add_place(p->on.d, place_at(groups[k].x, groups[k].y[size]));
+    }
+    canvas_add_key(&p->on, DISPLAY_LINE, PEN_CURVE + branch,
+                   flk_text_join(words, sizeof words, its, ", median", (char *)NULL));
+    canvas_add_key(&p->on, DISPLAY_LINE, PEN_JUMP + branch, "quartiles, extremes");
+    free(points);
+    return points != NULL;
 }
 
 /* Draw an output over the varied quantity; 0 if it has no number. */
@@ -245,7 +291,10 @@ static int put_output(picture *p, designs *d, unsigned long output, int has_line
     gsl_stats_minmax(&x_low, &x_high, d->inputs + d->axis, d->n_variables, d->n);
     set_axes(&p->on, x_low, x_high, low, high);
     for (b = 0; b < p->v.n_branches; b++)
-        put_branch(p, d, output, b, has_lines);
+        if (!are_many(d, has_lines))
+            put_branch(p, d, output, b, has_lines);
+        else if (!put_spread(p, d, output, b))
+            break; /* which is told */
     canvas_end_panel(&p->on);
     return 1;
 }

@@ -70,4 +70,32 @@ usage "--plot-kind must be " --plot=p.svg --plot-kind=histogram t.deck
 listed 0 t.list --plot-kind=columns -s table.columns=all all.deck
 check 'the output is drawn' test "$(grep -c '^curve' t.list)" -ge 1
 
+# of many designs the spread, against the sorted values of each place: 31 x 15 designs
+sweep 'crank.length = 10 mm to 25 mm in 31' 'coupler.length = 60 mm to 72 mm in 15' 'output = mu_min'
+run 0 -f csv -b open --units=mm t.deck
+tr -d '\r' <out | sed 1d | sort -t, -k3,3g -k5,5g >designs
+listed 0 t.list --plot-kind=columns -b open t.deck
+quiet
+for size in least median greatest; do
+    block mu_min_open_$size >points
+    check "the $size of each place where the curve bends" awk -F'[, ]' -v size=$size '
+        NR == FNR {x[FNR] = $1; y[FNR] = $2; n = FNR; next}
+        {k[$3]++; v[$3, k[$3]] = $5}
+        END {
+            for (at in k)
+                for (i = 1; i <= n; i++)
+                    if ((at - x[i]) ^ 2 < 1e-7) {
+                        wanted = v[at, size == "least" ? 1 : size == "median" ? (k[at] + 1) / 2 : k[at]]
+                        found++
+                        wrong += k[at] != 31 || (wanted - y[i]) ^ 2 > 1e-6 * wanted ^ 2
+                    }
+            exit wrong || found < 5 || found != n
+        }' points designs
+done
+check 'no point is drawn' test "$(grep -c '^mark' t.list)" -eq 0
+check 'the key of the spread' grep -qx 'key curve1 open, median' t.list
+sweep 'crank.length = 10 mm to 25 mm in 500' 'output = mu_min'
+listed 0 t.list --plot-kind=columns -b open t.deck
+check 'a curve of 500 designs has no points' test "$(grep -c '^mark' t.list)" -eq 0 -a "$(grep -c '^key' t.list)" -eq 1
+
 finish
