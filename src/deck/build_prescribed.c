@@ -469,7 +469,7 @@ void flk_build_prescribed(parser *p)
     if (!x)
         return;
     x->q = find_coordinate(p, input);
-    if (!x->q)
+    if (!x->q || p->out_of_memory) /* also where there was no room for a program */
         return;
     x->side = IS_SET(side) ? side->word : FLK_RISING;
     x->motion.angle_unit = 1;

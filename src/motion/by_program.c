@@ -186,7 +186,7 @@ static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end
         return of_position;
     if (!flk_program_from_rest(x->course->d->program, time, &fourth) || gsl_isnan(fourth))
         return FLK_END_DEAD;
-    return x->course->d->has_forces ? FLK_END_CHANGE : of_position;
+    return x->course->d->has_forces ? FLK_END_POLE : of_position;
 }
 
 /* A piece ends with its way, and where the crank passes a corner of the angle. */
