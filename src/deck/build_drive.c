@@ -38,7 +38,7 @@ static int build_end(parser *p, const section_use *use, const key_code keys[3], 
     return link->word;
 }
 
-static void build_actuator(parser *p, const section_use *use, flk_actuator *x)
+static int build_actuator(parser *p, const section_use *use, flk_actuator *x)
 {
     static const char *const endings[FLK_ACTUATOR_COLUMNS] = {".length", ".speed", ".acceleration",
                                                               ".force",  ".power", ".pressure"};
@@ -61,6 +61,7 @@ static void build_actuator(parser *p, const section_use *use, flk_actuator *x)
     x->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < FLK_ACTUATOR_COLUMNS; i++)
         x->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
+    return !p->out_of_memory;
 }
 
 /* A name that would make a column twice is a mistake at its second line. */
@@ -109,7 +110,8 @@ static void build_actuators(parser *p)
         return;
     d->actuators = flk_reader_keep(p, p->n_uses * sizeof *d->actuators);
     while (!p->out_of_memory && (use = flk_section_next(p, SECTION_ACTUATOR, use)) != NULL) {
-        build_actuator(p, use, &d->actuators[d->n_actuators++]);
+        if (build_actuator(p, use, &d->actuators[d->n_actuators]))
+            d->n_actuators++;
         check_twice(p, use);
     }
 }

@@ -64,7 +64,7 @@ static void read_at(parser *p, const section_use *use, key_code key, deck_expect
     quantity q = flk_values_quantity_at(at), of_rows = flk_deck_over(d);
 
     if (!IS_SET(at)) {
-        e->at_is_place = d->prescribed && !d->prescribed->is_at_crank;
+        e->at_is_place = DECK_GOES_OVER_INPUT(d) && !d->prescribed->is_at_crank;
         e->at = e->at_is_place ? d->prescribed->motion.from : d->motion.from;
         return;
     }

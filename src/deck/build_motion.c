@@ -255,12 +255,14 @@ void flk_build_motion(parser *p)
                   *at = flk_setting_find(p, KEY_MOTION_AT);
     size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
+    int is_prescribed;
 
     p->d->mode.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
     motion->angle_unit = u->up / u->down;
     motion->x_at = p->d->axes.angle;
     motion->interval = whole(flk_unit_from_si(M_PI / 18, *u));
-    if (flk_build_is_prescribed(p) || flk_build_program(p))
+    is_prescribed = flk_build_is_prescribed(p);
+    if (flk_build_program(p) || is_prescribed)
         return;
     check_mode_of_motion(p, p->d->mode.kind);
     build_rows_by_time(p);

@@ -29,10 +29,12 @@ typedef struct reach {
 int flk_build_is_prescribed(parser *p)
 {
     static const key_code own[] = {KEY_MOTION_SIDE, KEY_MOTION_NEAR},
-                          others[] = {KEY_MOTION_TURNS,     KEY_MOTION_RUN_UP,
-                                      KEY_MOTION_PROGRAM,   KEY_MOTION_ROWS,
-                                      KEY_MOTION_TIME_STEP, KEY_MOTION_DURATION,
-                                      KEY_MOTION_MEAN_SPEED};
+                          others[] = {KEY_MOTION_MEAN_SPEED, KEY_MOTION_TURNS,
+                                      KEY_MOTION_RUN_UP,     KEY_MOTION_DURATION,
+                                      KEY_MOTION_ROWS,       KEY_MOTION_TIME_STEP};
+    size_t n_others = IS_SET(flk_setting_find(p, KEY_MOTION_PROGRAM))
+                          ? 1 /* the others are those of a program, which refuses its own */
+                          : sizeof others / sizeof others[0];
     const setting *input = flk_setting_find(p, KEY_MOTION_INPUT),
                   *mode = flk_setting_find(p, KEY_MOTION_MODE);
     const char *kind = fourlink_kind_text((int)p->d->machine.mechanism.design.kind);
@@ -48,7 +50,7 @@ int flk_build_is_prescribed(parser *p)
         !(flk_coordinates[input->word - 1].kinds & (int)p->d->machine.mechanism.design.kind))
         flk_mistake(p->mistakes, input->place, "%s %s has no %t", flk_text_article(kind), kind,
                     input->value);
-    for (i = 0; i < sizeof others / sizeof others[0]; i++) {
+    for (i = 0; i < n_others; i++) {
         const setting *s = flk_setting_find(p, others[i]);
 
         if (IS_SET(s))
@@ -119,7 +121,8 @@ static const flk_coordinate *find_coordinate(parser *p, const setting *input)
     q->actuator = find_actuator(p, input);
     *over = flk_abscissas[FLK_OF_DISPLACEMENT + 1 + DECK_OVER_INPUT];
     over->name = over->symbol = over->rows = over->words = q->name;
-    p->d->over = over;
+    if (!p->d->program)
+        p->d->over = over;
     return q->actuator ? q : NULL;
 }
 
@@ -161,10 +164,15 @@ static int move_into(const deck_prescribed *x, const flk_stretch *s, double *val
     return low - close <= at && at <= high + close;
 }
 
+static const deck_unit *unit_of(const parser *p, const deck_prescribed *x)
+{
+    return &p->d->units[x->q->is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH];
+}
+
 /* List the ranges that can be reached, in the deck's unit. */
 static const char *list_reach(parser *p, const deck_prescribed *x, const reach *r, char *out)
 {
-    const deck_unit *u = &p->d->units[flk_deck_over(p->d)];
+    const deck_unit *u = unit_of(p, x);
     size_t length;
     int i;
 
@@ -208,6 +216,8 @@ static const flk_stretch *find_stretch(parser *p, const deck_prescribed *x, four
         flk_stretch *s = &r->list[i];
         double width = fabs(s->to - s->from);
 
+        if (x->program && x->q->is_angle && width >= 2 * M_PI * (1 - CLOSE))
+            return s; /* it turns with the crank, any number of times */
         if ((from || to) && x->q->is_angle && fabs(width - 2 * M_PI) <= CLOSE * width)
             turn_stretch(p, x, branch, from, to, s);
         at[0] = from ? *from : s->from + x->motion.x_at;
@@ -258,6 +268,40 @@ static void tell_near(parser *p, const deck_prescribed *x, fourlink_branch branc
         strcat(why, " nowhere");
 }
 
+/* Say when a program leaves the stretch in which it begins; 0 if it begins in none. */
+static int tell_end(parser *p, const deck_prescribed *x, fourlink_branch branch, reach *r,
+                    char why[MESSAGE_SIZE])
+{
+    char range[MESSAGE_SIZE];
+    double at[3], value, time, begin[2];
+    reach one;
+    int i, k;
+
+    if (!x->program)
+        return 0;
+    flk_program_at(x->program, x->program->segment[0].begin, at);
+    for (i = 0; i < r->n; i++) {
+        value = at[0] + x->motion.x_at;
+        if (!move_into(x, &r->list[i], &value))
+            continue;
+        begin[0] = begin[1] = flk_program_end(x->program);
+        for (k = 0; k < 2; k++)
+            if (flk_program_pass(
+                    x->program,
+                    (k ? r->list[i].to : r->list[i].from) + at[0] + x->motion.x_at - value, &time))
+                begin[k] = time;
+        one.n = 1;
+        one.list[0] = r->list[i];
+        flk_message(why, MESSAGE_SIZE,
+                    "at %.5g s the program leaves what %s reaches on the %s branch: %s, where it "
+                    "is %s",
+                    GSL_MIN(begin[0], begin[1]), x->q->words, fourlink_branch_text((int)branch),
+                    list_reach(p, x, &one, range), x->side == FLK_RISING ? "rising" : "falling");
+        return 1;
+    }
+    return 0;
+}
+
 /* Choose the stretch of a branch, and tell why there is none, or more than one. */
 static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
 {
@@ -266,6 +310,10 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
     char ranges[MESSAGE_SIZE];
     reach r;
 
+    if (x->program) {
+        from = &x->motion.from;
+        to = &x->motion.to;
+    }
     find_reach(p, x, branch, &r);
     if (!r.n && IS_SET(flk_setting_find(p, KEY_MOTION_NEAR))) {
         tell_near(p, x, branch, why);
@@ -284,7 +332,7 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
     found = find_stretch(p, x, branch, &r, from, to);
     if (found)
         *DECK_STRETCH(x, branch) = *found;
-    else
+    else if (!tell_end(p, x, branch, &r, why))
         flk_message(why, MESSAGE_SIZE, "on the %s branch, %s reaches %s where it is %s",
                     fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges),
                     x->side == FLK_RISING ? "rising" : "falling");
@@ -298,8 +346,13 @@ static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
     const setting *at = flk_setting_find(p, KEY_MOTION_AT),
                   *to = flk_setting_find(p, KEY_MOTION_TO),
                   *from = flk_setting_find(p, KEY_MOTION_FROM),
-                  *near = flk_setting_find(p, KEY_MOTION_NEAR);
-    text_place place = place_or(p, IS_SET(at) ? at : IS_SET(from) ? from : IS_SET(to) ? to : near);
+                  *near = flk_setting_find(p, KEY_MOTION_NEAR),
+                  *program = flk_setting_find(p, KEY_MOTION_PROGRAM);
+    text_place place = place_or(p, IS_SET(program) ? program
+                                   : IS_SET(at)    ? at
+                                   : IS_SET(from)  ? from
+                                   : IS_SET(to)    ? to
+                                                   : near);
     int is_named = IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH));
     char why[2][MESSAGE_SIZE];
     int open = choose(p, x, FOURLINK_OPEN, why[0]) && p->d->open;
@@ -390,6 +443,17 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
     }
 }
 
+/* Between which values a program goes. */
+static void build_limits(deck_prescribed *x)
+{
+    flk_program_reach of;
+
+    flk_program_limits(x->program, &of);
+    x->motion.interval = 1; /* any value: rows go over time */
+    x->motion.from = of.low + x->motion.x_at;
+    x->motion.to = of.high + x->motion.x_at;
+}
+
 void flk_build_prescribed(parser *p)
 {
     const setting *input = flk_setting_find(p, KEY_MOTION_INPUT),
@@ -405,7 +469,7 @@ void flk_build_prescribed(parser *p)
     if (!x)
         return;
     x->q = find_coordinate(p, input);
-    if (!x->q)
+    if (!x->q || p->out_of_memory) /* also where there was no room for a program */
         return;
     x->side = IS_SET(side) ? side->word : FLK_RISING;
     x->motion.angle_unit = 1;
@@ -418,17 +482,22 @@ void flk_build_prescribed(parser *p)
     check_drawn(p, x, flk_setting_find(p, KEY_MOTION_TO));
     if (flk_mistakes_count(p->mistakes))
         return;
+    x->program = p->d->program;
+    if (x->program)
+        build_limits(x);
     if (IS_SET(at))
         build_instant(p, x, at);
     if (!x->is_at_crank) {
         branch = choose_branches(p, x);
         if (flk_mistakes_count(p->mistakes))
             return;
-        if (!IS_SET(at))
+        if (x->program)
+            move_into(x, DECK_STRETCH(x, branch), &x->motion.from);
+        else if (!IS_SET(at))
             build_range(p, x, branch);
         else
             move_into(x, DECK_STRETCH(x, branch), &x->motion.from);
-        x->motion.to = IS_SET(at) ? x->motion.from : x->motion.to;
+        x->motion.to = IS_SET(at) || x->program ? x->motion.from : x->motion.to;
         x->theta2 = DECK_STRETCH(x, branch)->theta2_from;
     }
     crank->from = (x->theta2 + crank->x_at) / crank->angle_unit;

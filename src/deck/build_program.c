@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_program.c - builds the program of [motion]: the crank angle, or its speed, over time.
+** build_program.c - builds the program of [motion]: the crank angle or the input, or its speed, over time.
 */
 #include <math.h>
 #include <string.h>
@@ -128,7 +128,7 @@ static int comes_back(const flk_program *x, double first, double last)
 {
     double turn = 2 * M_PI, apart = last - first;
 
-    if (!x->is_of_speed)
+    if (!x->is_of_speed && x->is_angle)
         apart -= turn * floor(apart / turn + 0.5);
     return fabs(apart) < 1e-9;
 }
@@ -136,7 +136,9 @@ static int comes_back(const flk_program *x, double first, double last)
 static int read_speeds(parser *p, const setting *s, flk_program *x)
 {
     text rest = s->value, item;
-    quantity q = x->is_of_speed ? QUANTITY_ANGULAR_ACCELERATION : QUANTITY_ANGULAR_SPEED;
+    quantity q = x->is_angle
+                     ? (x->is_of_speed ? QUANTITY_ANGULAR_ACCELERATION : QUANTITY_ANGULAR_SPEED)
+                     : (x->is_of_speed ? QUANTITY_ACCELERATION : QUANTITY_SPEED);
     quantity_value value;
     int n = 0;
 
@@ -176,11 +178,12 @@ static int build_program_ends(parser *p, const setting *s, double first, double 
         return read_speeds(p, s, x);
     x->ends = FLK_ENDS_PERIODIC;
     return repeats ||
-           flk_mistake(p->mistakes, s->place,
-                       x->is_of_speed
-                           ? "the program does not repeat: its last speed is not its first"
-                           : "the program does not repeat: its last point is neither its "
-                             "first nor whole turns later");
+           flk_mistake(
+               p->mistakes, s->place,
+               x->is_of_speed ? "the program does not repeat: its last speed is not its first"
+               : x->is_angle  ? "the program does not repeat: its last point is neither its "
+                                "first nor whole turns later"
+                              : "the program does not repeat: its last point is not its first");
 }
 
 /* -------------------------------------------------------------------------------------------------- programs */
@@ -212,15 +215,31 @@ static void check_keys(parser *p)
                     mode->value);
     if (IS_SET(from) && !flk_setting_find(p, KEY_MOTION_PROGRAM_OF)->word)
         flk_mistake(p->mistakes, from->place,
-                    "'from' is for a program of speeds; one of angles starts at its first point");
+                    "'from' is for a program of speeds; another starts at its first point");
 }
 
-static int refuse_points(parser *p, const setting *s, int is_of_speed)
+static int refuse_points(parser *p, const setting *s, const flk_program *x)
 {
+    const setting *input = flk_setting_find(p, KEY_MOTION_INPUT);
+    char words[DECK_NAME_SIZE] = "crank angle";
+
+    if (x->is_of_speed)
+        strcpy(words, "speed");
+    else if (input->word)
+        flk_text_copy(input->value, words, sizeof words);
     return flk_mistake(
         p->mistakes, s->place, "expected two or more points of time and %s, such as %s, not '%t'",
-        is_of_speed ? "speed" : "crank angle",
-        is_of_speed ? "0 s 0 rpm, 0.5 s 60 rpm" : "0 s 0 deg, 0.4 s 90 deg", s->value);
+        words,
+        x->is_angle ? (x->is_of_speed ? "0 s 0 rpm, 0.5 s 60 rpm" : "0 s 0 deg, 0.4 s 90 deg")
+                    : (x->is_of_speed ? "0 s 0 mm/s, 0.5 s 60 mm/s" : "0 s 0 mm, 0.4 s 50 mm"),
+        s->value);
+}
+
+/* The quantity of the points: the crank angle, or the input, or its speed. */
+static quantity quantity_of(const flk_program *x)
+{
+    return x->is_angle ? (x->is_of_speed ? QUANTITY_ANGULAR_SPEED : QUANTITY_ANGLE)
+                       : (x->is_of_speed ? QUANTITY_SPEED : QUANTITY_LENGTH);
 }
 
 /* Read the points and laws into the segments of a program. */
@@ -247,10 +266,10 @@ static int read_program(parser *p, const setting *s, flk_program *x)
     read.n_points = 0;
     read.curve = NULL;
     read.argument = QUANTITY_TIME;
-    if (!flk_curve_text_read(p, &read, x->is_of_speed ? QUANTITY_ANGULAR_SPEED : QUANTITY_ANGLE))
+    if (!flk_curve_text_read(p, &read, quantity_of(x)))
         return 0;
     if (!read.curve || read.n_points < 2)
-        return refuse_points(p, s, x->is_of_speed);
+        return refuse_points(p, s, x);
     if (!flk_build_is_rising(p, &read, 0, "the times of a program must rise"))
         return 0;
     x->n = (unsigned long)read.n_points - 1;
@@ -262,7 +281,7 @@ static int read_program(parser *p, const setting *s, flk_program *x)
             *to = usual;
         to->begin = read.curve[i].x;
         to->length = read.curve[i + 1].x - to->begin;
-        to->value = read.curve[i].y[0] - (x->is_of_speed ? 0 : p->d->axes.angle);
+        to->value = read.curve[i].y[0] - (x->is_angle && !x->is_of_speed ? p->d->axes.angle : 0);
         to->rise = read.curve[i + 1].y[0] - read.curve[i].y[0];
     }
     return x->segment && build_program_ends(p, ends, read.curve[0].y[0], read.curve[x->n].y[0], x);
@@ -297,9 +316,17 @@ static void build_rows(parser *p, const flk_program *x)
                     duration / mode->time_step);
 }
 
+/* 1 if what is prescribed is an angle, as the crank angle. */
+static int is_angle(const setting *input)
+{
+    return !input->word ||
+           (input->word != FLK_ACTUATOR_INPUT && flk_coordinates[input->word - 1].is_angle);
+}
+
 int flk_build_program(parser *p)
 {
-    const setting *s = flk_setting_find(p, KEY_MOTION_PROGRAM);
+    const setting *s = flk_setting_find(p, KEY_MOTION_PROGRAM),
+                  *input = flk_setting_find(p, KEY_MOTION_INPUT);
     static const key_code own[] = {KEY_MOTION_LAW, KEY_MOTION_ENDS, KEY_MOTION_PROGRAM_OF};
     fourlink_motion *motion = &p->d->motion;
     double to_rad = motion->angle_unit, x[3], *room;
@@ -318,7 +345,8 @@ int flk_build_program(parser *p)
     if (!program)
         return 1;
     program->is_of_speed = flk_setting_find(p, KEY_MOTION_PROGRAM_OF)->word;
-    program->from = flk_setting_or(p, KEY_MOTION_FROM, 0) - motion->x_at;
+    program->is_angle = is_angle(input);
+    program->from = flk_setting_or(p, KEY_MOTION_FROM, 0) - (program->is_angle ? motion->x_at : 0);
     if (!read_program(p, s, program))
         return 1;
     room = flk_reader_keep(p, 3 * (program->n + 1) * sizeof *room);
@@ -326,8 +354,10 @@ int flk_build_program(parser *p)
         return 1;
     flk_program_prepare(program, room);
     flk_program_at(program, program->segment[0].begin, x);
-    motion->from = (x[0] + motion->x_at) / to_rad;
-    motion->to = motion->from + sense_of(program) * p->d->machine.cycle / to_rad;
+    if (!input->word) { /* else the crank follows: flk_build_prescribed */
+        motion->from = (x[0] + motion->x_at) / to_rad;
+        motion->to = motion->from + sense_of(program) * p->d->machine.cycle / to_rad;
+    }
     build_rows(p, program);
     p->d->program = program;
     return 1;

@@ -128,18 +128,18 @@ const fourlink_abscissa flk_abscissas[2 + FLK_COORDINATES] = {
 
 quantity flk_deck_over(const deck *d)
 {
-    if (d->prescribed)
+    if (DECK_GOES_OVER_INPUT(d))
         return d->prescribed->q->is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;
     return d->over->is_crank_angle ? QUANTITY_ANGLE : QUANTITY_TIME;
 }
 
 int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over)
 {
-    const fourlink_motion *motion = d->prescribed ? &d->prescribed->motion : &d->motion;
+    const fourlink_motion *motion = DECK_GOES_OVER_INPUT(d) ? &d->prescribed->motion : &d->motion;
     int status = fourlink_motion_range(motion, range);
 
     *over = *d->over;
-    if (status == FOURLINK_OK && (over->is_crank_angle || d->prescribed)) {
+    if (status == FOURLINK_OK && (over->is_crank_angle || DECK_GOES_OVER_INPUT(d))) {
         if (over->is_crank_angle)
             over->unit = d->units[QUANTITY_ANGLE].name;
         over->first = motion->from;
@@ -194,8 +194,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_values = d->has_values;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
-    problem->is_prescribed = d->prescribed != NULL;
-    if (d->prescribed)
+    problem->is_prescribed = DECK_GOES_OVER_INPUT(d);
+    if (problem->is_prescribed)
         problem->prescribed = d->prescribed->motion;
     problem->axes_on_page = d->axes.is_page;
     problem->A = d->axes.A;

@@ -162,10 +162,15 @@ typedef struct deck_prescribed {
     int is_at_crank;        /* 1: one instant at a crank angle, */
     double theta2;          /* rad */
     flk_stretch stretch[2]; /* over which the rows go, on the open and on the crossed branch */
+    const flk_program
+        *program; /* of the coordinate, over whose time the rows go; null: over the coordinate */
 } deck_prescribed;
 
 /* The stretch of a branch. */
 #define DECK_STRETCH(prescribed, branch) (&(prescribed)->stretch[(branch) == FOURLINK_CROSSED])
+
+/* 1 if the rows of a deck go over what is prescribed in place of the crank angle. */
+#define DECK_GOES_OVER_INPUT(d) ((d)->prescribed && !(d)->program)
 
 /* A deck; programs that use the library see an opaque fourlink_deck. */
 typedef struct fourlink_deck deck;
@@ -201,8 +206,9 @@ struct fourlink_deck {
     int decimal;                 /* DECIMAL_POINT ...; 0: as a file of answers has it */
     double flywheel_fluctuation; /* 0 if not given */
     deck_mode mode;
-    int has_cylinder;              /* 1: the slide is a cylinder by name, as that of a boom */
-    const flk_program *program;    /* of the crank over time; null: the motion is another */
+    int has_cylinder; /* 1: the slide is a cylinder by name, as that of a boom */
+    const flk_program
+        *program; /* of the crank or the input over time; null: the motion is another */
     deck_prescribed *prescribed;   /* in place of the crank angle; null: it is the crank angle */
     const fourlink_abscissa *over; /* what its rows go over, but for the numbers */
     deck_sweep sweep;

@@ -84,7 +84,7 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     else if (word)
         x->words = word->word;
     else if (t->key == KEY_MOTION_INPUT)
-        x->words = d->over->name; /* NAME.length */
+        x->words = d->prescribed->q->name; /* NAME.length */
     else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
         x->words = fourlink_deck_link_text(d, s->word);
     else if (s->word)

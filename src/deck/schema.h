@@ -216,7 +216,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "whether the input rises or falls as the crank turns counter-clockwise")                     \
     X(MOTION, NEAR, "near", CRANK, ANGLE, ANY, ANY_KIND, "a crank angle of the stretch meant")     \
     X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND, "how the crank's speed is determined")    \
-    X(MOTION, PROGRAM, "program", TEXT, NUMBER, ANY, ANY_KIND, "the crank angle over time")        \
+    X(MOTION, PROGRAM, "program", TEXT, NUMBER, ANY, ANY_KIND,                                     \
+      "the crank angle or the input, over time")                                                   \
     X(MOTION, LAW, "law", TEXT, NUMBER, ANY, ANY_KIND, "the law between the points of a program")  \
     X(MOTION, ENDS, "ends", TEXT, NUMBER, ANY, ANY_KIND, "how the spline of a program ends")       \
     X(MOTION, PROGRAM_OF, "program_of", WORD, NUMBER, ANY, ANY_KIND,                               \

@@ -20,6 +20,7 @@
 #define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
 #define ON_BRANCH 1e-9 /* of the crank's length, or rad: a value found again */
 #define END 1e-13      /* of the length of a stretch: what counts as its end */
+#define SAME_END 1e-12 /* of the same: what counts as its end over which pieces go */
 #define AT_END 1e-5 /* at an end K below this is 0: it grows with the root of the way from there */
 #define INSIDE 1e-6 /* rad: what rounding puts beside a stretch, near its ends */
 #define LEAST 1e-12 /* of the same: the length of a stretch */
@@ -300,6 +301,23 @@ int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mech
     return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
 }
 
+int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                                   fourlink_branch branch, const flk_stretch *stretch, double value,
+                                   double c, fourlink_crank *crank)
+{
+    flk_prescribed unit;
+    int status = find_crank(q, mechanism, branch, stretch, value, &crank->theta2, &unit);
+    int is_first = fabs(value - stretch->from) < fabs(value - stretch->to);
+
+    crank->omega2 = crank->alpha2 = 0;
+    if (status != FOURLINK_OK || fabs(unit.rate) >= DEAD * scale_of(q, mechanism) || c == 0)
+        return status;
+    if (!(c / unit.second > 0))
+        return FOURLINK_INPUT_DEAD_CENTRE;
+    crank->alpha2 = (is_first ? 2 : -2) * sqrt(2 * c / unit.second);
+    return FOURLINK_OK;
+}
+
 int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank)
 {
@@ -345,6 +363,23 @@ double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism 
         else
             to = middle;
     }
+}
+
+double flk_coordinate_theta2(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                             fourlink_branch branch, const flk_stretch *stretch, double value)
+{
+    double close = SAME_END * fabs(stretch->to - stretch->from);
+    flk_prescribed at = {0, 0, 0};
+    fourlink_crank crank;
+
+    at.value = value;
+    if (fabs(value - stretch->from) <= close)
+        return stretch->theta2_from;
+    if (fabs(value - stretch->to) <= close)
+        return stretch->theta2_to;
+    if (flk_coordinate_crank(q, mechanism, branch, stretch, &at, &crank) != FOURLINK_OK)
+        return flk_coordinate_between(q, mechanism, branch, stretch, value);
+    return crank.theta2;
 }
 
 /* ------------------------------------------------------------------------------------------------- stretches */

@@ -60,6 +60,16 @@ int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mech
                          fourlink_branch branch, const flk_stretch *stretch,
                          const flk_prescribed *at, fourlink_crank *crank);
 
+/* The same at rest, without acceleration, where the coordinate goes as c (t - t0)^4, as from flk_program_from_rest.  At its
+** dead centre, where q - q0 = L (theta2 - theta2_0)^2 / 2,
+**
+**    omega2 = 0,   alpha2 = +- 2 sqrt(2 c / L)
+**
+** and FOURLINK_INPUT_DEAD_CENTRE if c is NaN: alpha2 is unbounded. */
+int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                                   fourlink_branch branch, const flk_stretch *stretch, double value,
+                                   double c, fourlink_crank *crank);
+
 /* The same where theta2 of the crank is given, on any side; the value of `at` is set. */
 int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);
@@ -77,6 +87,10 @@ double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretc
 /* The crank angle of a value in a stretch, at those places too: by bisection. */
 double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                               fourlink_branch branch, const flk_stretch *stretch, double value);
+
+/* The same by the closed form, where there is one, and at the ends of the stretch themselves. */
+double flk_coordinate_theta2(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                             fourlink_branch branch, const flk_stretch *stretch, double value);
 
 #define FLK_STRETCHES 16 /* at most */
 

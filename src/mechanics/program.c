@@ -354,8 +354,7 @@ double flk_program_end(const flk_program *p)
     return last->begin + last->length;
 }
 
-/* The last segment that begins at or before a time, or the first. */
-static const flk_program_segment *find_segment(const flk_program *p, double time)
+const flk_program_segment *flk_program_segment_at(const flk_program *p, double time)
 {
     unsigned long low = 0, high = p->n;
 
@@ -372,7 +371,7 @@ static const flk_program_segment *find_segment(const flk_program *p, double time
 
 void flk_program_at(const flk_program *p, double time, double x[3])
 {
-    const flk_program_segment *g = find_segment(p, time);
+    const flk_program_segment *g = flk_program_segment_at(p, time);
     double u = GSL_MIN(GSL_MAX((time - g->begin) / g->length, 0), 1);
     shape s;
 
@@ -404,7 +403,7 @@ double flk_program_highest(const flk_program *p)
 
 double flk_program_corner(const flk_program *p, double time)
 {
-    const flk_program_segment *g = find_segment(p, time);
+    const flk_program_segment *g = flk_program_segment_at(p, time);
     double inner[2], at;
     int i;
 

@@ -45,6 +45,7 @@ typedef struct flk_program {
     flk_program_segment *segment; /* in the order of time */
     flk_program_ends ends;
     double speed[2]; /* at the ends of a spline, FLK_ENDS_SPEEDS */
+    int is_angle;    /* 1: of an angle, rad, in which whole turns count; 0: of a length, m */
     int is_of_speed; /* 1: the points are speeds; the coordinate is their integral */
     double from;     /* ... from here */
 } flk_program;
@@ -64,5 +65,31 @@ double flk_program_end(const flk_program *p);
 
 /* The next time after this one at which a segment, or a part of its law, begins; the end after the last. */
 double flk_program_corner(const flk_program *p, double time);
+
+/* The segment that a time is in: the last that begins at or before it, or the first. */
+const flk_program_segment *flk_program_segment_at(const flk_program *p, double time);
+
+/* The end of the way on which the coordinate goes one way from a time: a corner, or where it turns back. */
+double flk_program_way(const flk_program *p, double from);
+
+/* The time at which it has a value on a way. */
+double flk_program_when(const flk_program *p, double from, double to, double value);
+
+/* The first time at which it passes a value; 0 if there is none. */
+int flk_program_pass(const flk_program *p, double value, double *time);
+
+/* The lowest and the highest value, and how far it goes to and fro. */
+typedef struct flk_program_reach {
+    double low, high, travel;
+} flk_program_reach;
+
+void flk_program_limits(const flk_program *p, flk_program_reach *reach);
+
+/* 1 if it is at rest at a time t0, without acceleration: where it stays, or a segment begins or ends.  Then
+**
+**    q - q0 = c (t - t0)^4
+**
+** gives c: 0 where it stays, or where the first power is a higher one; NaN where that is a lower one. */
+int flk_program_from_rest(const flk_program *p, double time, double *c);
 
 #endif

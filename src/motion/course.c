@@ -6,14 +6,12 @@
 ** Over the crank angle a piece ends where a load's curve or window has a corner, at dead positions and change
 ** points, where links lie in one line or nearly so, where a run-up ends, and where the crank is at rest.
 */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "base/cycle.h"
-#include "base/solve.h"
 #include "course.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
@@ -169,7 +167,7 @@ static void next_over_angle(const flk_pieces *x, flk_piece *piece)
 
 /* ------------------------------------------------------------------------------------------- over time, s */
 
-static double place_of_time(const flk_course *c, unsigned long i)
+double flk_course_place_of_time(const flk_course *c, unsigned long i)
 {
     return GSL_MIN(c->over.first + (double)i * c->over.step, c->over.last);
 }
@@ -180,7 +178,7 @@ static int at_time(const flk_course *c, fourlink_branch branch, double time, fou
     return take(flk_actual_at_time(c->actual, branch, time, actual), actual, time, row);
 }
 
-static int find_time(const flk_course *c, double time, double *at)
+int flk_course_find_time(const flk_course *c, double time, double *at)
 {
     *at = time;
     return time >= c->over.first && time <= c->over.last + 1e-12 * (c->over.last - c->over.first);
@@ -202,131 +200,6 @@ static void next_over_time(const flk_pieces *x, flk_piece *piece)
     piece->to = piece->from + 2 * SHORT < x->length ? piece->from + SHORT : x->length;
 }
 
-/* ----------------------------------------------------------------------------------------- by a program */
-
-static int at_program(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
-                      flk_actual_row *actual)
-{
-    double x[3];
-
-    (void)branch;
-    (void)actual;
-    flk_program_at(c->d->program, time, x);
-    row->place = row->time = time;
-    row->angle = (x[0] + c->d->motion.x_at) / c->d->motion.angle_unit;
-    row->crank.theta2 = x[0];
-    row->crank.omega2 = x[1];
-    row->crank.alpha2 = x[2];
-    return FLK_WITHIN(x[0] + x[1] + x[2], DBL_MAX) ? FOURLINK_OK : FOURLINK_BAD_NUMBER;
-}
-
-/* A rad of the length is the time of a rad at the highest speed. */
-static void begin_program(const flk_course *c, flk_pieces *x)
-{
-    double speed = flk_program_highest(c->d->program), duration = c->over.last - c->over.first;
-
-    x->first = c->over.first;
-    x->end = c->over.last;
-    x->length = GSL_MAX(speed * duration, 1);
-    x->rate = duration / x->length;
-}
-
-/* What is sought along a program: an angle, or with `is_rest` where the speed is 0. */
-typedef struct program_search {
-    const flk_program *program;
-    double theta2;
-    int is_rest;
-} program_search;
-
-static double program_past(double time, void *data)
-{
-    const program_search *s = data;
-    double x[3];
-
-    flk_program_at(s->program, time, x);
-    return s->is_rest ? x[1] : x[0] - s->theta2;
-}
-
-static double find_between(program_search *s, double from, double to)
-{
-    flk_bracket b = flk_bracket_of(from, to, program_past(from, s), program_past(to, s));
-
-    return flk_find_zero(program_past, s, &b, 0);
-}
-
-#define PARTS 16 /* of the way to the next corner of a program, to see where the crank turns back */
-
-#define CLOSE_TIMES 1e-12 /* of the time of a program: two that are closer count as one */
-
-/* The end of the way on which the crank turns one way: a corner of the program, or where it turns back. */
-static double end_of_way(const flk_program *program, double from)
-{
-    double close = CLOSE_TIMES * (flk_program_end(program) - program->segment[0].begin);
-    double to = flk_program_corner(program, from + close), step = (to - from) / PARTS, low, high;
-    program_search s;
-    int i;
-
-    s.program = program;
-    s.theta2 = 0;
-    s.is_rest = 1;
-    for (i = 0; i < PARTS; i++) {
-        low = from + (i ? i : 1.0 / PARTS) * step; /* the ends may be at rest */
-        high = from + (i + 1 < PARTS ? i + 1 : PARTS - 1.0 / PARTS) * step;
-        if (program_past(low, &s) * program_past(high, &s) < 0)
-            return find_between(&s, low, high);
-    }
-    return to;
-}
-
-/* A piece ends with its way, and where the crank passes a corner of the angle. */
-static void next_by_program(const flk_pieces *x, flk_piece *piece)
-{
-    const flk_program *program = x->course->d->program;
-    double from = x->first + piece->from * x->rate, to = end_of_way(program, from), way, passed;
-    flk_direction p;
-    program_search s;
-
-    s.program = program;
-    s.theta2 = 0;
-    s.is_rest = 0;
-    p.from = program_past(from, &s);
-    way = program_past(to, &s) - p.from;
-    p.corners = x->course->corners;
-    p.branch = x->branch;
-    p.sense = way < 0 ? -1 : 1;
-    p.has_loads = x->has_loads;
-    if (!(piece->from > 0))
-        piece->begin = flk_corners_first(&p);
-    way = fabs(way);
-    passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
-    if (passed < way - FLK_CORNERS_CLOSE(way)) {
-        s.theta2 = p.from + p.sense * passed;
-        to = find_between(&s, from, to);
-    } else if (passed > way + FLK_CORNERS_CLOSE(way)) {
-        piece->end = FLK_END_PLAIN;
-    }
-    piece->to = to < x->end ? (to - x->first) / x->rate : x->length;
-}
-
-/* The first time at which a program passes a crank angle; 0 if there is none. */
-static int pass_program(const flk_course *c, double theta2, double *time)
-{
-    double from, to;
-    program_search s;
-
-    s.program = c->d->program;
-    s.theta2 = theta2;
-    s.is_rest = 0;
-    for (from = c->over.first; from < c->over.last; from = to) {
-        to = end_of_way(s.program, from);
-        if (program_past(from, &s) * program_past(to, &s) <= 0) {
-            *time = find_between(&s, from, to);
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* ------------------------------------------------------------------------------------------ by a coordinate */
 
 /* A row without a crank: its speeds are NaN. */
@@ -340,6 +213,16 @@ static int without_crank(int status, fourlink_row *row)
 void flk_course_prescribed_at(const deck_prescribed *x, double place, flk_prescribed *at,
                               fourlink_row *row)
 {
+    double of_program[3];
+
+    if (x->program) {
+        flk_program_at(x->program, place, of_program);
+        row->place = row->time = place;
+        at->value = of_program[0];
+        at->rate = of_program[1];
+        at->second = of_program[2];
+        return;
+    }
     fourlink_motion_at(&x->motion, x->is_at_crank ? x->motion.from : place, row);
     at->value = x->is_at_crank ? place - x->motion.x_at : row->crank.theta2;
     at->rate = row->crank.omega2;
@@ -398,19 +281,9 @@ static int find_coordinate(const flk_course *c, double place, double *at)
 static double theta2_at(const flk_course *c, fourlink_branch branch, double place)
 {
     const deck_prescribed *x = c->d->prescribed;
-    const flk_stretch *s = DECK_STRETCH(x, branch);
-    double value = place - x->motion.x_at;
-    flk_prescribed at = {0, 0, 0};
-    fourlink_crank crank;
 
-    at.value = value;
-    if (fabs(value - s->from) <= INSIDE_STRETCH * fabs(s->to - s->from))
-        return s->theta2_from;
-    if (fabs(value - s->to) <= INSIDE_STRETCH * fabs(s->to - s->from))
-        return s->theta2_to;
-    if (flk_coordinate_crank(x->q, &c->d->machine.mechanism, branch, s, &at, &crank) != FOURLINK_OK)
-        return flk_coordinate_between(x->q, &c->d->machine.mechanism, branch, s, value);
-    return crank.theta2;
+    return flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch, DECK_STRETCH(x, branch),
+                                 place - x->motion.x_at);
 }
 
 /* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average. */
@@ -507,20 +380,23 @@ static int pass_coordinate(const flk_course *c, fourlink_branch branch, double t
     return 1;
 }
 
-static const struct flk_course_type
-    given = {place_of_angle, at_given, find_angle, begin_angle, next_over_angle},
-    by_angle = {place_of_angle, at_angle, find_angle, begin_angle, next_over_angle},
-    by_time = {place_of_time, at_time, find_time, begin_time, next_over_time},
-    by_program = {place_of_time, at_program, find_time, begin_program, next_by_program},
-    by_coordinate = {place_of_coordinate, at_coordinate, find_coordinate, begin_coordinate,
-                     next_over_coordinate};
+static const struct flk_course_type given = {place_of_angle, at_given, find_angle, begin_angle,
+                                             next_over_angle},
+                                    by_angle = {place_of_angle, at_angle, find_angle, begin_angle,
+                                                next_over_angle},
+                                    by_time = {flk_course_place_of_time, at_time,
+                                               flk_course_find_time, begin_time, next_over_time},
+                                    by_coordinate = {place_of_coordinate, at_coordinate,
+                                                     find_coordinate, begin_coordinate,
+                                                     next_over_coordinate};
 
 /* --------------------------------------------------------------------------------------------- the course */
 
 static const struct flk_course_type *type_of(const deck *d)
 {
-    return d->prescribed                ? &by_coordinate
-           : d->program                 ? &by_program
+    return d->prescribed && d->program  ? &flk_course_by_program_of_input
+           : d->prescribed              ? &by_coordinate
+           : d->program                 ? &flk_course_by_program
            : d->mode.kind == MODE_GIVEN ? &given
            : d->over->is_crank_angle    ? &by_angle
                                         : &by_time;
@@ -593,14 +469,14 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
     int is_by_angle = c->over.is_crank_angle;
     double time;
 
-    if (c->d->prescribed)
-        return pass_coordinate(c, branch, flk_motion_theta2(&c->d->motion, angle), status, row);
     if (c->d->program) {
-        if (!pass_program(c, flk_motion_theta2(&c->d->motion, angle), &time))
+        if (!flk_course_pass_program(c, branch, flk_motion_theta2(&c->d->motion, angle), &time))
             return 0;
-        *status = at_program(c, branch, time, row, actual);
+        *status = c->type->at(c, branch, time, row, actual);
         return 1;
     }
+    if (c->d->prescribed)
+        return pass_coordinate(c, branch, flk_motion_theta2(&c->d->motion, angle), status, row);
     if (is_by_angle ? !c->type->find(c, angle, &angle)
                     : !FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX))
         return 0;

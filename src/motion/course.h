@@ -96,4 +96,15 @@ struct flk_course_type {
     void (*next)(const flk_pieces *x, flk_piece *piece);
 };
 
+/* By a program over time, of the crank angle; of what is prescribed in place of it (by_program.c). */
+extern const struct flk_course_type flk_course_by_program, flk_course_by_program_of_input;
+
+/* The first time at which a program passes a crank angle, rad; 0 if there is none. */
+int flk_course_pass_program(const flk_course *c, fourlink_branch branch, double theta2,
+                            double *time);
+
+/* Of all courses over time: the place of row i; the place that is meant by a time. */
+double flk_course_place_of_time(const flk_course *c, unsigned long i);
+int flk_course_find_time(const flk_course *c, double time, double *at);
+
 #endif

@@ -145,7 +145,8 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
 {
     const char *name = o->d.units[QUANTITY_ANGLE].name;
     static const deck_unit seconds = {"s", {1, 1, {0, 0, 1, 0}}, 1};
-    const deck_unit *place = o->d.prescribed ? &o->d.units[flk_deck_over(&o->d)] : &seconds;
+    const deck_unit *place =
+        DECK_GOES_OVER_INPUT(&o->d) ? &o->d.units[flk_deck_over(&o->d)] : &seconds;
     int is_column = n->kind == FLK_NAME_COLUMN, status;
 
     if (is_column && !e->has_at) {
@@ -435,10 +436,11 @@ static int compare(flk_opened *o, const deck_expectation *e, int is_hinted, flk_
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN && e->has_at;
     c->has_place = c->has_angle && e->at_is_place;
-    c->place_unit = o->d.prescribed ? o->d.units[flk_deck_over(&o->d)].name : "s";
-    c->place = !c->has_place     ? 0
-               : o->d.prescribed ? flk_unit_from_si(e->at, o->d.units[flk_deck_over(&o->d)].unit)
-                                 : e->at;
+    c->place_unit = DECK_GOES_OVER_INPUT(&o->d) ? o->d.units[flk_deck_over(&o->d)].name : "s";
+    c->place = !c->has_place ? 0
+               : DECK_GOES_OVER_INPUT(&o->d)
+                   ? flk_unit_from_si(e->at, o->d.units[flk_deck_over(&o->d)].unit)
+                   : e->at;
     if (n_facts && facts[0].words) {
         flk_text_copy(flk_text_of(facts[0].words), c->words, sizeof c->words);
         return are_words(e->value, facts[0].words);

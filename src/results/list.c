@@ -265,7 +265,7 @@ static void derive_program(listing *t, const flk_program *program)
         add_words(t, "motion.ends", ends[program->ends], "how the spline of a program ends");
 }
 
-/* The range of a prescribed coordinate, and its side. */
+/* The range of a prescribed coordinate. */
 static void derive_prescribed(listing *t, const deck_prescribed *x)
 {
     quantity q = flk_deck_over(t->d);
@@ -277,6 +277,10 @@ static void derive_prescribed(listing *t, const deck_prescribed *x)
                 "last value of the input");
     add_default(t, "motion", "interval", q, flk_unit_from_si(x->motion.interval, *u),
                 "interval of the input");
+}
+
+static void derive_side(listing *t, const deck_prescribed *x)
+{
     if (!find_input(t, "motion.side"))
         add_words(t, "motion.side", x->side == FLK_RISING ? "rising" : "falling",
                   "whether the input rises or falls as the crank turns counter-clockwise");
@@ -289,11 +293,15 @@ static void derive_motion(listing *t)
 
     if (t->d->one_instant)
         return;
-    if (t->d->prescribed) {
+    if (t->d->prescribed && !t->d->program) {
         derive_prescribed(t, t->d->prescribed);
+        derive_side(t, t->d->prescribed);
         return;
     }
-    add_default(t, "motion", "from", QUANTITY_ANGLE, motion->from, "first crank angle");
+    if (t->d->prescribed)
+        derive_side(t, t->d->prescribed);
+    else
+        add_default(t, "motion", "from", QUANTITY_ANGLE, motion->from, "first crank angle");
     if (t->d->program) {
         derive_program(t, t->d->program);
         add_default(t, "motion", "time_step", QUANTITY_TIME,

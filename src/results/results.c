@@ -547,7 +547,7 @@ int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_b
         return FOURLINK_BAD_NUMBER;
     if (!flk_column_find(&r->now->a, flk_text_of(name), &c))
         return FOURLINK_NO_SUCH_NAME;
-    if (!r->now->a.course.over.is_crank_angle && !r->now->d.prescribed)
+    if (!r->now->a.course.over.is_crank_angle && !DECK_GOES_OVER_INPUT(&r->now->d))
         return FOURLINK_NO_SUCH_ANGLE;
     return flk_crossings_find(&r->now->extremes.room, &r->now->a, &c, branch, value, max, angles,
                               n);

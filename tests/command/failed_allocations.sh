@@ -130,7 +130,8 @@ each() {
 
 # Decks are one folder up from where the program works.
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" \
-    "$data/watt-six-bar.deck" "$data/shaper-by-slot.deck" .
+    "$data/watt-six-bar.deck" "$data/shaper-by-slot.deck" \
+    "$data/slide-by-trapezoids.deck" .
 for deck in springs steady motor free lever; do cp "$decks/../fuzz/decks/$deck.deck" "$deck.deck"; done
 sed 's/^indicator.*/indicator = file card.csv deg bar\nclearance = 8 %/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
@@ -163,6 +164,8 @@ mode = run-up
 to = 200 deg
 interval = 30 deg
 END
+sed '/^\[motion/,$d' "$data/four-bar-on-a-ram.deck" >ram.deck # a program of the length of an actuator
+printf '[motion]\ninput = ram.length\nprogram = 0 s 500 mm, 1 s 540 mm\nlaw = cycloidal\n[table]\nbranch = open\n' >>ram.deck
 few='-s motion.interval=90deg'
 mkdir alvi
 cp alvi-5.1.expect alvi
@@ -174,6 +177,10 @@ all 0 -f csv -o result $few ../watt-six-bar.deck
 all 0 --plot=x.svg $few ../watt-six-bar.deck
 all 0 -f csv -S -o result $few ../shaper-by-slot.deck
 all 0 --plot=x.svg $few ../shaper-by-slot.deck
+all 0 -f csv -o result ../slide-by-trapezoids.deck
+all 0 -S -o result ../ram.deck
+all 0 --check -o result ../slide-by-trapezoids.deck
+all 0 --plot=x.svg ../slide-by-trapezoids.deck
 for format in table csv json; do
     all 0 -f $format -o result $few ../single.deck
 done

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** programs.c - random machines whose crank goes by a random program over time.
+** programs.c - random machines whose crank, or another input, goes by a random program over time.
 **
-**    programs [N [FIRST]]
+**    programs [inputs|rows] [N [FIRST]]
 **
+** With `inputs` another coordinate than the crank goes by the program; with `rows` too, and only rows are compared.
 ** Rows are compared with those of the same deck at one instant, with the angle, speed and acceleration of the crank; the
-** speed and acceleration themselves with differences of the angle.  Extremes are compared with the best of thousands of
+** speed and acceleration themselves with differences of the angle, those of an input with differences of the input too.  Extremes are compared with the best of thousands of
 ** rows, refined, means with a sum over them.  Decks that fail are left as programs-NUMBER.deck.
 */
 #include <math.h>
@@ -14,13 +15,14 @@
 #include <string.h>
 
 #include "fourlink.h"
-#include "random_parts.h"
+#include "input_programs.h"
 
 #define COLUMNS 300
 #define ROWS 4000    /* of the dense search */
 #define INSTANTS 4   /* of a deck that are compared */
 #define AGREES 1e-10 /* of a column's size: a row */
-#define SMOOTH 1e-8  /* ... an extreme */
+#define SMOOTH 1e-8  /* ... an extreme; */
+#define AT_DEAD 1e-6 /* ... of an input that goes to its dead centre */
 #define SUMMED 2e-5  /* ... a mean; loads jump */
 
 static fourlink_results *results;
@@ -28,27 +30,70 @@ static fourlink_problem problem;
 static const fourlink_value *columns;
 static unsigned long n_columns, theta2;
 static fourlink_branch branch;
-static int failed;
+static int failed, is_of_inputs, is_of_rows;
 
+static long n_differences, n_dead;
+static double worst_input[2];
 static long n_decks, n_failed, n_refused, n_rows, n_values, n_extremes, n_unbounded, n_limits,
     n_means;
 static double worst_row, worst_rate, worst_extreme, worst_mean;
 
 /* ------------------------------------------------------------------------------------------ decks */
 
-/* A machine that goes by a program, or has one instant of it. */
-static void make(const fourlink_crank *crank)
+static void write_crank(const fourlink_crank *crank)
 {
+    write("at = %.17g rad\nspeed = %.17g rad/s\n", crank->theta2, crank->omega2);
+    write("acceleration = %.17g rad/s2\nhold = yes\n", crank->alpha2);
+}
+
+static fourlink_results *open_deck(void);
+
+/* The same of an input; 0 if its range is not known. */
+static int make_of_input(const fourlink_crank *crank)
+{
+    fourlink_problem p;
+    fourlink_results *r;
+    size_t machine_alone;
+
+    begin_chance(11, n_decks);
+    make_input_machine(n_decks);
+    machine_alone = length;
+    if (crank) {
+        write_crank(crank);
+        return 1;
+    }
+    for (input_near = NAN;; input_near = input_near == input_near ? input_near + 30 : 15) {
+        write_input_range();
+        r = open_deck();
+        length = machine_alone;
+        if (r)
+            break;
+        if (input_near > 345)
+            return 0;
+    }
+    fourlink_deck_problem(fourlink_results_deck(r), &p);
+    input_from = fmin(p.over.first, p.over.last);
+    input_to = fmax(p.over.first, p.over.last);
+    fourlink_results_free(r);
+    write_input_program();
+    return 1;
+}
+
+/* A machine that goes by a program, or has one instant of it. */
+static int make(const fourlink_crank *crank)
+{
+    if (is_of_inputs)
+        return make_of_input(crank);
     begin_chance(7, n_decks);
     make_machine(n_decks, SPRINGS | FRICTION, PROGRAM);
     write("[table]\ncolumns = all\n");
     if (!crank)
-        return;
+        return 1;
     deck_text[length] = '\0';
     length = (size_t)(strstr(deck_text, "[motion]") - deck_text);
-    write("[table]\ncolumns = all\n[motion]\nat = %.17g rad\nspeed = %.17g rad/s\n", crank->theta2,
-          crank->omega2);
-    write("acceleration = %.17g rad/s2\nhold = yes\n", crank->alpha2);
+    write("[table]\ncolumns = all\n[motion]\n");
+    write_crank(crank);
+    return 1;
 }
 
 static fourlink_results *open_deck(void)
@@ -85,10 +130,50 @@ static int row_at(double time, double *values, fourlink_instant *now)
     return fourlink_results_along(results, branch, time, values, now, NULL);
 }
 
+static unsigned long column_of(const char *name)
+{
+    unsigned long c = 0;
+
+    while (c + 1 < n_columns && strcmp(columns[c].name, name) != 0)
+        c++;
+    return c;
+}
+
+/* How many times as far from what it is the crank may be than the input, of its length or of a rad. */
+static double doubt_of(const double *here, double omega2)
+{
+    double rate = here[column_of(input->rate)], value = here[column_of(input->value)];
+    double scale = input->unit[0] == 'm' ? problem.mechanism.design.link[2].length : 1, near;
+
+    if (omega2 != 0)
+        near = fabs(scale * omega2 / rate);
+    else if (input->value != input->name)
+        near = 1e3; /* at rest it is not known */
+    else
+        near =
+            sqrt((input_to - input_from) / fmin(fabs(value - input_from), fabs(value - input_to)));
+    return near < 1e4 ? 20 * fmax(1, near * near) : HUGE_VAL;
+}
+
+#define NEAR 2e6 /* of doubt: nearer to a dead centre of the input a row is noise */
+
+/* A row of the dense search. */
+static int dense_at(double time, double *values)
+{
+    fourlink_instant now;
+    int status = row_at(time, values, &now);
+    unsigned long c;
+
+    if (status != FOURLINK_OK || !is_of_inputs || !(doubt_of(values, now.row.crank.omega2) > NEAR))
+        return status;
+    for (c = 0; c < n_columns; c++)
+        values[c] = NAN;
+    return FOURLINK_INPUT_DEAD_CENTRE;
+}
+
 static void take_rows(void)
 {
     double first = problem.over.first, last = problem.over.last;
-    fourlink_instant now;
     unsigned long c;
     int i;
 
@@ -98,7 +183,7 @@ static void take_rows(void)
         times[i] = i == ROWS ? last : first + (last - first) * i / ROWS;
         for (c = 0; c < n_columns; c++)
             rows[i][c] = NAN;
-        if (row_at(times[i], rows[i], &now) != FOURLINK_OK)
+        if (dense_at(times[i], rows[i]) != FOURLINK_OK)
             is_whole = 0;
         for (c = 0; c < n_columns; c++)
             if (fabs(rows[i][c]) < 1e300)
@@ -139,11 +224,58 @@ static void check_rates(const fourlink_row *row)
                  (1 + fabs(row->crank.alpha2) + fabs(row->crank.omega2) / h * 1e-9));
 }
 
+/* Speed and acceleration of the input by differences of itself. */
+static void check_input_rates(double time, const double *here)
+{
+    double h = 1e-6 * (problem.over.last - problem.over.first), low[COLUMNS], high[COLUMNS], error;
+    unsigned long q[3];
+    int i;
+
+    q[0] = column_of(input->value);
+    q[1] = column_of(input->rate);
+    q[2] = column_of(input->second);
+    if (row_at(time - h, low, NULL) != FOURLINK_OK || row_at(time + h, high, NULL) != FOURLINK_OK)
+        return;
+    for (i = 0; i < 2; i++) {
+        double way = high[q[i]] - low[q[i]], degrees = PI / 180;
+
+        if (strcmp(columns[q[i]].quantity, "angle") == 0)
+            way = (way - 360 * floor(way / 360 + 0.5)) * degrees;
+        if (fabs(high[q[2]] - low[q[2]]) > 1e-3 * size[q[2]])
+            continue; /* a point of the program is between */
+        error = fabs(way / (2 * h) - here[q[i + 1]]) / size[q[i + 1]];
+        n_differences++;
+        worst_input[i] = fmax(worst_input[i], error);
+        if (error > 1e-5)
+            fail(i ? "the acceleration" : "the speed", input->name, here[q[i + 1]], way / (2 * h),
+                 error);
+    }
+}
+
+/* 1 for the direction of a force that is rounding error, and where the acceleration of the input is 0, which is rounding error
+** in the other deck, for what has no direction or place then. */
+static int is_rounded(unsigned long c, const double *here)
+{
+    const char *name = columns[c].name;
+    char force[100];
+    size_t n = strlen(name);
+    unsigned long of;
+
+    if (strncmp(name, "klein", 5) == 0 || (name[0] == 'h' && here[column_of(input->second)] == 0))
+        return 1;
+    if (n < 5 || n > sizeof force || strcmp(name + n - 4, "_dir") != 0)
+        return 0;
+    memcpy(force, name, n - 4);
+    force[n - 4] = '\0';
+    of = column_of(force);
+    return fabs(here[of]) < 1e-9 * size[of];
+}
+
 /* The same row as one instant of a deck. */
 static void check_instant(double time)
 {
     fourlink_results *program = results, *r;
-    double here[COLUMNS], there;
+    double here[COLUMNS], there, doubt = 1;
     fourlink_instant now;
     fourlink_value v;
     unsigned long c;
@@ -155,6 +287,13 @@ static void check_instant(double time)
         return; /* at rest the way that it is about to turn can be another */
     if (status == FOURLINK_OK)
         check_rates(&now.row);
+    if (is_of_inputs) {
+        check_input_rates(time, here);
+        doubt = doubt_of(here, now.row.crank.omega2);
+        n_dead += doubt > 1e9;
+        if (doubt > 1e9)
+            return;
+    }
     make(&now.row.crank);
     r = open_deck();
     if (!r) {
@@ -173,9 +312,14 @@ static void check_instant(double time)
             there = fmin(there, fabs(there - 360));
         if (!(fabs(v.value) < 1e300) || !(fabs(here[c]) < 1e300))
             continue;
+        if (is_of_inputs && is_rounded(c, here))
+            continue;
         n_values++;
-        worst_row = fmax(worst_row, there / size[c]);
-        if (there > AGREES * size[c])
+        if (is_of_inputs && strstr(columns[c].quantity, "acceleration"))
+            there -= 1e-12 * (1 + pow(now.row.crank.omega2,
+                                      2)); /* one that is 0 here is rounding error there */
+        worst_row = fmax(worst_row, there / size[c] / doubt);
+        if (there > AGREES * doubt * size[c])
             fail("a row", columns[c].name, here[c], v.value, there / size[c]);
     }
     n_rows++;
@@ -200,7 +344,7 @@ static double best_of(unsigned long c, int sign)
         for (i = -4, middle = at; i <= 4; i++) {
             double time = fmin(fmax(middle + i * step / 4, problem.over.first), problem.over.last);
 
-            if (row_at(time, values, NULL) == FOURLINK_OK && sign * values[c] > best) {
+            if (dense_at(time, values) == FOURLINK_OK && sign * values[c] > best) {
                 best = sign * values[c];
                 at = time;
             }
@@ -262,12 +406,14 @@ static void check_extremes(void)
     unsigned long c;
     int sign;
 
+    if (is_of_inputs && input_is_whole && problem.has_friction)
+        return; /* at a dead centre friction bounds the force of the drive, at a limit that is not known so well */
     for (c = 0; c < n_columns; c++)
         for (sign = -1; sign <= 1; sign += 2) {
             double best, error;
 
-            if (is_left_out(c))
-                continue;
+            if (is_left_out(c) || (is_of_inputs && columns[c].name[0] == 'h'))
+                continue; /* the place of a force is a quotient that loses digits where the input hardly accelerates */
             snprintf(name, sizeof name, "%s(%s)", sign > 0 ? "max" : "min", columns[c].name);
             if (fourlink_results_value(results, name, branch, 0, &v) != FOURLINK_OK)
                 continue;
@@ -285,7 +431,7 @@ static void check_extremes(void)
                 continue;
             }
             worst_extreme = fmax(worst_extreme, fabs(error));
-            if (fabs(error) > SMOOTH)
+            if (fabs(error) > (is_of_inputs && input_is_whole ? AT_DEAD : SMOOTH))
                 fail(sign > 0 ? "the largest" : "the smallest", columns[c].name, v.value, best,
                      error);
         }
@@ -319,14 +465,20 @@ static void check_means(void)
 
 int main(int argc, char **argv)
 {
-    long n = argc > 1 ? atol(argv[1]) : 4, first = argc > 2 ? atol(argv[2]) : 0;
+    long n, first;
     char name[100];
     int i, k;
 
+    is_of_rows = argc > 1 && strcmp(argv[1], "rows") == 0;
+    is_of_inputs = is_of_rows || (argc > 1 && strcmp(argv[1], "inputs") == 0);
+    argc -= is_of_inputs;
+    argv += is_of_inputs;
+    n = argc > 1 ? atol(argv[1]) : 4;
+    first = argc > 2 ? atol(argv[2]) : 0;
+
     for (n_decks = first; n_decks < first + n; n_decks++) {
         failed = 0;
-        make(NULL);
-        results = open_deck();
+        results = make(NULL) ? open_deck() : NULL;
         if (!results) {
             n_refused++;
             continue;
@@ -338,9 +490,13 @@ int main(int argc, char **argv)
             ;
         for (i = 0; i < 2 && n_columns <= COLUMNS; i++) {
             branch = i ? FOURLINK_CROSSED : FOURLINK_OPEN;
+            if (!(i ? problem.crossed : problem.open))
+                continue;
             take_rows();
-            check_extremes();
-            check_means();
+            if (!is_of_rows) {
+                check_extremes();
+                check_means();
+            }
             for (k = 0; k < INSTANTS; k++)
                 check_instant(times[(ROWS * (2 * k + 1)) / (2 * INSTANTS)]);
         }
@@ -355,8 +511,15 @@ int main(int argc, char **argv)
     printf("%ld decks, %ld refused: %ld rows, %ld values within %.2g of their size, speeds by "
            "differences within %.2g\n",
            n, n_refused, n_rows, n_values, worst_row, worst_rate);
-    printf("%ld extremes, %ld more without bound, %ld limits, within %.2g; %ld means within %.2g\n",
-           n_extremes, n_unbounded, n_limits, worst_extreme, n_means, worst_mean);
+    if (!is_of_rows)
+        printf("%ld extremes, %ld more without bound, %ld limits, within %.2g; %ld means within "
+               "%.2g\n",
+               n_extremes, n_unbounded, n_limits, worst_extreme, n_means, worst_mean);
+    if (is_of_inputs)
+        printf("%ld differences of inputs: speeds within %.2g of their size, accelerations within "
+               "%.2g; %ld rows too near to a "
+               "dead centre\n",
+               n_differences, worst_input[0], worst_input[1], n_dead);
     printf("%ld decks wrong\n", n_failed);
     return n_failed > 0 || n_refused == n;
 }
