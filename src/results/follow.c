@@ -437,7 +437,17 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
 
 /* A column that is zero within rounding can seem to have a pole, such as alpha3 of a crank and a rod of
 ** the same length where alpha2 is 0. */
-#define LEAST_POLE 1e-11 /* of the column's size elsewhere, at 1 rad: less is rounding error */
+#define LEAST_POLE 1e-11 /* of the column's size elsewhere, at 1 rad: less is rounding error, */
+#define SURELY \
+    2 /* ... unless the row closest to the end is so many times that size, and rows grow as a pole's do */
+
+static int is_surely_pole(const flk_limit_rows *e, values y, int order, double size)
+{
+    int of_steps;
+
+    return order > 0 && size > 0 && fabs(y[0][0]) > SURELY * size &&
+           find_growth_of_steps(e, y, &of_steps) != 0 && of_steps == order;
+}
 
 /* The values in the rows, in the column's unit; the components of a direction in SI. */
 static void take_column(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
@@ -509,6 +519,60 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
         l->value = 0; /* such as the transmission angle at a dead position */
 }
 
+/* A load over a speed with an exponent such as 3/2 gives a column that has powers of the root of x.  Its value at
+** the end by polynomials in that; NaN if none is exact. */
+static double extrapolate_in_root(const double *x, const double *y, double *error)
+{
+    flk_polynomial p;
+    double before, value;
+    int k;
+
+    for (p.n = 0, k = 0; k < NODES - 1; k++)
+        flk_polynomial_add(&p, sqrt(x[k]), y[k]);
+    before = flk_polynomial_value(&p, 0);
+    flk_polynomial_add(&p, sqrt(x[k]), y[k]);
+    value = flk_polynomial_value(&p, 0);
+    *error = fabs(value - before);
+    return value;
+}
+
+/* A direction by its unit vector, which has a limit where the vector grows without bound. */
+static void take_unit_vectors(values y[2])
+{
+    double length;
+    int scale, k;
+
+    for (scale = 0; scale < SCALES; scale++)
+        for (k = 0; k < NODES; k++) {
+            length = flk_length(y[0][scale][k], y[1][scale][k]);
+            y[0][scale][k] /= length;
+            y[1][scale][k] /= length;
+        }
+}
+
+static double limit_in_root(const flk_limit_rows *e, const flk_followed *t, values y[2], int n,
+                            double size)
+{
+    int is_direction = n == 2 && t->turn > 0, scale;
+    double value[2] = {0, 0}, error[2] = {0, 0}, limit = GSL_NAN, least = KNOWN, of;
+
+    if (is_direction)
+        take_unit_vectors(y);
+    for (scale = 0; scale < SCALES; scale++) {
+        value[0] = extrapolate_in_root(e->x[scale], y[0][scale], &error[0]);
+        if (n == 2)
+            value[1] = extrapolate_in_root(e->x[scale], y[1][scale], &error[1]);
+        of = is_direction ? 1 : GSL_MAX_DBL(size, flk_length(value[0], value[1]));
+        if (!(flk_length(error[0], error[1]) <= least * of))
+            continue;
+        least = flk_length(error[0], error[1]) / of;
+        limit = is_direction ? flk_angle(value[1], value[0]) * t->c->scale
+                : n == 2     ? flk_length(value[0], value[1])
+                             : value[0];
+    }
+    return limit;
+}
+
 void flk_limit_none(flk_limit *l)
 {
     memset(l, 0, sizeof *l);
@@ -537,7 +601,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     l->reach = 0;
     for (k = 0; k < l->n && (is_vector || !(t->turn > 0)); k++) {
         strength = find_pole_of(e, y[k], t->turn > 0, &order, &of_scale);
-        if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size)
+        if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size &&
+            !is_surely_pole(e, y[k], of_scale, size))
             continue;
         has_pole |= strength != 0;
         l->order = GSL_MAX_INT(l->order, of_scale);
@@ -551,6 +616,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
         find_finite(e, t, y, &b, size, l);
     else if (is_vector && l->order > 0 && b.error <= EXACT * b.size)
         l->reach = b.reach;
+    if (gsl_isnan(l->value) && e->is_root && (t->turn > 0 ? is_vector && !e->is_change : 1))
+        l->value = limit_in_root(e, t, y, l->n, size);
 }
 
 static double value_within(double reach, const flk_limit *l, const flk_followed *t, double passed,
