@@ -12,6 +12,8 @@
 #define STEPS 180 /* of a path */
 #define HALVINGS 20
 
+#define SLOT_PARTS 32 /* of a drawing, for each slot of a link */
+
 /* Half the length of a block is at most this fraction of its crank. */
 #define OF_CRANK 0.35
 
@@ -169,6 +171,12 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch)
         include_all(s, p, branch, p->v.kind.guided || p->v.kind.slotted ? 2 * figure_block(s) : 0);
 }
 
+/* 1 if the slider of an output is far outside of a drawing that moves: there it is left out. */
+static int is_away(const sketch *s, const picture *p, const fourlink_state *state, int i)
+{
+    return s->c->motion && geometry_is_far(&p->v, state, i);
+}
+
 /* The fixed pins of outputs, and their lines of stroke beside the sliders. */
 static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_state *state)
 {
@@ -179,7 +187,9 @@ static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_sta
         const fourlink_group *g = &p->v.design->group[i];
         geometry_output x = geometry_find_output(&p->v, state, i);
 
-        if (g->end == FOURLINK_GROUP_SLIDES)
+        if (is_away(s, p, state, i))
+            sketch_skip(s, 1);
+        else if (g->end == FOURLINK_GROUP_SLIDES)
             sketch_line(s, PEN_CONSTRUCTION, place_in(x.Q, g->direction, -beside, 0),
                         place_in(x.Q, g->direction, beside, 0));
         else if (g->to <= FOURLINK_GROUND)
@@ -285,11 +295,14 @@ static void put_slot(sketch *s, const picture *p, const fourlink_state *state, i
 
     foot = place_in(x.block, x.axis, along, 0);
     sketch_show(s, SKETCH_LINK, (unsigned long)x.link);
+    sketch_skip(s, SLOT_PARTS * (1 + (unsigned long)i)); /* behind those of the link itself */
     put_rectangle(s, of_slot, x.block, &x.axis, x.from - margin, x.to + margin, FIGURE_HIGH * half);
     sketch_line(s, of_slot, from, foot);
     if (along < x.from - margin || along > x.to + margin)
         sketch_line(s, of_slot, foot,
                     place_in(x.block, x.axis, along < x.from ? x.from - margin : x.to + margin, 0));
+    if (is_away(s, p, state, i))
+        return;
     sketch_show(s, SKETCH_LINK, (unsigned long)FOURLINK_FOLLOWER + 1 + 2 * (unsigned long)i);
     put_rectangle(s, kind ? kind : FIGURE_PEN(FOURLINK_FOLLOWER + 1 + 2 * i), x.block, &x.axis,
                   -0.8 * half, 0.8 * half, FIGURE_HIGH * half);
@@ -311,6 +324,8 @@ static void put_outputs(sketch *s, const picture *p, const fourlink_state *state
             sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
         }
         sketch_show(s, SKETCH_LINK, (unsigned long)rod + 1);
+        if (is_away(s, p, state, i))
+            continue;
         if (p->v.design->group[i].end == FOURLINK_GROUP_SLIDES)
             figure_piston(s, of_end, x.Q, &p->v.design->group[i].direction);
         else if (p->v.design->group[i].hang != FOURLINK_HANGS_BY_OWN_SLOT)
@@ -354,6 +369,8 @@ static void put_pins_of_outputs(sketch *s, const picture *p, const fourlink_stat
         geometry_output x = geometry_find_output(&p->v, state, i);
         int end = FOURLINK_FOLLOWER + 2 + 2 * i, first = FOURLINK_FOLLOWER + 3 * i;
 
+        if (is_away(s, p, state, i))
+            continue;
         if (p->v.design->group[i].hang != FOURLINK_HANGS_IN_SLOT)
             put_pin(s, (unsigned long)first, x.P, "");
         if (p->v.design->group[i].hang != FOURLINK_HANGS_BY_OWN_SLOT)

@@ -76,8 +76,10 @@ typedef struct drawn {
 /* Find what drawing k shows. */
 static subject subject_of(const moving *x, int k, int *which)
 {
-    int polygons = view_is_still(&x->p.v) ? 0 : 2;
-    int bodies = x->p.v.problem.has_forces ? FOURLINK_FOLLOWER - FOURLINK_CRANK + 1 : 0;
+    int is_whole =
+        x->p.v.design->n_groups == 0; /* polygons and free bodies are of four links alone */
+    int polygons = !is_whole || view_is_still(&x->p.v) ? 0 : 2;
+    int bodies = is_whole && x->p.v.problem.has_forces ? FOURLINK_FOLLOWER - FOURLINK_CRANK + 1 : 0;
 
     *which = 0;
     if (k == 0)

@@ -36,9 +36,8 @@
       NULL, "limits, transmission angle, instantaneous centres")                                  \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_STROKE | PLOT_AT, picture_klein, NULL,                \
       "Klein's construction")                                                                     \
-    X(ANIMATION, "animation", 1, 1, 860, 540,                                                     \
-      PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED | PLOT_OF_FOUR, picture_animation, NULL,            \
-      "mechanism in motion")                                                                      \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,            \
+      picture_animation, NULL, "mechanism in motion")                                             \
     X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,  \
       "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")          \
     X(ERROR, "error", 1, 1, 900, 480, PLOT_WANTED | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER,     \

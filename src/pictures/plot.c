@@ -267,7 +267,7 @@ static const char *missing(const picture *p)
         return "this picture needs [motion] rows = angle; the deck has rows by time";
     if (p->v.design->n_groups && (needs & PLOT_OF_FOUR))
         return "this picture shows four links; the deck has an [output], which is in --plot-kind "
-               "mechanism";
+               "mechanism and animation";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->v.problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_WANTED) &&

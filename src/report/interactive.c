@@ -253,7 +253,7 @@ void report_put_interactive(report *r)
 
     if (!t)
         return;
-    if (!r->v.design->n_groups && rows_open(t, r->source, r->v.results, start)) {
+    if (rows_open(t, r->source, r->v.results, start)) {
         if (r->now.status == FOURLINK_OK)
             start = r->now.row.place;
         put_drawing(r, t, start);

@@ -73,7 +73,7 @@ geometry_slot geometry_find_slot(const view *v, const fourlink_state *state, int
     double here = slide_of(v, state, i), slide;
     fourlink_state other;
     geometry_slot x;
-    int k;
+    int is_far = geometry_is_far(v, state, i), n = 0, k;
 
     x.block = block->origin;
     x.axis = block->axis;
@@ -85,8 +85,9 @@ geometry_slot geometry_find_slot(const view *v, const fourlink_state *state, int
                 FOURLINK_OK &&
             !geometry_is_far(v, &other, i)) {
             slide = slide_of(v, &other, i) - here;
-            x.from = GSL_MIN_DBL(x.from, slide);
-            x.to = GSL_MAX_DBL(x.to, slide);
+            x.from = is_far && n == 0 ? slide : GSL_MIN_DBL(x.from, slide);
+            x.to = is_far && n == 0 ? slide : GSL_MAX_DBL(x.to, slide);
+            n++;
         }
     return x;
 }

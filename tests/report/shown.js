@@ -63,7 +63,7 @@ for (const row of rows) {
         that(Math.min(away, scene.steps.length - 1 - away) <= 1, "the row of a pointer", found, "not", step);
     }
     const a = drawing.main.planeOf(A), b = drawing.main.planeOf(B), angle = Math.atan2(b[1] - a[1], b[0] - a[0]) * 180 / Math.PI;
-    const rounded = 0.015 / Math.hypot(B[0] - A[0], B[1] - A[1]) * 180 / Math.PI; /* places have two decimals */
+    const rounded = 0.1 / Math.hypot(B[0] - A[0], B[1] - A[1]) * 180 / Math.PI; /* pixels, as places follow others */
     that(Math.abs((angle - Number(row[0]) + 36180) % 360 - 180) < Math.max(0.05, rounded), "the crank in its plane is at", angle, "not", row[0]);
     that(Math.hypot(...a) < 0.02 * Math.hypot(b[0] - a[0], b[1] - a[1]), "A in its plane is at", a);
     for (const p of [[0, 0], b, [3 * b[0], -2 * b[1]], [-b[1], 5 * b[0]]])

@@ -12,7 +12,7 @@ needs node nodejs
 shown() {
     branch=$(sed -n 's/^"branches":\[{*"name":"\([a-z]*\)".*/\1/p; s/^{"name":"\(open\|crossed\)".*/\1/p' "$name.json" | head -n 1)
     "$fourlink" --wide -b "${branch:-open}" "$1" >table 2>err
-    grep -q '^# theta2 ' table || return 0
+    grep -q '^# theta2 ' table && grep -q '^ *-\{0,1\}[0-9]' table || return 0 # no rows
     node "$tests/report/shown.js" "$data/../src/report" "$name.json" table >out 2>&1
     check "$name: $(head -n 3 out)" grep -q ' compared, 0 wrong' out
 }
