@@ -48,7 +48,7 @@ typedef struct law {
     double (*factor)(const fourlink_value *of);
     int is_exact, rows_backward, has_own_time;
     void (*check)(void); /* in place of comparing two decks */
-    long cases, values, undecided;
+    long cases, values, undecided, of_kind[4];
     double worst[N_SORTS];
 } law;
 

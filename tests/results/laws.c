@@ -516,6 +516,9 @@ static law laws[] = {
     {.name = "at an angle", .change = any_axes, .factor = factor_one, .check = compare_at_angles},
     {.name = "within bounds", .change = any_deck, .factor = factor_one, .check = compare_bounds}};
 
+static const int kinds[4] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                             FOURLINK_INVERTED_SLIDER_CRANK, FOURLINK_SCOTCH_YOKE};
+
 static void try_law(law *l)
 {
     present = l;
@@ -536,6 +539,17 @@ static void try_law(law *l)
     compare_decks(*result_units ? result_units : NULL);
 }
 
+/* Try it, and count its cases by kind. */
+static void count_law(law *l)
+{
+    long before = l->cases;
+    int k;
+
+    try_law(l);
+    for (k = 0; k < 4; k++)
+        l->of_kind[k] += kind == kinds[k] ? l->cases - before : 0;
+}
+
 int main(int argc, char **argv)
 {
     const int n_laws = (int)(sizeof laws / sizeof laws[0]);
@@ -550,7 +564,7 @@ int main(int argc, char **argv)
         for (i = 0; i < n_laws && kind; i++)
             if (argc > 3 ? strcmp(argv[3], "all") == 0 || strcmp(argv[3], laws[i].name) == 0
                          : i == number / 4 % n_laws)
-                try_law(&laws[i]);
+                count_law(&laws[i]);
     }
     printf("%-24s %8s %10s %9s  ", "", "cases", "values", "undecided");
     for (k = 0; k < N_SORTS; k++)
@@ -562,6 +576,9 @@ int main(int argc, char **argv)
         for (k = 0; k < N_SORTS; k++)
             printf(" %9.1e", laws[i].worst[k]);
         printf("\n");
+        if (argc > 3 && laws[i].cases)
+            printf("%-24s %ld four-bar linkages, %ld slider-cranks, %ld inverted, %ld yokes\n", "",
+                   laws[i].of_kind[0], laws[i].of_kind[1], laws[i].of_kind[2], laws[i].of_kind[3]);
         cases += laws[i].cases;
     }
     printf("%ld passed, %ld failed\n", cases - n_failed, n_failed);
