@@ -75,7 +75,7 @@ static int find_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
         return FOURLINK_ROD_OFF_LINE;
     rod->n = l / mechanism->design.link[2].length;
     rod->k = m > 0 ? sqrt(link->inertia / m) : 0;
-    rod->b = m > 0 ? l - link->cg.x : 0;
+    rod->b = m > 0 && fabs(l - link->cg.x) > 1e-12 * l ? l - link->cg.x : 0;
     rod->m_a = m * rod->b / l;
     rod->m_b = m - rod->m_a;
     rod->d = rod->b != 0 ? rod->k * rod->k / rod->b : 0;

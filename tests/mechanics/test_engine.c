@@ -321,6 +321,9 @@ TEST(test_rod_masses_limits)
     rod = masses_of(0.7, 3, 0, 0.2);
     assert_true(rod.d == 0 && rod.m_g == 0);
     assert_close(rod.m_d, 3.0, 1e-15);
+    /* all at the gudgeon pin, but for the rounding error of its place */
+    rod = masses_of(0.7, 2, 0, 0.7 * (1 - 1e-15));
+    assert_true(rod.b == 0 && rod.d == 0 && rod.L == 0 && rod.m_d == 0 && rod.m_g == 0);
     /* no mass */
     rod = masses_of(0.7, 0, 0, 0.2);
     assert_true(rod.m_a == 0 && rod.m_b == 0 && rod.m_d == 0 && rod.m_g == 0 && rod.k == 0);
