@@ -2,8 +2,7 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks: for these, all are read before they are written,
-** and stay open; one of which there is something to tell is read again.
+** The header of a csv has the columns of all decks: for these, all are read once before they are written.
 ** What can be read only once, such as standard input, is kept as text.
 */
 #include <errno.h>
@@ -25,15 +24,12 @@
 #include "terminal.h"
 #include "view/results.h"
 
-#define MOST_KEPT 1000 /* decks that stay open after they were read for the header */
-
 /* Many inputs, and what is known of all. */
 typedef struct batch {
     const options *o;
     const grade_answers *answers;
     const input *deck; /* null: the inputs are decks */
     size_t n;
-    input **kept;      /* decks that stay open after the header was found; null: read it */
     input_text *texts; /* of decks that can be read only once; else null texts */
     fourlink_value *header;
     unsigned long n_header;
@@ -265,15 +261,6 @@ static void begin_sheet(batch *b, FILE *out)
     content_begin(s, out, 1);
 }
 
-/* Close input i, if it is open. */
-static void close_kept(batch *b, size_t i)
-{
-    if (b->kept[i])
-        input_close(b->kept[i]);
-    free(b->kept[i]);
-    b->kept[i] = NULL;
-}
-
 static void batch_close(batch *b)
 {
     unsigned long k;
@@ -285,9 +272,6 @@ static void batch_close(batch *b)
         free(b->texts[i].start);
     free(b->header);
     free(b->texts);
-    for (i = 0; i < b->n && b->kept; i++)
-        close_kept(b, i);
-    free(b->kept);
     marks_free(&b->m);
     input_close(&b->variant);
 }
@@ -417,30 +401,19 @@ static int read_input(batch *b, size_t i, input *in)
     return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
 }
 
-/* 1 if an input need not be read again: nothing was to be told of it.  Only so many stay open. */
-static int is_kept(const batch *b, size_t i, const input *in, int status)
-{
-    return i < MOST_KEPT && !status && in->results && !b->deck && !command_has_withheld();
-}
-
 /* Read all inputs, in silence, for what must be known of all; returns the exit status. */
 static int scan(batch *b)
 {
-    int enough = 1, status;
-    input *in;
+    int enough = 1;
+    input in;
     size_t i;
 
     for (i = 0; i < b->n && enough && !system_caught(); i++) {
-        in = memory_get(1, sizeof *in);
-        if (!in)
-            return complain_of_memory();
-        b->kept[i] = in;
         command_be_silent(1);
-        status = read_input(b, i, in);
+        read_input(b, i, &in);
         command_be_silent(0);
-        enough = add_columns(b, in);
-        if (!is_kept(b, i, in, status))
-            close_kept(b, i);
+        enough = add_columns(b, &in);
+        input_close(&in);
     }
     return enough ? 0 : complain_of_memory();
 }
@@ -456,39 +429,31 @@ static int write_all(batch *b)
 {
     int status = 0, written = 0, begun = 0, opened;
     output out;
-    input *in;
+    input in;
     size_t i;
 
     for (i = 0; i < b->n && !system_caught(); i++) {
-        if (!b->kept[i]) {
-            b->kept[i] = memory_get(1, sizeof **b->kept);
-            if (!b->kept[i]) {
-                written = complain_of_memory();
-                break;
-            }
-            status = command_worse(status, read_input(b, i, b->kept[i]));
-        }
-        in = b->kept[i];
+        status = command_worse(status, read_input(b, i, &in));
         if (memory_has_failed()) { /* which is told */
-            close_kept(b, i);
+            input_close(&in);
             break;
         }
-        if (is_shown(b, in) && !begun) {
-            if (!b->n_header && !add_columns(b, in)) {
-                close_kept(b, i);
+        if (is_shown(b, &in) && !begun) {
+            if (!b->n_header && !add_columns(b, &in)) {
+                input_close(&in);
                 return complain_of_memory();
             }
             opened = output_begin(&out, b->o->output);
             if (opened) {
-                close_kept(b, i);
+                input_close(&in);
                 return command_worse(status, opened);
             }
             begin_sheet(b, out.file);
             begun = 1;
         }
         if (begun)
-            written = command_worse(written, write_input(b, in));
-        close_kept(b, i);
+            written = command_worse(written, write_input(b, &in));
+        input_close(&in);
     }
     /* incomplete results are not kept */
     if (begun)
@@ -507,8 +472,7 @@ int batch_run(const options *o, const grade_answers *answers, const input *deck)
     b.deck = deck;
     b.n = deck ? answers->students.n : o->n_decks;
     b.texts = memory_get(b.n + 1, sizeof *b.texts);
-    b.kept = memory_get(b.n + 1, sizeof *b.kept);
-    status = b.texts && b.kept ? begin_marks(&b) : complain_of_memory();
+    status = b.texts ? begin_marks(&b) : complain_of_memory();
     if (!status)
         status = find_designs(&b);
     if (!status &&

@@ -10,17 +10,11 @@
 #include "system/memory.h"
 #include "command.h"
 
-static int silent, withheld, coloured, told_of_memory;
+static int silent, coloured, told_of_memory;
 
 void command_be_silent(int is_silent)
 {
-    withheld = is_silent ? 0 : withheld;
     silent = is_silent;
-}
-
-int command_has_withheld(void)
-{
-    return withheld;
 }
 
 void command_be_coloured(int is_coloured)
@@ -58,7 +52,6 @@ void command_say(const char *first, ...)
     const char *words;
     va_list more;
 
-    withheld |= silent;
     if (silent)
         return;
     va_start(more, first);
@@ -100,7 +93,6 @@ void command_tell(const char *what, const char *file, long line, const char *mes
     int is_elsewhere = deck_name && strcmp(file, deck_name) != 0;
     char where[40] = "";
 
-    withheld |= silent;
     if (silent)
         return;
     if (line)

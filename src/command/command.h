@@ -16,9 +16,6 @@ void command_say(const char *first, ...);
 /* Print no messages (1), or print them again (0): those of what is read twice. */
 void command_be_silent(int is_silent);
 
-/* 1 if a message was not printed since silence began last. */
-int command_has_withheld(void);
-
 /* Print what a message is, such as error, in colour. */
 void command_be_coloured(int is_coloured);
 
