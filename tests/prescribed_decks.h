@@ -168,14 +168,16 @@ static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch
     snprintf(where, sizeof where, "%s by %s", fourlink_branch_text((int)branch), q->name);
     if (status != FOURLINK_OK)
         fail("%s: status %d", where, status);
+    /* the crank angle is known to eps near, omega2 to its near, and alpha2 = (a - L omega2^2) / K to near more */
     doubt = 20 * (near > 1 ? near * near : 1);
+    doubt_of_accelerations = near > 1 ? near : 1;
     memcpy(expected, crank_row, sizeof expected);
     if (!has_failed && strstr(base_text, "[spring") &&
         fabs(named(&b.c, row, "theta2") - named(&a->c, expected, "theta2")) > 1e-3)
         present->undecided++; /* the other turn of a spring that winds up */
     else if (!has_failed)
         compare_rows(a, &b, expected, row, where);
-    doubt = 1;
+    doubt = doubt_of_accelerations = 1;
     fourlink_results_free(b.r);
 }
 

@@ -365,8 +365,9 @@ static double factor_mirrored(const fourlink_value *of);
 
 /* The largest values of the columns, and of each quantity, in the rows of a branch. */
 static double sizes[MOST_COLUMNS], size_of_quantity[QUANTITY_COUNT];
-static double quickest;  /* rad/s, of the crank in those so far */
-static double doubt = 1; /* of rows: by how much more the law may be wrong */
+static double quickest;                   /* rad/s, of the crank in those so far */
+static double doubt = 1;                  /* of rows: by how much more the law may be wrong, */
+static double doubt_of_accelerations = 1; /* ... and these and what follows from them */
 static int was_locked;
 static fourlink_branch compared; /* of the rows */
 
@@ -381,6 +382,13 @@ static double doubt_of_motion(fourlink_results *r, double theta2)
         fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK)
         turns /= fmax(1e-4, 1 - fabs(rate.value));
     return turns;
+}
+
+static int follows_from_accelerations(const column *k)
+{
+    return k->sort != PLAIN || k->q == QUANTITY_ANGULAR_ACCELERATION ||
+           k->q == QUANTITY_ACCELERATION || k->q == QUANTITY_FORCE || k->q == QUANTITY_TORQUE ||
+           k->q == QUANTITY_POWER;
 }
 
 /* Compare two rows, the expected one first, in the units of their columns.  Returns 1 / sin(mu). */
@@ -404,7 +412,9 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
         scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
     turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2")) : 1;
     for (j = 0; j < a->c.n; j++) {
-        double size = doubt * turns * scale_of(&a->c, j, expected, scale, condition);
+        double size = doubt *
+                      (follows_from_accelerations(&a->c.list[j]) ? doubt_of_accelerations : 1) *
+                      turns * scale_of(&a->c, j, expected, scale, condition);
 
         if (!present->is_exact && (!isfinite(size) || a->c.list[j].sort == OF_ROUNDING ||
                                    (present->has_own_time && a->c.list[j].q == QUANTITY_TIME))) {
