@@ -72,9 +72,6 @@ const flk_program_segment *flk_program_segment_at(const flk_program *p, double t
 /* The end of the way on which the coordinate goes one way from a time: a corner, or where it turns back. */
 double flk_program_way(const flk_program *p, double from);
 
-/* The time at which it has a value on a way. */
-double flk_program_when(const flk_program *p, double from, double to, double value);
-
 /* The first time at which it passes a value; 0 if there is none. */
 int flk_program_pass(const flk_program *p, double value, double *time);
 

@@ -58,26 +58,18 @@ double flk_program_way(const flk_program *p, double from)
     return to;
 }
 
-double flk_program_when(const flk_program *p, double from, double to, double value)
+int flk_program_pass(const flk_program *p, double value, double *time)
 {
+    double end = flk_program_end(p), from, to;
     program_search s;
 
     s.program = p;
     s.value = value;
     s.is_rest = 0;
-    return find_between(&s, from, to);
-}
-
-int flk_program_pass(const flk_program *p, double value, double *time)
-{
-    double end = flk_program_end(p), from, to, x[2][3];
-
     for (from = p->segment[0].begin; from < end; from = to) {
         to = flk_program_way(p, from);
-        flk_program_at(p, from, x[0]);
-        flk_program_at(p, to, x[1]);
-        if ((x[0][0] - value) * (x[1][0] - value) <= 0) {
-            *time = flk_program_when(p, from, to, value);
+        if (program_past(from, &s) * program_past(to, &s) <= 0) {
+            *time = find_between(&s, from, to);
             return 1;
         }
     }

@@ -40,35 +40,6 @@ static void crank_begin(const flk_course *c, flk_pieces *x)
     x->rate = duration / x->length;
 }
 
-/* A piece ends with its way, and where the crank passes a corner of the angle. */
-static void crank_next(const flk_pieces *x, flk_piece *piece)
-{
-    const flk_program *program = x->course->d->program;
-    double from = x->first + piece->from * x->rate, to = flk_program_way(program, from), way,
-           passed;
-    double at[3];
-    flk_direction p;
-
-    flk_program_at(program, from, at);
-    p.from = at[0];
-    flk_program_at(program, to, at);
-    way = at[0] - p.from;
-    p.corners = x->course->corners;
-    p.branch = x->branch;
-    p.sense = way < 0 ? -1 : 1;
-    p.has_loads = x->has_loads;
-    if (!(piece->from > 0))
-        piece->begin = flk_corners_first(&p);
-    way = fabs(way);
-    passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
-    if (passed < way - FLK_CORNERS_CLOSE(way)) {
-        to = flk_program_when(program, from, to, p.from + p.sense * passed);
-    } else if (passed > way + FLK_CORNERS_CLOSE(way)) {
-        piece->end = FLK_END_PLAIN;
-    }
-    piece->to = to < x->end ? (to - x->first) / x->rate : x->length;
-}
-
 /* -------------------------------------------------------------------------------------------- of an input */
 
 #define CLOSE 1e-9 /* of a stretch: a value that is written with fewer digits */
@@ -119,14 +90,17 @@ static int input_at(const flk_course *c, fourlink_branch branch, double time, fo
     return status;
 }
 
-/* theta2 at a time, also where there is no row. */
+/* theta2 at a time, by the program itself or by its input, also where there is no row. */
 static double theta2_at(const flk_course *c, fourlink_branch branch, double time)
 {
     const deck_prescribed *x = c->d->prescribed;
-    const flk_stretch *s = DECK_STRETCH(x, branch);
     double of_program[3], beyond, value;
+    const flk_stretch *s;
 
     flk_program_at(c->d->program, time, of_program);
+    if (!x)
+        return of_program[0];
+    s = DECK_STRETCH(x, branch);
     value = into_stretch(x, s, of_program[0], &beyond);
     return beyond + flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch, s, value);
 }
@@ -151,6 +125,8 @@ static void input_begin(const flk_course *c, flk_pieces *x)
     x->rate = duration / x->length;
 }
 
+/* -------------------------------------------------------------------------------------------------- pieces */
+
 /* What is sought along a program: a crank angle. */
 typedef struct crank_search {
     const flk_course *course;
@@ -172,14 +148,18 @@ static double find_crank(crank_search *s, double from, double to)
     return flk_find_zero(crank_past, s, &b, 0);
 }
 
-/* The kind of end at a time: where the stretch ends, a dead centre of the coordinate or a dead position.  At rest there
+/* The kind of end at a time: where the stretch of an input ends, its dead centre or a dead position.  At rest there
 ** without a jump the motion is smooth over the time, but the force of the drive has a pole. */
 static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end of_position)
 {
     const deck_prescribed *of = x->course->d->prescribed;
-    const flk_stretch *s = DECK_STRETCH(of, x->branch);
-    double of_program[3], beyond, value, fourth, close = CLOSE * fabs(s->to - s->from);
+    double of_program[3], beyond, value, fourth, close;
+    const flk_stretch *s;
 
+    if (!of)
+        return of_position;
+    s = DECK_STRETCH(of, x->branch);
+    close = CLOSE * fabs(s->to - s->from);
     flk_program_at(x->course->d->program, time, of_program);
     value = into_stretch(of, s, of_program[0], &beyond);
     if (fabs(value - s->from) > close && fabs(value - s->to) > close)
@@ -190,7 +170,7 @@ static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end
 }
 
 /* A piece ends with its way, and where the crank passes a corner of the angle. */
-static void input_next(const flk_pieces *x, flk_piece *piece)
+static void next_piece(const flk_pieces *x, flk_piece *piece)
 {
     const flk_course *c = x->course;
     double from = x->first + piece->from * x->rate, to = flk_program_way(c->d->program, from), way;
@@ -257,7 +237,7 @@ int flk_course_pass_program(const flk_course *c, fourlink_branch branch, double 
 
 const struct flk_course_type flk_course_by_program = {flk_course_place_of_time, crank_at,
                                                       flk_course_find_time, crank_begin,
-                                                      crank_next},
+                                                      next_piece},
                              flk_course_by_program_of_input = {flk_course_place_of_time, input_at,
                                                                flk_course_find_time, input_begin,
-                                                               input_next};
+                                                               next_piece};

@@ -244,8 +244,8 @@ static int are_many(const designs *d, int has_lines)
     return d->n > MANY_DESIGNS && !(has_lines && n_curves <= MANY_CURVES);
 }
 
-/* Draw the spread of an output on a branch; 0: out of memory. */
-static int put_spread(picture *p, const designs *d, unsigned long output, int branch)
+/* Draw the spread of an output on a branch; nothing if memory fails, which is noted. */
+static void put_spread(picture *p, const designs *d, unsigned long output, int branch)
 {
     static const char *const sizes[] = {"least", "lower", "median", "upper", "greatest"};
     const char *its = fourlink_branch_text((int)p->v.branches[branch]);
@@ -256,12 +256,14 @@ static int put_spread(picture *p, const designs *d, unsigned long output, int br
     unsigned long i;
     int size;
 
-    for (i = 0; points && i < d->n; i++) {
+    if (!points)
+        return;
+    for (i = 0; i < d->n; i++) {
         points[n].x = inputs_of(d, i)[d->axis];
         points[n].y = values_of(d, p, i, branch)[output];
         n += !gsl_isnan(points[n].y);
     }
-    n_groups = points ? spread_find(points, n, groups) : 0;
+    n_groups = spread_find(points, n, groups);
     for (size = 0; size < SPREAD_SIZES; size++) {
         flk_text_join(of, sizeof of, its, "_", sizes[size], (char *)NULL);
         graph_begin(p, (size == SPREAD_MEDIAN ? PEN_CURVE : PEN_JUMP) + branch,
@@ -273,11 +275,10 @@ static int put_spread(picture *p, const designs *d, unsigned long output, int br
                    flk_text_join(words, sizeof words, its, ", median", (char *)NULL));
     canvas_add_key(&p->on, DISPLAY_LINE, PEN_JUMP + branch, "quartiles, extremes");
     free(points);
-    return points != NULL;
 }
 
 /* Draw an output over the varied quantity; 0 if it has no number. */
-static int put_output(picture *p, designs *d, unsigned long output, int has_lines)
+static int put_output(picture *p, designs *d, unsigned long output, int has_lines, int is_spread)
 {
     const fourlink_value *x = &d->variables[d->axis];
     double low, high, x_low, x_high;
@@ -291,10 +292,10 @@ static int put_output(picture *p, designs *d, unsigned long output, int has_line
     gsl_stats_minmax(&x_low, &x_high, d->inputs + d->axis, d->n_variables, d->n);
     set_axes(&p->on, x_low, x_high, low, high);
     for (b = 0; b < p->v.n_branches; b++)
-        if (!are_many(d, has_lines))
+        if (is_spread)
+            put_spread(p, d, output, b);
+        else
             put_branch(p, d, output, b, has_lines);
-        else if (!put_spread(p, d, output, b))
-            break; /* which is told */
     canvas_end_panel(&p->on);
     return 1;
 }
@@ -302,7 +303,7 @@ static int put_output(picture *p, designs *d, unsigned long output, int has_line
 const char *picture_outputs(picture *p)
 {
     unsigned long i, k;
-    int drawn = 0, enough, has_lines;
+    int drawn = 0, enough, has_lines, is_spread;
     designs d;
 
     if (p->v.problem.n_designs < 2)
@@ -315,8 +316,9 @@ const char *picture_outputs(picture *p)
     if (enough) {
         find_axis(p, &d);
         has_lines = is_monotonic(&d);
+        is_spread = are_many(&d, has_lines);
         for (k = 0; k < d.n_outputs; k++)
-            drawn += put_output(p, &d, k, has_lines);
+            drawn += put_output(p, &d, k, has_lines, is_spread);
     }
     close_designs(&d);
     return drawn ? NULL : NO_VALUES;

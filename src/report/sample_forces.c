@@ -123,7 +123,7 @@ static void put_factor(math *m)
     const math_units *u = &m->units;
     char product[80];
 
-    if (fabs(u->per_force - 1) > 1e-9)
+    if (u->per_force != 1)
         page_print(m->p,
                    " Masses are in%U: m a and I \316\261 are divided by %.6g, as 1%U = "
                    "%.6g%U.",
@@ -313,7 +313,7 @@ static void put_power(report *r, math *m)
     char equation[MATH_EQUATION], number[FORMAT_SIZE], rate[60];
 
     math_units_over(equation, "Ts * omega2", per);
-    if (fabs(per - 1) > 1e-9) {
+    if (per != 1) {
         format_general(per > 1 ? per : 1 / per, 9, number);
         flk_text_join(rate, sizeof rate, u->of[MATH_TORQUE].name, "/s", (char *)NULL);
         page_print(m->p, "<p>The power, where 1%U = %s%U:</p>\n",

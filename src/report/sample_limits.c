@@ -116,7 +116,7 @@ void sample_put_limits(report *r, math *m)
         put_transmission(r, m, &limits);
         return;
     case FOURLINK_SLIDER_CRANK:
-        if (limits.has_stroke)
+        if (limits.stroke > 0)
             put_piston(r, m, &limits);
         return;
     case FOURLINK_INVERTED_SLIDER_CRANK:
@@ -124,7 +124,7 @@ void sample_put_limits(report *r, math *m)
             put_lever(m, &limits);
         return;
     case FOURLINK_SCOTCH_YOKE:
-        if (limits.has_stroke) {
+        if (limits.stroke > 0) {
             begin(m, "The stroke s of the yoke:");
             math_let(m, "s",
                      sin(r->v.design->angle) < 0 ? "- { 2 * a | sin beta }"

@@ -186,9 +186,9 @@ static void put_many(report *r, math *m)
         s->n_positions, (int)s->starts);
     page_print(&r->page,
                "<ul>\n<li>Root mean square distance: %.6g%U</li>\n<li>Largest distance: %.6g%U"
-               "</li>\n<li>Sum: %.6g%U\302\262</li>\n",
+               "</li>\n<li>Sum: %.6g%U</li>\n",
                shown_error(r, s->rms, 0), length_unit, shown_error(r, s->largest, 0), length_unit,
-               shown_length(r, shown_length(r, s->sum)), length_unit);
+               math_units_value(&m->units, s->sum, MATH_AREA), m->units.of[MATH_AREA].name);
     if (s->max_error != 0)
         page_print(&r->page, "<li>Largest error of the coupler's angle: %.6g\302\260</li>\n",
                    shown_error(r, s->max_error, 1));
