@@ -184,6 +184,18 @@ static void put_names(const char *name, int which)
     line_put(&l, "]");
 }
 
+/* The crank angle, or the time, at which the drawing begins: as drawn, or the first row. */
+static double find_start(void)
+{
+    fourlink_instant now;
+
+    if (v.problem.has_drawn && !v.problem.one_instant &&
+        fourlink_results_at(v.results, v.branches[0], v.problem.drawn, NULL, &now, NULL) ==
+            FOURLINK_OK)
+        return now.row.place;
+    return v.problem.motion.from;
+}
+
 static void put_deck(void)
 {
     int i;
@@ -199,6 +211,8 @@ static void put_deck(void)
     put_number("expected", v.problem.n_expected);
     line_put(&l, ",\"from\":");
     json_text_number(&l, v.problem.motion.from, 17);
+    line_put(&l, ",\"start\":");
+    json_text_number(&l, find_start(), 17);
     line_put(&l, ",\"branches\":[");
     for (i = 0; i < v.n_branches; i++)
         line_put(&l, "%s\"%s\"", i ? "," : "", fourlink_branch_text((int)v.branches[i]));
@@ -282,7 +296,7 @@ CALLED(web_scene) int web_scene(int branch, double at, int wanted)
     form.sheets = &sheets[k];
     if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
         if (wanted == SCENE_HELD)
-            rows_thin(t, HELD_STRIDE);
+            rows_thin(t, HELD_STRIDE, at);
         done =
             interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, &form);
         done &= end_answer();

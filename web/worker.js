@@ -84,7 +84,7 @@ const tasks = {
             throw new Error(textAt(program.web_status_text(status)));
         const deck = JSON.parse(answer(true));
         deck.usable = isOpen = status === 0;
-        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at, held ? 1 : brief ? 2 : 0);
+        const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.start : at, held ? 1 : brief ? 2 : 0);
         return {deck, scene: scene ? answer(true) : null};
     },
     /* The style sheet of all drawings. */

@@ -198,8 +198,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     if (problem->is_prescribed)
         problem->prescribed = d->prescribed->motion;
     problem->axes_on_page = d->axes.is_page;
-    problem->A = d->axes.A;
-    problem->x_angle = d->axes.angle;
+    problem->A = d->pins.is_there ? d->pins.A : d->axes.A;
+    problem->x_angle = d->pins.is_there ? d->pins.angle : d->axes.angle;
     problem->has_drawn = d->pins.is_there;
     problem->drawn_branch = d->pins.branch;
     if (problem->has_drawn)

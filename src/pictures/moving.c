@@ -2,6 +2,7 @@
 **
 ** moving.c - drawings over a motion.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -256,9 +257,31 @@ void moving_close(moving *x)
     free(x->solved);
 }
 
+/* Where A is on the page of [pins], in the axes of the sheet. */
+static fourlink_vector place_of_A(const view *v)
+{
+    double angle = geometry_turn(v) - v->problem.x_angle;
+
+    return place_in(place_at(0, 0), place_at(cos(angle), sin(angle)), v->problem.A.x,
+                    v->problem.A.y);
+}
+
+/* A box whose origin is moved to a place. */
+static place_box moved(const place_box *b, fourlink_vector to)
+{
+    place_box made;
+
+    made.x_min = b->x_min + to.x;
+    made.x_max = b->x_max + to.x;
+    made.y_min = b->y_min + to.y;
+    made.y_max = b->y_max + to.y;
+    return made;
+}
+
 int moving_draw(moving *x, int k, moving_panel *panel)
 {
-    place_box found = place_nothing;
+    fourlink_vector A = place_of_A(&x->p.v);
+    place_box range = place_nothing;
     display step;
     drawn what;
 
@@ -278,8 +301,11 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     x->p.on.is_bare = 1;
     x->p.on.head = 0;
     x->p.on.turn = geometry_turn(&x->p.v);
-    moving_run(&x->p, what.subject == MECHANISM ? &x->sheet.range : &found, (int)x->steps.n,
-               draw_step, &what);
+    if (what.subject == MECHANISM)
+        range = moved(&x->sheet.range, place_at(-A.x, -A.y));
+    moving_run(&x->p, &range, (int)x->steps.n, draw_step, &what);
+    if (what.subject == MECHANISM)
+        x->sheet.range = moved(&range, A);
     display_close(&step);
     return !memory_has_failed() && panel->list.n_items > 0;
 }

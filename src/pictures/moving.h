@@ -36,7 +36,7 @@ typedef struct moving_steps {
 /* Where the mechanism is drawn. */
 typedef struct moving_sheet {
     double width, height; /* pixels; 0: as in a report, and as high as it needs */
-    place_box range;      /* empty: it is found */
+    place_box range;      /* empty: it is found; on a page, in its axes */
 } moving_sheet;
 
 typedef struct moving_step moving_step;

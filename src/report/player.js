@@ -308,18 +308,17 @@ function draw(data, place, more) {
         panels.forEach((panel, j) => panel.take(branch.panels[j]));
         show(now);
     }
-    /* Take other numbers while something is dragged: of the branch that is shown, the mechanism alone; false if it is
-    ** another mechanism. */
-    function updateBriefly(next) {
+    /* Take other numbers while something is dragged: of the branch that is shown, the mechanism alone, at a row; false if
+    ** it is another mechanism. */
+    function updateBriefly(next, row) {
         const [only] = next.branches;
         if (head(next) !== head(data) || only.panels[0].title !== main.title)
             return false;
         isBrief = true;
-        const i = now / Math.max(1, data.steps.length - 1);
         Object.assign(data, {...next, branches: data.branches});
         branch = only;
         main.take(only.panels[0]);
-        show(Math.round(i * (data.steps.length - 1)));
+        show(row);
         return true;
     }
     /* Take other numbers of the same mechanism; false if it is another one. */

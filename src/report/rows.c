@@ -153,14 +153,15 @@ void rows_close(rows *t)
     free(t->table);
 }
 
-void rows_thin(rows *t, unsigned long stride)
+void rows_thin(rows *t, unsigned long stride, double kept)
 {
     unsigned long i, n = 0;
 
     if (!t->v.problem.over.is_crank_angle)
         return;
-    for (i = 0; i < t->n; i += stride)
-        t->steps[n++] = t->steps[i];
+    for (i = 0; i < t->n; i++)
+        if (i % stride == 0 || t->steps[i] == kept)
+            t->steps[n++] = t->steps[i];
     t->n = n;
 }
 

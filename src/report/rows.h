@@ -28,8 +28,8 @@ int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, 
 
 void rows_close(rows *t);
 
-/* Leave only every so many of the steps, unless they are rows of the deck. */
-void rows_thin(rows *t, unsigned long stride);
+/* Leave only every so many of the steps, and one that is kept, unless they are rows of the deck. */
+void rows_thin(rows *t, unsigned long stride, double kept);
 
 /* Compute a branch. */
 void rows_compute(rows *t, fourlink_branch branch);

@@ -105,14 +105,21 @@ static void put_tracers(line *l, const rows *t)
 
 /* ------------------------------------------------------------------------------------------- synthesis */
 
+static void put_place(line *l, const rows *t, const fourlink_vector *at)
+{
+    line_put(l, "[");
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, at->x), 17);
+    line_put(l, ",");
+    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, at->y), 17);
+    line_put(l, "]");
+}
+
 /* Of a linkage found for positions: where A is in the axes of the task, and the direction of x there. */
 static void put_origin(line *l, const rows *t, const fourlink_solution *x)
 {
-    line_put(l, "{\"origin\":[");
-    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, x->origin.x), 17);
-    line_put(l, ",");
-    json_text_number(l, view_value(&t->v, QUANTITY_LENGTH, x->origin.y), 17);
-    line_put(l, "],\"direction\":");
+    line_put(l, "{\"origin\":");
+    put_place(l, t, &x->origin);
+    line_put(l, ",\"direction\":");
     json_text_number(l, x->direction, 17);
     line_put(l, "}");
 }
@@ -128,6 +135,23 @@ static void put_wanted(line *l, const rows *t)
         line_put(l, "null");
     line_put(l, ",\n");
     free(found);
+}
+
+/* ------------------------------------------------------------------------------------------------ [pins] */
+
+/* Where A is on the page of [pins], and the direction of x of link 1 there. */
+static void put_page(line *l, const rows *t)
+{
+    line_put(l, "\"page\":");
+    if (t->v.problem.has_drawn) {
+        line_put(l, "{\"A\":");
+        put_place(l, t, &t->v.problem.A);
+        line_put(l, ",\"direction\":");
+        json_text_number(l, t->v.problem.x_angle, 17);
+        line_put(l, "},\n");
+    } else {
+        line_put(l, "null,\n");
+    }
 }
 
 /* ----------------------------------------------------------------------------------------------- the rest */
@@ -155,4 +179,5 @@ void interactive_put_scene(line *l, const rows *t)
     put_links(l, t);
     put_tracers(l, t);
     put_wanted(l, t);
+    put_page(l, t);
 }

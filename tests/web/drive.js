@@ -11,6 +11,7 @@ const path = require("node:path");
 const {spawnSync} = require("node:child_process");
 const {open, wait} = require("./browser.js");
 const exercisesOf = require("./exercises.js");
+const pinsOf = require("./pins.js");
 const studioOf = require("./studio.js");
 
 const [page, fourlink, root, folder] = process.argv.slice(2).map((x) => path.resolve(x));
@@ -716,9 +717,8 @@ async function main() {
     await b.size(1280, 900);
     await b.go(address);
     await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
-    const studio = studioOf({check, command, value, text, click, settled, put, saved, load, middle, drag, changes, messages, difference, work, browser: () => b},
-                            root, address);
-    for (const [what, run] of [...studio, ["tables", tryTables], ["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
+    const tools = {check, command, value, text, click, settled, put, saved, load, middle, drag, changes, messages, difference, work, browser: () => b};
+    for (const [what, run] of [...studioOf(tools, root, address), ...pinsOf(tools), ["tables", tryTables], ["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
                                ["exercises", tryExercises], ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
                                ["address", tryAddress], ["examples", tryExamples], ["shares", tryShares], ["curves", tryCurves],
                                ["wanted", tryWanted], ["pasted", tryPasted], ["phone", tryPhone],

@@ -4,9 +4,9 @@
 ** numbers of the deck.
 **
 ** A handle knows where it is, the settings of the text that it changes, and how a place in the plane of the mechanism becomes
-** their values, in the drawing's unit of length.
+** their values, in the drawing's unit of length.  `goAsDrawn` shows the position in which [pins] are given.
 */
-web.handles = function (editor, ask) {
+web.handles = function (editor, ask, goAsDrawn) {
 
 const {svg} = fourlink;
 const add = (p, q) => [p[0] + q[0], p[1] + q[1]], minus = (p, q) => [p[0] - q[0], p[1] - q[1]];
@@ -61,19 +61,23 @@ function points() {
     return centres.concat(tracers);
 }
 
-/* Where loads act.  Nothing is drawn there that has a name: the place follows from the link's axes. */
+/* A handle where nothing is drawn that has a name: the place follows from its numbers and the axes that `frame` finds. */
+function inAxes(handle, link, frame) {
+    const where = () => {
+        const [found] = present(editor.text(), handle), axes = planeOf("A") && found && frame();
+        const local = axes && localOf(editor.text(), found.numbers, link); /* NaN: a unit of a new text is not known yet */
+        return axes && Number.isFinite(size(local)) ? drawing.main.sheetOf(add(axes.origin, turned(local, axes.angle))) : null;
+    };
+    return Object.assign(handle, {link, frame, where});
+}
+
+/* Where loads act. */
 function loads() {
     const text = editor.text();
     return web.text.sections(text).filter((name) => /^load\b/i.test(name)).map((name) => {
         const on = web.text.linkMeant(web.text.value(text, name, "link") || "");
         const link = data.links.find((x) => x.name === on && x.shape !== "block");
-        const handle = {id: name, words: "where " + name + " acts", link, settings: [{section: name, key: "at"}]};
-        handle.frame = () => axesOf(link);
-        handle.where = () => {
-            const numbers = planeOf("A") && web.text.numbers(editor.text(), name, "at"), axes = axesOf(link);
-            return numbers && drawing.main.sheetOf(add(axes.origin, turned(localOf(editor.text(), numbers, link), axes.angle)));
-        };
-        return handle;
+        return inAxes({id: name, words: "where " + name + " acts", settings: [{section: name, key: "at"}]}, link, () => axesOf(link));
     }).filter((handle) => handle.link);
 }
 
@@ -86,6 +90,19 @@ function targets() {
     const isFixed = (key) => /^fixed/.test(web.text.value(editor.text(), "synthesis", key) || "");
     return web.text.pairs(editor.text(), "synthesis", "positions").map((_, k) => inTask("wanted " + (k + 1), "wanted position " + (k + 1), "positions", k))
         .concat([["A", "left"], ["D", "right"]].filter(([, key]) => isFixed(key)).map(([at, key]) => inTask(at, "pivot " + at, key, 0)));
+}
+
+/* What stands in the axes of a page: the places of [pins], and those of points and loads as drawn. */
+function onPage() {
+    if (!data.page)
+        return [];
+    const frame = () => ({angle: -data.page.direction, origin: turned(times(-1, data.page.A), -data.page.direction)});
+    const make = (id, words, section, key, index) => inAxes({id, words, isOnPage: true, settings: [{section, key, index}]}, {}, frame);
+    const pins = ["A", "B", "C", "D"].map((pin) => make(pin, "pin " + pin, "pins", pin));
+    const guide = [0, 1].map((k) => make("guide " + (k + 1), "the guide", "pins", "guide", k));
+    const places = web.text.sections(editor.text()).flatMap((section) => ["place", "to_place", "cg_place"].map((key) => (
+        make(section + " " + key, key + " of " + section, section, key))));
+    return [...pins, ...guide, ...places];
 }
 
 /* The origin of a link's own axes, and the direction of its x axis where the point does not show it. */
@@ -178,6 +195,7 @@ function changed(text, handle, frame, p) {
 
 /* ------------------------------------------------------------------------------------------------ to drag them */
 
+const nameOf = (handle) => handle.id || handle.at;
 const placeOf = (handle) => handle.where ? handle.where() : drawing.main.place(handle.at);
 
 function place(handle) {
@@ -190,14 +208,20 @@ function place(handle) {
         }
 }
 
+/* Returns what tells the axes while the handle is pulled: a page stays, whatever becomes of link 1. */
 function begin(handle) {
     const found = present(editor.text(), handle);
     editor.close();
-    return handle.link && found.length ? frameOf(editor.text(), handle, found[0].numbers) : null;
+    if (handle.isOnPage) {
+        goAsDrawn();
+        return handle.frame;
+    }
+    const frame = handle.link && found.length ? frameOf(editor.text(), handle, found[0].numbers) : null;
+    return () => frame;
 }
 
 function pull(handle, frame, at) {
-    editor.put(changed(editor.text(), handle, frame, drawing.main.planeOf(at)), "drag");
+    editor.put(changed(editor.text(), handle, frame(), drawing.main.planeOf(at)), "drag");
 }
 
 function listen(handle) {
@@ -234,7 +258,7 @@ function release(event) {
 }
 let released = () => {};
 
-const everything = () => [...pins(), ...points(), ...loads(), ...targets()];
+const everything = () => [...pins(), ...points(), ...loads(), ...targets(), ...onPage()];
 
 function make() {
     group.replaceChildren();
@@ -245,9 +269,11 @@ function make() {
         const found = present(editor.text(), handle);
         return found.length && found.some((x) => x.numbers.every(factorOf));
     });
+    const isFirst = (handle, k) => handles.findIndex((x) => nameOf(x) === nameOf(handle)) === k; /* lengths before a rough drawing */
+    handles = handles.filter(isFirst);
     for (const handle of handles) {
         const names = present(editor.text(), handle).map((x) => x.setting.section + "." + x.setting.key).join(", ");
-        handle.mark = svg("g", {class: "knob", tabindex: 0, role: "button", "data-knob": handle.id || handle.at,
+        handle.mark = svg("g", {class: "knob", tabindex: 0, role: "button", "data-knob": nameOf(handle),
                                 "aria-label": "Move " + handle.words + ": changes " + names + "; arrow keys move it"},
                           svg("circle", {r: 17, class: "reach"}), svg("circle", {r: 8, class: "ring"}));
         group.append(handle.mark);

@@ -21,7 +21,11 @@ const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
     follow();
     evaluate();
 });
-const handles = web.handles(editor, program.ask);
+const handles = web.handles(editor, program.ask, () => {
+    controls.stop();
+    if (data.over === "theta2")
+        controls.go(data.start);
+});
 const zoom = web.zoom(find, () => handles.show());
 const controls = fourlink.controls((id) => find("fourlink-" + id), (i) => {
     handles.show();
@@ -106,8 +110,10 @@ function showMessages(list, more, others) {
     place.append(...others.map((words) => html("li", {class: "page"}, words)));
 }
 
-/* The step of the next drawing that is nearest to what is now shown. */
+/* The step of the next drawing that is nearest to what is now shown; as drawn it stays as drawn. */
 function sameRow(next) {
+    if (next.page && data && drawing && drawing.row() === data.start)
+        return next.start;
     return data && drawing && data.over === next.over ? views.nearestStep(next, data.steps[drawing.row()]) : next.start;
 }
 
@@ -127,8 +133,8 @@ function take(answer) {
         const row = fresh || (deck.instant && deck.from !== instant) ? next.start : sameRow(next);
         instant = deck.instant ? deck.from : null;
         if (handles.isHeld()) {
-            if (drawing.updateBriefly(next)) /* what is held stays, whatever becomes of the linkage */
-                controls.renew(drawing.row());
+            if (drawing.updateBriefly(next, row)) /* what is held stays, whatever becomes of the linkage */
+                controls.renew(row);
         } else if (drawing && drawing.update(next)) {
             controls.renew(row);
         } else {

@@ -34,7 +34,7 @@ function find(text, section, key) {
         const setting = /^(\s*([^=\s]+)\s*=\s*)(.*?)\s*$/.exec(words);
         if (head)
             now = head[1].toLowerCase().replace(/\s+/g, " ").trim();
-        else if ((now === wanted || links[now] === wanted) && setting && setting[2].toLowerCase() === key && setting[3])
+        else if ((now === wanted || links[now] === wanted) && setting && setting[2].toLowerCase() === key.toLowerCase() && setting[3])
             return {from: at + setting[1].length, to: at + setting[1].length + setting[3].length};
         at += line.length + 1;
     }
