@@ -161,6 +161,7 @@ module fourlink
     integer(c_long) :: synthesis = 0
     integer(c_int) :: whole_cycle = 0
     integer(c_long) :: effort = 0
+    type(c_ptr) :: near = c_null_ptr
   end type fourlink_source
 
   ! Results by name.  Results themselves are a type(c_ptr).

@@ -176,6 +176,8 @@ typedef struct fourlink_source {
                              acceleration at every row */
     unsigned long effort; /* a search of [synthesis] from many starts has so many times the usual
                              number of them; 0: once */
+    const struct fourlink_solution *near; /* it starts from this linkage alone, found for as many
+                             positions; null: from many starts */
 } fourlink_source;
 
 /* A deck opened for results; it owns all memory that columns, searches and lists need. */

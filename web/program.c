@@ -6,6 +6,7 @@
 ** web_answer says.  One deck is open at a time.
 */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,8 @@
 #define MOST_MISTAKES 100
 #define CURVE_DIGITS 12
 #define HELD_STRIDE 4 /* from step to step of a drawing in which something is dragged */
+#define SOLUTIONS 10  /* of a search, that are kept */
+#define ALIKE 0.05    /* a linkage that is found again, in parts of its size */
 #define WIDTH 520     /* of the mechanism and of a curve alone, which stand beside each other */
 
 int web_main(int argc, char **argv); /* of src/command/main.c */
@@ -38,8 +41,9 @@ static size_t answer_length;
 static FILE *out; /* into `answer` */
 static line l;    /* into `out` */
 static fourlink_source source;
-static view v;          /* of the deck; its results are null if it has mistakes */
-static double *numbers; /* of web_rows */
+static view v;                   /* of the deck; its results are null if it has mistakes */
+static fourlink_solution *shown; /* of its [synthesis], before something was pulled; or null */
+static double *numbers;          /* of web_rows */
 
 /* Room for a text of this length; null if there is none. */
 CALLED(web_room) char *web_room(unsigned long length)
@@ -208,6 +212,7 @@ static void put_deck(void)
     put_number("instant", (unsigned long)v.problem.one_instant);
     put_number("designs", v.problem.n_designs);
     put_number("design", v.problem.design + 1);
+    put_number("solution", source.synthesis);
     put_number("expected", v.problem.n_expected);
     line_put(&l, ",\"from\":");
     json_text_number(&l, v.problem.motion.from, 17);
@@ -221,17 +226,82 @@ static void put_deck(void)
     put_names("all", FOURLINK_ALL_COLUMNS);
 }
 
+/* What a deck is opened after, by the numbers of worker.js: of its [synthesis] the linkage that was shown is followed
+** while something is held, and found among all when it is let go. */
+enum { AS_WRITTEN, WHILE_HELD, WHEN_LET_GO };
+
+/* Remember the linkage that is shown. */
+static void take_shown(int after)
+{
+    fourlink_solution *found = NULL;
+
+    if (after == AS_WRITTEN || !v.results || !view_find_solution(v.deck, &found) || !found)
+        return;
+    free(shown);
+    shown = found;
+}
+
+/* How much lengths and place of a linkage differ from those that were shown, in parts of its size. */
+static double difference(const fourlink_solution *x)
+{
+    double most = gsl_hypot(x->origin.x - shown->origin.x, x->origin.y - shown->origin.y), size = 0;
+    int i;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        size = GSL_MAX_DBL(size, shown->design.link[i].length);
+        most = GSL_MAX_DBL(most, fabs(x->design.link[i].length - shown->design.link[i].length));
+    }
+    return x->branch == shown->branch ? most / size : GSL_POSINF;
+}
+
+/* The number, from 1, of the linkage that was shown among those that are found now; 1 if it is none of them. */
+static unsigned long number_of_shown(const fourlink_deck *found)
+{
+    fourlink_solution *list = memory_get(SOLUTIONS, sizeof *list);
+    unsigned long chosen, n, i, best = 0;
+
+    if (!list || fourlink_deck_solutions(found, SOLUTIONS, list, &chosen, &n) != FOURLINK_OK)
+        n = 0;
+    n = n < SOLUTIONS ? n : SOLUTIONS;
+    for (i = 1; i < n; i++)
+        if (difference(&list[i]) < difference(&list[best]))
+            best = i;
+    if (n && !(difference(&list[best]) <= ALIKE))
+        best = 0;
+    free(list);
+    return best + 1;
+}
+
+/* Open `source`; when something is let go, with the linkage that was followed. */
+static int open_source(int after, fourlink_results **results, fourlink_mistake *list,
+                       unsigned long *n)
+{
+    int status;
+
+    source.near = after == WHILE_HELD ? shown : NULL;
+    status = results_open(&source, MOST_MISTAKES, results, list, n);
+    source.near = NULL;
+    if (status != FOURLINK_OK || after != WHEN_LET_GO || !shown)
+        return status;
+    source.synthesis = number_of_shown(fourlink_results_deck(*results));
+    if (source.synthesis == 1)
+        return status;
+    fourlink_results_free(*results);
+    return results_open(&source, MOST_MISTAKES, results, list, n);
+}
+
 /* Open the deck whose name, of this length and with its final zero, and whose text are in the room, with a
 ** solution of its [synthesis], from 1.  Answers with its messages and, if it has no mistakes, what there is to
 ** see.  Returns a status. */
 CALLED(web_open)
-int web_open(unsigned long name_length, unsigned long length, unsigned long solution)
+int web_open(unsigned long name_length, unsigned long length, unsigned long solution, int after)
 {
     fourlink_mistake *list = begin(MOST_MISTAKES, sizeof *list);
     unsigned long n = 0;
     fourlink_results *results = NULL;
     int status = FOURLINK_NO_MEMORY;
 
+    take_shown(after);
     fourlink_results_free(v.results);
     v.results = NULL;
     free(deck);
@@ -245,7 +315,7 @@ int web_open(unsigned long name_length, unsigned long length, unsigned long solu
     source.synthesis = solution;
     source.deck_units = 1;
     if (list)
-        status = results_open(&source, MOST_MISTAKES, &results, list, &n);
+        status = open_source(after, &results, list, &n);
     if (status == FOURLINK_OK) {
         view_take(&v, results);
         source.design = v.problem.design;

@@ -75,10 +75,10 @@ function textAt(place, of = program) {
 
 const tasks = {
     /* Open a deck; with its drawing if there is one, `brief`: of the mechanism alone. */
-    open({name, text, at, branch, held, brief, solution}) {
+    open({name, text, at, branch, held, letGo, brief, solution}) {
         isOpen = false;
         const [nameLength, length] = give([name, text]);
-        const status = program.web_open(nameLength, length - 1, solution || 1);
+        const status = program.web_open(nameLength, length - 1, solution || 1, held ? 1 : letGo ? 2 : 0);
         const tellsWhy = status === 36 || status >= 52 && status <= 57; /* mistakes; there is no linkage */
         if (status !== 0 && !tellsWhy)
             throw new Error(textAt(program.web_status_text(status)));

@@ -1760,6 +1760,8 @@ typedef struct fourlink_points_task {
     double shortest, longest;    /* m, bounds of the links' lengths; 0: any */
     double length_ratio;         /* 1, of the longest link to the shortest at most; 0: any */
     unsigned long effort;        /* so many times the usual number of starts; 0: once */
+    const struct fourlink_solution *near; /* the only start, a linkage for as many positions; null:
+                                             many starts */
 } fourlink_points_task;
 
 /* The stroke that is the slow one. */

@@ -294,6 +294,7 @@ int flk_task_points(parser *p)
     task->any_order = flk_task_find(p, KEY_SYNTHESIS_ORDER)->word;
     task->mu_min = IS_SET(mu_min) ? t->mu_min : 0;
     task->effort = p->d->effort;
+    task->near = p->d->near;
     if (task->mu_min >= M_PI_2)
         return flk_mistake(p->mistakes, mu_min->place,
                            "a transmission angle is at most 90 deg: expected less, such as 40 deg");

@@ -214,9 +214,10 @@ struct fourlink_deck {
     deck_sweep sweep;
     unsigned long solution; /* the solution of [synthesis] that is asked for, from 1; 0: none */
     unsigned long effort;   /* how many times the usual starts a search has; 0: once */
-    struct deck_synthesis *synthesis;    /* its task, and what was found; null: there is none */
-    const struct deck_synthesis *solved; /* the same task, solved before; null: it was not */
-    int solver;                          /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
+    const struct fourlink_solution *near; /* its only start, while the deck is read; or null */
+    struct deck_synthesis *synthesis;     /* its task, and what was found; null: there is none */
+    const struct deck_synthesis *solved;  /* the same task, solved before; null: it was not */
+    int solver;                           /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
     int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;

@@ -232,8 +232,10 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     flk_deck_start(d);
     d->solution = source->synthesis;
     d->effort = source->effort;
+    d->near = source->near;
     d->settings = read_text(d, source, 0);
     status = build_from(d, d->settings, source->design, NULL, 0);
+    d->near = NULL;
     if (!source->answers || status != 1)
         return status;
     d->answers = read_text(d, source, 1);

@@ -337,6 +337,17 @@ static int set_start(search *s, unsigned long number)
     return ok;
 }
 
+/* Start from a linkage that was found before; 0 if it is none of this task. */
+static int set_near(search *s)
+{
+    const fourlink_solution *near = s->task->near;
+
+    flk_trial_from(&s->points, near, &s->trial);
+    set_pivots(s, near->is_swapped);
+    set_shape_bounds(&s->points, s->trial.turns_fully, s->trial.x[FLK_SHAPE] > 1);
+    return s->trial.turns_fully || s->task->may_rock;
+}
+
 /* ----------------------------------------------------------------------------------- the linkages */
 
 /* The linkage of a trial, with its checks.  FOURLINK_OK, or there is none. */
@@ -512,13 +523,17 @@ static void run(search *s)
 {
     unsigned long number, n;
     flk_trial *at;
+    int is_near;
 
     pick_few(s);
-    s->n_starts = STARTS * (s->task->effort ? s->task->effort : 1);
+    is_near = s->task->near && s->task->near->design.kind == s->points.kind &&
+              (unsigned long)s->task->near->n_positions == s->points.n;
+    s->n_starts = is_near ? 1 : STARTS * (s->task->effort ? s->task->effort : 1);
     for (number = 0; number < s->n_starts; number++) {
-        if (!set_start(s, number))
+        if (!(is_near ? set_near(s) : set_start(s, number)))
             continue;
-        descend_roughly(s);
+        if (!is_near)
+            descend_roughly(s);
         if (!(s->trial.sum < promising(s)))
             continue;
         flk_descend(&s->points, &s->trial, CLOSE_STEPS, CLOSELY);

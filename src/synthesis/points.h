@@ -70,6 +70,9 @@ typedef struct flk_pose {
 /* The shape of a trial (trace.c). */
 void flk_shape_of(const flk_points *p, const flk_trial *at, flk_shape *shape);
 
+/* The shape and the linkage of a trial, from a solution for the same number of points (trace.c). */
+void flk_trial_from(const flk_points *p, const fourlink_solution *from, flk_trial *at);
+
 /* The pose at a crank angle; 0 if the linkage does not reach it (trace.c). */
 int flk_pose_at(const flk_shape *shape, double theta2, flk_pose *pose);
 

@@ -68,6 +68,47 @@ void flk_shape_of(const flk_points *p, const flk_trial *at, flk_shape *shape)
     }
 }
 
+/* The numbers of a shape with these ratios: of a crank that turns fully, where they are in its box. */
+static void find_shape(const flk_points *p, const double ratio[3], flk_trial *at)
+{
+    double *s = &at->x[FLK_SHAPE], difference = fabs(ratio[0] - 1), s2, s3;
+    int is_slider = p->kind == FOURLINK_SLIDER_CRANK;
+
+    s2 = (is_slider ? ratio[1] : ratio[1] - ratio[2]) / difference;
+    s3 = is_slider ? 0 : ratio[1] + ratio[2] - 1 - ratio[0];
+    at->turns_fully = difference > 0 && fabs(s2) <= 1 && s3 >= 0 && !(is_slider && ratio[0] > 1);
+    s[0] = ratio[0];
+    s[1] = at->turns_fully ? s2 : ratio[1];
+    s[2] = at->turns_fully ? s3 : ratio[2];
+}
+
+void flk_trial_from(const flk_points *p, const fourlink_solution *from, flk_trial *at)
+{
+    const fourlink_link *link = from->design.link;
+    int is_slider = p->kind == FOURLINK_SLIDER_CRANK;
+    double unit = link[is_slider ? FOURLINK_COUPLER : FOURLINK_GROUND].length, ratio[3];
+    unsigned long j;
+
+    memset(at, 0, sizeof *at);
+    ratio[0] = link[FOURLINK_CRANK].length / unit;
+    ratio[1] = (is_slider ? from->design.offset : link[FOURLINK_COUPLER].length) / unit;
+    ratio[2] = is_slider ? 0 : link[FOURLINK_FOLLOWER].length / unit;
+    find_shape(p, ratio, at);
+    at->x[FLK_AX] = (from->origin.x - p->centre.x) / p->size;
+    at->x[FLK_AY] = (from->origin.y - p->centre.y) / p->size;
+    at->x[FLK_DX] = at->x[FLK_AX] + unit / p->size * cos(from->direction);
+    at->x[FLK_DY] = at->x[FLK_AY] + unit / p->size * sin(from->direction);
+    at->x[FLK_QX] = from->point.x / unit;
+    at->x[FLK_QY] = from->point.y / unit;
+    at->sign = from->branch == FOURLINK_OPEN ? 1 : -1;
+    for (j = 0; j < p->n; j++)
+        at->theta2[j] = from->position[j].theta2;
+    at->sense = p->has_timing && p->timing[1] * (at->theta2[1] - at->theta2[0]) < 0 ? -1 : 1;
+    at->x[FLK_START] = p->has_timing ? at->theta2[0] : 0;
+    at->x[FLK_ATTITUDE] =
+        p->has_angle ? from->position[0].theta3 + from->direction - p->angle[0] : 0;
+}
+
 static double away_from_zero(double x)
 {
     return fabs(x) > LEAST ? x : x < 0 ? -LEAST : LEAST;

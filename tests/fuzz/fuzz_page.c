@@ -14,7 +14,7 @@
 char *web_room(unsigned long length);
 const char *web_answer(void);
 unsigned long web_answer_length(void);
-int web_open(unsigned long name_length, unsigned long length, unsigned long solution);
+int web_open(unsigned long name_length, unsigned long length, unsigned long solution, int after);
 int web_scene(int branch, double at, int wanted);
 int web_curve(void);
 const double *web_rows(int branch, unsigned long first, unsigned long n);
@@ -56,7 +56,7 @@ static int open_deck(part deck, unsigned long solution)
     memcpy(both + sizeof NAME, deck.text, deck.length);
     give(both, sizeof NAME + deck.length);
     free(both);
-    status = web_open(sizeof NAME, (unsigned long)deck.length, solution);
+    status = web_open(sizeof NAME, (unsigned long)deck.length, solution, (int)(deck.length % 3));
     if (status != FOURLINK_NO_MEMORY) /* of a large deck; see small.c */
         take_answer();
     return status == FOURLINK_OK;

@@ -217,7 +217,11 @@ static void draw(uint64_t *state, int n, double noise, fourlink_solution *s, fou
     for (int j = 0; j < n; j++)
         size += cabs(z[j] - centre) * cabs(z[j] - centre) / n;
     s->rms = sqrt(size);
+    s->n_positions = n;
+    s->origin = (fourlink_vector){3, -2};
+    s->direction = carg(axes);
     for (int j = 0; j < n; j++) {
+        s->position[j].theta2 = from + turn * j / (n - 1);
         z[j] += noise * s->rms * (uniform(state, -1, 1) + I * uniform(state, -1, 1));
         z[j] = 3 - 2 * I + axes * z[j];
         at[j] = (fourlink_vector){creal(z[j]), cimag(z[j])};
@@ -253,6 +257,62 @@ TEST(random_linkages_are_found_again)
     }
     print_message("%d of %d linkages found again\n", n_found, n_random);
     assert_true(n_found >= n_random - n_random / 50);
+}
+
+/* ------------------------------------------------------------------------------- from one linkage */
+
+static double sum_beside(const fourlink_points_task *t, const fourlink_solution *s,
+                         const fourlink_solution *angles);
+static double attitude(const fourlink_solution *s, double theta2);
+
+/* A point of a linkage is pulled away in steps: from the linkage of each step the next is found, which is the same where
+** nothing has moved, and fits better than the one before it does where it has. */
+TEST(a_point_is_pulled)
+{
+    uint64_t state = 86;
+    int n_lost = 0, n_steps = 0, tries = 10 * n_random;
+
+    for (int k = 0; k < tries; k++) {
+        int n = (int)uniform(&state, 5, 31), moved = (int)uniform(&state, 0, n);
+        fourlink_vector at[MOST], way = {uniform(&state, -1, 1), uniform(&state, -1, 1)};
+        double timing[MOST], angle[MOST], before;
+        fourlink_solution *near = &again[0];
+        fourlink_points_task t = {
+            .kind = FOURLINK_FOUR_BAR, .n = (unsigned long)n, .point = at, .near = near};
+        unsigned long found_n;
+
+        draw(&state, n, 0, near, at, timing);
+        t.timing = k % 2 ? timing : NULL;
+        t.angle = k % 3 == 2 ? angle : NULL;
+        for (int j = 0; j < n; j++) {
+            near->position[j].theta3 = attitude(near, near->position[j].theta2);
+            angle[j] = near->position[j].theta3 + near->direction;
+        }
+        for (int step = 0; step < 6; step++) {
+            int status = fourlink_synthesis_points(&t, 1, found, &found_n);
+
+            if (status != FOURLINK_OK) { /* beyond a change point, or as good as dead */
+                assert_int_equal(status, FOURLINK_NONE_FOUND);
+                n_lost++;
+                break;
+            }
+            assert_true(found_n == 1 && found[0].starts == 1);
+            if (!t.angle)
+                walk(&t, &found[0]);
+            if (step == 0)
+                for (int i = 1; i <= 4; i++)
+                    assert_near(length_of(&found[0], i), length_of(near, i), 1e-5 * size_of(near));
+            before = sum_beside(&t, near, near);
+            if (!t.timing && !t.angle)
+                assert_true(found[0].sum <= before * (1 + 1e-6) + 1e-18);
+            n_steps++;
+            *near = found[0];
+            at[moved].x += 0.01 * way.x * size_of(near);
+            at[moved].y += 0.01 * way.y * size_of(near);
+        }
+    }
+    print_message("%d points pulled, %d steps, %d lost\n", tries, n_steps, n_lost);
+    assert_true(n_lost <= tries / 5);
 }
 
 /* ------------------------------------------------------------------------------- bounds of lengths */
@@ -417,6 +477,16 @@ TEST(slider_crank)
     assert_near(length_of(&found[0], 2), 0.5, 1e-7);
     assert_near(length_of(&found[0], 3), 1.6, 1e-7);
     assert_near(fabs(found[0].design.offset), 0.3, 1e-7);
+    again[0] = found[0];
+    t.near = &again[0];
+    at[7].x += 0.05; /* pulled away, and back */
+    assert_true(search(&t) <= 0.05 * 0.05);
+    assert_int_equal(found[0].starts, 1);
+    assert_true(fabs(length_of(&found[0], 3) - 1.6) > 1e-4);
+    again[0] = found[0];
+    at[7].x -= 0.05;
+    assert_true(search(&t) < 1e-20);
+    assert_near(length_of(&found[0], 3), 1.6, 1e-7);
 }
 
 /* The angle of the coupler in the linkage's frame, from two of its points. */
@@ -567,6 +637,29 @@ TEST(wild_points)
                             p->error, 1e-6 * size_of(&found[i]));
             }
         }
+    }
+}
+
+/* A start that is no linkage leads to none. */
+TEST(wild_starts)
+{
+    static const double wild[] = {0, NAN, -1, 1e300, INFINITY, 1e-300};
+    fourlink_solution *near = &again[0];
+    fourlink_points_task t = {.kind = FOURLINK_FOUR_BAR, .n = 18, .point = eighteen, .near = near};
+    unsigned long n;
+
+    for (int k = 0; k < (int)COUNT(wild) * 4; k++) {
+        int status;
+
+        memset(near, 0, sizeof *near);
+        near->n_positions = 18;
+        near->design.kind = FOURLINK_FOUR_BAR;
+        for (int i = 1; i <= 4; i++)
+            near->design.link[i].length = i == 1 + k % 4 ? wild[k / 4] : 1;
+        near->origin.x = near->position[3].theta2 = wild[k / 4];
+        status = fourlink_synthesis_points(&t, COUNT(found), found, &n);
+        assert_true(status == FOURLINK_NONE_FOUND ||
+                    (status == FOURLINK_OK && is_sound(&found[0])));
     }
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** pins.js - for drive.js: pins by their places on a page are dragged.
+** pins.js - for drive.js: pins by their places on a page are dragged, and points that a linkage passes.
 **
 ** The places of two other knobs, in the deck and on the screen, tell where a place of the page is on the screen.
 */
@@ -35,7 +35,7 @@ const decks = {
         knobs: ["B", "C"]}
 };
 
-module.exports = function ({check, value, text, click, settled, put, middle, drag, changes, messages, browser}) {
+module.exports = function ({check, command, value, text, click, settled, put, middle, drag, changes, messages, browser}) {
     /* Where knobs are, [x, y] in pixels, by name. */
     async function knobs(names) {
         const places = {};
@@ -106,5 +106,35 @@ module.exports = function ({check, value, text, click, settled, put, middle, dra
         check("a rough drawing keeps its pins: " + JSON.stringify(made), made && made.length === 1 && /^length = 22/.test(made[0][0]));
         await click("change");
     }
-    return [["pins", tryPins]];
+    /* The linkage goes with its points: it is alike while one of ten is pulled by a little, and when it is let go. */
+    async function tryPath() {
+        const curve = command("curve.deck", "mechanism = four-bar\n[ground]\nlength = 60 mm\n[crank]\nlength = 25 mm\n[coupler]\nlength = 70 mm\n" +
+            "[rocker]\nlength = 55 mm\n[point P]\nlink = coupler\nat = (35, 40) mm\n[motion]\nspeed = 60 rpm\nto = 270 deg\ninterval = 30 deg\n",
+            "--branch=open", "--columns=P.x,P.y", "--format=csv").out.trim().split(/\r?\n/).slice(1).map((row) => row.split(",").slice(1, 3).map(Number));
+        const points = curve.map(([x, y]) => "(" + (1000 * x).toFixed(2) + ", " + (1000 * y).toFixed(2) + ") mm").join(", ");
+        await click("change");
+        await put("path.deck", "title = path\nmechanism = four-bar\n\n[synthesis]\ntask = path\npositions = " + points +
+                  "\ntiming = " + Array.from({length: 9}, (_, k) => 30 * (k + 1) + " deg").join(", ") + "\n" + rows);
+        const shape = async () => {
+            const [A, D, P, Q] = [await middle(`.panel.whole circle[data-name="A"]`), await middle(`.panel.whole circle[data-name="D"]`),
+                                  ...Object.values(await knobs(["wanted 1", "wanted 8"]))];
+            return [far(A, D) / far(P, Q), far(A, P) / far(P, Q)];
+        };
+        const before = await shape(), deck = await value("deck"), {"wanted 3": at} = await knobs(["wanted 3"]);
+        const isAlike = (now) => now.every((x, k) => Math.abs(x - before[k]) < 0.05 * before[k]);
+        await browser().mouse("mousePressed", ...at);
+        for (let k = 1; k <= 4; k++) {
+            await browser().mouse("mouseMoved", at[0] + k, at[1]);
+            await settled();
+            check("the linkage goes with its points: " + await shape() + ", before " + before, isAlike(await shape()));
+        }
+        await browser().mouse("mouseReleased", at[0] + 4, at[1]);
+        await settled();
+        check("it is found again: " + await shape(), isAlike(await shape()));
+        const made = changes(deck, await value("deck"));
+        check("the third point moves: " + JSON.stringify(made), made && made.length === 1 &&
+              made[0][1].split("(").filter((x, i) => x !== made[0][0].split("(")[i]).length === 1);
+        await click("change");
+    }
+    return [["pins", tryPins], ["path", tryPath]];
 };

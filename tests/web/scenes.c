@@ -68,7 +68,7 @@ int main(int argc, char **argv)
     memcpy(room, argv[1], name);
     memcpy(room + name, text, length + 1);
     free(text);
-    if (web_open(name, length, 1) != FOURLINK_OK || !web_scene(0, v.problem.motion.from, 0)) {
+    if (web_open(name, length, 1, 0) != FOURLINK_OK || !web_scene(0, v.problem.motion.from, 0)) {
         fprintf(stderr, "%s", web_answer() ? web_answer() : "nothing");
         return 1;
     }

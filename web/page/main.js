@@ -11,6 +11,7 @@ const MOST_TEXT = 1e5, LARGEST = 64e6, MOST_ROWS = 100000;
 const TOO_LARGE = "larger than 100 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
 let instant = null, fresh = true; /* a new deck begins at its own crank angle */
+let wasHeld = false; /* when the deck was opened last */
 let solution = 1, textOfSolution = null; /* of its [synthesis], and the text whose solution was chosen */
 let startAt = null; /* the crank angle at which a linkage was drawn */
 let drawnDeck = ""; /* the kind and title of what was drawn last */
@@ -179,13 +180,17 @@ async function evaluate() {
     }
     working = true;
     again = false;
-    if (handles.isHeld())
+    const held = handles.isHeld(), letGo = wasHeld && !held;
+    if (held)
         textOfSolution = text;
     else if (text !== textOfSolution)
         solution = 1;
+    wasHeld = held;
     try {
-        const answer = await program.ask("open", {name, text, held: handles.isHeld(), branch: handles.isHeld() ? views.branch().number : 0, brief: !views.isOpen("diagrams"),
-                                                  solution});
+        const answer = await program.ask("open", {name, text, held, letGo, branch: held ? views.branch().number : 0, brief: !views.isOpen("diagrams"),
+                                                  solution: held || letGo ? 1 : solution});
+        if (letGo)
+            solution = answer.deck.solution || 1;
         take(answer);
         fresh = false;
         if (!deck.usable && solution > 1) { /* there may be fewer than before */

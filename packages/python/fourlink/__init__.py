@@ -60,7 +60,8 @@ class _Source(c.Structure):
                 ("host", c.c_void_p), ("changes", c.POINTER(_Change)), ("n_changes", c.c_ulong),
                 ("answers_name", c.c_char_p), ("answers", c.c_char_p), ("answers_length", c.c_ulong),
                 ("design", c.c_ulong), ("units", c.c_char_p), ("deck_units", c.c_int),
-                ("synthesis", c.c_ulong), ("whole_cycle", c.c_int)]
+                ("synthesis", c.c_ulong), ("whole_cycle", c.c_int),
+                ("effort", c.c_ulong), ("near", c.c_void_p)]
 
 
 class _Value(c.Structure):

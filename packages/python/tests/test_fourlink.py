@@ -3,6 +3,7 @@
 FOURLINK is the command, the library that of the installed package, or FOURLINK_LIBRARY."""
 import copy
 import csv
+import ctypes
 import inspect
 import io
 import math
@@ -10,6 +11,7 @@ import multiprocessing
 import os
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import threading
@@ -452,6 +454,18 @@ def test_random_numbers_against_the_command():
         assert math.isclose(r["max(Ts)"], expected, rel_tol=1e-12), (name, text)
         set_ += 1
     assert set_ > 200 and set_ + refused == 300
+
+
+def test_structures(tmp_path):
+    """The structures that are passed to the library have the sizes of its header."""
+    compiler = shutil.which("cc") or shutil.which("gcc")
+    if not compiler:
+        pytest.skip("there is no compiler of C")
+    subprocess.run([compiler, "-I", TOP / "include", TOP / "tests/consumers/sizes.c", "-o", tmp_path / "sizes"], check=True)
+    printed = subprocess.run([tmp_path / "sizes"], check=True, capture_output=True, text=True).stdout
+    sizes = {name: int(size) for name, size in (line.split() for line in printed.splitlines())}
+    for name in "Mistake", "Change", "Source", "Value":
+        assert ctypes.sizeof(getattr(fourlink, "_" + name)) == sizes["fourlink_" + name.lower()], name
 
 
 def test_documents(monkeypatch):
