@@ -62,7 +62,7 @@ typedef struct search {
     double share[FOURLINK_POSITIONS_MAX]; /* of the path, 0 to 1 */
     double closed;                        /* the share of a turn that a closed path has */
     flk_trial trial;
-    fourlink_solution checked;
+    fourlink_solution checked, near;
     candidate kept[KEPT], rough[KEPT]; /* at last, and before they descend fully */
     unsigned long n_kept, n_starts;
     int is_swapped;
@@ -263,7 +263,7 @@ static void descend_roughly(search *s)
 /* -------------------------------------------------------------------------------------- the starts */
 
 /* Halton's number i of a base: the digits of i behind the point, in reverse. */
-static double halton(unsigned long i, unsigned long base)
+double flk_halton(unsigned long i, unsigned long base)
 {
     double digit = 1, number = 0;
 
@@ -277,7 +277,8 @@ static double halton(unsigned long i, unsigned long base)
 /* The shape of start i. */
 static void set_shape(search *s, unsigned long i)
 {
-    double u = halton(i, 2), v = halton(i, 3), w = halton(i, 5), *shape = &s->trial.x[FLK_SHAPE];
+    double u = flk_halton(i, 2), v = flk_halton(i, 3), w = flk_halton(i, 5),
+           *shape = &s->trial.x[FLK_SHAPE];
     int slides = s->points.kind == FOURLINK_SLIDER_CRANK, fully = s->trial.turns_fully;
     int is_double_crank = fully && !slides && u > 0.75;
 
@@ -302,14 +303,14 @@ static void place_pivots(search *s, unsigned long i)
 
     for (k = 0; k < 4; k++)
         if (p->low[k] > -FAR)
-            p->low[k] = p->high[k] = p->low[k] + halton(i, bases[k]) * (p->high[k] - p->low[k]);
+            p->low[k] = p->high[k] = p->low[k] + flk_halton(i, bases[k]) * (p->high[k] - p->low[k]);
 }
 
 /* Crank angles of the positions: with timing given ones; else as the path goes on, over a part of a turn, or
 ** over as much as a closed path leaves. */
 static void set_angles(search *s, unsigned long i, int sense)
 {
-    double first = 2 * M_PI * halton(i, 7), u = halton(i, 11), turn;
+    double first = 2 * M_PI * flk_halton(i, 7), u = flk_halton(i, 11), turn;
     unsigned long j;
 
     turn = 2 * M_PI * sense * (u < 0.4 ? s->closed : 0.1 + 0.9 * (u - 0.4) / 0.6);
@@ -338,14 +339,23 @@ static int set_start(search *s, unsigned long number)
 }
 
 /* Start from a linkage that was found before; 0 if it is none of this task. */
-static int set_near(search *s)
+static int set_near(search *s, const fourlink_solution *near)
 {
-    const fourlink_solution *near = s->task->near;
-
     flk_trial_from(&s->points, near, &s->trial);
     set_pivots(s, near->is_swapped);
     set_shape_bounds(&s->points, s->trial.turns_fully, s->trial.x[FLK_SHAPE] > 1);
     return s->trial.turns_fully || s->task->may_rock;
+}
+
+/* 1 if the pivots of the trial are where the task allows them. */
+static int is_inside(const search *s)
+{
+    int k;
+
+    for (k = FLK_AX; k <= FLK_DY; k++)
+        if (!(s->trial.x[k] >= s->points.low[k] && s->trial.x[k] <= s->points.high[k]))
+            return 0;
+    return 1;
 }
 
 /* ----------------------------------------------------------------------------------- the linkages */
@@ -509,6 +519,27 @@ static double promising(const search *s)
     return PROMISING * GSL_MAX_DBL(s->kept[last - 1].trial.sum, EXACT * (double)s->points.n);
 }
 
+/* Five poses: keep the linkages that meet them exactly. */
+static void keep_exact(search *s)
+{
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    double links[FLK_LINKS][4];
+    int n = flk_burmester(&s->points, links), i, j, k, both;
+
+    both = s->task->left.is_given && s->task->right.is_given;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++)
+            for (k = 0; k < 2 * (1 + both) && i != j; k++) {
+                flk_burmester_linkage(&s->points, links[i], links[j], &s->near);
+                s->near.branch = branches[k % 2];
+                s->near.is_swapped = k > 1;
+                if (!set_near(s, &s->near) || !is_inside(s))
+                    continue;
+                flk_descend(&s->points, &s->trial, CLOSE_STEPS, CLOSELY);
+                take_trial(s, &s->trial, s->is_swapped, 0);
+            }
+}
+
 /* Descend with stiffer bounds of the transmission angle and the lengths until they hold. */
 static void stiffen(search *s, flk_trial *at)
 {
@@ -529,8 +560,11 @@ static void run(search *s)
     is_near = s->task->near && s->task->near->design.kind == s->points.kind &&
               (unsigned long)s->task->near->n_positions == s->points.n;
     s->n_starts = is_near ? 1 : STARTS * (s->task->effort ? s->task->effort : 1);
+    if (!is_near && s->points.has_angle && !s->points.has_timing && s->points.n == FLK_POSES &&
+        s->points.kind == FOURLINK_FOUR_BAR)
+        keep_exact(s);
     for (number = 0; number < s->n_starts; number++) {
-        if (!(is_near ? set_near(s) : set_start(s, number)))
+        if (!(is_near ? set_near(s, s->task->near) : set_start(s, number)))
             continue;
         if (!is_near)
             descend_roughly(s);

@@ -67,6 +67,19 @@ typedef struct flk_pose {
     double turn[4];
 } flk_pose;
 
+/* Number i of Halton's of a base, between 0 and 1 (points.c). */
+double flk_halton(unsigned long i, unsigned long base);
+
+/* The links that hold the coupler in five poses: where each is pinned, wx and wy in the coupler's axes, from its point,
+** turned by its angle, and mx and my on the ground.  Returns how many there are (burmester.c). */
+#define FLK_POSES 5
+#define FLK_LINKS 4
+int flk_burmester(const flk_points *p, double links[FLK_LINKS][4]);
+
+/* The linkage of two of them, the first of which is the crank; its branch stays 0. */
+void flk_burmester_linkage(const flk_points *p, const double crank[4], const double rocker[4],
+                           fourlink_solution *found);
+
 /* The shape of a trial (trace.c). */
 void flk_shape_of(const flk_points *p, const flk_trial *at, flk_shape *shape);
 

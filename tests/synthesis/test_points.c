@@ -188,6 +188,19 @@ TEST(eighteen_points)
     assert_true(search(&t) <= 0.00343);
 }
 
+/* A closed curve may be listed from any of its points, and either way round. */
+TEST(any_point_is_the_first)
+{
+    fourlink_vector at[18];
+    fourlink_points_task t = {.kind = FOURLINK_FOUR_BAR, .n = 18, .point = at};
+
+    for (int k = 0; k < (tries_all() ? 18 : 0); k += 5) {
+        for (int j = 0; j < 18; j++)
+            at[j] = eighteen[(k % 2 ? 18 - j + k : j + k) % 18];
+        assert_near(search(&t), 0.00269259, 1e-8);
+    }
+}
+
 /* ---------------------------------------------------------------------------- linkages found again */
 
 /* A random linkage whose crank turns fully, and n of its points in axes of the designer's. */
