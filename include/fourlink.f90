@@ -304,6 +304,16 @@ module fourlink
       type(c_ptr), value :: instant, loads
     end function fourlink_results_along
 
+    integer(c_int) function fourlink_results_on_side(results, branch, side, place, values, &
+        instant, loads) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch, side
+      real(c_double), value :: place
+      real(c_double), intent(inout) :: values(*)
+      type(c_ptr), value :: instant, loads
+    end function fourlink_results_on_side
+
     ! The facts are an array of n fourlink_value, for c_f_pointer.
     integer(c_int) function fourlink_results_facts(results, branch, groups, facts, n) bind(c)
       import

@@ -112,6 +112,10 @@ extern "C" {
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
+/* The side on which an input is, another coordinate than the crank angle: it rises while the crank turns
+** counter-clockwise, or falls. */
+enum { FOURLINK_RISING = 1, FOURLINK_FALLING = -1 };
+
 /* A deck that has been read. */
 typedef struct fourlink_deck fourlink_deck;
 
@@ -495,6 +499,7 @@ typedef struct fourlink_check {
     double place; /* ... in this unit */
     const char *place_unit;
     fourlink_branch branch;
+    int side; /* FOURLINK_RISING, FOURLINK_FALLING, of such a place where the rows have both; else 0 */
     long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400]; /* FOURLINK_NO_VALUE: why */
     char hint[200]; /* FOURLINK_DIFFERS: a possible reason, or ""; FOURLINK_AGREES: in which unit */
@@ -593,7 +598,8 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 /* The same at any place of what the rows go over (fourlink_abscissa), by angle as fourlink_results_at.
 **
 ** Given:
-**    place      an angle in the deck's unit or, of rows by time, a time in s
+**    place      an angle in the deck's unit or, of rows by time, a time in s; of an input its value, rad or m,
+**               on its rising side if the deck asks for both
 **    others     as for fourlink_results_row
 ** Returned, also as function value:
 **    as from fourlink_results_at
@@ -601,6 +607,18 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 FOURLINK_API int fourlink_results_along(fourlink_results *results, fourlink_branch branch,
                                         double place, double *values, fourlink_instant *instant,
                                         fourlink_load *loads);
+
+/* The same on a side of an input, of a deck with [motion] side = both.
+**
+** Given:
+**    side       FOURLINK_RISING or FOURLINK_FALLING
+**    others     as for fourlink_results_along
+** Returned, also as function value:
+**    as from fourlink_results_along; FOURLINK_NO_SUCH_ANGLE on a side that the deck does not ask for
+*/
+FOURLINK_API int fourlink_results_on_side(fourlink_results *results, fourlink_branch branch,
+                                          int side, double place, double *values,
+                                          fourlink_instant *instant, fourlink_load *loads);
 
 /* Many rows of any columns, by their handles.
 **

@@ -521,6 +521,7 @@ typedef struct fourlink_row {
     double angle; /* crank angle in the motion's unit */
     double place; /* what rows go over: the angle or, of rows by time, the time, s */
     double time;  /* s, since the first row; 0 if it is not defined (see fourlink_motion_row) */
+    int side;     /* FOURLINK_RISING, FOURLINK_FALLING, of an input; 0 of the crank */
 } fourlink_row;
 
 /* ---------------------------------------------------------------------------------------------
@@ -605,6 +606,7 @@ typedef struct fourlink_problem {
     int mode; /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
                          are valid: speed, acceleration and time come from fourlink_results_row */
     fourlink_abscissa over; /* what its rows go over */
+    int has_both_sides; /* 1: side = both, of an input: the first half of the rows is on its rising side */
     int is_prescribed; /* 1: another coordinate than the crank angle is prescribed, over which they go; */
     fourlink_motion
         prescribed;    /* its motion, in rad or m, and `motion` is the crank's only at `from` */

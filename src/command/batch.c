@@ -34,6 +34,7 @@ typedef struct batch {
     fourlink_value *header;
     unsigned long n_header;
     int has_designs; /* 1: one of these has a [sweep] */
+    int has_sides;   /* 1: one has rows on both sides of its input */
     input variant;   /* of a class with a design for each: that of the student, */
     options of_variant;
     unsigned long n_designs; /* ... of so many; 0: all have the same deck */
@@ -135,6 +136,7 @@ static int add_columns(batch *b, input *in)
         return add_answer(b, in);
     b->has_values |= has_values;
     b->has_designs |= has_values && in->problem.n_designs > 0;
+    b->has_sides |= in->problem.has_both_sides;
     if (in->results)
         fourlink_results_list(in->results, has_values ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &list,
                               &count);
@@ -256,6 +258,7 @@ static void begin_sheet(batch *b, FILE *out)
     s->has_roster = b->m.names->n > 0 && b->m.names->has_header;
     s->is_form = o->form;
     s->has_designs = b->has_designs;
+    s->has_sides = b->has_sides;
     s->header = b->header;
     s->n_header = b->n_header;
     content_begin(s, out, 1);

@@ -100,6 +100,23 @@ static void take_angle(parser *p, deck_expectation *e)
     e->at = p->is_answers ? nearest_row(p->d, angle, at) : at;
 }
 
+/* The side of the input on which the values of a section are, if they are at a place of it. */
+static int read_side(parser *p, const setting *side, const deck_expectation *e)
+{
+    const deck *d = p->d;
+    int own = d->prescribed ? d->prescribed->side : 0;
+
+    if (IS_SET(side) && !own && !flk_setting_find(p, KEY_MOTION_INPUT)->word)
+        flk_mistake(p->mistakes, side->place, "'side' needs an input, such as input = x");
+    else if (IS_SET(side) && own && !DECK_HAS_BOTH_SIDES(d) && side->word != own)
+        flk_mistake(p->mistakes, side->place, "the rows are where %s is %s, not %t",
+                    d->prescribed->q->words, own == FOURLINK_RISING ? "rising" : "falling",
+                    side->value);
+    if (!DECK_HAS_BOTH_SIDES(d) || !e->at_is_place)
+        return 0;
+    return IS_SET(side) ? side->word : own;
+}
+
 /* Add the printed values of the deck, in line order. */
 void flk_build_expectations(parser *p)
 {
@@ -116,7 +133,7 @@ void flk_build_expectations(parser *p)
     for (i = 0; i < p->n_named; i++) {
         const named_value *named = &p->named[i];
         const section_use *use = &p->uses[named->use];
-        const setting *at, *branch, *tolerance;
+        const setting *at, *branch, *side, *tolerance;
         deck_expectation *e;
         int is_misprint;
 
@@ -125,6 +142,7 @@ void flk_build_expectations(parser *p)
         is_misprint = use->section == SECTION_MISPRINT;
         at = flk_setting_of(use, is_misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
         branch = flk_setting_of(use, is_misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
+        side = flk_setting_of(use, is_misprint ? KEY_MISPRINT_SIDE : KEY_EXPECT_SIDE);
         tolerance =
             flk_setting_of(use, is_misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
@@ -143,6 +161,7 @@ void flk_build_expectations(parser *p)
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
+        e->side = read_side(p, side, e);
     }
     if (p->is_answers)
         keep_one_branch(d);

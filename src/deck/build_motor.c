@@ -153,7 +153,7 @@ int flk_build_sense(parser *p)
     if (turning == 0 && (motor->kind != FOURLINK_MOTOR_CURVE || motor->n_curve))
         turning = flk_motor_torque(motor, 0, 0);
     if (flk_setting_find(p, KEY_MOTION_INPUT)->word &&
-        flk_setting_find(p, KEY_MOTION_SIDE)->word == FLK_FALLING)
+        flk_setting_find(p, KEY_MOTION_SIDE)->word == FOURLINK_FALLING)
         turning = -turning;
     return turning < 0 ? -1 : 1;
 }

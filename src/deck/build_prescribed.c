@@ -137,7 +137,8 @@ static int has_angle(const flk_stretch *x, double theta2)
 }
 
 /* Keep the stretches of a side and, if given, near a crank angle. */
-static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch branch, reach *r)
+static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch branch, int side,
+                       reach *r)
 {
     const setting *near = flk_setting_find(p, KEY_MOTION_NEAR);
     flk_stretch all[FLK_STRETCHES];
@@ -145,7 +146,7 @@ static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch bran
 
     r->n = 0;
     for (i = 0; i < n; i++)
-        if (all[i].side == x->side &&
+        if (all[i].side == side &&
             (!IS_SET(near) ||
              has_angle(&all[i], flk_setting_crank_angle(p, near) - p->d->axes.angle)))
             r->list[r->n++] = all[i];
@@ -162,6 +163,11 @@ static int move_into(const deck_prescribed *x, const flk_stretch *s, double *val
         at = flk_cycle_place(at, low - close, 2 * M_PI);
     *value = GSL_MIN(GSL_MAX(at, low), high) + x->motion.x_at;
     return low - close <= at && at <= high + close;
+}
+
+static const char *side_words(int side)
+{
+    return side == FOURLINK_RISING ? "rising" : "falling";
 }
 
 static const deck_unit *unit_of(const parser *p, const deck_prescribed *x)
@@ -255,7 +261,7 @@ static void tell_near(parser *p, const deck_prescribed *x, fourlink_branch branc
 
     flk_message(why, MESSAGE_SIZE,
                 "'near' is no crank angle at which %s is %s on the %s branch: it is", x->q->words,
-                x->side == FLK_RISING ? "rising" : "falling", fourlink_branch_text((int)branch));
+                side_words(x->side), fourlink_branch_text((int)branch));
     for (i = 0; i < n && listed < 4; i++) {
         length = strlen(why);
         if (all[i].side == x->side)
@@ -296,14 +302,15 @@ static int tell_end(parser *p, const deck_prescribed *x, fourlink_branch branch,
                     "at %.5g s the program leaves what %s reaches on the %s branch: %s, where it "
                     "is %s",
                     GSL_MIN(begin[0], begin[1]), x->q->words, fourlink_branch_text((int)branch),
-                    list_reach(p, x, &one, range), x->side == FLK_RISING ? "rising" : "falling");
+                    list_reach(p, x, &one, range), side_words(x->side));
         return 1;
     }
     return 0;
 }
 
 /* Choose the stretch of a branch, and tell why there is none, or more than one. */
-static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
+static int choose_on_side(parser *p, deck_prescribed *x, fourlink_branch branch, int side,
+                          char why[MESSAGE_SIZE])
 {
     const double *from = place_of(p, KEY_MOTION_FROM), *to = place_of(p, KEY_MOTION_TO);
     const flk_stretch *found;
@@ -314,7 +321,7 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
         from = &x->motion.from;
         to = &x->motion.to;
     }
-    find_reach(p, x, branch, &r);
+    find_reach(p, x, branch, side, &r);
     if (!r.n && IS_SET(flk_setting_find(p, KEY_MOTION_NEAR))) {
         tell_near(p, x, branch, why);
         return 0;
@@ -331,12 +338,18 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
     }
     found = find_stretch(p, x, branch, &r, from, to);
     if (found)
-        *DECK_STRETCH(x, branch) = *found;
+        *DECK_STRETCH(x, branch, side) = *found;
     else if (!tell_end(p, x, branch, &r, why))
         flk_message(why, MESSAGE_SIZE, "on the %s branch, %s reaches %s where it is %s",
                     fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges),
-                    x->side == FLK_RISING ? "rising" : "falling");
+                    side_words(side));
     return found != NULL;
+}
+
+static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
+{
+    return choose_on_side(p, x, branch, x->side, why) &&
+           (!x->has_both || choose_on_side(p, x, branch, FOURLINK_FALLING, why));
 }
 
 /* The branches of the table that reach the range; those that do not are left out, unless the deck names them.  A branch that
@@ -367,6 +380,18 @@ static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
     return open ? FOURLINK_OPEN : FOURLINK_CROSSED;
 }
 
+/* Refuse both sides where one is meant. */
+static void check_both_sides(parser *p, const deck_prescribed *x, const setting *side)
+{
+    if (p->d->program)
+        flk_mistake(p->mistakes, side->place,
+                    "a program moves %s on one side at a time: side = rising or falling",
+                    x->q->words);
+    else if (IS_SET(flk_setting_find(p, KEY_MOTION_NEAR)))
+        flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_NEAR)->place,
+                    "'near' is on one side: it cannot be used with side = both");
+}
+
 /* Refuse a place by the crank as it is drawn: it is one of the coordinate. */
 static void check_drawn(parser *p, const deck_prescribed *x, const setting *s)
 {
@@ -375,22 +400,36 @@ static void check_drawn(parser *p, const deck_prescribed *x, const setting *s)
                     x->q->words);
 }
 
+/* 1 if the values of two stretches are the same. */
+static int is_same_range(const flk_stretch *s, const flk_stretch *other)
+{
+    double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+
+    return fabs(GSL_MIN(other->from, other->to) - low) <= CLOSE * (high - low) &&
+           fabs(GSL_MAX(other->from, other->to) - high) <= CLOSE * (high - low);
+}
+
 /* The rows: without `from` and `to`, from end to end of the stretch, in the sense of the speed. */
 static void build_range(parser *p, deck_prescribed *x, fourlink_branch branch)
 {
     const setting *from = flk_setting_find(p, KEY_MOTION_FROM),
                   *to = flk_setting_find(p, KEY_MOTION_TO),
                   *interval = flk_setting_find(p, KEY_MOTION_INTERVAL);
-    const flk_stretch *s = DECK_STRETCH(x, branch), *other = DECK_STRETCH(x, -(int)branch);
+    const flk_stretch *s = DECK_STRETCH(x, branch, x->side),
+                      *other = DECK_STRETCH(x, -(int)branch, x->side),
+                      *falling = DECK_STRETCH(x, branch, FOURLINK_FALLING);
     fourlink_motion *motion = &x->motion;
     double turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
     fourlink_range range;
     int status;
 
-    if (p->d->open && p->d->crossed && !(IS_SET(from) && IS_SET(to)) &&
-        (fabs(other->from - s->from) > CLOSE * (high - low) ||
-         fabs(other->to - s->to) > CLOSE * (high - low))) {
+    if (x->has_both && !(IS_SET(from) && IS_SET(to)) && !is_same_range(s, falling))
+        flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_SIDE)->place,
+                    "%s reaches different ranges where it is rising and where it is falling: give "
+                    "'from' and 'to', or one side",
+                    x->q->words);
+    if (p->d->open && p->d->crossed && !(IS_SET(from) && IS_SET(to)) && !is_same_range(s, other)) {
         if (IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH)))
             flk_mistake(p->mistakes, flk_setting_find(p, KEY_TABLE_BRANCH)->place,
                         "the branches reach different ranges of %s: give 'from' and 'to', or one "
@@ -423,7 +462,8 @@ static void choose_by_crank(const parser *p, deck_prescribed *x, fourlink_branch
 
     for (i = 0; i < n; i++)
         if (i == 0 || has_angle(&all[i], x->theta2))
-            *DECK_STRETCH(x, branch) = all[i];
+            *DECK_STRETCH(x, branch, FOURLINK_RISING) = *DECK_STRETCH(x, branch, FOURLINK_FALLING) =
+                all[i];
 }
 
 /* One instant: at a value of the coordinate or at a crank angle. */
@@ -438,6 +478,7 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
     x->motion.from = x->motion.to = x->is_at_crank ? 0 : at->si[0];
     x->theta2 = flk_setting_crank_angle(p, at) - p->d->axes.angle;
     if (x->is_at_crank) {
+        x->has_both = 0;
         choose_by_crank(p, x, FOURLINK_OPEN);
         choose_by_crank(p, x, FOURLINK_CROSSED);
     }
@@ -471,13 +512,16 @@ void flk_build_prescribed(parser *p)
     x->q = find_coordinate(p, input);
     if (!x->q || p->out_of_memory) /* also where there was no room for a program */
         return;
-    x->side = IS_SET(side) ? side->word : FLK_RISING;
+    x->has_both = side->word == SIDE_BOTH;
+    x->side = IS_SET(side) && !x->has_both ? side->word : FOURLINK_RISING;
     x->motion.angle_unit = 1;
     x->motion.x_at = x->q->is_angle ? p->d->axes.angle : 0;
     x->motion.speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     x->motion.acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
     x->motion.hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;
     p->d->prescribed = x;
+    if (x->has_both)
+        check_both_sides(p, x, side);
     check_drawn(p, x, flk_setting_find(p, KEY_MOTION_FROM));
     check_drawn(p, x, flk_setting_find(p, KEY_MOTION_TO));
     if (flk_mistakes_count(p->mistakes))
@@ -492,13 +536,13 @@ void flk_build_prescribed(parser *p)
         if (flk_mistakes_count(p->mistakes))
             return;
         if (x->program)
-            move_into(x, DECK_STRETCH(x, branch), &x->motion.from);
+            move_into(x, DECK_STRETCH(x, branch, x->side), &x->motion.from);
         else if (!IS_SET(at))
             build_range(p, x, branch);
         else
-            move_into(x, DECK_STRETCH(x, branch), &x->motion.from);
+            move_into(x, DECK_STRETCH(x, branch, x->side), &x->motion.from);
         x->motion.to = IS_SET(at) || x->program ? x->motion.from : x->motion.to;
-        x->theta2 = DECK_STRETCH(x, branch)->theta2_from;
+        x->theta2 = DECK_STRETCH(x, branch, x->side)->theta2_from;
     }
     crank->from = (x->theta2 + crank->x_at) / crank->angle_unit;
     crank->to = crank->from + flk_build_sense(p) * p->d->machine.cycle / crank->angle_unit;

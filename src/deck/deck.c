@@ -146,6 +146,7 @@ int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over)
         over->step = motion->interval;
         over->last =
             range->stops ? range->stop_angle : flk_motion_angle(motion, range, range->n_rows - 1);
+        range->n_rows *= DECK_HAS_BOTH_SIDES(d) ? 2 : 1;
     } else if (status == FOURLINK_OK) {
         over->step = d->mode.time_step;
         over->first = d->program ? d->program->segment[0].begin : 0;
@@ -195,6 +196,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->mode = d->mode.kind;
     problem->is_prescribed = DECK_GOES_OVER_INPUT(d);
+    problem->has_both_sides = DECK_HAS_BOTH_SIDES(d);
     if (problem->is_prescribed)
         problem->prescribed = d->prescribed->motion;
     problem->axes_on_page = d->axes.is_page;

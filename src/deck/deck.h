@@ -97,6 +97,7 @@ typedef struct deck_expectation {
     int at_is_place; /* 1: a place of what the rows go over, s, m or rad */
     int has_branch;
     fourlink_branch branch;
+    int side; /* at a place of an input of which the rows are on both sides; else 0 */
 } deck_expectation;
 
 /* How values are graded, whatever their sections say: tolerances and marks, separated by commas. */
@@ -157,20 +158,26 @@ typedef struct deck_mode {
 /* What is prescribed in place of the crank angle: [motion] input. */
 typedef struct deck_prescribed {
     const flk_coordinate *q;
-    int side;               /* FLK_RISING, FLK_FALLING */
+    int side;               /* FOURLINK_RISING, FOURLINK_FALLING; of the first rows */
+    int has_both;           /* 1: as many rows again are on the falling side */
     fourlink_motion motion; /* of the coordinate, rad or m, in the deck's axes */
     int is_at_crank;        /* 1: one instant at a crank angle, */
     double theta2;          /* rad */
-    flk_stretch stretch[2]; /* over which the rows go, on the open and on the crossed branch */
+    flk_stretch
+        stretch[2][2]; /* over which the rows go, on the open and on the crossed branch, by side */
     const flk_program
         *program; /* of the coordinate, over whose time the rows go; null: over the coordinate */
 } deck_prescribed;
 
-/* The stretch of a branch. */
-#define DECK_STRETCH(prescribed, branch) (&(prescribed)->stretch[(branch) == FOURLINK_CROSSED])
+/* The stretch of a branch and a side. */
+#define DECK_STRETCH(prescribed, branch, side) \
+    (&(prescribed)->stretch[(branch) == FOURLINK_CROSSED][(side) == FOURLINK_FALLING])
 
 /* 1 if the rows of a deck go over what is prescribed in place of the crank angle. */
 #define DECK_GOES_OVER_INPUT(d) ((d)->prescribed && !(d)->program)
+
+/* 1 if they do so twice: on its rising side, then on its falling one. */
+#define DECK_HAS_BOTH_SIDES(d) (DECK_GOES_OVER_INPUT(d) && (d)->prescribed->has_both)
 
 /* A deck; programs that use the library see an opaque fourlink_deck. */
 typedef struct fourlink_deck deck;

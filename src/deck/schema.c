@@ -20,6 +20,10 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(key, "no", 0)       \
     X(key, "yes", 1)
 
+#define SIDE_WORDS(X, key)            \
+    X(key, "rising", FOURLINK_RISING) \
+    X(key, "falling", FOURLINK_FALLING)
+
 #define BRANCH_WORDS(X, key)    \
     X(key, "open", BRANCH_OPEN) \
     X(key, "crossed", BRANCH_CROSSED)
@@ -43,8 +47,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(MOTION_INPUT, "x", 2)                                                   \
     X(MOTION_INPUT, "C.x", 3)                                                 \
     X(MOTION_INPUT, "slide", 4)                                               \
-    X(MOTION_SIDE, "rising", FLK_RISING)                                      \
-    X(MOTION_SIDE, "falling", FLK_FALLING)                                    \
+    SIDE_WORDS(X, MOTION_SIDE)                                                \
+    X(MOTION_SIDE, "both", SIDE_BOTH)                                         \
     X(MOTION_MODE, "given", MODE_GIVEN)                                       \
     X(MOTION_MODE, "free", MODE_FREE)                                         \
     X(MOTION_MODE, "run-up", MODE_RUN_UP)                                     \
@@ -110,6 +114,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, BALANCE_APPLY)                                               \
     BRANCH_WORDS(X, TABLE_BRANCH)                                             \
     X(TABLE_BRANCH, "both", BRANCH_BOTH)                                      \
+    SIDE_WORDS(X, EXPECT_SIDE)                                                \
+    SIDE_WORDS(X, MISPRINT_SIDE)                                              \
     BRANCH_WORDS(X, EXPECT_BRANCH)                                            \
     BRANCH_WORDS(X, MISPRINT_BRANCH)                                          \
     X(LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND)                            \

@@ -106,6 +106,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
 #define EXPECT_KEYS(X, S)                                                         \
     X(S, AT, "at", CRANK, ANGLE, ANY, ANY_KIND, "crank angle or time of the row") \
     X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND, "the assembly mode")      \
+    X(S, SIDE, "side", WORD, NUMBER, ANY, ANY_KIND, "the side of the input")      \
     X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND, "tolerance of its values")
 
 #define A_UNIT "unit of results and of bare numbers"
@@ -405,6 +406,7 @@ extern const key_info flk_key_table[];
 
 enum { SIDE_AHEAD = 1, SIDE_BEHIND, SIDE_LEFT, SIDE_RIGHT }; /* of an [output] */
 
+#define SIDE_BOTH 2 /* of [motion], beside FOURLINK_RISING and FOURLINK_FALLING */
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
 /* The tasks of [synthesis]. */

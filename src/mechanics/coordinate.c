@@ -410,7 +410,7 @@ static int add_stretch(const rate_search *s, double from, double to, double way,
         return n;
     x->theta2_from = from;
     x->theta2_to = to;
-    x->side = way > 0 ? FLK_RISING : FLK_FALLING;
+    x->side = way > 0 ? FOURLINK_RISING : FOURLINK_FALLING;
     x->from = flk_coordinate_value(s->q, s->mechanism, s->branch, from);
     x->to = flk_coordinate_value(s->q, s->mechanism, s->branch, to);
     if (s->q->is_angle)

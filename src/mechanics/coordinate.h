@@ -13,8 +13,7 @@
 #define FOURLINK_COORDINATE_H
 
 #include "drive.h"
-
-enum { FLK_RISING = 1, FLK_FALLING = -1 };
+#include "fourlink.h"
 
 /* What kinds ask of a coordinate: kind.h, theta2_of. */
 enum { FLK_OF_FOLLOWER, FLK_OF_DISPLACEMENT, FLK_OF_PIN, FLK_OF_SLIDE, FLK_OF_ACTUATOR };

@@ -122,6 +122,7 @@ static void accelerate_crank(double speed, double acceleration, double s, fourli
 
     if (speed < 0 || (speed == 0 && acceleration < 0))
         omega2 = -omega2;
+    row->side = 0;
     row->crank.omega2 = omega2;
     row->crank.alpha2 = acceleration;
     row->time = speed + omega2 != 0 ? 2 * s / (speed + omega2) : 0;

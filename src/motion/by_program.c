@@ -13,12 +13,13 @@
 
 /* --------------------------------------------------------------------------------------- of the crank angle */
 
-static int crank_at(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
-                    flk_actual_row *actual)
+static int crank_at(const flk_course *c, fourlink_branch branch, int side, double time,
+                    fourlink_row *row, flk_actual_row *actual)
 {
     double x[3];
 
     (void)branch;
+    (void)side;
     (void)actual;
     flk_program_at(c->d->program, time, x);
     row->place = row->time = time;
@@ -26,6 +27,7 @@ static int crank_at(const flk_course *c, fourlink_branch branch, double time, fo
     row->crank.theta2 = x[0];
     row->crank.omega2 = x[1];
     row->crank.alpha2 = x[2];
+    row->side = 0;
     return FLK_WITHIN(x[0] + x[1] + x[2], DBL_MAX) ? FOURLINK_OK : FOURLINK_BAD_NUMBER;
 }
 
@@ -61,18 +63,20 @@ static double into_stretch(const deck_prescribed *x, const flk_stretch *s, doubl
     return GSL_MIN(GSL_MAX(value, low), low + width);
 }
 
-static int input_at(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
-                    flk_actual_row *actual)
+static int input_at(const flk_course *c, fourlink_branch branch, int side, double time,
+                    fourlink_row *row, flk_actual_row *actual)
 {
     const deck *d = c->d;
     const deck_prescribed *x = d->prescribed;
     const fourlink_mechanism *mechanism = &d->machine.mechanism;
-    const flk_stretch *s = DECK_STRETCH(x, branch);
+    const flk_stretch *s = DECK_STRETCH(x, branch, x->side);
     double of_program[3], beyond, fourth;
     flk_prescribed at;
     int status;
 
+    (void)side;
     (void)actual;
+    row->side = x->side;
     flk_program_at(d->program, time, of_program);
     row->place = row->time = time;
     at.value = into_stretch(x, s, of_program[0], &beyond);
@@ -100,7 +104,7 @@ static double theta2_at(const flk_course *c, fourlink_branch branch, double time
     flk_program_at(c->d->program, time, of_program);
     if (!x)
         return of_program[0];
-    s = DECK_STRETCH(x, branch);
+    s = DECK_STRETCH(x, branch, x->side);
     value = into_stretch(x, s, of_program[0], &beyond);
     return beyond + flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch, s, value);
 }
@@ -158,7 +162,7 @@ static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end
 
     if (!of)
         return of_position;
-    s = DECK_STRETCH(of, x->branch);
+    s = DECK_STRETCH(of, x->branch, of->side);
     close = CLOSE * fabs(s->to - s->from);
     flk_program_at(x->course->d->program, time, of_program);
     value = into_stretch(of, s, of_program[0], &beyond);

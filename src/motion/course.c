@@ -35,10 +35,11 @@ static double place_of_angle(const flk_course *c, unsigned long i)
     return flk_motion_angle(&c->d->motion, &c->range, i);
 }
 
-static int at_given(const flk_course *c, fourlink_branch branch, double angle, fourlink_row *row,
-                    flk_actual_row *actual)
+static int at_given(const flk_course *c, fourlink_branch branch, int side, double angle,
+                    fourlink_row *row, flk_actual_row *actual)
 {
     (void)branch;
+    (void)side;
     (void)actual;
     fourlink_motion_at(&c->d->motion, angle, row);
     return FOURLINK_OK;
@@ -51,14 +52,16 @@ static int take(int status, const flk_actual_row *actual, double place, fourlink
     row->angle = actual->angle;
     row->place = place;
     row->time = actual->time;
+    row->side = 0;
     if (status != FOURLINK_OK)
         row->time = row->crank.omega2 = row->crank.alpha2 = FLK_UNDEFINED;
     return status;
 }
 
-static int at_angle(const flk_course *c, fourlink_branch branch, double angle, fourlink_row *row,
-                    flk_actual_row *actual)
+static int at_angle(const flk_course *c, fourlink_branch branch, int side, double angle,
+                    fourlink_row *row, flk_actual_row *actual)
 {
+    (void)side;
     return take(flk_actual_at(c->actual, branch, angle, actual), actual, angle, row);
 }
 
@@ -172,9 +175,10 @@ double flk_course_place_of_time(const flk_course *c, unsigned long i)
     return GSL_MIN(c->over.first + (double)i * c->over.step, c->over.last);
 }
 
-static int at_time(const flk_course *c, fourlink_branch branch, double time, fourlink_row *row,
-                   flk_actual_row *actual)
+static int at_time(const flk_course *c, fourlink_branch branch, int side, double time,
+                   fourlink_row *row, flk_actual_row *actual)
 {
+    (void)side;
     return take(flk_actual_at_time(c->actual, branch, time, actual), actual, time, row);
 }
 
@@ -235,16 +239,44 @@ static double in_stretch(const flk_stretch *s, double theta2, double period)
     return flk_cycle_place(theta2, s->theta2_from - INSIDE_STRETCH, period);
 }
 
-static double place_of_coordinate(const flk_course *c, unsigned long i)
+/* The rows of one side. */
+static unsigned long rows_of_side(const flk_course *c)
 {
-    return flk_motion_angle(&c->d->prescribed->motion, &c->range, i);
+    return DECK_HAS_BOTH_SIDES(c->d) ? c->range.n_rows / 2 : c->range.n_rows;
 }
 
-static int at_coordinate(const flk_course *c, fourlink_branch branch, double place,
+int flk_course_first_side(const flk_course *c)
+{
+    return c->d->prescribed ? c->d->prescribed->side : 0;
+}
+
+int flk_course_side(const flk_course *c, unsigned long i)
+{
+    return DECK_HAS_BOTH_SIDES(c->d) && i >= rows_of_side(c) ? FOURLINK_FALLING
+                                                             : flk_course_first_side(c);
+}
+
+int flk_course_has_side(const flk_course *c, int side)
+{
+    return side != 0 && (side == flk_course_first_side(c) ||
+                         (DECK_HAS_BOTH_SIDES(c->d) && side == FOURLINK_FALLING));
+}
+
+static double place_of_coordinate(const flk_course *c, unsigned long i)
+{
+    fourlink_range range = c->range;
+
+    range.n_rows = rows_of_side(c);
+    return flk_motion_angle(&c->d->prescribed->motion, &range,
+                            i < range.n_rows ? i : i - range.n_rows);
+}
+
+static int at_coordinate(const flk_course *c, fourlink_branch branch, int side, double place,
                          fourlink_row *row, flk_actual_row *actual)
 {
     const deck *d = c->d;
     const deck_prescribed *x = d->prescribed;
+    const flk_stretch *s = DECK_STRETCH(x, branch, side);
     flk_prescribed at;
     int status;
 
@@ -255,9 +287,9 @@ static int at_coordinate(const flk_course *c, fourlink_branch branch, double pla
         status = flk_coordinate_crank_at(x->q, &d->machine.mechanism, branch, &at, &row->crank);
         row->place = at.value;
     } else {
-        status = flk_coordinate_crank(x->q, &d->machine.mechanism, branch, DECK_STRETCH(x, branch),
-                                      &at, &row->crank);
+        status = flk_coordinate_crank(x->q, &d->machine.mechanism, branch, s, &at, &row->crank);
     }
+    row->side = s->side;
     row->angle = (row->crank.theta2 + d->motion.x_at) / d->motion.angle_unit;
     return without_crank(status, row);
 }
@@ -277,31 +309,46 @@ static int find_coordinate(const flk_course *c, double place, double *at)
     return first - tiny <= *at && *at <= last + tiny && !c->d->prescribed->is_at_crank;
 }
 
-/* theta2 at a place of a branch. */
-static double theta2_at(const flk_course *c, fourlink_branch branch, double place)
+/* theta2 at a place of a branch and a side. */
+static double theta2_at(const flk_course *c, fourlink_branch branch, int side, double place)
 {
     const deck_prescribed *x = c->d->prescribed;
 
-    return flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch, DECK_STRETCH(x, branch),
-                                 place - x->motion.x_at);
+    return flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch,
+                                 DECK_STRETCH(x, branch, side), place - x->motion.x_at);
 }
 
-/* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average. */
+/* rad: the way of the crank on a side. */
+static double way_of(const flk_course *c, fourlink_branch branch, int side)
+{
+    return fabs(theta2_at(c, branch, side, c->over.last) -
+                theta2_at(c, branch, side, c->over.first));
+}
+
+/* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average.  Both sides
+** are equally long, also those of one instant, along which nothing moves. */
 static void begin_coordinate(const flk_course *c, flk_pieces *x)
 {
+    double one = way_of(c, x->branch, flk_course_first_side(c));
+
     x->first = c->over.first;
     x->end = c->over.last;
-    x->length = fabs(theta2_at(c, x->branch, x->end) - theta2_at(c, x->branch, x->first));
-    x->rate = x->length > 0 ? (x->end - x->first) / x->length : 0;
+    x->length = one;
+    if (DECK_HAS_BOTH_SIDES(c->d)) {
+        one = 0.5 * (one + way_of(c, x->branch, FOURLINK_FALLING));
+        x->one_side = one > 0 ? one : 1;
+        x->length = 2 * x->one_side;
+    }
+    x->rate = one > 0 ? (x->end - x->first) / one : 0;
 }
 
 /* How the motion begins or ends at a place: at a dead centre of the coordinate, at which the crank is infinitely quick or
 ** comes to rest. */
-static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, double place,
-                                  flk_piece_end of_position)
+static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, int side,
+                                  double place, flk_piece_end of_position)
 {
     const deck_prescribed *x = c->d->prescribed;
-    const flk_stretch *s = DECK_STRETCH(x, branch);
+    const flk_stretch *s = DECK_STRETCH(x, branch, side);
     double value = place - x->motion.x_at, close = INSIDE_STRETCH * fabs(s->to - s->from);
     flk_prescribed at;
     fourlink_row row;
@@ -318,48 +365,52 @@ static void next_over_coordinate(const flk_pieces *x, flk_piece *piece)
 {
     const flk_course *c = x->course;
     const deck_prescribed *of = c->d->prescribed;
-    double from = x->first + piece->from * x->rate, way, passed;
+    int is_second = x->one_side > 0 && piece->from >= x->one_side;
+    int side = is_second ? FOURLINK_FALLING : flk_course_first_side(c);
+    double begin = is_second ? x->one_side : 0;
+    double end = x->one_side > 0 && !is_second ? x->one_side : x->length;
+    double from = x->first + (piece->from - begin) * x->rate, way, passed;
     double value, to;
     flk_direction p;
 
     p.corners = c->corners;
     p.branch = x->branch;
-    p.from = theta2_at(c, x->branch, from);
-    way = theta2_at(c, x->branch, x->end) - p.from;
+    p.from = theta2_at(c, x->branch, side, from);
+    way = theta2_at(c, x->branch, side, x->end) - p.from;
     p.sense = way < 0 ? -1 : 1;
     p.has_loads = x->has_loads;
     way = fabs(way);
-    if (!(piece->from > 0))
-        piece->begin = end_at_place(c, x->branch, from, flk_corners_first(&p));
+    if (!(piece->from > begin))
+        piece->begin = end_at_place(c, x->branch, side, from, flk_corners_first(&p));
     passed = flk_corners_next(&p, 0, NULL, 0, &piece->end);
     if (passed < way - FLK_CORNERS_CLOSE(way)) {
         value = flk_coordinate_value(of->q, &c->d->machine.mechanism, x->branch,
                                      p.from + p.sense * passed);
-        value = flk_coordinate_in_turn(of->q, DECK_STRETCH(of, x->branch),
+        value = flk_coordinate_in_turn(of->q, DECK_STRETCH(of, x->branch, side),
                                        p.from + p.sense * passed, value);
         find_coordinate(c, value + of->motion.x_at, &to);
-        piece->to = (to - x->first) / x->rate;
-        if (piece->to > piece->from && piece->to < x->length)
+        piece->to = begin + (to - x->first) / x->rate;
+        if (piece->to > piece->from && piece->to < end)
             return;
     }
-    piece->end = end_at_place(c, x->branch, x->end,
+    piece->end = end_at_place(c, x->branch, side, x->end,
                               passed > way + FLK_CORNERS_CLOSE(way) ? FLK_END_PLAIN : piece->end);
-    piece->to = x->length;
+    piece->to = end;
 }
 
 /* The crank at an angle, if the motion has it: what is prescribed follows from the angle. */
-static int pass_coordinate(const flk_course *c, fourlink_branch branch, double theta2, int *status,
-                           fourlink_row *row)
+static int pass_on_side(const flk_course *c, fourlink_branch branch, int side, double theta2,
+                        int *status, fourlink_row *row)
 {
     const deck_prescribed *x = c->d->prescribed;
-    const flk_stretch *s = DECK_STRETCH(x, branch);
+    const flk_stretch *s = DECK_STRETCH(x, branch, side);
     flk_prescribed at = {0, 0, 0};
     double place;
 
     if (x->is_at_crank) {
         if (fabs(flk_cycle_beside(theta2 - x->theta2, 2 * M_PI)) > INSIDE_STRETCH)
             return 0;
-        *status = at_coordinate(c, branch, 0, row, NULL);
+        *status = at_coordinate(c, branch, side, 0, row, NULL);
         return 1;
     }
     row->crank.theta2 = in_stretch(s, theta2, position_period(c));
@@ -377,7 +428,16 @@ static int pass_coordinate(const flk_course *c, fourlink_branch branch, double t
         flk_coordinate_crank_at(x->q, &c->d->machine.mechanism, branch, &at, &row->crank), row);
     row->angle = (theta2 + c->d->motion.x_at) / c->d->motion.angle_unit;
     row->place = place;
+    row->side = s->side;
     return 1;
+}
+
+static int pass_coordinate(const flk_course *c, fourlink_branch branch, double theta2, int *status,
+                           fourlink_row *row)
+{
+    return pass_on_side(c, branch, flk_course_first_side(c), theta2, status, row) ||
+           (DECK_HAS_BOTH_SIDES(c->d) &&
+            pass_on_side(c, branch, FOURLINK_FALLING, theta2, status, row));
 }
 
 static const struct flk_course_type given = {place_of_angle, at_given, find_angle, begin_angle,
@@ -472,7 +532,7 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
     if (c->d->program) {
         if (!flk_course_pass_program(c, branch, flk_motion_theta2(&c->d->motion, angle), &time))
             return 0;
-        *status = c->type->at(c, branch, time, row, actual);
+        *status = c->type->at(c, branch, 0, time, row, actual);
         return 1;
     }
     if (c->d->prescribed)
@@ -480,7 +540,7 @@ int flk_course_pass(const flk_course *c, fourlink_branch branch, double angle, i
     if (is_by_angle ? !c->type->find(c, angle, &angle)
                     : !FLK_WITHIN(angle * c->d->motion.angle_unit, ANGLE_MAX))
         return 0;
-    *status = (c->actual ? at_angle : at_given)(c, branch, angle, row, actual);
+    *status = (c->actual ? at_angle : at_given)(c, branch, 0, angle, row, actual);
     row->place = is_by_angle ? angle : row->time;
     return 1;
 }

@@ -46,6 +46,13 @@ int flk_course_is_periodic(const flk_course *course);
 int flk_course_pass(const flk_course *course, fourlink_branch branch, double angle, int *status,
                     fourlink_row *row, flk_actual_row *actual);
 
+/* The side of row i: FOURLINK_RISING or FOURLINK_FALLING of an input, else 0; that of the first rows. */
+int flk_course_side(const flk_course *course, unsigned long i);
+int flk_course_first_side(const flk_course *course);
+
+/* 1 if some rows are on a side of an input. */
+int flk_course_has_side(const flk_course *course, int side);
+
 /* What is prescribed at a place of its rows, and the row's place and time; at a crank angle it is as the deck gives it, and
 ** the place is the value. */
 void flk_course_prescribed_at(const deck_prescribed *prescribed, double place, flk_prescribed *at,
@@ -71,6 +78,7 @@ typedef struct flk_pieces {
     double first, end; /* places; */
     double rate;       /* ... for 1 rad of the length */
     double length;     /* rad; a length other than that of the motion omits whole periods, */
+    double one_side;   /* rad, of both sides of an input the length of the first; else 0 */
     double period;     /* rad, and a piece ends after the first of them */
 } flk_pieces;
 
@@ -83,10 +91,10 @@ int flk_pieces_next(const flk_pieces *pieces, flk_piece *piece);
 struct flk_course_type {
     /* the place of row i */
     double (*place)(const flk_course *c, unsigned long i);
-    /* The crank at a place; `actual` is filled unless the motion is given.  FOURLINK_OK, or why the machine
-    ** does not get there: only the place and the crank angle are set, the rest is NaN. */
-    int (*at)(const flk_course *c, fourlink_branch branch, double place, fourlink_row *row,
-              flk_actual_row *actual);
+    /* The crank at a place, of an input on a side; `actual` is filled unless the motion is given.  FOURLINK_OK,
+    ** or why the machine does not get there: only the place and the crank angle are set, the rest is NaN. */
+    int (*at)(const flk_course *c, fourlink_branch branch, int side, double place,
+              fourlink_row *row, flk_actual_row *actual);
     /* The place that is meant by a place: of crank angles that of the motion that differs by whole periods (a
     ** turn, or a cycle of several turns).  0 if there is none. */
     int (*find)(const flk_course *c, double place, double *at);

@@ -191,6 +191,8 @@ void graph_follow(picture *p, fourlink_branch branch, int x, int y, graph_line *
                 last_x = last_y = GSL_NAN;
             continue;
         }
+        if (k > 0 && s->now.row.side != s[-1].now.row.side)
+            last_x = last_y = GSL_NAN;
         gap = 0;
         line->x[k] = last_x = follow(s->values[x], last_x, x_turn, x_rounding);
         line->y[k] = last_y = follow(s->values[y], last_y, y_turn, y_rounding);
@@ -329,6 +331,10 @@ void graph_draw(const picture *p, fourlink_branch branch, int x, int y, const gr
             continue;
         }
         to = place_at(line->x[k], line->y[k]);
+        if (k > 0 && picture_side(p, k, PICTURE_STEPS) != picture_side(p, k - 1, PICTURE_STEPS)) {
+            display_add_place(d, gap);
+            was_there = 0;
+        }
         if (was_there && jumps) {
             from = place_at(line->x[k - 1], line->y[k - 1]);
             if (find_jump(p, branch, x, y, size, picture_place(p, k - 1, PICTURE_STEPS),

@@ -122,7 +122,8 @@ static int solve_steps(moving *x)
     for (i = 0; x->solved && i < x->steps.n; i++) {
         moving_step *to = &x->solved[i];
 
-        fourlink_results_along(v->results, x->branch, x->steps.at[i], NULL, &to->now, to->loads);
+        view_find_along(v, x->branch, view_side_of_row(v, i), x->steps.at[i], NULL, &to->now,
+                        to->loads);
     }
     return x->solved != NULL;
 }

@@ -98,13 +98,23 @@ int picture_is_over_angle(const picture *p, int column)
            (p->v.columns[column].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
+/* The row nearest to a step. */
+static unsigned long row_of(const picture *p, double k, int steps)
+{
+    return (unsigned long)(k * (double)(p->v.range.n_rows - 1) / steps + 0.5);
+}
+
 /* Of rows by time that of the nearest row. */
 double picture_place(const picture *p, double k, int steps)
 {
     if (!p->v.problem.over.is_crank_angle)
-        return view_place_of_row(
-            &p->v, (unsigned long)(k * (double)(p->v.range.n_rows - 1) / steps + 0.5));
+        return view_place_of_row(&p->v, row_of(p, k, steps));
     return p->from + (p->v.end - p->from) * k / steps;
+}
+
+int picture_side(const picture *p, double k, int steps)
+{
+    return view_side_of_row(&p->v, row_of(p, k, steps));
 }
 
 int picture_take_last_turn(picture *p, fourlink_branch branch)
@@ -125,15 +135,15 @@ int picture_take_last_turn(picture *p, fourlink_branch branch)
 int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads)
 {
-    return fourlink_results_along(p->v.results, branch, picture_place(p, k, steps), values, now,
-                                  loads);
+    return view_find_along(&p->v, branch, picture_side(p, k, steps), picture_place(p, k, steps),
+                           values, now, loads);
 }
 
 /* A sample of curves.  The forces are those of columns alone, but for a computed motion, where they say what
 ** rounding error torques have. */
 static int sample_curves(const picture *p, fourlink_branch branch, int k, plot_sample *sample)
 {
-    return p->v.problem.mode == FOURLINK_MODE_GIVEN
+    return p->v.problem.mode == FOURLINK_MODE_GIVEN && !p->v.problem.has_both_sides
                ? fourlink_results_motion_along(p->v.results, branch,
                                                picture_place(p, k, PICTURE_STEPS), sample->values,
                                                &sample->now)
@@ -177,6 +187,8 @@ const plot_sample *picture_samples(picture *p, fourlink_branch branch)
 int picture_state(const picture *p, fourlink_branch branch, double k, int steps,
                   fourlink_instant *now)
 {
+    if (p->v.problem.has_both_sides)
+        return picture_sample(p, branch, k, steps, NULL, now, NULL);
     if (!p->v.problem.over.is_crank_angle)
         return fourlink_results_motion_along(p->v.results, branch, picture_place(p, k, steps), NULL,
                                              now);

@@ -251,6 +251,9 @@ int picture_take_last_turn(picture *p, fourlink_branch branch);
 /* The place after k of so many equal steps of the motion. */
 double picture_place(const picture *p, double k, int steps);
 
+/* The side of an input there, if the rows are on both; else 0. */
+int picture_side(const picture *p, double k, int steps);
+
 /* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
 ** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, double k, int steps, double *values,

@@ -167,8 +167,8 @@ static int find_sample(report *r, fourlink_mistake *mistake)
         return 0;
     view_find_position(&r->v, r->v.branches[0], at ? &spot : NULL, &r->now, r->loads);
     if (r->now.status == FOURLINK_OK)
-        fourlink_results_along(r->v.results, r->v.branches[0], r->now.row.place, NULL, &r->now,
-                               r->loads);
+        view_find_along(&r->v, r->v.branches[0], r->v.problem.has_both_sides ? r->now.row.side : 0,
+                        r->now.row.place, NULL, &r->now, r->loads);
     notation_unit(r->v.units[QUANTITY_ANGLE].name, typeset);
     flk_text_join(r->at, sizeof r->at, r->now.row.angle < 0 ? "\342\210\222" : "", /* a minus */
                   format_general(fabs(r->now.row.angle), 6, number),

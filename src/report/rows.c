@@ -173,7 +173,7 @@ void rows_compute(rows *t, fourlink_branch branch)
     t->branch = branch;
     for (i = 0; i < t->n; i++) {
         values = t->table + i * t->v.n_columns;
-        t->status[i] =
-            fourlink_results_along(t->v.results, branch, t->steps[i], values, NULL, NULL);
+        t->status[i] = view_find_along(&t->v, branch, view_side_of_row(&t->v, i), t->steps[i],
+                                       values, NULL, NULL);
     }
 }

@@ -43,6 +43,7 @@ static void open_block(sheet *s, fourlink_branch branch)
     unsigned long letters = 0, j;
     char title[60];
 
+    s->side = 0;
     for (j = 0; j < s->v.n_columns; j++)
         letters += (unsigned long)styles[j].width;
     flk_text_join(title, sizeof title, "Rows of the ", fourlink_branch_text((int)branch), " branch",
@@ -77,6 +78,11 @@ static void put_row(sheet *s, const sheet_row *row)
     page *p = page_of(s);
     unsigned long j;
 
+    if (s->v.problem.has_both_sides && row->at && row->at->row.side != s->side) {
+        s->side = row->at->row.side;
+        page_print(p, "<tr><td colspan=\"%lu\">%s is %s:</td></tr>\n", s->v.n_columns,
+                   s->v.problem.over.words, view_side_text(s->side));
+    }
     page_print(p, "<tr>");
     if (row->at && row->at->status == FOURLINK_OK)
         for (j = 0; j < s->v.n_columns; j++)
@@ -128,6 +134,8 @@ static void put_check(sheet *s, const fourlink_check *c)
         page_print(p, "%.9g%U", c->place, c->place_unit);
     else if (c->has_angle)
         page_print(p, "%.9g%U", c->angle, s->v.units[QUANTITY_ANGLE].name);
+    if (c->side)
+        page_print(p, ", %s", view_side_text(c->side));
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)

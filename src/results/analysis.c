@@ -473,15 +473,17 @@ static void complete(flk_analysis *a, int needs, fourlink_branch branch, int sta
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
-    flk_analysis_along(a, needs, branch, a->course.type->place(&a->course, i), row);
+    flk_analysis_along(a, needs, branch, flk_course_side(&a->course, i),
+                       a->course.type->place(&a->course, i), row);
 }
 
-void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, double place,
+void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, int side, double place,
                         flk_row *row)
 {
     const flk_course *c = &a->course;
 
-    complete(a, needs, branch, c->type->at(c, branch, place, &row->at.row, &row->actual), row);
+    complete(a, needs, branch, c->type->at(c, branch, side, place, &row->at.row, &row->actual),
+             row);
 }
 
 int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,

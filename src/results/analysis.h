@@ -144,7 +144,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
 ** unit, or 0 if the motion has no such angle. */
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row);
-void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, double place,
+void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, int side, double place,
                         flk_row *row);
 int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                           flk_row *row);

@@ -128,14 +128,15 @@ static double off_at_angle(double angle, void *data)
 
 static double crank_angle(crossings *k, double place)
 {
-    const flk_pieces *motion = &k->x.f.motion;
-    double least = GSL_MIN(motion->first, motion->end), most = GSL_MAX(motion->first, motion->end);
-    double next = NEXT * GSL_MAX(fabs(least), fabs(most));
-    double from = flk_follow_crank(&k->x.f, GSL_MAX(place - next, least));
-    double to = flk_follow_crank(&k->x.f, GSL_MIN(place + next, most));
-    double before = off_at_angle(from, k), behind = off_at_angle(to, k);
+    double least, most, next, from, to, before, behind;
     flk_bracket b;
 
+    flk_follow_ends(&k->x.f, place, &least, &most);
+    next = NEXT * GSL_MAX(fabs(least), fabs(most));
+    from = flk_follow_crank(&k->x.f, GSL_MAX(place - next, least));
+    to = flk_follow_crank(&k->x.f, GSL_MIN(place + next, most));
+    before = off_at_angle(from, k);
+    behind = off_at_angle(to, k);
     if (!(before * behind < 0)) /* or one is NaN */
         return flk_follow_crank(&k->x.f, place);
     b = from < to ? flk_bracket_of(from, to, before, behind)

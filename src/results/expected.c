@@ -157,8 +157,9 @@ static int value_there(flk_opened *o, const deck_expectation *e, const flk_name 
     if (!is_column || !e->at_is_place)
         status = flk_name_value(o, n, e->branch, e->at, v);
     else
-        status = o->d.over->is_crank_angle ? FOURLINK_NO_SUCH_ANGLE
-                                           : flk_name_value_along(o, n, e->branch, e->at, v);
+        status = o->d.over->is_crank_angle
+                     ? FOURLINK_NO_SUCH_ANGLE
+                     : flk_name_value_along(o, n, e->branch, e->side, e->at, v);
     if (status == FOURLINK_OK)
         return 1;
     if (!is_column)
@@ -520,6 +521,7 @@ int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, 
     c->marks = 1;
     c->angle = e->at;
     c->branch = e->branch;
+    c->side = e->side;
     agrees = compare(o, &plain, is_hinted, n, c);
     if (agrees < 0)
         c->verdict = FOURLINK_NO_VALUE;

@@ -109,9 +109,43 @@ double flk_follow_rate(const flk_follower *f, double s)
     return (f->piece.to - f->piece.from) * M_PI_2 * flk_sine(M_PI * s);
 }
 
+/* Places of the second side of an input are beyond those of the first, by this. */
+static double beyond(const flk_follower *f)
+{
+    double width = f->motion.end - f->motion.first;
+
+    return f->motion.one_side > 0 ? (width != 0 ? 2 * width : 1) : 0;
+}
+
+static int is_second(const flk_follower *f, double place)
+{
+    const flk_pieces *x = &f->motion;
+
+    return x->one_side > 0 && fabs(place - x->first) > 1.5 * fabs(x->end - x->first) &&
+           place != x->first;
+}
+
+/* 1 if what has been passed is on the second side; where that begins, the piece tells. */
+static int is_behind(const flk_follower *f, double passed)
+{
+    double one = f->motion.one_side;
+
+    return one > 0 && f->piece.from >= one && passed >= one;
+}
+
+/* The place of the course on the second side of an input. */
+static double place_behind(const flk_follower *f, double passed)
+{
+    const flk_pieces *x = &f->motion;
+
+    return passed >= x->length ? x->end : x->first + x->rate * (passed - x->one_side);
+}
+
 double flk_follow_place(const flk_follower *f, double passed)
 {
-    if (passed >= f->motion.length)
+    if (is_behind(f, passed))
+        return place_behind(f, passed) + beyond(f);
+    if (passed >= (f->motion.one_side > 0 ? f->motion.one_side : f->motion.length))
         return f->motion.end;
     return f->motion.first +
            f->motion.rate * (passed > f->motion.period ? passed + f->skipped : passed);
@@ -119,11 +153,22 @@ double flk_follow_place(const flk_follower *f, double passed)
 
 double flk_follow_crank(const flk_follower *f, double place)
 {
+    const flk_course *c = &f->a->course;
+    int second = is_second(f, place);
     flk_actual_row actual;
     fourlink_row row;
 
-    f->a->course.type->at(&f->a->course, f->branch, place, &row, &actual);
+    c->type->at(c, f->branch, second ? FOURLINK_FALLING : flk_course_first_side(c),
+                second ? place - beyond(f) : place, &row, &actual);
     return row.angle;
+}
+
+void flk_follow_ends(const flk_follower *f, double place, double *least, double *most)
+{
+    double more = is_second(f, place) ? beyond(f) : 0;
+
+    *least = GSL_MIN(f->motion.first, f->motion.end) + more;
+    *most = GSL_MAX(f->motion.first, f->motion.end) + more;
 }
 
 /* What a row costs, in rows without loads. */
@@ -145,7 +190,11 @@ void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *ro
         return;
     }
     f->a->rows_left -= cost_of_row(f->a);
-    flk_analysis_along(f->a, needs, f->branch, flk_follow_place(f, passed), row);
+    if (is_behind(f, passed))
+        flk_analysis_along(f->a, needs, f->branch, FOURLINK_FALLING, place_behind(f, passed), row);
+    else
+        flk_analysis_along(f->a, needs, f->branch, flk_course_first_side(&f->a->course),
+                           flk_follow_place(f, passed), row);
 }
 
 int flk_follow_is_reached(const flk_follower *f)

@@ -54,6 +54,9 @@ double flk_follow_inside(const flk_follower *f, double s);
 double flk_follow_place(const flk_follower *f, double passed);
 double flk_follow_crank(const flk_follower *f, double place);
 
+/* The least and the largest place of the side of an input on which a place is. */
+void flk_follow_ends(const flk_follower *f, double place, double *least, double *most);
+
 /* The row after the angle `passed`.  Rows are counted: after too many, all have the status
 ** FOURLINK_LONG_SEARCH and the walk is over. */
 void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *row);

@@ -189,14 +189,15 @@ int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch)
     return flk_opened_prepare(o, (int)branch, groups);
 }
 
-int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
-                         fourlink_value *value)
+int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, int side,
+                         double place, fourlink_value *value)
 {
     flk_row row;
 
     if (!o->a.course.type->find(&o->a.course, place, &place))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_along(&o->a, flk_column_need(&n->c), branch, place, &row);
+    flk_analysis_along(&o->a, flk_column_need(&n->c), branch,
+                       side ? side : flk_course_first_side(&o->a.course), place, &row);
     return value_in_row(o, &n->c, branch, &row, value);
 }
 

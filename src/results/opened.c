@@ -394,24 +394,36 @@ static int read_deck(const fourlink_source *source, deck *d)
     return status;
 }
 
-/* The same of what is prescribed: the range that all branches have, else that of the open one. */
+/* Keep what a stretch has of a range; 0 if that is nothing. */
+static int cut_range(const flk_stretch *s, double *low, double *high)
+{
+    double lowest = GSL_MAX(*low, GSL_MIN(s->from, s->to)),
+           highest = GSL_MIN(*high, GSL_MAX(s->from, s->to));
+
+    if (!(lowest < highest))
+        return 0;
+    *low = lowest;
+    *high = highest;
+    return 1;
+}
+
+/* The same of what is prescribed: the range that all branches and sides have, else that of the open one. */
 static void hold_prescribed(deck *d)
 {
     deck_prescribed *x = d->prescribed;
     fourlink_motion *motion = &x->motion;
-    const flk_stretch *s = DECK_STRETCH(x, d->open ? FOURLINK_OPEN : FOURLINK_CROSSED),
-                      *other = DECK_STRETCH(x, FOURLINK_CROSSED);
+    fourlink_branch branch = d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    const flk_stretch *s = DECK_STRETCH(x, branch, x->side),
+                      *other = DECK_STRETCH(x, FOURLINK_CROSSED, x->side);
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
     double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
 
-    if (d->open && d->crossed) {
-        double lowest = GSL_MAX(low, GSL_MIN(other->from, other->to)),
-               highest = GSL_MIN(high, GSL_MAX(other->from, other->to));
-
-        d->crossed = s->side == other->side && lowest < highest;
-        low = d->crossed ? lowest : low;
-        high = d->crossed ? highest : high;
-    }
+    if (d->open && d->crossed)
+        d->crossed = s->side == other->side && cut_range(other, &low, &high);
+    x->has_both = x->has_both &&
+                  cut_range(DECK_STRETCH(x, branch, FOURLINK_FALLING), &low, &high) &&
+                  (!d->crossed ||
+                   cut_range(DECK_STRETCH(x, FOURLINK_CROSSED, FOURLINK_FALLING), &low, &high));
     motion->from = (turn < 0 ? high : low) + motion->x_at;
     motion->to = (turn < 0 ? low : high) + motion->x_at;
     motion->interval = (high - low) / 72;

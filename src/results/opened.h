@@ -98,8 +98,8 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
                    fourlink_value *value);
 
 /* The same of a column at a place of the course. */
-int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, double place,
-                         fourlink_value *value);
+int flk_name_value_along(flk_opened *o, const flk_name *n, fourlink_branch branch, int side,
+                         double place, fourlink_value *value);
 
 /* What may be added to it as often as one likes: a turn to a direction, in the unit of results; else 0. */
 double flk_name_turn(const flk_opened *o, const flk_name *n);

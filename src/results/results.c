@@ -509,17 +509,38 @@ static int check_place(fourlink_results *r, int branch, double place, double *at
                : FOURLINK_NO_SUCH_ANGLE;
 }
 
+/* A row at a place of the course, on a side of it that it has. */
+static int row_on_side(fourlink_results *r, fourlink_branch branch, int side, double at,
+                       double *values, fourlink_instant *instant, fourlink_load *loads)
+{
+    flk_row row;
+
+    flk_analysis_along(&r->now->a, needs_of(r->now, values, instant, loads), branch, side, at,
+                       &row);
+    return copy_row(r->now, &row, values, instant, loads);
+}
+
 int fourlink_results_along(fourlink_results *r, fourlink_branch branch, double place,
                            double *values, fourlink_instant *instant, fourlink_load *loads)
 {
     double at;
     int status = check_place(r, (int)branch, place, &at);
-    flk_row row;
 
-    if (status != FOURLINK_OK)
-        return status;
-    flk_analysis_along(&r->now->a, needs_of(r->now, values, instant, loads), branch, at, &row);
-    return copy_row(r->now, &row, values, instant, loads);
+    return status != FOURLINK_OK ? status
+                                 : row_on_side(r, branch, flk_course_first_side(&r->now->a.course),
+                                               at, values, instant, loads);
+}
+
+int fourlink_results_on_side(fourlink_results *r, fourlink_branch branch, int side, double place,
+                             double *values, fourlink_instant *instant, fourlink_load *loads)
+{
+    double at;
+    int status = check_place(r, (int)branch, place, &at);
+
+    if (status == FOURLINK_OK && !flk_course_has_side(&r->now->a.course, side))
+        status = FOURLINK_NO_SUCH_ANGLE;
+    return status != FOURLINK_OK ? status
+                                 : row_on_side(r, branch, side, at, values, instant, loads);
 }
 
 int fourlink_results_motion_along(fourlink_results *r, fourlink_branch branch, double place,
@@ -531,7 +552,8 @@ int fourlink_results_motion_along(fourlink_results *r, fourlink_branch branch, d
 
     if (status != FOURLINK_OK)
         return status;
-    flk_analysis_along(&r->now->a, needs_of_motion(r->now, values), branch, at, &row);
+    flk_analysis_along(&r->now->a, needs_of_motion(r->now, values), branch,
+                       flk_course_first_side(&r->now->a.course), at, &row);
     return copy_motion(r->now, &row, values, instant);
 }
 

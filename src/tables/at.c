@@ -95,7 +95,7 @@ int at_next(const view *v, const char **list, at_item *item, char message[400])
     *list = rest.start;
     item->words = flk_text_trim(item->words);
     item->column = NULL;
-    item->spot.is_place = 0;
+    item->spot.is_place = item->spot.side = 0;
     rest = item->words;
     flk_text_split(&rest, '=', &name);
     if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2") &&
@@ -136,15 +136,24 @@ static int find_angles(fourlink_results *results, const at_item *item, fourlink_
     return FOURLINK_NO_MEMORY;
 }
 
+static int has_both_sides(fourlink_results *results)
+{
+    fourlink_problem problem;
+
+    fourlink_deck_problem(fourlink_results_deck(results), &problem);
+    return problem.has_both_sides;
+}
+
 int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch,
             view_spot **spots, unsigned long *n)
 {
+    int has_both = item->spot.is_place && has_both_sides(results);
     double *angles = NULL;
     unsigned long i;
     int status = FOURLINK_OK;
 
     *spots = NULL;
-    *n = item->column ? 0 : 1;
+    *n = item->column ? 0 : has_both ? 2 : 1;
     if (item->column)
         status = find_angles(results, item, branch, &angles, n);
     if (status == FOURLINK_OK) {
@@ -153,6 +162,8 @@ int at_find(fourlink_results *results, const at_item *item, fourlink_branch bran
     }
     for (i = 0; status == FOURLINK_OK && i < *n; i++) {
         (*spots)[i] = item->spot;
+        if (has_both)
+            (*spots)[i].side = i ? FOURLINK_FALLING : FOURLINK_RISING;
         if (item->column)
             (*spots)[i].at = angles[i];
     }

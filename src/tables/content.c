@@ -59,7 +59,7 @@ static void write_all_rows(sheet *s, fourlink_branch branch)
         take_row(s, branch, &at, &row);
         if (sheet_is_over(s, &at))
             break;
-        if (is_open && at.status == first.status) {
+        if (is_open && at.status == first.status && at.row.side == first.row.side) {
             stretch.last = row.last;
             continue;
         }

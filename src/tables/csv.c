@@ -74,8 +74,10 @@ static void begin_summary(sheet *s)
 static void begin_checks(sheet *s)
 {
     put_label_names(s);
-    line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,of,"
-                    "note\n");
+    line_put(&s->l,
+             "file,line,result,name,theta2,branch,%sunit,printed,computed,tolerance,score,of,"
+             "note\n",
+             s->has_sides ? "side," : "");
 }
 
 static void begin_scores(sheet *s)
@@ -97,7 +99,7 @@ static void begin_rows(sheet *s)
     put_label_names(s);
     for (i = 0; i < s->n_variables; i++)
         put_heading(&s->l, &s->variables[i]);
-    line_put(&s->l, "branch,");
+    line_put(&s->l, s->has_sides ? "branch,side," : "branch,");
     for (i = 0; i < s->n_header; i++)
         put_heading(&s->l, &s->header[i]);
     line_put(&s->l, "status\n");
@@ -166,6 +168,12 @@ static void open_summary(sheet *s)
     sheet_write_inputs(s, put_input);
 }
 
+/* The side of an input, of a deck of which the rows are on both; else "". */
+static const char *side_of(const sheet *s, int side)
+{
+    return s->v.problem.has_both_sides && side ? view_side_text(side) : "";
+}
+
 static void put_row(sheet *s, const sheet_row *row)
 {
     const long *under = s->layout;
@@ -175,6 +183,8 @@ static void put_row(sheet *s, const sheet_row *row)
     put_labels(s);
     line_text(&s->l, branch, strlen(branch));
     line_byte(&s->l, ',');
+    if (s->has_sides)
+        line_put(&s->l, "%s,", side_of(s, row->at ? row->at->row.side : 0));
     for (i = 0; i < s->n_header; i++) {
         double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
 
@@ -195,7 +205,10 @@ static void put_check(sheet *s, const fourlink_check *c)
     line_byte(&s->l, ',');
     if (c->has_angle)
         line_number(&s->l, c->angle, LINE_SHORTEST);
-    line_put(&s->l, ",%s,%s,", fourlink_branch_text((int)c->branch), c->unit);
+    line_put(&s->l, ",%s,", fourlink_branch_text((int)c->branch));
+    if (s->has_sides)
+        line_put(&s->l, "%s,", side_of(s, c->side));
+    line_put(&s->l, "%s,", c->unit);
     put_words(&s->l, c->printed_text);
     line_byte(&s->l, ',');
     if (c->words[0] || c->verdict == FOURLINK_NO_VALUE) {
@@ -231,7 +244,7 @@ static void put_score(sheet *s, const char *result, double right, double of, con
 {
     put_labels(s);
     put_words(&s->l, s->mark ? s->mark->path : "");
-    line_put(&s->l, ",,%s,,,,,,,,%12g,", result, right);
+    line_put(&s->l, s->has_sides ? ",,%s,,,,,,,,,%12g," : ",,%s,,,,,,,,%12g,", result, right);
     if (!gsl_isnan(of))
         line_put(&s->l, "%12g", of);
     line_byte(&s->l, ',');

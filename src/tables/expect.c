@@ -70,7 +70,8 @@ static void put_value(sheet *s, const fourlink_value *column, const style *x, do
 }
 
 /* The values at a place, in a unit. */
-static void put_section(sheet *s, fourlink_branch branch, double place, const char *of, int status)
+static void put_section(sheet *s, fourlink_branch branch, int side, double place, const char *of,
+                        int status)
 {
     const style *styles = s->layout;
     unsigned long j;
@@ -86,6 +87,8 @@ static void put_section(sheet *s, fourlink_branch branch, double place, const ch
     if (s->at || !s->v.problem.one_instant || !s->v.problem.is_prescribed)
         line_put(&s->l, "at = %15g %s\n", place, of);
     line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
+    if (side)
+        line_put(&s->l, "side = %s\n", view_side_text(side));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
@@ -95,7 +98,8 @@ static void put_at(sheet *s, fourlink_branch branch, const view_spot *spot)
 {
     fourlink_instant at;
 
-    put_section(s, branch, spot->at, s->v.units[spot->is_place ? s->v.over : QUANTITY_ANGLE].name,
+    put_section(s, branch, spot->side, spot->at,
+                s->v.units[spot->is_place ? s->v.over : QUANTITY_ANGLE].name,
                 sheet_find_at(s, branch, spot, &at));
 }
 
@@ -108,7 +112,8 @@ static void write_rows(sheet *s, fourlink_branch branch)
 
     for (k = 0; k < (view_repeats(&s->v) && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
-        put_section(s, branch, now.row.place, s->v.problem.over.unit, status);
+        put_section(s, branch, view_side_of_row(&s->v, k), now.row.place, s->v.problem.over.unit,
+                    status);
         if (sheet_is_over(s, &now))
             break;
     }
@@ -124,6 +129,8 @@ static void put_form_place(sheet *s, const fourlink_check *c)
         line_put(&s->l, "at = %15g %s\n", c->has_place ? c->place : c->angle,
                  c->has_place ? c->place_unit : s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)c->branch));
+    if (c->side)
+        line_put(&s->l, "side = %s\n", view_side_text(c->side));
 }
 
 /* What the deck's own [expect] asks. */
@@ -139,7 +146,8 @@ static void write_asked(sheet *s)
         if (c.is_misprint)
             continue; /* not asked for */
         if (!n++ || c.has_angle != before.has_angle || c.angle != before.angle ||
-            c.has_place != before.has_place || c.place != before.place || c.branch != before.branch)
+            c.has_place != before.has_place || c.place != before.place ||
+            c.branch != before.branch || c.side != before.side)
             put_form_place(s, &c);
         put_form_name(s, c.name, c.unit);
         before = c;

@@ -77,12 +77,14 @@ typedef struct sheet {
     unsigned long n_conditions;
     const char *each;        /* what has a line of its own: design, solution; null: design */
     int has_designs;         /* 1: of SHEET_VALUES, some decks have designs */
+    int has_sides;           /* 1: rows of some decks are on both sides of their input */
     unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
     const double *varied;    /* the values of its variables */
     void *layout;            /* of the format */
     int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
     unsigned long n_written; /* decks or designs */
     const char *list;        /* for the format: the list that is open, or null */
+    int side; /* for the format: that of the last row of an input of both sides, or 0 */
     fourlink_results *const
         *listed; /* of SHEET_LIST: whose names stand in it; null: the deck's own */
     size_t n_listed;

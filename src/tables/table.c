@@ -91,6 +91,7 @@ static void block_begins(sheet *s, fourlink_branch branch)
         line_put(&s->l, s->list ? "\n\n# branch: %s\n" : "# branch: %s\n",
                  fourlink_branch_text((int)branch));
     s->list = "branches";
+    s->side = 0;
     set_cells(s);
     put_names(s, 0);
     put_names(s, 1);
@@ -234,8 +235,18 @@ static void put_numbers(sheet *s, const double *values)
     line_byte(&s->l, '\n');
 }
 
+/* Say on which side of an input the rows are that follow. */
+static void put_side(sheet *s, const sheet_row *row)
+{
+    if (!s->v.problem.has_both_sides || !row->at || row->at->row.side == s->side)
+        return;
+    s->side = row->at->row.side;
+    line_put(&s->l, "# side: %s\n", view_side_text(s->side));
+}
+
 static void put_row(sheet *s, const sheet_row *row)
 {
+    put_side(s, row);
     if (row->at && row->at->status == FOURLINK_OK)
         put_numbers(s, row->values);
     if (!row->is_ordinary)

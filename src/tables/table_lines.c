@@ -75,8 +75,11 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, " at %9g %s", c->place, c->place_unit);
     else if (c->has_angle)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
-    line_put(&s->l, c->hint[0] ? ", %s; hint: %s" : ", %s", fourlink_branch_text((int)c->branch),
-             c->hint);
+    line_put(&s->l, ", %s", fourlink_branch_text((int)c->branch));
+    if (c->side)
+        line_put(&s->l, ", %s", view_side_text(c->side));
+    if (c->hint[0])
+        line_put(&s->l, "; hint: %s", c->hint);
     line_finish(&s->l, start, s->width, s->width < NARROW ? 4 : 19);
 }
 

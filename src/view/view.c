@@ -251,6 +251,7 @@ int view_read_spot(const view *v, text words, view_spot *spot, char message[MESS
 
     flk_text_split(&rest, '=', &name);
     name = flk_text_trim(name);
+    spot->side = 0;
     spot->is_place =
         !v->problem.over.is_crank_angle &&
         (rest.start && flk_text_equal(name, "theta2")               ? 0
@@ -260,13 +261,25 @@ int view_read_spot(const view *v, text words, view_spot *spot, char message[MESS
                           : view_read_crank(v, value, words, &spot->at, message);
 }
 
+int view_find_along(const view *v, fourlink_branch branch, int side, double place, double *values,
+                    fourlink_instant *now, fourlink_load *loads)
+{
+    return side ? fourlink_results_on_side(v->results, branch, side, place, values, now, loads)
+                : fourlink_results_along(v->results, branch, place, values, now, loads);
+}
+
+const char *view_side_text(int side)
+{
+    return side == FOURLINK_FALLING ? "falling" : "rising";
+}
+
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
                    fourlink_instant *now, fourlink_load *loads)
 {
     if (!spot->is_place)
         return fourlink_results_at(v->results, branch, spot->at, values, now, loads);
-    return fourlink_results_along(v->results, branch, view_si(v, v->over, spot->at), values, now,
-                                  loads);
+    return view_find_along(v, branch, spot->side, view_si(v, v->over, spot->at), values, now,
+                           loads);
 }
 
 /* rad: a position is clear if it is farther from a dead one. */
@@ -386,7 +399,7 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
     int of, n = count_acting(v, loads, &of, &name);
     double off;
 
-    if (v->range.n_rows == 1)
+    if (v->problem.one_instant || v->range.n_rows == 1)
         return "the deck's instant";
     if (is_drawn(v) &&
         fabs(now->row.angle - v->problem.drawn) <= 1e-9 * (1 + fabs(v->problem.drawn)))
@@ -450,11 +463,25 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
     return 0;
 }
 
+/* The rows on the first side of an input. */
+static unsigned long rows_of_side(const view *v)
+{
+    return v->problem.has_both_sides ? v->problem.n_rows / 2 : v->problem.n_rows;
+}
+
+int view_side_of_row(const view *v, unsigned long row)
+{
+    return !v->problem.has_both_sides ? 0
+           : row < rows_of_side(v)    ? FOURLINK_RISING
+                                      : FOURLINK_FALLING;
+}
+
 double view_place_of_row(const view *v, unsigned long row)
 {
     const fourlink_abscissa *over = &v->problem.over;
+    unsigned long i = row < rows_of_side(v) ? row : row - rows_of_side(v);
     double sense = over->last < over->first ? -1 : 1;
-    double place = over->first + sense * ((double)row * over->step);
+    double place = over->first + sense * ((double)i * over->step);
 
     return sense * place < sense * over->last ? place : over->last;
 }

@@ -84,6 +84,7 @@ int view_read_crank(const view *v, text value, text words, double *angle,
 typedef struct view_spot {
     double at;
     int is_place;
+    int side; /* of a place of an input of which the rows are on both sides; 0: the first */
 } view_spot;
 
 /* Read a spot, "60 deg", "theta2 = 60 deg" or "C.x = 700 mm"; 0 and a message if it is none. */
@@ -91,6 +92,13 @@ int view_read_spot(const view *v, text words, view_spot *spot, char message[MESS
 
 /* Its value without the name. */
 text view_value_of_spot(text words);
+
+/* The results at a place, on a side of an input unless that is 0, as from fourlink_results_along. */
+int view_find_along(const view *v, fourlink_branch branch, int side, double place, double *values,
+                    fourlink_instant *now, fourlink_load *loads);
+
+/* The word of a side. */
+const char *view_side_text(int side);
 
 /* The row there, as from fourlink_results_at. */
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
@@ -132,8 +140,10 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
 
-/* Places, of problem.over: that of a row; in the unit of results. */
+/* Places, of problem.over: that of a row, and the side of an input there if the rows are on both, else 0; in the unit
+** of results. */
 double view_place_of_row(const view *v, unsigned long row);
+int view_side_of_row(const view *v, unsigned long row);
 double view_over(const view *v, double place);
 
 /* The assignment that sets the step of the rows: "motion.interval=5 deg". */

@@ -17,6 +17,7 @@
 #include <complex.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -1023,7 +1024,7 @@ static void check_place(machine *m, unsigned long i, const row *r)
     if (i + 1 == m->problem.n_rows && fabs(r->at.row.place - place) <= 1e-15 * fabs(place))
         place = r->at.row.place; /* the last row is a whole number of steps from the first */
     if (fourlink_results_along(m->results, m->branch, place, NULL, &at, NULL) != FOURLINK_OK ||
-        memcmp(&at.row, &r->at.row, sizeof at.row) != 0 || at.row.place != place)
+        memcmp(&at.row, &r->at.row, offsetof(fourlink_row, side)) != 0 || at.row.place != place)
         fail("row %lu is not at %.17g %s", i, place, over->unit);
 }
 
