@@ -110,18 +110,26 @@ static double scale_of(const flk_coordinate *q, const fourlink_mechanism *mechan
 }
 
 /* The state at unit crank speed, and with it the value, K and L of a coordinate. */
-static int at_unit_speed(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                         fourlink_branch branch, double theta2, flk_prescribed *unit)
+static int unit_state(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                      fourlink_branch branch, double theta2, flk_prescribed *unit,
+                      fourlink_state *state)
 {
-    fourlink_state state;
     fourlink_crank crank = {0, 1, 0};
     int status;
 
     crank.theta2 = theta2;
-    status = flk_mechanism_move(mechanism, branch, &crank, 0, &state);
+    status = flk_mechanism_move(mechanism, branch, &crank, 0, state);
     if (status == FOURLINK_OK)
-        flk_coordinate_of(q, &state, unit);
+        flk_coordinate_of(q, state, unit);
     return status;
+}
+
+static int at_unit_speed(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, double theta2, flk_prescribed *unit)
+{
+    fourlink_state state;
+
+    return unit_state(q, mechanism, branch, theta2, unit, &state);
 }
 
 /* 1 if two values are the same, to rounding. */
@@ -226,12 +234,12 @@ static int move_into(const flk_stretch *stretch, double period, double *theta2)
 /* The crank at an end of a stretch, where there may be no row. */
 static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                     fourlink_branch branch, const flk_stretch *stretch, double value,
-                    double *theta2, flk_prescribed *unit)
+                    double *theta2, flk_prescribed *unit, fourlink_state *state)
 {
     int is_first = fabs(value - stretch->from) < fabs(value - stretch->to), status;
 
     *theta2 = is_first ? stretch->theta2_from : stretch->theta2_to;
-    status = at_unit_speed(q, mechanism, branch, *theta2, unit);
+    status = unit_state(q, mechanism, branch, *theta2, unit, state);
     if (status == FOURLINK_OK && fabs(unit->rate) < AT_END * scale_of(q, mechanism))
         unit->rate = 0;
     return status;
@@ -242,7 +250,7 @@ static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism
 ** question. */
 static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                       fourlink_branch branch, const flk_stretch *stretch, double value,
-                      double *theta2, flk_prescribed *unit)
+                      double *theta2, flk_prescribed *unit, fourlink_state *state)
 {
     int can_change = mechanism->change_stretched || mechanism->change_folded;
     int turns = mechanism->change_stretched != mechanism->change_folded ? 2 : 1, i, k, n;
@@ -256,7 +264,7 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
             *theta2 = list[k] + (i / 2) * 2 * M_PI;
             if (gsl_isnan(*theta2) || !move_into(stretch, turns * 2 * M_PI, theta2))
                 continue;
-            tried = at_unit_speed(q, mechanism, branch, *theta2, unit);
+            tried = unit_state(q, mechanism, branch, *theta2, unit, state);
             if (tried != FOURLINK_OK) {
                 status = tried;
                 without = *theta2;
@@ -269,7 +277,7 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
         }
     }
     if (is_at_end(stretch, value))
-        return take_end(q, mechanism, branch, stretch, value, theta2, unit);
+        return take_end(q, mechanism, branch, stretch, value, theta2, unit, state);
     *theta2 = gsl_isnan(without) ? *theta2 : without;
     return status;
 }
@@ -291,14 +299,23 @@ static int set_rates(const flk_coordinate *q, const fourlink_mechanism *mechanis
     return FOURLINK_OK;
 }
 
+int flk_coordinate_crank_in(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, const flk_stretch *stretch,
+                            const flk_prescribed *at, fourlink_crank *crank, fourlink_state *state)
+{
+    flk_prescribed unit;
+    int status = find_crank(q, mechanism, branch, stretch, at->value, &crank->theta2, &unit, state);
+
+    return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
+}
+
 int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                          fourlink_branch branch, const flk_stretch *stretch,
                          const flk_prescribed *at, fourlink_crank *crank)
 {
-    flk_prescribed unit;
-    int status = find_crank(q, mechanism, branch, stretch, at->value, &crank->theta2, &unit);
+    fourlink_state state;
 
-    return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
+    return flk_coordinate_crank_in(q, mechanism, branch, stretch, at, crank, &state);
 }
 
 int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mechanism *mechanism,
@@ -306,7 +323,8 @@ int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mecha
                                    double c, fourlink_crank *crank)
 {
     flk_prescribed unit;
-    int status = find_crank(q, mechanism, branch, stretch, value, &crank->theta2, &unit);
+    fourlink_state state;
+    int status = find_crank(q, mechanism, branch, stretch, value, &crank->theta2, &unit, &state);
     int is_first = fabs(value - stretch->from) < fabs(value - stretch->to);
 
     crank->omega2 = crank->alpha2 = 0;

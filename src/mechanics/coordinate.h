@@ -59,6 +59,11 @@ int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mech
                          fourlink_branch branch, const flk_stretch *stretch,
                          const flk_prescribed *at, fourlink_crank *crank);
 
+/* The same, with the position there in a state that moves at unit speed. */
+int flk_coordinate_crank_in(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                            fourlink_branch branch, const flk_stretch *stretch,
+                            const flk_prescribed *at, fourlink_crank *crank, fourlink_state *state);
+
 /* The same at rest, without acceleration, where the coordinate goes as c (t - t0)^4, as from flk_program_from_rest.  At its
 ** dead centre, where q - q0 = L (theta2 - theta2_0)^2 / 2,
 **

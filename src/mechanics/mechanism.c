@@ -371,6 +371,21 @@ int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch bran
     return status;
 }
 
+int flk_mechanism_move_from(const fourlink_mechanism *mechanism, const fourlink_crank *crank,
+                            int angles, fourlink_state *state)
+{
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    int status = check_speed(crank);
+
+    if (status != FOURLINK_OK)
+        return status;
+    move(kind, mechanism, crank->omega2, state);
+    accelerate_pin_B(kind, mechanism, crank->alpha2, state);
+    if (angles)
+        measure_angles(kind, mechanism, state);
+    return FOURLINK_OK;
+}
+
 void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                          fourlink_state *state)
 {

@@ -13,6 +13,10 @@
 int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
                        const fourlink_crank *crank, int angles, fourlink_state *state);
 
+/* The same where the state has the position of the crank already, of a mechanism without groups. */
+int flk_mechanism_move_from(const fourlink_mechanism *mechanism, const fourlink_crank *crank,
+                            int angles, fourlink_state *state);
+
 /* The same without velocities and accelerations, which are not set, of a mechanism without groups; with the angles
 ** (mechanism.c). */
 int flk_mechanism_stand(const fourlink_mechanism *mechanism, fourlink_branch branch,

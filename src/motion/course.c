@@ -271,8 +271,8 @@ static double place_of_coordinate(const flk_course *c, unsigned long i)
                             i < range.n_rows ? i : i - range.n_rows);
 }
 
-static int at_coordinate(const flk_course *c, fourlink_branch branch, int side, double place,
-                         fourlink_row *row, flk_actual_row *actual)
+int flk_course_at_input(const flk_course *c, fourlink_branch branch, int side, double place,
+                        fourlink_row *row, fourlink_state *state)
 {
     const deck *d = c->d;
     const deck_prescribed *x = d->prescribed;
@@ -280,18 +280,27 @@ static int at_coordinate(const flk_course *c, fourlink_branch branch, int side, 
     flk_prescribed at;
     int status;
 
-    (void)actual;
     flk_course_prescribed_at(x, place, &at, row);
     row->crank.theta2 = x->theta2;
     if (x->is_at_crank) {
         status = flk_coordinate_crank_at(x->q, &d->machine.mechanism, branch, &at, &row->crank);
         row->place = at.value;
     } else {
-        status = flk_coordinate_crank(x->q, &d->machine.mechanism, branch, s, &at, &row->crank);
+        status = flk_coordinate_crank_in(x->q, &d->machine.mechanism, branch, s, &at, &row->crank,
+                                         state);
     }
     row->side = s->side;
     row->angle = (row->crank.theta2 + d->motion.x_at) / d->motion.angle_unit;
     return without_crank(status, row);
+}
+
+static int at_coordinate(const flk_course *c, fourlink_branch branch, int side, double place,
+                         fourlink_row *row, flk_actual_row *actual)
+{
+    fourlink_state state;
+
+    (void)actual;
+    return flk_course_at_input(c, branch, side, place, row, &state);
 }
 
 static int find_coordinate(const flk_course *c, double place, double *at)

@@ -53,6 +53,11 @@ int flk_course_first_side(const flk_course *course);
 /* 1 if some rows are on a side of an input. */
 int flk_course_has_side(const flk_course *course, int side);
 
+/* The crank by an input over whose values the rows go, and unless they are one crank angle the position there: in a state
+** that moves at unit speed. */
+int flk_course_at_input(const flk_course *course, fourlink_branch branch, int side, double place,
+                        fourlink_row *row, fourlink_state *state);
+
 /* What is prescribed at a place of its rows, and the row's place and time; at a crank angle it is as the deck gives it, and
 ** the place is the value. */
 void flk_course_prescribed_at(const deck_prescribed *prescribed, double place, flk_prescribed *at,

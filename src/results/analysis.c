@@ -378,7 +378,7 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
 ** null, what is prescribed has its own values in them all: where it moves at constant speed, an acceleration of
 ** rounding error would have an inertia force with a direction. */
 static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
-                   const double *place, flk_row *row)
+                   const double *place, int is_placed, flk_row *row)
 {
     fourlink_instant *at = &row->at;
     const flk_machine *machine = &a->d->machine;
@@ -387,6 +387,8 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
     int status =
         needs & PLACES_ALONE
             ? flk_mechanism_stand(&machine->mechanism, at->branch, crank, &at->state)
+        : is_placed
+            ? flk_mechanism_move_from(&machine->mechanism, crank, angles, &at->state)
             : flk_mechanism_move(&machine->mechanism, at->branch, crank, angles, &at->state);
 
     if (status != FOURLINK_OK)
@@ -430,7 +432,7 @@ static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *
 }
 
 static void analyse(flk_analysis *a, int needs, fourlink_branch branch, const fourlink_crank *crank,
-                    const double *place, flk_row *row)
+                    const double *place, int is_placed, flk_row *row)
 {
     const flk_machine *machine = &a->d->machine;
     const fourlink_mechanism *mechanism = &machine->mechanism;
@@ -439,7 +441,7 @@ static void analyse(flk_analysis *a, int needs, fourlink_branch branch, const fo
     fourlink_instant *at = &row->at;
 
     at->branch = branch;
-    at->status = compute(a, needs, forces, crank, place, row);
+    at->status = compute(a, needs, forces, crank, place, is_placed, row);
     if (at->status == FOURLINK_OK && (needs & NEED_ENGINE)) {
         at->status = fourlink_engine_method(mechanism, &at->state, 0, a->acting.load,
                                             machine->n_loads, a->d->approximation, &row->engine);
@@ -458,16 +460,17 @@ static void analyse(flk_analysis *a, int needs, fourlink_branch branch, const fo
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row)
 {
-    analyse(a, needs, branch, crank, NULL, row);
+    analyse(a, needs, branch, crank, NULL, 0, row);
 }
 
 /* Complete a row, unless the machine does not get there. */
-static void complete(flk_analysis *a, int needs, fourlink_branch branch, int status, flk_row *row)
+static void complete(flk_analysis *a, int needs, fourlink_branch branch, int status, int is_placed,
+                     flk_row *row)
 {
     row->at.branch = branch;
     row->at.status = status;
     if (status == FOURLINK_OK)
-        analyse(a, needs, branch, &row->at.row.crank, &row->at.row.place, row);
+        analyse(a, needs, branch, &row->at.row.crank, &row->at.row.place, is_placed, row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
@@ -481,9 +484,15 @@ void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, int 
                         flk_row *row)
 {
     const flk_course *c = &a->course;
+    const deck *d = a->d;
 
-    complete(a, needs, branch, c->type->at(c, branch, side, place, &row->at.row, &row->actual),
-             row);
+    if (DECK_GOES_OVER_INPUT(d) && !d->prescribed->is_at_crank &&
+        !d->machine.mechanism.design.n_groups)
+        complete(a, needs, branch,
+                 flk_course_at_input(c, branch, side, place, &row->at.row, &row->at.state), 1, row);
+    else
+        complete(a, needs, branch, c->type->at(c, branch, side, place, &row->at.row, &row->actual),
+                 0, row);
 }
 
 int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
@@ -493,6 +502,6 @@ int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, do
 
     if (!flk_course_pass(&a->course, branch, angle, &status, &row->at.row, &row->actual))
         return 0;
-    complete(a, needs, branch, status, row);
+    complete(a, needs, branch, status, 0, row);
     return 1;
 }
