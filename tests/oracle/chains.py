@@ -211,7 +211,8 @@ def check_pairs():
         compare(what + ', Ts', torque, Ts, max(abs(Ts), abs(FP) * 0.1))
 
 
-alike = check_drives()
-check_pairs()
-print('chains: worst %.1e of a row, motions by crank and driver %.1e apart' % (worst[0], alike))
-sys.exit(checks.finish())
+if __name__ == '__main__':
+    alike = check_drives()
+    check_pairs()
+    print('chains: worst %.1e of a row, motions by crank and driver %.1e apart' % (worst[0], alike))
+    sys.exit(checks.finish())
