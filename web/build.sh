@@ -106,7 +106,7 @@ build_page() {
         case $line in
         @REPORT_STYLE@) sh "$report/embed.sh" report.css ;;
         @STYLE@) cat "$web/page.css" ;;
-        @REPORT_SCRIPT@) sh "$report/embed.sh" elements.js player.js cursor.js typed.js controls.js ;;
+        @REPORT_SCRIPT@) sh "$report/embed.sh" elements.js labels.js player.js cursor.js typed.js controls.js ;;
         @EXAMPLES@) cat web/examples.json ;;
         @TEMPLATES@) cat web/templates.json ;;
         @DESIGNS@) cat web/designs.json ;;

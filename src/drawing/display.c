@@ -331,8 +331,6 @@ static void bend(display *d, display_item *x, double scale)
     }
 }
 
-#define HEAD 0.025 /* of the width of the box: the head of an arrow */
-
 /* Turn the places of an item of a panel into pixels. */
 static void place_item(display *d, display_item *x, const place_box *box, const place_box *axes)
 {
@@ -352,12 +350,12 @@ static void place_item(display *d, display_item *x, const place_box *box, const 
         at->x += x->dx;
         at->y += x->dy;
     }
-    if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_CENTRE)
+    if (x->sort == DISPLAY_DISC || x->sort == DISPLAY_CENTRE || x->sort == DISPLAY_TEXT)
         x->size *= x_scale;
     else if (x->sort == DISPLAY_ARC)
         bend(d, x, x_scale);
     else if (x->sort == DISPLAY_ARROW)
-        x->size = (x->size > 0 ? x->size : HEAD) * width;
+        x->size = (x->size > 0 ? x->size : DISPLAY_HEAD) * width;
     else if (x->sort == DISPLAY_CURVE)
         cut_curve(d, x, box);
     else if ((x->sort == DISPLAY_ABOVE || x->sort == DISPLAY_BELOW) && !x->is_open)

@@ -45,6 +45,7 @@ typedef enum display_sort {
     DISPLAY_TEXT
 } display_sort;
 
+#define DISPLAY_HEAD 0.025      /* of the width of the box: the head of an arrow */
 #define DISPLAY_ARC_STEP 0.1037 /* rad, of an arc's polyline: no round angle is a multiple of it */
 
 typedef enum display_align { DISPLAY_LEFT, DISPLAY_MIDDLE, DISPLAY_RIGHT } display_align;
@@ -64,11 +65,15 @@ typedef struct display_item {
     display_sort sort;
     int pen, layer;
     display_part part;
-    int in_box;      /* 1: places are fractions of the box, from its lower left corner */
-    size_t first, n; /* its places */
-    double dx, dy;   /* pixels to the right and down, from the place */
-    double size;  /* of a disc its radius, in units of the axes; of a head its length, in pixels */
-    double level; /* of an area */
+    int in_box; /* 1: places are fractions of the box, from its lower left corner */
+    size_t first,
+        n; /* its places; a text with two is a label, which a script places beside the first, away
+                        from the second */
+    double dx, dy; /* pixels to the right and down, from the place */
+    double
+        size; /* of a disc its radius, in units of the axes; of a head its length, in pixels; of a label
+                     how far from its place it begins, in units of the axes */
+    double level;      /* of an area */
     double from, span; /* rad, counter-clockwise: where an arc begins, and how far it goes */
     double radius
         [2]; /* of an arc at its beginning and end, in units of the axes; when placed, in pixels */

@@ -229,9 +229,10 @@ void follow_open(follow *f, const motion *m)
                 x->like.part == DISPLAY_NOTE || round_of(&x->like, x->n) != round)
                 continue;
             for (k = 0; k < x->n; k++)
-                f->number[x->first + k] = number_of(
-                    f, &lines, x->first + k,
-                    k == 0 || (x->like.sort != DISPLAY_TEXT && x->like.sort != DISPLAY_ARC));
+                f->number[x->first + k] =
+                    number_of(f, &lines, x->first + k,
+                              k == 0 || motion_is_label(x) ||
+                                  (x->like.sort != DISPLAY_TEXT && x->like.sort != DISPLAY_ARC));
             if (round == 1)
                 keep_line(f, &lines, f->number[x->first], f->number[x->first + 1]);
         }

@@ -82,6 +82,11 @@ static size_t find(const motion *m, size_t from, size_t step, const display_item
     return m->n_items;
 }
 
+int motion_is_label(const motion_item *x)
+{
+    return x->like.sort == DISPLAY_TEXT && x->like.n == 2;
+}
+
 /* ------------------------------------------------------------------------------------------------ new */
 
 /* Of an item that is no curve. */
@@ -161,7 +166,7 @@ static void put_places(motion *m, const motion_item *to, size_t step, const disp
     if (x->sort == DISPLAY_ARC) {
         track[0] = x->centre;
         track[m->n_steps] = place_at(100 * x->from, 100 * x->span);
-    } else if (x->sort == DISPLAY_TEXT) {
+    } else if (x->sort == DISPLAY_TEXT && !motion_is_label(to)) {
         track[0] = place_beside(*at, -x->dx, -x->dy);
         track[m->n_steps] = place_at(x->dx, x->dy);
     } else {

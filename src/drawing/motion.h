@@ -8,8 +8,8 @@
 #include "display.h"
 
 /* An item of all steps.  Its tracks are its places in pixels; of an arc its centre, and (from, span) in
-** hundredths of a radian; of a text its place without (dx, dy), and these.  A curve stands still: it is
-** that of the first step, and has places of its own. */
+** hundredths of a radian; of a text that is no label its place without (dx, dy), and these.  A curve stands
+** still: it is that of the first step, and has places of its own. */
 typedef struct motion_item {
     display_item like; /* in words and names, offsets of the motion's; its places are not used */
     size_t first, n;   /* of its tracks; of a curve, of its places */
@@ -40,6 +40,9 @@ typedef struct motion {
 
 void motion_open(motion *m, size_t n_steps);
 void motion_close(motion *m);
+
+/* 1 for a label, which the script places; see display.h. */
+int motion_is_label(const motion_item *x);
 
 /* Add the panel of a display list as one step.  An item that has the same key, sort and look as one of the
 ** steps before continues it; it has the same words, but its value and its unit may differ. */

@@ -22,6 +22,7 @@
 #define SHORTENED "\342\200\246"   /* an ellipsis, in UTF-8 */
 #define TIC 5.0                    /* pixels */
 #define SAMPLE 26.0                /* pixels of a line in a key */
+#define LEAST_HEAD 14.0            /* pixels of an arrow's head on a small sheet */
 
 static int begins_letter(char c)
 {
@@ -107,6 +108,11 @@ void canvas_begin_panel(canvas *c)
 int canvas_has_scales(const canvas *c)
 {
     return c->is_bare || c->has_scale_bars;
+}
+
+double canvas_head(const canvas *c)
+{
+    return c->is_bare ? GSL_MAX_DBL(DISPLAY_HEAD, LEAST_HEAD / c->width) : 0;
 }
 
 /* 1 if a drawing has axes with numbers. */
@@ -220,6 +226,7 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
                                           place_at(x2 / c->box_width, y - (k ? end : 0)));
 
         line->sort = stroke ? DISPLAY_ARROW : DISPLAY_LINE;
+        line->size = stroke ? canvas_head(c) : 0;
         line->in_box = 1;
         line->name = kept;
         line->part = DISPLAY_SCALE;

@@ -64,6 +64,9 @@ const char *canvas_unit(const canvas *c, const char *unit, char out[NOTATION_SIZ
 /* 1 if scales stand below a drawing, in place of axes. */
 int canvas_has_scales(const canvas *c);
 
+/* The length of an arrow's head as a fraction of the width; 0: as usual. */
+double canvas_head(const canvas *c);
+
 /* Begin the next panel; place its axes, with so many lines above them and so many pixels at their right; the
 ** ranges of the axes and the steps of their numbers, 0: as many as fit; end it, or leave it out. */
 void canvas_begin_panel(canvas *c);

@@ -383,11 +383,24 @@ static void put_pins_of_outputs(sketch *s, const picture *p, const fourlink_stat
     }
 }
 
+/* The way from the middle of a link to a point of it. */
+static fourlink_vector outward(const picture *p, const fourlink_state *state, int link,
+                               fourlink_vector at)
+{
+    fourlink_vector middle = state->link[link].origin;
+
+    if (link <= FOURLINK_FOLLOWER)
+        middle = place_middle(geometry_joint(&p->v, state, link - FOURLINK_CRANK),
+                              geometry_joint(&p->v, state, link - FOURLINK_CRANK + 1));
+    return place_at(at.x - middle.x, at.y - middle.y);
+}
+
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
     char fitting[LABELS_WORDS], own[TRACKS_NAME];
     unsigned long i;
+    fourlink_vector side;
     const char *name;
     int link;
 
@@ -399,7 +412,9 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 
         sketch_show(s, SKETCH_POINT, i);
         sketch_dot(s, at, tracks_name("P", i, own));
-        sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
+        side = s->c->is_bare ? outward(p, state, link, at) : place_at(0.8, 0.8);
+        sketch_name(s, at, side.x, side.y,
+                    canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.guided)
         put_pin(s, 3, pins.D, "D");
@@ -432,24 +447,35 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
     fourlink_vector from_x = direction(x, pin), from_y = direction(y, pin);
     double dx = from_x.x + from_y.x, dy = from_x.y + from_y.y;
 
-    sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
+    sketch_letter(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
+}
+
+void figure_beyond_block(sketch *s)
+{
+    sketch_beyond(s, FIGURE_HIGH * figure_block(s));
 }
 
 /* Letters that do not jump from position to position: beside the supports, outward of crank and rocker. */
-#define BESIDE 0.03 /* of the drawing, from a pin to the edge of its support */
+#define BESIDE \
+    0.03 /* of the drawing, from a pin to the edge of its support, unless a script finds room */
 
 static void put_steady_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
     fourlink_vector below = place_beside(pins.C, 0, -1), from = p->v.kind.guided ? below : pins.D;
-    double beside = BESIDE * s->size;
+    double beside = s->c->is_bare ? 0 : BESIDE * s->size;
+    const int *slides_on = p->v.kind.slides_on;
 
-    sketch_text(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
+    sketch_letter(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
+    if (slides_on[FOURLINK_COUPLER])
+        figure_beyond_block(s);
     figure_letter(s, pins.B, pins.A, pins.A, "B");
+    if (slides_on[FOURLINK_FOLLOWER])
+        figure_beyond_block(s);
     if (p->v.kind.shape[FOURLINK_FOLLOWER] != FOURLINK_SHAPE_LEVER)
         figure_letter(s, pins.C, from, from, "C");
     if (!p->v.kind.guided)
-        sketch_text(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
+        sketch_letter(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
 }
 
 static void put_letters(sketch *s, const picture *p, const fourlink_state *state)
@@ -707,7 +733,7 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch)
 
     if (p->v.range.n_rows < 2)
         return;
-    if (p->on.is_bare && p->on.motion->phase != LABELS_KEEP && !p->on.motion->is_first)
+    if (p->on.is_bare && !p->on.motion->is_first)
         return;
     if (!p->v.kind.slotted && p->request->file != PLOT_TXT) /* in letters it hides the links */
         put_path(s, p, branch, p->v.problem.n_points);

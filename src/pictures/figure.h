@@ -58,6 +58,9 @@ void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A);
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);
 
+/* Let the next letter, if a script places it, stand outside of the block in which its pin is. */
+void figure_beyond_block(sketch *s);
+
 /* Put a name and its value, given in SI units, beside the drawing. */
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q);
 

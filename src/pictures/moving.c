@@ -47,9 +47,11 @@ void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const
         if (place_is_empty(range))
             draw_some(p, n, MEASURED, draw, what);
         *range = m->drawn;
-        m->phase = LABELS_KEEP;
-        draw_some(p, n, LABELS_KEPT - 1, draw, what);
-        labels_choose_sides(m);
+        if (!p->on.is_bare) {
+            m->phase = LABELS_KEEP;
+            draw_some(p, n, LABELS_KEPT - 1, draw, what);
+            labels_choose_sides(m);
+        }
         m->phase = LABELS_DRAW;
         p->on.next = 0;
         for (k = 0; k < n; k++)

@@ -9,9 +9,9 @@
 #include "labels.h"
 #include "picture.h"
 
-/* Draw so many positions with one range, one scale, and texts that stand still: `draw` is called for some
-** of them twice, before the last call for each, and looks at the phase in p->on.motion. `range` is theirs;
-** an empty one is found. */
+/* Draw so many positions with one range, one scale, and texts that stand still, unless a script places them:
+** `draw` is called for some of them twice, before the last call for each, and looks at the phase in
+** p->on.motion. `range` is theirs; an empty one is found. */
 void moving_run(picture *p, place_box *range, int n, void draw(picture *p, const void *what, int k),
                 const void *what);
 

@@ -108,7 +108,7 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     s->block = 0;
     s->held = s->place = place_at(0, 0);
     s->n_notes = s->n_entries = s->texts.n = s->texts.n_obstacles = 0;
-    s->scale.length = 0;
+    s->scale.length = s->beyond = 0;
     s->shrink = 1;
     if (c->motion && c->motion->phase != LABELS_MEASURE) {
         s->is_fixed = 1;
@@ -172,6 +172,7 @@ static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to,
     take_line(s, p, from, to);
     line = display_line(s->c->d, (int)p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
     line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
+    line->size = has_head ? canvas_head(s->c) : 0;
 }
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
@@ -301,6 +302,8 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
     unsigned long key = next_part(s);
     fourlink_vector side = turned(s, place_beside(s->held, dx, dy));
 
+    new->beyond = s->beyond;
+    s->beyond = 0;
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
         return NULL;
@@ -318,6 +321,17 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
 
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
+    add_text(s, at, dx, dy, words);
+}
+
+void sketch_beyond(sketch *s, double radius)
+{
+    s->beyond = radius;
+}
+
+void sketch_letter(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    s->beyond = GSL_MAX_DBL(s->beyond, PIN * s->letter * s->size);
     add_text(s, at, dx, dy, words);
 }
 
@@ -445,6 +459,22 @@ static void put_leader(const sketch *s, const label *x)
     display_line(s->c->d, PEN_LEADER, DISPLAY_FRONT, from, to);
 }
 
+#define BEHIND 20.0 /* pixels */
+
+/* Leave a text to the script: beside its place, away from one behind it. */
+static void put_free_label(const sketch *s, const label *x)
+{
+    display_item *put = display_text(s->c->d, 0, in_unit(s, x->at), DISPLAY_MIDDLE, x->words);
+    double length = gsl_hypot(x->dx, x->dy), way = BEHIND * s->texts.scale;
+    fourlink_vector back = place_at(0, -way);
+
+    if (length > 0)
+        back = place_at(-way * x->dx / length, -way * x->dy / length);
+    put->is_boxed = 1;
+    put->size = in_unit(s, place_at(x->beyond, 0)).x;
+    display_add_place(s->c->d, in_unit(s, place_beside(x->at, back.x, back.y)));
+}
+
 /* Put a text at its side: beyond half its width it begins or ends there, in a motion its middle stays. */
 static void put_label(const sketch *s, const label *x)
 {
@@ -469,7 +499,7 @@ static void put_labels(const sketch *s)
         s->c->d->key = one->key;
         if (one->has_leader && !s->c->is_text && !s->c->motion)
             put_leader(s, one);
-        put_label(s, one);
+        (s->c->is_bare ? put_free_label : put_label)(s, one);
     }
 }
 

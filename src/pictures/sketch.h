@@ -83,6 +83,7 @@ typedef struct sketch {
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
     sketch_scale_bar scale; /* of a bare drawing: that of its arrows; length 0: there is none */
+    double beyond;          /* of the next text, or 0: sketch_beyond */
     double shrink; /* 1, or lengths of this drawing of a motion are so many times smaller */
 } sketch;
 
@@ -138,6 +139,11 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 
 /* Put a text beside a point, in the direction (dx, dy) if there is room. */
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+
+/* The same beside a pin; let the next text, if a script places it, stand farther from its place than this, as
+** that of a pin in a block. */
+void sketch_letter(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+void sketch_beyond(sketch *s, double radius);
 
 /* The same with a line to the point, if the text stands far from it or near another such point. */
 void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words);

@@ -371,9 +371,12 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     if (b->circle[pin].radius > 0) {
         sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
         sketch_dot(s, at, letter);
+        sketch_beyond(s, b->circle_scale * b->circle[pin].radius);
     } else {
         sketch_pin(s, at, letter);
     }
+    if (p->v.kind.slides_on[b->link] || (b->link == p->v.kind.slotted && pin == 0))
+        figure_beyond_block(s);
     figure_letter(s, at, other, other, letter);
 }
 

@@ -49,4 +49,4 @@ cat <<'END'
 /* clang-format off */
 END
 put_lines style report.css
-put_lines script elements.js player.js cursor.js typed.js controls.js
+put_lines script elements.js labels.js player.js cursor.js typed.js controls.js

@@ -9,10 +9,11 @@
 **    [p, x, y]           x and y from place p
 **    [p, q, a, b, c]     from place p, a of the way to q and b further, c to its left
 **
-** and items:  "as" line, arrow, arc, disc, centre, text or path, its class "look", its places "at", and its
-** "name"; with "size" a radius or the length of a head, with "radius" those of an arc.  Of an arc the
+** and items:  "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its places "at", and
+** its "name"; with "size" a radius or the length of a head, with "radius" those of an arc.  Of an arc the
 ** second place is where it begins and how far it goes, in hundredths of a radian, of a text the way from
-** the place to its middle.  A text is a list of words, [words, -1] a subscript and [words, 1] a
+** the place to its middle.  A label stands beside its first place, "size" from it and more, at first away
+** from its second.  A text is a list of words, [words, -1] a subscript and [words, 1] a
 ** superscript.  "gone": steps [from, to, ...] at which the item is not there.
 */
 #include <math.h>
@@ -250,6 +251,14 @@ static void put_places(line *l, const follow *f, const motion_item *x)
     line_put(l, "]");
 }
 
+static void put_size(line *l, double size)
+{
+    if (size > 0) {
+        line_put(l, ",\"size\":");
+        put_number(l, size);
+    }
+}
+
 /* Write an item; returns the last one that has been written. */
 static size_t put_item(line *l, const follow *f, size_t item)
 {
@@ -259,7 +268,10 @@ static size_t put_item(line *l, const follow *f, size_t item)
     int is_path = x->like.sort == DISPLAY_CURVE || is_still(f, item);
     char class_name[30];
 
-    interactive_put(l, "{\"as\":%q,\"look\":%q", is_path ? "path" : sorts[x->like.sort],
+    interactive_put(l, "{\"as\":%q,\"look\":%q",
+                    is_path              ? "path"
+                    : motion_is_label(x) ? "label"
+                                         : sorts[x->like.sort],
                     svg_class(&x->like, class_name));
     if (x->like.name)
         interactive_put(l, ",\"name\":%q", display_words(&f->m->kept, x->like.name));
@@ -276,13 +288,13 @@ static size_t put_item(line *l, const follow *f, size_t item)
         put_number(l, x->like.radius[1]);
         line_put(l, "]");
     } else if (x->like.sort == DISPLAY_TEXT) {
+        put_size(l, x->like.size);
         line_put(l, ",");
         if (x->like.align != DISPLAY_MIDDLE)
             line_put(l, "\"anchor\":\"%s\",", x->like.align == DISPLAY_LEFT ? "start" : "end");
         put_all_words(l, f->m, item);
-    } else if (x->like.size > 0) {
-        line_put(l, ",\"size\":");
-        put_number(l, x->like.size);
+    } else {
+        put_size(l, x->like.size);
     }
     put_gone(l, f->m, item);
     line_put(l, "}");

@@ -2,16 +2,16 @@
 **
 ** player.js - moves the drawings of a report or of the page.
 **
-** The program has drawn them at all steps and placed all texts; see moving_json.c.  This script says where each place is at a
-** step and puts it there.  A sheet has the width that the page gives it: what is drawn is scaled with it, texts keep their
-** size.
+** The program has drawn them at all steps; see moving_json.c.  This script says where each place is at a step and puts it there.
+** A sheet has the width that the page gives it: what is drawn is scaled with it, texts keep their size, so labels.js finds room
+** for them.
 */
 fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
-const HALF_WIDE = 0.32, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c and display.h */
-const MOST_ZOOM = 12;
+const HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, BLUR = 0.5, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c, canvas.c and display.h */
+const MOST_ZOOM = 12, DIAMETERS = 8; /* of a disc */
 const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
 
 /* ---------------------------------------------------------------------------------------------------- places */
@@ -80,20 +80,29 @@ function valuesOf(item) {
     return (i) => list ? [list[i]] : [];
 }
 
-/* Of an arrow, its line and its head. */
-function arrowWays([from, to], most) {
+/* Of an arrow, its line and its head, by their corners. */
+function arrowOf([from, to], most) {
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1, head = Math.min(most, SHORTER * length);
     const u = [(from[0] - to[0]) / length, (from[1] - to[1]) / length];
     const at = (along, across) => [to[0] + along * u[0] - across * u[1], to[1] + along * u[1] + across * u[0]];
-    return [wayOf([from, at(SHORTER * head, 0)]), wayOf([to, at(head, HALF_WIDE * head), at(head, -HALF_WIDE * head)]) + "z"];
+    return [[from, at(SHORTER * head, 0)], [to, at(head, HALF_WIDE * head), at(head, -HALF_WIDE * head)]];
 }
 
-function arcWay([centre, turns], [first, last]) {
+/* The length of a head, which does not become too small when the sheet does. */
+const headOf = (size, scale) => Math.max(size, LEAST_HEAD / scale);
+
+function arrowWays(places, most) {
+    const [line, head] = arrowOf(places, most);
+    return [wayOf(line), wayOf(head) + "z"];
+}
+
+/* The corners of an arc or a spiral. */
+function arcOf([centre, turns], [first, last]) {
     const [from, span] = turns.map((x) => x / 100), count = 8 + Math.floor(Math.abs(span) / ARC_STEP);
-    return wayOf(Array.from({length: count + 1}, (_, k) => {
+    return Array.from({length: count + 1}, (_, k) => {
         const radius = first + k / count * (last - first), angle = from + k / count * span;
         return [centre[0] + radius * Math.cos(angle), centre[1] - radius * Math.sin(angle)];
-    }));
+    });
 }
 
 const quarters = ([x, y], r) => [1, -1].map((s) => wayOf([[x, y], [x + s * r, y]]) + "A" + r + "," + r + " 0 0 1 " + digits(x) + "," +
@@ -109,11 +118,13 @@ const makers = {
     },
     arc: (item, kind) => {
         const way = svg("path", kind);
-        return {elements: [way], set: (places) => way.setAttribute("d", arcWay(places, item.radius))};
+        return {elements: [way], set: (places) => way.setAttribute("d", wayOf(arcOf(places, item.radius)))};
     },
     arrow: (item, kind) => {
         const parts = [svg("path", kind), svg("path", {class: "h-" + item.look})];
-        return {elements: parts, set: (places) => arrowWays(places, item.size).forEach((way, k) => parts[k].setAttribute("d", way))};
+        return {elements: parts, set: (places, i, scale) => {
+            arrowWays(places, headOf(item.size, scale)).forEach((way, k) => parts[k].setAttribute("d", way));
+        }};
     },
     disc: (item, kind) => {
         const circle = svg("circle", {...kind, r: item.size || 0});
@@ -126,6 +137,7 @@ const makers = {
             black.setAttribute("d", quarters(places[0], item.size));
         }};
     },
+    label: (item, kind) => ({elements: [svg("text", {...kind, "text-anchor": "middle"}, ...svgWords(item.words))], isText: true, set() {}}),
     text: (item, kind) => {
         const made = svg("text", {...kind, "text-anchor": item.anchor || "middle"}, ...svgWords(item.words)), values = valuesOf(item);
         return {elements: [made], isText: true, set: ([at, off], i, scale, shift) => {
@@ -139,6 +151,59 @@ const makers = {
 
 const isGone = (item, i) => item.gone !== undefined && item.gone.filter((step) => step <= i).length % 2 === 1;
 
+/* ---------------------------------------------------------------------------------------------------- labels */
+
+/* Add the lines between corners to a list, each [x, y, x, y, half its width]. */
+function addLines(list, corners, half) {
+    for (let k = 1; k < corners.length; k++)
+        list.push([...corners[k - 1], ...corners[k], half]);
+}
+
+/* Half the width of a line, and a bit for what is smoothed. */
+const halves = new Map();
+function halfOf(element) {
+    const look = element.getAttribute("class");
+    if (!halves.has(look)) {
+        const {stroke, strokeWidth} = window.getComputedStyle(element);
+        halves.set(look, (stroke === "none" ? 0 : parseFloat(strokeWidth) / 2) + BLUR);
+    }
+    return halves.get(look);
+}
+
+/* The lines of a path. */
+function linesOfPath(d, half) {
+    const list = [];
+    for (const piece of d.split("M"))
+        addLines(list, piece.split("L").map((at) => at.split(",").map(Number)), half);
+    return list;
+}
+
+/* Add what labels are not to cover of an item that moves; a disc by its diameters. */
+function addItem(list, {item, elements: [made]}, places, scale) {
+    const at = item.at.map((k) => places[k]), r = item.size, half = halfOf(made) / scale;
+    if (item.as === "line") {
+        addLines(list, at, half);
+    } else if (item.as === "arrow") {
+        const [line, head] = arrowOf(at, headOf(r, scale));
+        addLines(list, line, half);
+        addLines(list, [...head, head[0]], BLUR / scale);
+    } else if (item.as === "arc") {
+        addLines(list, arcOf(at, item.radius), half);
+    } else if (r && item.as !== "label") {
+        for (let k = 0; k < DIAMETERS; k++) {
+            const x = r * Math.cos(k * Math.PI / DIAMETERS), y = r * Math.sin(k * Math.PI / DIAMETERS);
+            addLines(list, [[at[0][0] - x, at[0][1] - y], [at[0][0] + x, at[0][1] + y]], half);
+        }
+    }
+}
+
+/* Of a text its width, and how far its letters are above and below the line on which they stand, in pixels. */
+function sizeOf(made, words) {
+    const size = parseFloat(window.getComputedStyle(made).fontSize), has = (sign) => words.some((part) => part[1] * sign > 0 && typeof part !== "string");
+    return {width: made.getComputedTextLength(), up: has(1) ? 6 + 0.55 * size : 0.74 * size,
+            down: has(-1) ? 4.5 : /[gjpqy(,\u2080-\u209c]/.test(made.textContent) ? 3 : 0.5};
+}
+
 /* ---------------------------------------------------------------------------------------------------- panels */
 
 /* A figure with one drawing, its caption, what its lines mean, and its values. */
@@ -148,17 +213,23 @@ function makePanel(title, size) {
     const caption = html("span", {}, title), key = html("p", {class: "key"}), list = html("ul", {class: "values"});
     const figure = html("figure", {class: "panel " + size}, drawing, html("figcaption", {}, caption), key, list);
     let data = null, tracks = [], parts = [], notes = [], now = 0, cranks = null, scale = 1, zoom = 1, shift = [0, 0];
+    let labels = null, named = [], scenes = new Map(), frame = null, count = 1;
 
-    /* Take the drawing of a branch. */
-    function take(newData) {
+    /* Take the drawing of a branch, of so many steps. */
+    function take(newData, steps) {
         data = newData;
         cranks = null;
         tracks = data.places.map((place) => typeof place[0] === "string" ? place.map(numbersOf) : place);
+        count = steps;
         parts = data.items.map((item) => ({item, ...makers[item.as](item, {class: item.look || null, "data-name": item.name || null})}));
         ink.replaceChildren(...parts.filter((part) => !part.isText).flatMap((part) => part.elements));
         texts.replaceChildren(...parts.filter((part) => part.isText).flatMap((part) => part.elements));
         key.replaceChildren(...data.key.flatMap(({look, words}) => [html("span", {}, svg("svg", {class: "fourlink sample", viewBox: "0 0 26 8"},
             svg("path", {class: look, d: "M0,4H26"})), ...htmlWords(words)), " "]));
+        const tips = new Set(data.items.filter((item) => item.as === "arrow").map((item) => item.at[1]));
+        named = parts.filter(({item}) => item.as === "label");
+        labels = fourlink.labels.make(named.map(({item}) => ({at: item.at[0], behind: item.at[1], radius: item.size || 0,
+            rank: tips.has(item.at[0]) ? 0 : item.size ? 1 : 2, name: JSON.stringify(item.words)})), labels);
         notes = data.notes.map((item) => ({item, made: html("li", {}), values: valuesOf(item)}));
         list.replaceChildren(...notes.map((note) => note.made));
         layOut();
@@ -175,6 +246,58 @@ function makePanel(title, size) {
         drawing.setAttribute("data-box", data.box.map((x, k) => x * scale + (shift[k] || 0)).join(" "));
         drawing.setAttribute("data-axes", data.axes.join(" "));
         ink.setAttribute("transform", "translate(" + shift.map(digits) + ") scale(" + scale + ")");
+        frame = {left: (1 - shift[0]) / scale, top: (1 - shift[1]) / scale, right: (width - 1 - shift[0]) / scale,
+                 bottom: (height - 1 - shift[1]) / scale, pixel: 1 / scale, reach: 4 * HALF_WIDE * headOf(HEAD * data.sheet[2], scale)};
+        scenes.clear();
+        for (const x of [...labels.labels, ...parts]) /* letters may have another size */
+            x.size = x.width = x.lines = null;
+    }
+    /* What labels are not to cover at a step, and where their places are. */
+    function sceneAt(i, part) {
+        const places = placesAt(tracks, i, part), lines = [], curves = [], texts = [];
+        for (const part of parts) {
+            const {item, elements: [made]} = part;
+            if (isGone(item, i))
+                continue;
+            if (item.as === "path") {
+                part.lines = part.lines || linesOfPath(item.d, halfOf(made) / scale);
+                (item.name ? curves : lines).push(...part.lines);
+            } else if (item.as !== "text") {
+                addItem(lines, part, places, scale);
+            } else {
+                const [at, off] = item.at.map((k) => places[k]), w = (part.width = part.width || made.getComputedTextLength()) / 2 / scale;
+                const right = {start: 1, end: -1}[item.anchor] || 0;
+                texts.push({x: at[0] + off[0] / scale + right * w, y: at[1] + off[1] / scale, w, h: 7 / scale});
+            }
+        }
+        return {places, lines, curves, texts, near: [], isThere: (k) => !isGone(named[k].item, i)};
+    }
+    function sceneOf(i) {
+        if (i < 0 || i >= count)
+            return null;
+        if (!scenes.has(i))
+            scenes.set(i, sceneAt(i, 0));
+        return scenes.get(i);
+    }
+    /* Put the labels beside their places. */
+    function putLabels(i, part, way) {
+        const isNew = labels.labels.some((label) => !label.size);
+        if (isNew)
+            named.forEach(({elements: [made]}) => made.setAttribute("display", "inline")); /* what is not shown has no width */
+        labels.labels.forEach((label, k) => {
+            label.size = label.size || sizeOf(named[k].elements[0], named[k].item.words);
+            label.w = label.size.width / 2 / scale;
+            label.h = (label.size.up + label.size.down) / 2 / scale;
+        });
+        const boxes = labels.place(part ? sceneAt(i, part) : sceneOf(i), (n) => sceneOf(i + n * way), frame);
+        named.forEach(({elements: [made]}, k) => {
+            const box = boxes.get(k);
+            made.setAttribute("display", box ? "inline" : "none");
+            if (!box)
+                return;
+            made.setAttribute("x", digits(scale * box.x + shift[0]));
+            made.setAttribute("y", digits(scale * (box.y - box.h) + shift[1] + labels.labels[k].size.up));
+        });
     }
     /* Make what is at a place of the sheet larger; show its other parts. */
     function zoomBy(factor, at) {
@@ -187,7 +310,7 @@ function makePanel(title, size) {
     }
     /* Show step i and a part of the way to the next. */
     function show(i, part, name) {
-        const places = placesAt(tracks, i, part), isWithin = part > 0 && i === now;
+        const places = placesAt(tracks, i, part), isWithin = part > 0 && i === now, way = i < now ? -1 : 1;
         now = i;
         drawing.setAttribute("aria-label", title + ": " + name);
         for (const {item, elements, set} of parts) {
@@ -197,6 +320,7 @@ function makePanel(title, size) {
             if (!gone)
                 set((item.at || []).map((k) => places[k]), i, scale, shift);
         }
+        putLabels(i, part, way);
         if (isWithin)
             return; /* values are those of the step */
         for (const {item, made, values} of notes) {
@@ -305,7 +429,7 @@ function draw(data, place, more) {
     const branchNow = () => Math.max(0, data.branches.findIndex((x) => x.name === branch.name));
     function choose(k) {
         branch = data.branches[k];
-        panels.forEach((panel, j) => panel.take(branch.panels[j]));
+        panels.forEach((panel, j) => panel.take(branch.panels[j], data.steps.length));
         show(now);
     }
     /* Take other numbers while something is dragged: of the branch that is shown, the mechanism alone, at a row; false if
@@ -317,7 +441,7 @@ function draw(data, place, more) {
         isBrief = true;
         Object.assign(data, {...next, branches: data.branches});
         branch = only;
-        main.take(only.panels[0]);
+        main.take(only.panels[0], data.steps.length);
         show(row);
         return true;
     }

@@ -3,10 +3,13 @@
 ** document.js - a document for node that is just large enough for the scripts of a report.
 **
 **    scriptOf(FILES, width)    the scripts run, with panels of this width; 0: each has its own.  Returns `fourlink`.
+**    LETTER                    the width of all letters
 */
 "use strict";
 
 const fs = require("node:fs");
+
+const LETTER = 7.8;
 
 class Element {
     constructor(name) {
@@ -37,6 +40,7 @@ class Element {
         this.children = [];
         this.words = String(words);
     }
+    getComputedTextLength() { return LETTER * this.textContent.length; }
     get textContent() { return this.words + this.children.map((x) => x.textContent).join(""); }
 }
 
@@ -50,12 +54,13 @@ function* below(element) {
 }
 
 function scriptOf(files, width) {
+    const STYLE = {fontSize: "14px", stroke: "none", strokeWidth: "0"};
     class Sized extends Element {
         get clientWidth() { return width; }
     }
     const document = {createElementNS: (space, name) => new Sized(name), getElementById: () => null, querySelectorAll: () => []};
     const words = files.map((file) => fs.readFileSync(file, "utf8")).join("\n");
-    return {Element: Sized, fourlink: new Function("document", "window", words + "\nreturn fourlink;")(document, {addEventListener: () => {}})};
+    return {Element: Sized, fourlink: new Function("document", "window", words + "\nreturn fourlink;")(document, {addEventListener: () => {}, getComputedStyle: () => STYLE})};
 }
 
-module.exports = {below, scriptOf};
+module.exports = {below, scriptOf, LETTER};

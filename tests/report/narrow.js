@@ -21,7 +21,7 @@ for (const file of reports) {
     const page = fs.readFileSync(file, "utf8"), name = path.basename(file, ".html");
     const data = JSON.parse(/id="fourlink-rows">([^]*?)<\/script>/.exec(page)[1]);
     for (const width of [296, 330, 960]) {
-        const {fourlink, Element} = scriptOf(["elements.js", "player.js"].map((x) => path.join(sources, x)), width);
+        const {fourlink, Element} = scriptOf(["elements.js", "labels.js", "player.js"].map((x) => path.join(sources, x)), width);
         const place = new Element("div"), drawing = fourlink.draw(data, place);
         data.branches.forEach((branch, k) => {
             drawing.choose(k);

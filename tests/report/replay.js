@@ -4,22 +4,22 @@
 **
 ** SOURCES is src/report, SCENE and FRAMES are from tests/web/scenes.c: the drawings as one motion, and each of them as it was before,
 ** an SVG.  At each step each line, disc and text of the SVG has to be in the document at the same place, and nothing else;
-** keys and values beside the drawing too.  A line for what is wrong, at the end how many drawings were compared and the
-** largest distance in pixels.
+** keys and values beside the drawing too.  A label is near its place; labels.js of the tests measures more.  A line for what is wrong, at
+** the end how many drawings were compared and the largest distance in pixels.
 */
 "use strict";
 
 const fs = require("node:fs");
 const path = require("node:path");
-const {below, scriptOf} = require("./document.js");
+const {below, scriptOf, LETTER} = require("./document.js");
 
 const [sources, sceneFile, framesFile] = process.argv.slice(2);
-const NEAR = 0.2; /* pixels */
-const {fourlink, Element} = scriptOf(["elements.js", "player.js"].map((x) => path.join(sources, x)), 0);
+const NEAR = 0.2, REACH = 55; /* pixels: of a label, which may stand beyond a disc or a block */
+const {fourlink, Element} = scriptOf(["elements.js", "labels.js", "player.js"].map((x) => path.join(sources, x)), 0);
 const scene = JSON.parse(fs.readFileSync(sceneFile, "utf8"));
 const numbers = (words) => (words.match(/-?\d+(\.\d+)?(e-?\d+)?/g) || []).map(Number);
 const plain = (words) => words.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, "\"").replace(/&#39;/g, "'").replace(/&amp;/g, "&");
-let compared = 0, wrong = 0, worst = 0, steady = 0;
+let compared = 0, wrong = 0, worst = 0, labels = 0, out = 0;
 
 function fail(where, what) {
     if (++wrong <= 5)
@@ -40,7 +40,7 @@ function piecesOf(look, d, name) {
 
 /* What an SVG of the program shows: items of the drawing, keys, values. */
 function shownBy(svg) {
-    const items = [], keys = [], notes = [];
+    const items = [], labels = [], keys = [], notes = [];
     for (const [, tag, attributes, words] of svg.matchAll(/<(path|circle|text)([^>]*?)(?:\/>|>(.*?)<\/text>)/g)) {
         const get = (name) => { const found = new RegExp("(?:^| )" + name + "=\"([^\"]*)\"").exec(attributes); return found ? found[1] : ""; };
         const name = get("data-name"), look = get("class");
@@ -51,27 +51,31 @@ function shownBy(svg) {
             items.push(...piecesOf(look, get("d"), name));
         } else if (tag === "circle") {
             items.push(["circle " + look, ["cx", "cy", "r"].map((x) => Number(get(x)))]);
+        } else if (look === "halo") {
+            labels.push([plain(words.replace(/<[^>]*>/g, "")), [Number(get("x")), Number(get("y"))]]);
         } else {
             items.push(["text " + look + " " + (get("text-anchor") || "start") + " " + plain(words.replace(/<[^>]*>/g, "")), [Number(get("x")), Number(get("y"))]]);
         }
     }
-    return {items, keys, notes};
+    return {items, labels, keys, notes};
 }
 
 /* What the document shows in a panel. */
 function shownIn(panel) {
-    const items = [], [ink, texts] = panel.drawing.children;
+    const items = [], labels = [], [ink, texts] = panel.drawing.children;
     for (const x of [...below(ink), ...below(texts)]) {
         const look = x.getAttribute("class") || "";
         if (x.tagName === "path")
             items.push(...piecesOf(look, x.getAttribute("d"), x.getAttribute("data-name")));
         else if (x.tagName === "circle")
             items.push(["circle " + look, ["cx", "cy", "r"].map((name) => Number(x.getAttribute(name)))]);
+        else if (x.tagName === "text" && look === "halo")
+            labels.push([x.textContent, ["x", "y"].map((name) => Number(x.getAttribute(name)))]);
         else if (x.tagName === "text")
             items.push(["text " + look + " " + x.getAttribute("text-anchor") + " " + x.textContent, ["x", "y"].map((name) => Number(x.getAttribute(name)))]);
     }
     const [, , key, list] = panel.figure.children;
-    return {items, keys: key.children.filter((x) => x.tagName === "span").map((x) => x.textContent),
+    return {items, labels, keys: key.children.filter((x) => x.tagName === "span").map((x) => x.textContent),
             notes: list.children.filter((x) => !x.hidden).map((x) => x.textContent)};
 }
 
@@ -95,6 +99,17 @@ function compare(where, wanted, found) {
         }
     }
     rest.forEach(([name, at]) => fail(where, name.slice(0, 60) + " at " + at.slice(0, 6) + " is too much"));
+    const left = wanted.labels.slice();
+    for (const [name, [x, y]] of found.labels) {
+        const half = LETTER * name.length / 2;
+        const k = left.findIndex(([other, at]) => other === name && Math.hypot(Math.max(0, Math.abs(at[0] - x) - half), at[1] - y) < REACH);
+        if (k < 0)
+            fail(where, "the label " + name + " at " + x + ", " + y);
+        else
+            left.splice(k, 1);
+    }
+    labels += wanted.labels.length;
+    out += left.length;
     if (wanted.notes.slice().sort().join("\n") !== found.notes.slice().sort().join("\n"))
         fail(where, "values: " + found.notes + ", not " + wanted.notes);
     const missing = wanted.keys.filter((x) => !found.keys.includes(x));
@@ -104,7 +119,7 @@ function compare(where, wanted, found) {
 
 /* Curves, which have names and stand still, are in the first step alone. */
 function addCurves(list, first) {
-    return first && first !== list ? {items: list.items.concat(first.items.filter((x) => x[2] && x[2] !== "scale")), keys: first.keys, notes: list.notes} : list;
+    return first && first !== list ? {items: list.items.concat(first.items.filter((x) => x[2] && x[2] !== "scale")), labels: list.labels, keys: first.keys, notes: list.notes} : list;
 }
 
 const place = new Element("div"), drawing = fourlink.draw(scene, place);
@@ -125,8 +140,4 @@ for (const frame of fs.readFileSync(framesFile, "utf8").split(/^@ /m).slice(1)) 
     compare(where, addCurves(wanted, firsts.get(number)), shownIn(drawing.panels[k]));
     compared++;
 }
-/* A text stands at all steps as far from its place, in the direction of its part. */
-for (const branch of scene.branches)
-    for (const panel of branch.panels)
-        steady += panel.items.filter((item) => item.as === "text").length;
-console.log(compared + " drawings, " + wrong + " wrong, " + steady + " texts, " + worst.toFixed(3) + " pixels at most");
+console.log(compared + " drawings, " + wrong + " wrong, " + labels + " labels, " + worst.toFixed(3) + " pixels at most, " + out + " left out");

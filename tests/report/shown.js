@@ -14,7 +14,7 @@ const path = require("node:path");
 const {scriptOf} = require("./document.js");
 
 const [sources, sceneFile, tableFile] = process.argv.slice(2);
-const {fourlink, Element} = scriptOf(["elements.js", "player.js"].map((x) => path.join(sources, x)), 600);
+const {fourlink, Element} = scriptOf(["elements.js", "labels.js", "player.js"].map((x) => path.join(sources, x)), 600);
 const scene = JSON.parse(fs.readFileSync(sceneFile, "utf8")), lines = fs.readFileSync(tableFile, "utf8").split("\n");
 let compared = 0, wrong = 0;
 

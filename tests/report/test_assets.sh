@@ -10,7 +10,7 @@ check 'src/report/assets.c is old: run sh src/report/embed.sh >src/report/assets
 check 'strings of 509 characters at most' awk 'length > 509 {exit 1}' assets.c
 
 # They stand in a page that is XML too, and reach for nothing outside it.
-for file in report.css elements.js player.js cursor.js typed.js controls.js; do
+for file in report.css elements.js labels.js player.js cursor.js typed.js controls.js; do
     check "$file ends a CDATA section" none -F ']]>' "$report/$file"
     check "$file ends an element" none -i -E '</(script|style)' "$report/$file"
     check "$file names an address" sh -c "! sed 's|http://www.w3.org/[a-z0-9/]*||g; s|url(#[a-z-]*)||g' '$report/$file' | grep -E 'https?:|//[a-z]+\\.|import |url\\(|fetch\\('"
@@ -26,6 +26,7 @@ mkdir copy
 cp "$report/embed.sh" copy
 printf 'a "b" \\d ??/ c\n' >copy/report.css
 : >copy/elements.js
+: >copy/labels.js
 : >copy/player.js
 : >copy/cursor.js
 : >copy/typed.js

@@ -45,8 +45,10 @@ else
         replay "$deck" 41
     done
 fi
-awk '{drawings += $1; texts += $5; if ($7 > most) most = $7}
-    END {printf "%d decks, %d drawings compared, %d texts, %s pixels at most\n", NR, drawings, texts, most}' all
+awk '{drawings += $1; labels += $5; out += $11; if ($7 > most) most = $7}
+    END {printf "%d decks, %d drawings compared, %d labels, %d left out, %s pixels at most\n", NR, drawings, labels, out, most}' all
+# without a position the x axis goes out of the sheet, so its label is not there
+check "labels that are left out: $(cat all)" test "$(awk 'NR > 1 {n += $5 - 20 * $11} END {print n + 0}' all)" -gt 0
 least=100
 [ "${4-}${ALL_CASES-}" ] || least=30
 check "drawings: $(wc -l <all)" test "$(awk '{n += $1} END {print n + 0}' all)" -gt $least
