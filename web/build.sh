@@ -105,16 +105,16 @@ build_page() {
     while IFS= read -r line; do
         case $line in
         @REPORT_STYLE@) sh "$report/embed.sh" report.css ;;
-        @STYLE@) cat "$web/page.css" ;;
+        @STYLE@) sh "$report/embed.sh" "$web/page.css" ;;
         @REPORT_SCRIPT@) sh "$report/embed.sh" elements.js labels.js player.js cursor.js typed.js controls.js ;;
         @EXAMPLES@) cat web/examples.json ;;
         @TEMPLATES@) cat web/templates.json ;;
         @DESIGNS@) cat web/designs.json ;;
         @MANUAL@) cat web/manual.txt ;;
-        @WORKER@) cat "$web/worker.js" ;;
+        @WORKER@) sh "$report/embed.sh" "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;
         @SCRIPT@) for part in text editor program zoom handles tables link drawn draw questions manual files menus views main; do
-            cat "$web/page/$part.js"
+            sh "$report/embed.sh" "$web/page/$part.js"
         done ;;
         *) printf '%s\n' "$line" ;;
         esac

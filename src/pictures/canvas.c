@@ -22,7 +22,8 @@
 #define SHORTENED "\342\200\246"   /* an ellipsis, in UTF-8 */
 #define TIC 5.0                    /* pixels */
 #define SAMPLE 26.0                /* pixels of a line in a key */
-#define LEAST_HEAD 14.0            /* pixels of an arrow's head on a small sheet */
+#define NARROWEST 330.0 /* pixels: a script may make a sheet so narrow, but not its texts */
+#define LEAST_HEAD 14.0 /* pixels of an arrow's head on a small sheet */
 
 static int begins_letter(char c)
 {
@@ -215,6 +216,7 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
     double y = -0.8 * CANVAS_LINE / c->box_height, to = from + length, end = 4 / c->box_height;
     size_t kept = display_keep(c->d, "scale");
     display_item *words;
+    double room;
     int k;
 
     c->d->key = 4 * (unsigned long)stroke + 1;
@@ -235,7 +237,8 @@ double canvas_scale(const canvas *c, double from, double length, int stroke, con
     words = put_in_box(c, "scale", to / c->box_width, y, 0.7 * CANVAS_LETTER, 0, DISPLAY_LEFT, "");
     words->part = DISPLAY_SCALE;
     display_set_value(c->d, words, value, unit);
-    return to + 4 * CANVAS_LETTER + canvas_width_of(value) + canvas_width_of(unit);
+    room = 4 * CANVAS_LETTER + canvas_width_of(value) + canvas_width_of(unit);
+    return to + (c->is_bare ? room * GSL_MAX_DBL(1, c->width / NARROWEST) : room);
 }
 
 display_item *canvas_note(const canvas *c, int line, const char *format, ...)

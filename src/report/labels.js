@@ -56,7 +56,13 @@ function make(labels, before) {
         return box.x - box.w >= frame.left && box.x + box.w <= frame.right && box.y - box.h >= frame.top && box.y + box.h <= frame.bottom &&
             !linesNear(k, scene).lines.some((line) => crosses(line, box));
     }
-    const isOnCurve = (k, box, scene) => linesNear(k, scene).curves.some((line) => crosses(line, box));
+    /* Whether a box is on the path of a point, or nearer to the place of another label than to its own. */
+    function isPoor(k, box, scene) {
+        const far = ([x, y]) => Math.hypot(Math.max(0, Math.abs(x - box.x) - box.w), Math.max(0, Math.abs(y - box.y) - box.h));
+        const {at, radius} = labels[k], own = Math.max(0, far(scene.places[at]) - radius);
+        return linesNear(k, scene).curves.some((line) => crosses(line, box)) ||
+            order.some((j) => labels[j].at !== at && scene.isThere(j) && far(scene.places[labels[j].at]) - labels[j].radius < own);
+    }
     const touches = (a, b) => Math.abs(a.x - b.x) < a.w + b.w + APART * frame.pixel && Math.abs(a.y - b.y) < a.h + b.h + APART * frame.pixel;
     const isApart = (box, others) => !others.some((other) => touches(box, other));
 
@@ -66,7 +72,7 @@ function make(labels, before) {
         for (let side = 0; side < SIDES * RINGS.length; side++) {
             const box = boxOf(k, side, scene), turn = Math.abs((side - first + 1.5 * SIDES) % SIDES - SIDES / 2);
             if (isFree(k, box, scene))
-                list.push({side, box, far: turn + Math.floor(side / SIDES) / 10, isOnCurve: isOnCurve(k, box, scene), stays: 0});
+                list.push({side, box, far: turn + Math.floor(side / SIDES) / 10, isPoor: isPoor(k, box, scene), stays: 0});
         }
         return list.sort((p, q) => p.far - q.far);
     }
@@ -86,10 +92,9 @@ function make(labels, before) {
         }
         return AHEAD;
     }
-    /* Of the free sides that are on no other label, the one that stays free longest; one on the path of a point if there is no
-    ** other. */
+    /* Of the free sides that are on no other label, the one that stays free longest; a poor one if there is no other. */
     function choose(k, free, taken, later) {
-        const list = free.filter(({box}) => isApart(box, taken)), clear = list.filter((one) => !one.isOnCurve);
+        const list = free.filter(({box}) => isApart(box, taken)), clear = list.filter((one) => !one.isPoor);
         let best = null, most = -Infinity;
         for (const one of clear.length ? clear : list) {
             one.stays = one.stays || (sides[k] === null ? AHEAD : stays(k, one.side, later));
