@@ -11,7 +11,7 @@
 fourlink.labels = (function () {
 
 const SIDES = 36, RINGS = [0.1, 0.3, 0.5, 0.7, 0.95];
-const AHEAD = 16, TURN = 4; /* steps that are looked at, and how many of them a side must be better for each of SIDES farther */
+const AHEAD = 16, TURN = 8, POOR = 12; /* steps that are looked at; by so many a side must be better for each of SIDES farther, or if poor */
 const TRIES = 8, APART = 1; /* pixels between two labels */
 
 /* Whether a line, [x, y, x, y, half its width], goes through a box, by its middle and half its sides. */
@@ -92,13 +92,14 @@ function make(labels, before) {
         }
         return AHEAD;
     }
-    /* Of the free sides that are on no other label, the one that stays free longest; a poor one if there is no other. */
+    /* Of the free sides that are on no other label, the one that stays free longest, if it is not poor or far from that before. */
     function choose(k, free, taken, later) {
-        const list = free.filter(({box}) => isApart(box, taken)), clear = list.filter((one) => !one.isPoor);
         let best = null, most = -Infinity;
-        for (const one of clear.length ? clear : list) {
+        for (const one of free) {
+            if (!isApart(one.box, taken))
+                continue;
             one.stays = one.stays || (sides[k] === null ? AHEAD : stays(k, one.side, later));
-            const value = one.stays - TURN * one.far;
+            const value = one.stays - TURN * one.far - (one.isPoor ? POOR : 0);
             if (value > most)
                 [best, most] = [one, value];
         }

@@ -10,7 +10,7 @@ fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
-const HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, BLUR = 0.5, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c, canvas.c and display.h */
+const HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, BLUR = 0.7, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c, canvas.c and display.h */
 const MOST_ZOOM = 12, DIAMETERS = 8; /* of a disc */
 const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
 
