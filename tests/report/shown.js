@@ -94,10 +94,10 @@ for (const [label, variable, words] of [[["θ", "2", ""], "i", ["sub"]], [["time
 }
 /* other numbers: of the same mechanism they are taken, of another they are not */
 const other = JSON.parse(JSON.stringify(scene));
-that(drawing.update(other) && drawing.updateBriefly(other) && drawing.update(other), "the same again");
+that(drawing.update(other) && drawing.updateBriefly(other, 0) && drawing.update(other), "the same again");
 const renamed = JSON.parse(JSON.stringify(scene));
 renamed.branches[0].panels[0].title += "!";
-that(!drawing.update(renamed) && !drawing.updateBriefly(renamed), "another drawing");
+that(!drawing.update(renamed) && !drawing.updateBriefly(renamed, 0), "another drawing");
 const longer = JSON.parse(JSON.stringify(scene));
 longer.columns[1].unit = "furlong";
 that(!drawing.update(longer) && !drawing.updateBriefly(longer), "other units");
