@@ -261,7 +261,7 @@ function makePanel(title, size) {
                 continue;
             if (item.as === "path") {
                 part.lines = part.lines || linesOfPath(item.d, halfOf(made) / scale);
-                (item.name ? curves : lines).push(...part.lines);
+                (item.name && item.name !== "scale" ? curves : lines).push(...part.lines);
             } else if (item.as !== "text") {
                 addItem(lines, part, places, scale);
             } else {

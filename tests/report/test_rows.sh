@@ -53,7 +53,7 @@ that '(.steps | length) == 251 and .steps[1] == 0.003 and .steps[-1] == 0.75'
 rows --set motion.at='33.3 deg' "$data/me3491-example-2.deck"
 that '.steps[.start] == 33.3 and .steps[-1] == 360 and (.turn - 1.5707963 | fabs) < 1e-6' \
     '.branches[0].table[.start][0] == 33.3' \
-    '[.branches[0].panels[0].items[] | select(.as == "text") | .words[0]] | index("N") != null'
+    '[.branches[0].panels[0].items[] | select(.as == "label") | .words[0]] | index("N") != null'
 
 # What can be dragged; the panels of a deck with forces, and the crank enlarged where it is small.
 rows "$data/me3491-exercise-4.deck"
@@ -77,7 +77,7 @@ cat "$alvi" >named.deck
 printf '[load </script><!--&]]>]\nlink = rocker\nforce = (1, 2) N\nat = (0, 0) m\n' >>named.deck
 rows named.deck
 check 'a name ends the element' none -e '[<>&]' rows
-that '[.branches[0].panels[0].items[] | select(.as == "text") | .words[0]] | index("</script><!--&]]>") != null'
+that '[.branches[0].panels[0].items[] | select(.as == "label") | .words[0]] | index("</script><!--&]]>") != null'
 
 # More than a drawing shows: no drawing.
 cat "$alvi" >many.deck
