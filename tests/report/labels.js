@@ -97,7 +97,8 @@ function measure(every) {
                 if (/z/.test(piece))
                     at.push(at[0]);
                 for (let k = 1; k < at.length; k++)
-                    lines.push({from: at[k - 1], to: at[k], half, isCurve, isHead: /z/.test(piece)});
+                    if (at[k].join() !== at[k - 1].join()) /* of no length: nothing is drawn */
+                        lines.push({from: at[k - 1], to: at[k], half, isCurve, isHead: /z/.test(piece)});
             }
         }
         return {lines, discs, scale, dx, dy};
