@@ -218,3 +218,26 @@ void flk_integrate(flk_functions *f, void *data, int n, double from, double to, 
     for (i = 0; i < n; i++)
         of[i].error = fabs(of[i].error) + fabs(odd[i]);
 }
+
+/* Wynn's epsilon algorithm (On a device for computing the e_m(S_n) transformation, MTAC 10, 1956):
+**
+**    e_(k+1)(i) = e_(k-1)(i+1) + 1 / (e_k(i+1) - e_k(i)),   e_-1 = 0, e_0 the sequence
+**
+** of which those with k even are limits.  Number m of the sequence adds e_(m-i)(i) for i = m ... 0, in the place of
+** e_(m-1-i)(i). */
+double flk_limit_of_sequence(double *of, int n)
+{
+    double before, here, difference;
+    int m, i;
+
+    for (m = 1; m < n; m++)
+        for (before = 0, i = m - 1; i >= 0; i--) {
+            difference = of[i + 1] - of[i];
+            if (difference == 0)
+                return of[(m - i) % 2 ? i + 1 : i + 2];
+            here = of[i];
+            of[i] = before + 1 / difference;
+            before = here;
+        }
+    return of[0];
+}

@@ -71,4 +71,8 @@ typedef struct flk_integral {
 /* Integrate n functions by one rule of 15 points, none of them at an end. */
 void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of);
 
+/* The limit of a sequence of n numbers, n odd, whose distances from it are a sum of geometric sequences, exactly of
+** (n - 1) / 2 of these; the numbers are overwritten. */
+double flk_limit_of_sequence(double *of, int n);
+
 #endif

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/cycle.h"
+#include "base/solve.h"
 #include "base/trig.h"
 #include "follow.h"
 
@@ -321,23 +322,34 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
 /* A column, or a component of its vector, in the rows. */
 typedef double values[SCALES][NODES];
 
-/* The polynomial of x^order y on a scale: returns its value at 0; *error is how much the last node changes
-** that. */
+/* Returns the value at 0 of the polynomial through points.  *error is how much the last point changes that, or a
+** part of what the one before does: of a column with other powers of x the last change may be small by chance. */
+#define CHANCE 1e-3
+
+static double value_at_end(const double *x, const double *y, flk_polynomial *p, double *error)
+{
+    double value[NODES];
+    int k;
+
+    for (p->n = 0, k = 0; k < NODES; k++) {
+        flk_polynomial_add(p, x[k], y[k]);
+        value[k] = flk_polynomial_value(p, 0);
+    }
+    *error = GSL_MAX_DBL(fabs(value[NODES - 1] - value[NODES - 2]),
+                         CHANCE * fabs(value[NODES - 2] - value[NODES - 3]));
+    return value[NODES - 1];
+}
+
+/* The same of x^order y on a scale. */
 static double extrapolate(const flk_limit_rows *e, values y, int order, int scale,
                           flk_polynomial *p, double *error)
 {
-    const double *x = e->x[scale];
-    double before, value;
+    double times[NODES];
     int k;
 
-    p->n = 0;
-    for (k = 0; k < NODES - 1; k++)
-        flk_polynomial_add(p, x[k], gsl_pow_int(x[k], order) * y[scale][k]);
-    before = flk_polynomial_value(p, 0);
-    flk_polynomial_add(p, x[k], gsl_pow_int(x[k], order) * y[scale][k]);
-    value = flk_polynomial_value(p, 0);
-    *error = fabs(value - before);
-    return value;
+    for (k = 0; k < NODES; k++)
+        times[k] = gsl_pow_int(e->x[scale][k], order) * y[scale][k];
+    return value_at_end(e->x[scale], times, p, error);
 }
 
 /* The scale on which the limit of x^order y is most exact, the same for both components of a vector. */
@@ -468,6 +480,62 @@ static double find_growth_of_steps(const flk_limit_rows *e, values y, int *order
     return fabs(first) > FINITE * fabs(y[0][NODES - 1]) ? e->x[0][0] * first : 0;
 }
 
+/* The order q of a pole, which a load with an exponent makes any number.  Of
+**
+**    y(x) = S x^-q + ... ,   steps y(x) - y(2x), y(2x) - y(4x), ...
+**
+** have a ratio that tends to 2^q, by powers of x.  NaN if it is not known. */
+#define HALVES 7
+#define SURE_OF_ORDER 0.01
+
+static int rows_by_halves(const flk_limit_rows *e, values y, double of[HALVES + 1])
+{
+    int n = 0, scale, k;
+
+    for (scale = 0; scale < SCALES; scale++)
+        for (k = 0; k < NODES && n <= HALVES; k++)
+            if (fabs(e->x[scale][k] / ldexp(e->x[0][0], n) - 1) < 1e-6)
+                of[n++] = y[scale][k];
+    return n > HALVES;
+}
+
+static double order_of_ratios(const double *y)
+{
+    double ratio[HALVES - 2];
+    int k;
+
+    for (k = 0; k < HALVES - 2; k++)
+        ratio[HALVES - 3 - k] = (y[k] - y[k + 1]) / (y[k + 1] - y[k + 2]);
+    return log(flk_limit_of_sequence(ratio, HALVES - 2)) / M_LN2;
+}
+
+static double find_order(const flk_limit_rows *e, values y)
+{
+    double of[HALVES + 1], near, far;
+
+    if (!rows_by_halves(e, y, of))
+        return GSL_NAN;
+    near = order_of_ratios(of);
+    far = order_of_ratios(of + 1);
+    if (!(near > 0 && fabs(near - far) < SURE_OF_ORDER))
+        return GSL_NAN;
+    return fabs(near - floor(near + 0.5)) < SURE_OF_ORDER ? floor(near + 0.5) : near;
+}
+
+/* A weak one is seen by that order alone. */
+#define LEAST_STEP 1e-6 /* of the column */
+#define LEAST_FOUND 0.3
+
+static double find_growth_of_ratios(const flk_limit_rows *e, values y, int *order)
+{
+    double first = y[0][0] - y[0][1], q = find_order(e, y);
+
+    if (!(q > LEAST_FOUND && fabs(first) > LEAST_STEP * fabs(y[0][0])))
+        return 0;
+    *order = (int)floor(q + 0.5);
+    return e->x[0][0] * first;
+}
+
 /* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
 ** order `of_scale` on the scale on which it was found, 0 if on none. */
 static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, int *order,
@@ -479,6 +547,8 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
     growth = has_direction ? 0 : find_growth(e, y, order);
     if (growth == 0 && strength == 0 && !has_direction && e->is_root)
         growth = find_growth_of_steps(e, y, order);
+    if (growth == 0 && strength == 0 && !has_direction && e->is_root)
+        growth = find_growth_of_ratios(e, y, order);
     return growth != 0 ? growth : strength;
 }
 
@@ -562,27 +632,21 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
     }
     if (b->error <= KNOWN * size)
         l->value = l->n == 2 ? flk_length(b->value[0], b->value[1]) : b->value[0];
-    else if (l->n == 1 && is_finite(e, y[0]))
-        l->value = y[0][0][0];
     if (fabs(l->value) <= least)
         l->value = 0; /* such as the transmission angle at a dead position */
 }
 
 /* A load over a speed with an exponent such as 3/2 gives a column that has powers of the root of x.  Its value at
-** the end by polynomials in that; NaN if none is exact. */
+** the end by a polynomial in that. */
 static double extrapolate_in_root(const double *x, const double *y, double *error)
 {
+    double root[NODES];
     flk_polynomial p;
-    double before, value;
     int k;
 
-    for (p.n = 0, k = 0; k < NODES - 1; k++)
-        flk_polynomial_add(&p, sqrt(x[k]), y[k]);
-    before = flk_polynomial_value(&p, 0);
-    flk_polynomial_add(&p, sqrt(x[k]), y[k]);
-    value = flk_polynomial_value(&p, 0);
-    *error = fabs(value - before);
-    return value;
+    for (k = 0; k < NODES; k++)
+        root[k] = sqrt(x[k]);
+    return value_at_end(root, y, &p, error);
 }
 
 /* A direction by its unit vector, which has a limit where the vector grows without bound. */
@@ -599,11 +663,12 @@ static void take_unit_vectors(values y[2])
         }
 }
 
+/* Returns `limit` if no other one is known with an error below `least`. */
 static double limit_in_root(const flk_limit_rows *e, const flk_followed *t, values y[2], int n,
-                            double size)
+                            double size, double limit, double least)
 {
     int is_direction = n == 2 && t->turn > 0, scale;
-    double value[2] = {0, 0}, error[2] = {0, 0}, limit = GSL_NAN, least = KNOWN, of;
+    double value[2] = {0, 0}, error[2] = {0, 0}, of;
 
     if (is_direction)
         take_unit_vectors(y);
@@ -637,6 +702,16 @@ void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l)
     l->rounded = e->is_change ? NEAR_CHANGE : 0;
 }
 
+/* ... as distance^-growth, of a pole with this order, as nearly as that is known. */
+static double growth_of(const flk_limit_rows *e, values y, int order)
+{
+    double q = e->least_order < e->greatest_order ? find_order(e, y) : GSL_NAN;
+
+    if (gsl_isnan(q))
+        q = GSL_MAX_INT(order, e->least_order);
+    return e->is_root ? q / 2 : q;
+}
+
 void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order, of_scale;
@@ -655,8 +730,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
             continue;
         has_pole |= strength != 0;
         l->order = GSL_MAX_INT(l->order, of_scale);
-        l->growth =
-            GSL_MAX_DBL(l->growth, GSL_MAX_INT(order, e->least_order) / (e->is_root ? 2.0 : 1.0));
+        l->growth = GSL_MAX_DBL(l->growth, growth_of(e, y[k], order));
         if (t->turn <= 0)
             l->value = strength > 0 || is_vector ? GSL_POSINF : GSL_NEGINF;
     }
@@ -665,8 +739,13 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
         find_finite(e, t, y, &b, size, l);
     else if (is_vector && l->order > 0 && b.error <= EXACT * b.size)
         l->reach = b.reach;
-    if (gsl_isnan(l->value) && e->is_root && (t->turn > 0 ? is_vector && !e->is_change : 1))
-        l->value = limit_in_root(e, t, y, l->n, size);
+    if (e->is_root && (t->turn > 0 ? is_vector && !e->is_change : 1))
+        if (gsl_isnan(l->value) || (gsl_finite(l->value) && !(b.error <= EXACT * b.size)))
+            l->value = limit_in_root(e, t, y, l->n, size, l->value,
+                                     gsl_isnan(l->value) ? KNOWN : b.error / b.size);
+    if (gsl_isnan(l->value) && !has_pole && !is_vector && is_finite(e, y[0]) &&
+        !(find_order(e, y[0]) > 0))
+        l->value = y[0][0][0];
 }
 
 static double value_within(double reach, const flk_limit *l, const flk_followed *t, double passed,

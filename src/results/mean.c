@@ -35,7 +35,8 @@
 #define ROUNDING 1e-6   /* relative error that rows can have near a pole */
 #define SHORTEST 1e-10  /* part of a piece that is not halved any more, */
 #define SHORTEST_OF_ANGLE \
-    1e-9                     /* ... of a direction, which is rounding where its vector vanishes, */
+    1e-9          /* ... of a direction, which is rounding where its vector vanishes, */
+#define TO_END 15 /* parts of which each is half of the last, towards a pole of any order */
 #define SHORTEST_AT_END 1e-4 /* at an end without a row */
 
 #define NODES 15       /* of the rule, */
@@ -256,6 +257,49 @@ static void integrate(means *m, double from, double to, const flk_integral *both
     follow_angle(m, to);
 }
 
+/* 1 if the column grows towards an end as no power of the root of the distance: by a load with an exponent. */
+static int has_broken_power(const means *m, int at_end)
+{
+    const flk_limit *l = &m->c->limit[at_end];
+
+    return gsl_isinf(l->value) && l->is_root &&
+           fabs(2 * l->growth - floor(2 * l->growth + 0.5)) > 0;
+}
+
+/* The limit of a sequence, by three numbers of its members: one of them may be off by a denominator that is small by
+** chance. */
+static double median_limit(const double *of)
+{
+    double copy[TO_END], limit[3];
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        memcpy(copy, of, sizeof copy);
+        limit[k] = flk_limit_of_sequence(copy, TO_END - 2 * k);
+    }
+    return GSL_MAX_DBL(GSL_MIN_DBL(limit[0], limit[1]),
+                       GSL_MIN_DBL(GSL_MAX_DBL(limit[0], limit[1]), limit[2]));
+}
+
+/* Integrate such a part of a piece at its end, by parts of which each is half as wide as the one before.  The
+** integrals up to them approach that of the whole by powers of the width, each in a geometric sequence. */
+static void integrate_to_end(means *m, double from, double to, int at_end)
+{
+    double sums[3][TO_END], before[3], width = to - from;
+    int j, k;
+
+    memcpy(before, m->here.of, sizeof before);
+    for (j = 0; j < TO_END; j++) {
+        width /= 2;
+        integrate(m, at_end ? to - 2 * width : from + width, at_end ? to - width : from + 2 * width,
+                  NULL);
+        for (k = 0; k < 3; k++)
+            sums[k][j] = m->here.of[k] - before[k];
+    }
+    for (k = 0; k < 3; k++)
+        m->here.of[k] = before[k] + median_limit(sums[k]);
+}
+
 /* 1 if the results are known: no mean, an infinite root mean square. */
 static int is_done(const means *m)
 {
@@ -270,8 +314,15 @@ static void integrate_piece(means *m)
 
     m->x.f.a->is_fast = !m->t.is_noise;
     follow_angle(m, 0);
-    for (i = 0; i < n && !m->signs[1] && !flk_follow_is_over(&m->x.f); i++)
-        integrate(m, i / n, (i + 1) / n, NULL);
+    for (i = 0; i < n && !m->signs[1] && !flk_follow_is_over(&m->x.f); i++) {
+        int is_first = i == 0 && has_broken_power(m, 0),
+            is_last = i == n - 1 && has_broken_power(m, 1);
+
+        if (is_first || is_last)
+            integrate_to_end(m, i / n, (i + 1) / n, is_last);
+        else
+            integrate(m, i / n, (i + 1) / n, NULL);
+    }
 }
 
 /* Of a motion that repeats, the first period counts for all that are skipped. */

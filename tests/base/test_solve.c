@@ -510,6 +510,32 @@ TEST(test_rough_integrals)
     assert_near(of[0].value, 0.375, 1e-15);
 }
 
+/* One, two, three geometric sequences, falling, growing and alternating, about a limit. */
+TEST(test_limit_of_sequence)
+{
+    double of[7], limit, part[3], ratio[3];
+    uint64_t seed = 56;
+    int i, k, m, n;
+
+    for (i = 0; i < 3000; i++) {
+        n = 1 + i % 3;
+        limit = uniform(&seed, -1, 1);
+        for (k = 0; k < n; k++) {
+            part[k] = uniform(&seed, 0.5, 1);
+            ratio[k] = 0.2 + 0.6 * k + uniform(&seed, -0.1, 0.1);
+            if (i % 2)
+                ratio[k] = -ratio[k];
+        }
+        for (m = 0; m <= 2 * n; m++)
+            for (of[m] = limit, k = 0; k < n; k++)
+                of[m] += part[k] * pow(ratio[k], m);
+        assert_near(flk_limit_of_sequence(of, 2 * n + 1), limit, 1e-7);
+    }
+    for (m = 0; m < 7; m++)
+        of[m] = 3;
+    assert_near(flk_limit_of_sequence(of, 7), 3, 0);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
