@@ -240,6 +240,20 @@ static flk_sample find_peak(sought *k, size_t i)
     return at[1];
 }
 
+/* Take the top of the parabola through the end and two places beside it, closer than these. */
+static void take_top_beside_end(sought *k, const flk_sample *end, const flk_sample beside[2],
+                                flk_sample *best)
+{
+    flk_polynomial of;
+
+    of.n = 0;
+    flk_polynomial_add(&of, 0, end->value);
+    flk_polynomial_add(&of, beside[0].x, beside[0].value);
+    flk_polynomial_add(&of, beside[1].x, beside[1].value);
+    if (gsl_finite(end->value))
+        take_top(peak_beside_end, k, &of, 0, beside[0].x, 0, best);
+}
+
 /* The peak between sample i, which has no neighbour on one side, and the next sample.  It is sample i
 ** itself, unless the column rises beside it, or jumps there, as where a joint with friction stands still.
 ** The search runs over the distance from the end, or where the column behaves as its root, over that. */
@@ -263,6 +277,8 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
     if (at[1].value > at[0].value) {
         top = flk_find_peak(peak_beside_end, k, at, EQUAL * fabs(at[1].value));
         sharpen(peak_beside_end, k, at[0].x, at[2].x, &top);
+    } else {
+        take_top_beside_end(k, &end, at, &top);
     }
     if (!(top.value > end.value))
         return end;

@@ -663,28 +663,28 @@ static void take_unit_vectors(values y[2])
         }
 }
 
-/* Returns `limit` if no other one is known with an error below `least`. */
-static double limit_in_root(const flk_limit_rows *e, const flk_followed *t, values y[2], int n,
-                            double size, double limit, double least)
+/* Take such a limit if it is known with an error below `least`.  Then rows beside the end are exact. */
+static void take_limit_in_root(const flk_limit_rows *e, const flk_followed *t, values y[2],
+                               double size, double least, flk_limit *l)
 {
-    int is_direction = n == 2 && t->turn > 0, scale;
+    int is_direction = l->n == 2 && t->turn > 0, scale;
     double value[2] = {0, 0}, error[2] = {0, 0}, of;
 
     if (is_direction)
         take_unit_vectors(y);
     for (scale = 0; scale < SCALES; scale++) {
         value[0] = extrapolate_in_root(e->x[scale], y[0][scale], &error[0]);
-        if (n == 2)
+        if (l->n == 2)
             value[1] = extrapolate_in_root(e->x[scale], y[1][scale], &error[1]);
         of = is_direction ? 1 : GSL_MAX_DBL(size, flk_length(value[0], value[1]));
         if (!(flk_length(error[0], error[1]) <= least * of))
             continue;
         least = flk_length(error[0], error[1]) / of;
-        limit = is_direction ? flk_angle(value[1], value[0]) * t->c->scale
-                : n == 2     ? flk_length(value[0], value[1])
-                             : value[0];
+        l->rounded = 0;
+        l->value = is_direction ? flk_angle(value[1], value[0]) * t->c->scale
+                   : l->n == 2  ? flk_length(value[0], value[1])
+                                : value[0];
     }
-    return limit;
 }
 
 void flk_limit_none(flk_limit *l)
@@ -739,10 +739,9 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
         find_finite(e, t, y, &b, size, l);
     else if (is_vector && l->order > 0 && b.error <= EXACT * b.size)
         l->reach = b.reach;
-    if (e->is_root && (t->turn > 0 ? is_vector && !e->is_change : 1))
-        if (gsl_isnan(l->value) || (gsl_finite(l->value) && !(b.error <= EXACT * b.size)))
-            l->value = limit_in_root(e, t, y, l->n, size, l->value,
-                                     gsl_isnan(l->value) ? KNOWN : b.error / b.size);
+    if (e->is_root && (t->turn > 0 ? is_vector && !e->is_change : 1) &&
+        (gsl_isnan(l->value) || (gsl_finite(l->value) && !(b.error <= EXACT * b.size))))
+        take_limit_in_root(e, t, y, size, gsl_isnan(l->value) ? KNOWN : b.error / b.size, l);
     if (gsl_isnan(l->value) && !has_pole && !is_vector && is_finite(e, y[0]) &&
         !(find_order(e, y[0]) > 0))
         l->value = y[0][0][0];

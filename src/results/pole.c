@@ -13,6 +13,8 @@
 #include "pole.h"
 
 #define BESIDE_POLE 1e-8 /* s */
+#define BESIDE_END 1e-4  /* s, at an end of the piece, */
+#define DISTINCT 1e-9    /* ... at least so many rad, or the row is that at the end */
 
 typedef struct quotient {
     const flk_samples *x;
@@ -71,11 +73,12 @@ static void find_between_samples(quotient *q, flk_take_pole *take, void *data)
 static void find_at_end(const quotient *q, int at_end, flk_take_pole *take, void *data)
 {
     const flk_samples *x = q->x;
-    double nearer;
+    double nearest = sqrt(DISTINCT / (x->f.piece.to - x->f.piece.from)) / M_PI_2;
+    double step = GSL_MIN_DBL(GSL_MAX_DBL(BESIDE_END, nearest), 0.25), nearer;
     flk_pole pole;
 
     if (x->n < 3 || fabs(q->c->v[at_end ? x->n - 1 : 0]) < q->c->of.bound ||
-        !grows_towards(q, at_end, (at_end ? -1 : 1) * sqrt(BESIDE_POLE), &nearer))
+        !grows_towards(q, at_end, at_end ? -step : step, &nearer))
         return;
     pole.s = at_end;
     pole.signs = sign_of(nearer);

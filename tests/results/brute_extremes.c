@@ -632,15 +632,17 @@ static int has_pole(unsigned long c)
     return 0;
 }
 
-/* 1 if a column grows to infinity on one side of the angle that is told: a pole narrower than the rows. */
+/* 1 if a column grows to infinity on one side of the angle that is told: a pole narrower than the rows.  At distances
+** that are each a tenth of the one before, a number that is added does not matter to the steps between rows. */
 static int grows(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * angle_unit, v[2][COLUMNS];
+    double p = sense * (f->angle - from) * angle_unit, v[3][COLUMNS];
     int side;
 
     for (side = -1; side <= 1; side += 2)
         if (!compute(p + side * 1e-7, v[0]) && !compute(p + side * 1e-8, v[1]) &&
-            v[1][c] * f->value > 0 && fabs(v[1][c]) > 5 * fabs(v[0][c]))
+            !compute(p + side * 1e-9, v[2]) && (v[2][c] - v[1][c]) * f->value > 0 &&
+            fabs(v[2][c] - v[1][c]) > 5 * fabs(v[1][c] - v[0][c]))
             return 1;
     return 0;
 }
@@ -736,6 +738,20 @@ static int is_attained(unsigned long c, const fourlink_value *f, double size, in
     return *is_open || far <= (near ? NEAR : SMOOTH);
 }
 
+/* The rounding error of a row: of the largest value of the column's quantity, from which it may be a difference. */
+static double rounding_at(unsigned long c, double p)
+{
+    double v[COLUMNS], most = 0;
+    unsigned long k;
+
+    if (compute(p, v))
+        return 0;
+    for (k = 0; k < n_columns; k++)
+        if (strcmp(columns[k].quantity, columns[c].quantity) == 0 && isfinite(v[k]))
+            most = fmax(most, fabs(v[k]));
+    return 4 * DBL_EPSILON * most;
+}
+
 static void compare(unsigned long c, const fourlink_value *f, best *b, double size)
 {
     int sign = f->name[1] == 'a' ? 1 : -1, k;
@@ -758,6 +774,8 @@ static void compare(unsigned long c, const fourlink_value *f, best *b, double si
         by = b->value[k] - f->value;
         if (is_angle(c) && !has_first)
             by += beside(c, most, f->value) - most;
+        if (!is_angle(c) && by * sign <= rounding_at(c, b->at[k]))
+            continue;
         by *= sign /
               fmax(size,
                    fabs(f->value)); /* a finite one may be far above an unbounded column's median */
