@@ -9,6 +9,7 @@
 ** Where the points are speeds, these are the speed and its derivatives, and the coordinate rises by
 ** T (q0 u + H S(u)), S the integral of s.
 */
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -134,7 +135,7 @@ static void trapezoid(const flk_program_segment *g, double u, shape *x)
         x->value = V * u * u / (2 * a);
         x->rate = V * u / a;
         x->second = V / a;
-    } else if (left > b || b <= 0) {
+    } else if (u < 1 - b || b <= 0) {
         x->integral = V * (a * a / 6 + u * (u - a) / 2);
         x->value = V * (u - a / 2);
         x->rate = V;
@@ -369,10 +370,39 @@ const flk_program_segment *flk_program_segment_at(const flk_program *p, double t
     return &p->segment[low];
 }
 
-void flk_program_at(const flk_program *p, double time, double x[3])
+/* The places within a segment at which parts of its law begin. */
+static void inner_corners(const flk_program_segment *g, double inner[2])
+{
+    inner[0] = g->law == FLK_LAW_TRAPEZOID ? g->ramp[0] : SINE_PART;
+    inner[1] = g->law == FLK_LAW_TRAPEZOID ? 1 - g->ramp[1] : 1 - SINE_PART;
+}
+
+/* The segment of a time, and the place in it.  The time of a row is rounded: one that is that of a corner but for
+** rounding is at the corner, where the next part begins. */
+#define ROUNDED (8 * DBL_EPSILON)
+
+static const flk_program_segment *find_place(const flk_program *p, double time, double *u)
 {
     const flk_program_segment *g = flk_program_segment_at(p, time);
-    double u = GSL_MIN(GSL_MAX((time - g->begin) / g->length, 0), 1);
+    double rounded = ROUNDED * (fabs(time) + g->length), inner[2];
+    int i;
+
+    if (g < &p->segment[p->n - 1] && g[1].begin - time <= rounded) {
+        *u = 0;
+        return g + 1;
+    }
+    *u = GSL_MIN(GSL_MAX((time - g->begin) / g->length, 0), 1);
+    inner_corners(g, inner);
+    for (i = 0; i < 2; i++)
+        if (fabs(*u - inner[i]) * g->length <= rounded)
+            *u = inner[i];
+    return g;
+}
+
+void flk_program_at(const flk_program *p, double time, double x[3])
+{
+    double u;
+    const flk_program_segment *g = find_place(p, time, &u);
     shape s;
 
     find_shape(g, u, &s);
@@ -407,8 +437,7 @@ double flk_program_corner(const flk_program *p, double time)
     double inner[2], at;
     int i;
 
-    inner[0] = g->law == FLK_LAW_TRAPEZOID ? g->ramp[0] : SINE_PART;
-    inner[1] = g->law == FLK_LAW_TRAPEZOID ? 1 - g->ramp[1] : 1 - SINE_PART;
+    inner_corners(g, inner);
     for (i = 0; i < 2 && (g->law == FLK_LAW_TRAPEZOID || g->law == FLK_LAW_MODIFIED_SINE); i++) {
         at = g->begin + inner[i] * g->length;
         if (at > time)

@@ -3,6 +3,8 @@
 ** test_program.c - laws of motion and splines, against values computed in 40 digits, and random programs against
 ** differences and a quadrature of their own.
 */
+#include <float.h>
+
 #include "check.h"
 
 #include <math.h>
@@ -251,6 +253,31 @@ TEST(test_random_programs)
     }
     print_message("speed %.1e, acceleration %.1e, integral %.1e\n", worst[0], worst[1], worst[2]);
     assert_true(worst[0] < 1e-6 && worst[1] < 1e-6 && worst[2] < 1e-9);
+}
+
+/* A row's time is rounded: a few of its last digits before or behind a corner, there are the speed and acceleration
+** behind it. */
+TEST(test_rows_at_corners)
+{
+    double at, behind[3], x[3], size, end, T;
+    int i, digits;
+    one o;
+
+    for (i = 0; i < 3000; i++) {
+        make_random(&o);
+        size = largest(&o);
+        end = flk_program_end(&o.p);
+        for (at = o.g[0].begin; at < end; at = flk_program_corner(&o.p, at)) {
+            T = flk_program_segment_at(&o.p, at)->length;
+            flk_program_at(&o.p, at + 1e-12 * T, behind);
+            for (digits = -3; digits <= 3; digits++) {
+                flk_program_at(&o.p, at + digits * DBL_EPSILON * fabs(at), x);
+                assert_near(x[0], behind[0], 1e-10 * size);
+                assert_near(x[1], behind[1], 1e-8 * fmax(fabs(behind[1]), size / T));
+                assert_near(x[2], behind[2], 1e-5 * fmax(fabs(behind[2]), size / (T * T)));
+            }
+        }
+    }
 }
 
 int main(void)
