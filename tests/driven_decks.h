@@ -132,7 +132,8 @@ static int is_force(const char *name)
     return is_one_of(name, FORCES);
 }
 
-/* Of a pin, the friction circle: its friction moment / its force. */
+/* Of a pin, the friction circle: its friction moment / its force.  0 where the force is rounding error of others: without
+** mass and load, pins transmit nothing of what drives. */
 static double circle_of(const columns *c, const double *row, int pin)
 {
     static const char *const forces[] = {"F12", "F23", "F34", "F14"};
@@ -140,8 +141,9 @@ static double circle_of(const columns *c, const double *row, int pin)
     double F = named(c, row, forces[pin]), largest = 0;
     int i;
 
-    for (i = 0; i < 4; i++)
-        largest = fmax(largest, named(c, row, forces[i]));
+    for (i = 0; i < c->n; i++)
+        if (strcmp(c->list[i].told->quantity, "force") == 0 && isfinite(row[i]))
+            largest = fmax(largest, fabs(row[i]));
     snprintf(moment, sizeof moment, "friction_%c", 'A' + pin);
     return F > 1e-6 * largest ? named(c, row, moment) / F : 0;
 }

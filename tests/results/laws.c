@@ -44,9 +44,11 @@ static void compare_decks(const char *units)
     }
     prepare(&a, first);
     prepare(&b, second);
-    /* A four-bar goes on through a change point at 0 deg: each turn is mirrored to the other one. */
-    swaps = present->factor == factor_mirrored && kind == FOURLINK_FOUR_BAR &&
-            !problem_of(first).mechanism.change_folded;
+    /* A mirrored branch of a four-bar is the other one, of others the same; where the mechanism goes on through a change
+    ** point at 0 deg, it is on the other branch in a turn on the other side of that. */
+    swaps = present->factor == factor_mirrored &&
+            (kind == FOURLINK_FOUR_BAR || kind == FOURLINK_INVERTED_SLIDER_CRANK) &&
+            (kind == FOURLINK_FOUR_BAR) != (problem_of(first).mechanism.change_folded != 0);
     present->cases++;
     if (a.rows != b.rows || a.c.n != b.c.n)
         fail("%lu rows of %d columns, expected %lu of %d", b.rows, b.c.n, a.rows, a.c.n);
