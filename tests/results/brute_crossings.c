@@ -267,6 +267,20 @@ static double most_of(unsigned long c)
     return most;
 }
 
+/* How much the column changes over the rounding of crank angles, 1e-12 of a turn: at an end of the motion a crossing so
+** little beyond it counts. */
+#define ROUNDED (2e-12 * PI)
+#define BESIDE 1e-9 /* rad */
+
+static double change_by_rounding(unsigned long c, double p, double value)
+{
+    double here[COLUMNS], beside[COLUMNS];
+
+    if (compute(p, here) || compute(p < 0.5 * total ? p + BESIDE : p - BESIDE, beside))
+        return 0;
+    return fabs(off(c, beside, value) - off(c, here, value)) * ROUNDED / BESIDE;
+}
+
 static void try_value(unsigned long c, double value)
 {
     static double angles[CROSSINGS];
@@ -288,6 +302,9 @@ static void try_value(unsigned long c, double value)
         by = fabs(off(c, v, value)) / fmax(scale_of(c, v, value), scale_beside(c, p, value));
         worst = fmax(worst, by <= 1 ? by : 0);
         if (by <= FALSE_BY || off(c, v, value) == 0)
+            continue;
+        if (fmin(p, total - p) < ROUNDED &&
+            fabs(off(c, v, value)) < change_by_rounding(c, p, value))
             continue;
         wrong++;
         fail("false", c, value, p, by);
