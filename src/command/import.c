@@ -2,8 +2,7 @@
 **
 ** import.c - a deck from a link of PMKS+.
 **
-** The four links are the ground, the one with the input, and two that close a loop with it; the joints of other links on
-** them are points.
+** Joints of its links that are no pins of the four links are points.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -12,171 +11,20 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
+#include "base/trig.h"
 #include "import.h"
-#include "pmks.h"
+#include "import_links.h"
 #include "system/memory.h"
 
 #define DECK_SIZE 65536
 #define IN_LINE 1e-6 /* sine of an angle */
-#define STEP 15.0    /* deg, of the directions that are drawn */
-#define ROUNDED 0.03 /* deg, by which a direction in rad with three decimals can be beside one */
-
-enum { PIN_A, PIN_B, PIN_C, PIN_D, PINS };
+#define ZERO 1e-12   /* of a drawing: a coordinate that is rounding */
 
 typedef struct import {
-    pmks_link from;
-    const pmks_joint *pin[PINS]; /* D is null of a slider-crank */
-    const pmks_joint *slide;     /* null of a four-bar */
-    text link[5];                /* by number, from 2 on; empty: what slides has none */
+    import_links links;
     char deck[DECK_SIZE];
     size_t length;
 } import;
-
-/* ------------------------------------------------------------------------------------- the four links */
-
-/* The number of fixed joints of a link, and one of them. */
-static int count_fixed(const import *m, text link, const pmks_joint **fixed)
-{
-    size_t i;
-    int n = 0;
-
-    for (i = 0; i < m->from.n_joints; i++)
-        if (m->from.joints[i].is_fixed && pmks_has_name(m->from.joints[i].links, link)) {
-            *fixed = &m->from.joints[i];
-            n++;
-        }
-    return n;
-}
-
-/* Take the crank: the only link of the fixed pin that is the input. */
-static int take_crank(import *m)
-{
-    const pmks_joint *A = NULL, *other;
-    size_t i;
-
-    for (i = 0; i < m->from.n_joints; i++)
-        if (m->from.joints[i].is_input && A)
-            return pmks_refuse(&m->from, "there are two inputs, %t and %t: a deck has one crank",
-                               A->name, m->from.joints[i].name);
-        else if (m->from.joints[i].is_input)
-            A = &m->from.joints[i];
-    if (!A)
-        return pmks_refuse(&m->from, "no joint is the input, which turns the crank");
-    if (A->slides || !A->is_fixed)
-        return pmks_refuse(&m->from, "the input %t is not a fixed pin, on which a crank turns",
-                           A->name);
-    if (!A->links.length || flk_text_count(A->links, '|'))
-        return pmks_refuse(&m->from, "the input %t must be the pin of one link, not of '%t'",
-                           A->name, A->links);
-    if (count_fixed(m, A->links, &other) > 1)
-        return pmks_refuse(&m->from, "link %t of the input has two fixed joints: it cannot turn",
-                           A->links);
-    m->pin[PIN_A] = A;
-    m->link[2] = A->links;
-    return 1;
-}
-
-/* Take a link with one fixed joint as link 4, at pin C of the coupler. */
-static int take_follower(import *m, const pmks_joint *C)
-{
-    text links = C->links, name;
-    const pmks_joint *fixed = NULL;
-
-    while (pmks_next_name(&links, &name)) {
-        if (pmks_is_same(name, m->link[3]) || count_fixed(m, name, &fixed) != 1)
-            continue;
-        m->pin[PIN_C] = C;
-        m->link[4] = name;
-        *(fixed->slides ? &m->slide : &m->pin[PIN_D]) = fixed;
-        return 1;
-    }
-    return 0;
-}
-
-/* Take links 3 and 4, and their pins: a coupler whose own joint slides on the ground, or one with a link that
-** turns or slides there. */
-static int take_coupler(import *m, const pmks_joint *B)
-{
-    text links = B->links;
-    const pmks_joint *fixed = NULL;
-    size_t i;
-    int n;
-
-    while (pmks_next_name(&links, &m->link[3])) {
-        if (pmks_is_same(m->link[3], m->link[2]))
-            continue;
-        n = count_fixed(m, m->link[3], &fixed);
-        if (n == 1 && fixed->slides) {
-            m->pin[PIN_C] = m->slide = fixed;
-            return 1;
-        }
-        for (i = 0; i < m->from.n_joints && !n; i++) {
-            const pmks_joint *C = &m->from.joints[i];
-
-            if (!C->slides && !C->is_fixed && pmks_has_name(C->links, m->link[3]) &&
-                !pmks_has_name(C->links, m->link[2]) && take_follower(m, C))
-                return 1;
-        }
-    }
-    return 0;
-}
-
-static int take_links(import *m)
-{
-    size_t i;
-
-    if (!take_crank(m))
-        return 0;
-    for (i = 0; i < m->from.n_joints; i++) {
-        const pmks_joint *B = &m->from.joints[i];
-
-        if (B->is_fixed || B->slides || !pmks_has_name(B->links, m->link[2]))
-            continue;
-        m->pin[PIN_B] = B;
-        if (take_coupler(m, B))
-            return 1;
-    }
-    return pmks_refuse(
-        &m->from,
-        "no loop of four links has link %t of the input: a deck has the ground, a crank "
-        "and two links that join it to a fixed pin or slide",
-        m->link[2]);
-}
-
-/* The number of a link; 0 if it is none of the four. */
-static int number_of(const import *m, text link)
-{
-    int i;
-
-    for (i = 2; i <= 4; i++)
-        if (pmks_is_same(m->link[i], link))
-            return i;
-    return 0;
-}
-
-static const char *word_of(const import *m, int number)
-{
-    static const char *const words[2][3] = {{"crank", "coupler", "rocker"},
-                                            {"crank", "rod", "piston"}};
-
-    return words[m->slide != NULL][number - 2];
-}
-
-/* 1 for a piston, which does not turn. */
-static int is_piston(const import *m, int number)
-{
-    return number == 4 && m->slide;
-}
-
-static int is_pin(const import *m, const pmks_joint *x)
-{
-    int i;
-
-    for (i = 0; i < PINS; i++)
-        if (m->pin[i] == x)
-            return 1;
-    return m->slide == x;
-}
 
 /* ------------------------------------------------------------------------------------------ the deck */
 
@@ -208,7 +56,7 @@ static void put_place(import *m, const char *key, double x, double y)
     add_words(m, ", ");
     put_number(m, y);
     add_words(m, ") ");
-    add_words(m, m->from.units->length);
+    add_words(m, m->links.from.units->length);
     add_words(m, "\n");
 }
 
@@ -222,40 +70,131 @@ static void put_quantity(import *m, const char *key, double value, const char *u
     add_words(m, "\n");
 }
 
-/* The direction from a place to another, deg. */
-static double direction(double x, double y, double to_x, double to_y)
+static void put_words(import *m, const char *key, const char *words)
 {
-    return atan2(to_y - y, to_x - x) * 180 / M_PI;
+    add_words(m, key);
+    add_words(m, " = ");
+    add_words(m, words);
+    add_words(m, "\n");
 }
 
-/* The direction of the slide: a multiple of 15 deg as that, of which the link has three decimals in rad. */
-static double put_guide(import *m)
+/* The direction of a slide, which is noted if it is not that of the link. */
+static void put_direction(import *m, const pmks_joint *slide)
 {
-    double angle = m->slide->angle, drawn = STEP * floor(angle / STEP + 0.5);
+    double drawn = import_direction_of_slide(slide);
 
-    add_words(m, "\n[ground]\n");
-    if (fabs(angle - drawn) > ROUNDED) {
+    if (drawn == slide->angle && drawn != 0) {
         add_words(m, "angle = ");
-        add_text(m, m->slide->direction);
+        add_text(m, slide->direction);
         add_words(m, " rad\n");
-        return angle;
+        return;
     }
-    if (angle != drawn)
+    if (slide->angle != drawn)
         pmks_note(
-            &m->from,
+            &m->links.from,
             "joint %t slides in the direction %t rad, with three decimals: it is taken as %.4g deg",
-            m->slide->name, m->slide->direction, drawn);
+            slide->name, slide->direction, drawn);
     put_quantity(m, "angle", drawn, "deg");
-    return drawn;
 }
+
+/* -------------------------------------------------------------------------------------- words of links */
+
+/* The prefix of a name that would be that of a pin, of a link of every deck, or of two things. */
+static const char *prefix_of(const import *m, text name, int is_link)
+{
+    static const char *const taken[] = {"A",      "B",      "C",     "D",       "G2",  "G3",
+                                        "G4",     "ground", "crank", "coupler", "rod", "slider",
+                                        "rocker", "piston", "lever", "yoke"};
+    size_t i;
+
+    for (i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (flk_text_equal(name, taken[i]))
+            return is_link ? "link_" : "joint_";
+    for (i = 0; i < m->links.from.n_joints && is_link; i++)
+        if (pmks_is_same(m->links.from.joints[i].name, name))
+            return "link_";
+    return "";
+}
+
+static void put_output_name(import *m, const import_output *o)
+{
+    text name = o->follower.length ? o->follower : o->rod;
+
+    add_words(m, prefix_of(m, name, 1));
+    add_text(m, name);
+}
+
+static void add_link(import *m, int number)
+{
+    static const char *const words[2][3] = {{"crank", "coupler", "rocker"},
+                                            {"crank", "rod", "piston"}};
+    const import_output *o = import_output_of(&m->links, number);
+
+    if (!o) {
+        add_words(m, words[m->links.slide != NULL][number - 2]);
+        return;
+    }
+    put_output_name(m, o);
+    add_words(m, import_is_rod(number) ? ".rod" : "");
+}
+
+static void put_link(import *m, const char *key, int number)
+{
+    add_words(m, key);
+    add_words(m, " = ");
+    add_link(m, number);
+    add_words(m, "\n");
+}
+
+/* ------------------------------------------------------------------------------------- points of links */
+
+/* A place in the axes of its link. */
+static void put_on_link(import *m, const char *key, int number, double x, double y)
+{
+    const pmks_joint *from, *to;
+    double axis = import_axis(&m->links, number) * M_PI / 180, size, along, across;
+
+    import_axis_pins(&m->links, number, &from, &to);
+    size = flk_length(x, y) + flk_length(from->x, from->y);
+    x -= from->x;
+    y -= from->y;
+    along = flk_cosine(axis) * x + flk_sine(axis) * y;
+    across = flk_cosine(axis) * y - flk_sine(axis) * x;
+    put_place(m, key, fabs(along) > ZERO * size ? along : 0,
+              fabs(across) > ZERO * size ? across : 0);
+}
+
+/* A place of a link: on the four as drawn, on others in the axes of the link. */
+static void put_point(import *m, const char *place, const char *at, int number, double x, double y)
+{
+    if (number < IMPORT_FIRST_OUTPUT)
+        put_place(m, place, x, y);
+    else
+        put_on_link(m, at, number, x, y);
+}
+
+/* A joint of a link, which may be the end of a rod or rocker. */
+static void put_joint(import *m, const char *place, const char *at, int number, const pmks_joint *x)
+{
+    const pmks_joint *from, *to;
+
+    import_axis_pins(&m->links, number, &from, &to);
+    if (number >= IMPORT_FIRST_OUTPUT && from != to && to == x)
+        put_words(m, at, "end");
+    else
+        put_point(m, place, at, number, x->x, x->y);
+}
+
+/* ------------------------------------------------------------------------------------------ its sections */
 
 /* 1 if the drawing does not tell the branch: links 3 and 4, or the rod and the square to the stroke, are in
 ** line. */
-static int is_in_line(const import *m, double along)
+static int is_in_line(const import_links *m)
 {
     const pmks_joint *B = m->pin[PIN_B], *C = m->pin[PIN_C], *D = m->pin[PIN_D];
     double across =
-        direction(B->x, B->y, C->x, C->y) - (D ? direction(D->x, D->y, C->x, C->y) : along + 90);
+        import_direction(B->x, B->y, C->x, C->y) -
+        (D ? import_direction(D->x, D->y, C->x, C->y) : import_direction_of_slide(m->slide) + 90);
 
     return fabs(sin(across * M_PI / 180)) < IN_LINE;
 }
@@ -263,133 +202,195 @@ static int is_in_line(const import *m, double along)
 static void put_mechanism(import *m)
 {
     static const char *const keys[] = {"A", "B", "C", "D"};
-    double along = 0;
+    const pmks_link *from = &m->links.from;
     int i;
 
-    add_words(m, m->slide ? "mechanism = slider-crank\n\n[pins]\n"
-                          : "mechanism = four-bar\n\n[pins]\n");
+    add_words(m, m->links.slide ? "mechanism = slider-crank\n\n[pins]\n"
+                                : "mechanism = four-bar\n\n[pins]\n");
     for (i = 0; i < PINS; i++)
-        if (m->pin[i])
-            put_place(m, keys[i], m->pin[i]->x, m->pin[i]->y);
-    if (m->slide)
-        along = put_guide(m);
+        if (m->links.pin[i])
+            put_place(m, keys[i], m->links.pin[i]->x, m->links.pin[i]->y);
+    if (m->links.slide) {
+        add_words(m, "\n[ground]\n");
+        put_direction(m, m->links.slide);
+    }
     add_words(m, "\n[motion]\n");
-    put_quantity(m, "speed", m->from.is_clockwise ? -m->from.speed : m->from.speed, "rpm");
-    if (is_in_line(m, along)) {
+    put_quantity(m, "speed", from->is_clockwise ? -from->speed : from->speed, "rpm");
+    if (is_in_line(&m->links)) {
         add_words(m, "\n[table]\nbranch = both\n");
         pmks_note(
-            &m->from,
+            from,
             "it is drawn in a dead position, which does not tell the branch: the deck has both");
     }
 }
 
+/* The side of Q: a slider's is ahead of P along its line, a rocker's on the left of the line from P to its pin. */
+static void put_side(import *m, const import_output *o)
+{
+    double rod = import_direction(o->P->x, o->P->y, o->Q->x, o->Q->y),
+           other = o->end->slides ? import_direction_of_slide(o->end) + 90
+                                  : import_direction(o->P->x, o->P->y, o->end->x, o->end->y),
+           side = sin((o->end->slides ? other - rod : rod - other) * M_PI / 180);
+
+    if (side < 0)
+        put_words(m, "side", o->end->slides ? "behind" : "right");
+    if (fabs(side) < IN_LINE)
+        pmks_note(&m->links.from,
+                  "joint %t is drawn in a dead position, which does not tell on which side it "
+                  "goes on",
+                  o->Q->name);
+}
+
+static double distance(const pmks_joint *from, const pmks_joint *to)
+{
+    return flk_length(to->x - from->x, to->y - from->y);
+}
+
+static void put_output(import *m, const import_output *o)
+{
+    const char *unit = m->links.from.units->length;
+
+    add_words(m, "\n[output ");
+    put_output_name(m, o);
+    add_words(m, "]\n");
+    put_link(m, "link", o->carrier);
+    put_joint(m, "place", "at", o->carrier, o->P);
+    put_quantity(m, "rod", distance(o->P, o->Q), unit);
+    if (o->end->slides) {
+        put_place(m, "line", o->Q->x, o->Q->y);
+        put_direction(m, o->end);
+    } else if (o->to) {
+        put_link(m, "to", o->to);
+        put_joint(m, "to_place", "to_at", o->to, o->end);
+    } else {
+        put_place(m, "pivot", o->end->x, o->end->y);
+    }
+    if (!o->end->slides)
+        put_quantity(m, "length", distance(o->end, o->Q), unit);
+    put_side(m, o);
+}
+
+/* ---------------------------------------------------------------------------------------------- masses */
+
 /* 1 if the masses of the links were set: PMKS+ begins with 1 and 1. */
-static int has_own_masses(const import *m)
+static int has_own_masses(const import_links *m)
 {
     size_t i;
 
     for (i = 0; i < m->from.n_bodies; i++)
-        if (m->from.bodies[i].has_mass && number_of(m, m->from.bodies[i].name) &&
+        if (m->from.bodies[i].has_mass && import_number_of(m, m->from.bodies[i].name) &&
             (m->from.bodies[i].mass != 1 || m->from.bodies[i].inertia != 1))
             return 1;
     return 0;
 }
 
-static void put_masses(import *m)
+static int are_masses_known(const import *m)
 {
+    const pmks_link *from = &m->links.from;
+
+    if (!from->n_bodies)
+        return 0;
+    if (from->units->mass && has_own_masses(&m->links))
+        return 1;
+    pmks_note(from, from->units->mass
+                        ? "the links have the masses and inertias that PMKS+ gives them, 1 and 1: "
+                          "they are left out"
+                        : "the units of masses and inertias are not known: they are left out");
+    return 0;
+}
+
+/* The masses of a link, in a section of its own or in that of its output. */
+static void put_masses(import *m, int number)
+{
+    int is_rod = import_is_rod(number);
+    const pmks_link *from = &m->links.from;
     size_t i;
 
-    if (!m->from.n_bodies)
-        return;
-    if (!m->from.units->mass || !has_own_masses(m)) {
-        pmks_note(&m->from,
-                  m->from.units->mass
-                      ? "the links have the masses and inertias that PMKS+ gives them, 1 and 1: "
-                        "they are left out"
-                      : "the units of masses and inertias are not known: they are left out");
-        return;
-    }
-    for (i = 0; i < m->from.n_bodies; i++) {
-        const pmks_body *b = &m->from.bodies[i];
-        int number = number_of(m, b->name);
+    for (i = 0; i < from->n_bodies; i++) {
+        const pmks_body *b = &from->bodies[i];
 
-        if (!number || !b->has_mass)
+        if (!b->has_mass || import_number_of(&m->links, b->name) != number)
             continue;
-        add_words(m, "\n[");
-        add_words(m, word_of(m, number));
-        add_words(m, "]\n");
-        put_quantity(m, "mass", b->mass, m->from.units->mass);
-        if (!is_piston(m, number))
-            put_quantity(m, "inertia", b->inertia, m->from.units->inertia);
-        put_place(m, "cg_place", b->x, b->y);
+        if (number < IMPORT_FIRST_OUTPUT) {
+            add_words(m, "\n[");
+            add_link(m, number);
+            add_words(m, "]\n");
+        }
+        put_quantity(m, is_rod ? "rod_mass" : "mass", b->mass, from->units->mass);
+        if (!import_slides(&m->links, number))
+            put_quantity(m, is_rod ? "rod_inertia" : "inertia", b->inertia, from->units->inertia);
+        put_point(m, "cg_place", is_rod ? "rod_cg" : "cg", number, b->x, b->y);
     }
-    if (!m->from.has_gravity)
+}
+
+/* The outputs, and the masses of all links. */
+static void put_bodies(import *m)
+{
+    int has_masses = are_masses_known(m), i;
+
+    for (i = 2; i <= 4 && has_masses; i++)
+        put_masses(m, i);
+    for (i = 0; i < m->links.n_outputs; i++) {
+        put_output(m, &m->links.output[i]);
+        if (has_masses) {
+            put_masses(m, IMPORT_FIRST_OUTPUT + 2 * i);
+            put_masses(m, IMPORT_FIRST_OUTPUT + 2 * i + 1);
+        }
+    }
+    if (has_masses && !m->links.from.has_gravity)
         add_words(m, "\n[gravity]\nacceleration = 0 m/s2\n");
 }
 
-/* The joints of the four links that are no pins. */
+/* The joints of links that are no pins of the four. */
 static void put_points(import *m)
 {
     size_t i;
 
-    for (i = 0; i < m->from.n_joints; i++) {
-        const pmks_joint *x = &m->from.joints[i];
-        text links = x->links, name;
-        int number = 0;
+    for (i = 0; i < m->links.from.n_joints; i++) {
+        const pmks_joint *x = &m->links.from.joints[i];
+        int number = import_carrier_of(&m->links, x);
 
-        while (!number && pmks_next_name(&links, &name))
-            number = number_of(m, name);
-        if (!number || is_pin(m, x))
+        if (!number || import_is_pin(&m->links, x) ||
+            (number >= IMPORT_FIRST_OUTPUT && x->is_fixed && !import_is_rod(number)))
             continue;
         add_words(m, "\n[point ");
-        add_words(m, x->name.length == 1 && strchr("ABCD", *x->name.start) ? "joint_" : "");
+        add_words(m, prefix_of(m, x->name, 0));
         add_text(m, x->name);
-        add_words(m, "]\nlink = ");
-        add_words(m, word_of(m, number));
-        add_words(m, "\n");
-        put_place(m, "place", x->x, x->y);
+        add_words(m, "]\n");
+        put_link(m, "link", number);
+        put_joint(m, "place", "at", number, x);
     }
-}
-
-/* The direction of the x axis of a link as drawn, deg. */
-static double axis_of(const import *m, int number)
-{
-    const pmks_joint *from = number == 2   ? m->pin[PIN_A]
-                             : number == 3 ? m->pin[PIN_B]
-                                           : m->pin[PIN_D],
-                     *to = number == 2 ? m->pin[PIN_B] : m->pin[PIN_C];
-
-    return direction(from->x, from->y, to->x, to->y);
 }
 
 static void put_loads(import *m)
 {
+    const pmks_link *from = &m->links.from;
     size_t i;
 
-    for (i = 0; i < m->from.n_forces; i++) {
-        const pmks_force *a = &m->from.forces[i];
-        double along = direction(a->x, a->y, a->to_x, a->to_y);
-        int number = number_of(m, a->link), is_fixed = a->is_fixed || is_piston(m, number);
+    for (i = 0; i < from->n_forces; i++) {
+        const pmks_force *a = &from->forces[i];
+        double along = import_direction(a->x, a->y, a->to_x, a->to_y);
+        int number = import_number_of(&m->links, a->link),
+            is_fixed = a->is_fixed || import_slides(&m->links, number);
 
-        if (!number || !m->from.units->force || (a->x == a->to_x && a->y == a->to_y)) {
-            pmks_note(&m->from, "force %t is left out: %s", a->name,
-                      !m->from.units->force ? "its unit is not known"
-                      : number              ? "it has no direction"
-                                            : "its link is none of the four");
+        if (!number || !from->units->force || (a->x == a->to_x && a->y == a->to_y)) {
+            pmks_note(from, "force %t is left out: %s", a->name,
+                      !from->units->force ? "its unit is not known"
+                      : number            ? "it has no direction"
+                                          : "its link is left out, or the ground");
             continue;
         }
         if (!is_fixed)
-            along -= axis_of(m, number);
+            along -= import_axis(&m->links, number);
         add_words(m, "\n[load ");
         add_text(m, a->name);
-        add_words(m, "]\nlink = ");
-        add_words(m, word_of(m, number));
-        add_words(m, "\n");
-        put_place(m, "place", a->x, a->y);
+        add_words(m, "]\n");
+        put_link(m, "link", number);
+        put_point(m, "place", "at", number, a->x, a->y);
         add_words(m, "force = ");
         put_number(m, a->size);
         add_words(m, " ");
-        add_words(m, m->from.units->force);
+        add_words(m, from->units->force);
         add_words(m, " at ");
         put_number(m, along);
         add_words(m, is_fixed ? " deg\n" : " deg\nframe = link\n");
@@ -399,15 +400,15 @@ static void put_loads(import *m)
 /* ---------------------------------------------------------------------------------------- what is told */
 
 /* 1 if joints before this one have the link too. */
-static int is_told_of(const import *m, size_t i, text link)
+static int is_told_of(const pmks_link *from, size_t i, text link)
 {
     while (i--)
-        if (pmks_has_name(m->from.joints[i].links, link))
+        if (pmks_has_name(from->joints[i].links, link))
             return 1;
     return 0;
 }
 
-static void note_joints(const import *m)
+static void note_joints(const import_links *m)
 {
     static const char *const names[] = {"A", "B", "C", "D"};
     size_t i;
@@ -419,10 +420,11 @@ static void note_joints(const import *m)
         text links = m->from.joints[i].links, link;
 
         while (pmks_next_name(&links, &link))
-            if (!number_of(m, link) && !is_told_of(m, i, link))
+            if (!import_number_of(m, link) && !is_told_of(&m->from, i, link))
                 pmks_note(
                     &m->from,
-                    "link %t is left out: a deck has four links, and its joints on them are points",
+                    "link %t is left out: it is neither one of the four links nor of two that "
+                    "hang on them as an output",
                     link);
     }
     if (m->from.has_friction)
@@ -438,23 +440,23 @@ char *import_deck(text t, const char *file, size_t *length)
 
     if (!m)
         return NULL;
-    m->from.file = file;
-    if (pmks_read(&m->from, t) && take_links(m)) {
+    m->links.from.file = file;
+    if (pmks_read(&m->links.from, t) && import_find_links(&m->links)) {
         put_mechanism(m);
-        note_joints(m);
-        put_masses(m);
+        note_joints(&m->links);
+        put_bodies(m);
         put_points(m);
         put_loads(m);
         if (m->length < DECK_SIZE)
             deck = memory_get(m->length + 1, 1);
         else
-            pmks_refuse(&m->from, "the deck would be too large");
+            pmks_refuse(&m->links.from, "the deck would be too large");
     }
     if (deck) {
         memcpy(deck, m->deck, m->length);
         *length = m->length;
     }
-    pmks_free(&m->from);
+    pmks_free(&m->links.from);
     free(m);
     return deck;
 }
