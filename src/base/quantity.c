@@ -23,6 +23,19 @@ static const char *words_of(dimension dim)
     return NULL;
 }
 
+/* What a unit is one of, or null if it is of no quantity: of lb-in, a mass moment or a torque. */
+static const char *words_of_unit(text t, dimension dim, char out[MESSAGE_SIZE])
+{
+    const char *words = words_of(dim), *as_force = NULL;
+    unit u;
+
+    if (flk_unit_read_forces(t, &u) && !flk_dimension_equal(u.dim, dim))
+        as_force = words_of(u.dim);
+    return words && as_force ? flk_message(out, MESSAGE_SIZE, "%s or %s", words, as_force)
+           : words           ? words
+                             : as_force;
+}
+
 /* The message for a comma in the number at the front of `rest`: 66,5 or 1,000. */
 static void refuse_comma(text rest, text whole, char message[MESSAGE_SIZE])
 {
@@ -255,6 +268,7 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                       char message[MESSAGE_SIZE])
 {
     const quantity_info *info = &flk_quantities[q];
+    char both[MESSAGE_SIZE];
     const char *words;
     text bad;
 
@@ -273,7 +287,7 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     }
     if (flk_dimension_equal(u->dim, info->dim))
         return 1;
-    words = words_of(u->dim);
+    words = words_of_unit(t, u->dim, both);
     if (explain_weight(t, whole, q, message))
         return 0;
     if (words)

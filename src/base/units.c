@@ -319,6 +319,13 @@ int flk_unit_read(text t, unit *result, text *bad)
     return read_unit(t, 0, result, bad);
 }
 
+int flk_unit_read_forces(text t, unit *result)
+{
+    text bad;
+
+    return read_unit(t, 1, result, &bad);
+}
+
 int flk_unit_read_as(text t, dimension dim, unit *result, text *bad)
 {
     unit u;
@@ -374,19 +381,20 @@ const char *flk_unit_nearest(text t, text word, dimension dim)
 
 int flk_unit_weight(text t, dimension dim, text *word, const char **other)
 {
-    const named_unit *known, *first;
+    const named_unit *known, *first = NULL;
     text rest = t;
     size_t i;
 
     while (rest.length) {
         *word = take_name(&rest);
+        first = NULL;
         if (!word->length) {
             rest = flk_text_from(rest, 1);
             continue;
         }
         known = find_named_unit(*word);
         known = known ? known : find_word(*word, &first);
-        for (i = 0; known && i < 2 * WEIGHT_COUNT; i++) {
+        for (i = 0; known && !first && i < 2 * WEIGHT_COUNT; i++) {
             const char *mass = weights[i / 2].mass, *force = weights[i / 2].force;
 
             *other = i % 2 ? mass : force;

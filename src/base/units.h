@@ -69,6 +69,9 @@ typedef struct unit {
 ** Returns 1 if it is a unit; 0 if not, with the unknown part in `bad`. */
 int flk_unit_read(text t, unit *result, text *bad);
 
+/* The same with lb and oz as forces. */
+int flk_unit_read_forces(text t, unit *result);
+
 /* The same where a dimension is wanted: lb and oz are forces if they give it so, and not as masses. */
 int flk_unit_read_as(text t, dimension dim, unit *result, text *bad);
 

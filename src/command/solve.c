@@ -34,6 +34,7 @@ typedef struct question {
     input *in;
     view v;
     char key[MESSAGE_SIZE], name[MESSAGE_SIZE];
+    char told[MESSAGE_SIZE]; /* the name, at the angle as it was written */
     char unit[MESSAGE_SIZE],
         result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
     fourlink_value of, result;     /* what is sought, and what is to have a value */
@@ -152,6 +153,7 @@ static int read_question(question *q)
         !check_key(q) || !read_angle(q, at) || !read_value(q, value, &q->result, &q->wanted))
         return 0;
     flk_text_copy(flk_text_of(q->result.name), q->name, sizeof q->name);
+    flk_message(q->told, sizeof q->told, at.start ? "%s at %t" : "%s", q->name, at);
     flk_text_copy(flk_text_of(q->of.unit), q->unit, sizeof q->unit);
     flk_text_copy(flk_text_of(q->result.unit), q->result_unit, sizeof q->result_unit);
     return q->low < q->high || refuse(q, "the range has to rise: LOW .. HIGH");
@@ -177,7 +179,7 @@ static void take_columns(const question *q, fourlink_value columns[SOLVE_COLUMNS
     columns[0].name = q->key;
     columns[0].unit = q->unit;
     columns[1] = q->result;
-    columns[1].name = q->name;
+    columns[1].name = q->told;
     columns[1].unit = q->result_unit;
 }
 
@@ -247,7 +249,7 @@ static void put(question *q, double x)
         sheet_write_line(q->s, q->in->results, q->in->name, q->branch, columns, SOLVE_COLUMNS);
     } else if (q->l) {
         line_put(q->l, "%-9s %12g %s, %s = %12g %s\n", fourlink_branch_text((int)q->branch), x,
-                 q->unit, q->name, value, q->result_unit);
+                 q->unit, q->told, value, q->result_unit);
     }
 }
 
@@ -384,7 +386,7 @@ static int end(question *q)
     if (q->is_flat)
         tell(q, "note", "the result has this value in a part of the range, or in all of it");
     if (q->gave_up) {
-        flk_message(message, sizeof message, "in a part of the range %s is not known: %s", q->name,
+        flk_message(message, sizeof message, "in a part of the range %s is not known: %s", q->told,
                     q->gave_up);
         tell(q, "error", message);
     }
@@ -393,9 +395,9 @@ static int end(question *q)
     if (q->least > q->most && q->gave_up)
         flk_message(q->why, sizeof q->why, "%s", q->gave_up); /* which is told */
     else if (q->least > q->most)
-        refuse(q, "%s has no value in this range of %s", q->name, q->key);
+        refuse(q, "%s has no value in this range of %s", q->told, q->key);
     else
-        refuse(q, "%s is not %.6g %s in this range of %s: it goes from %.6g to %.6g", q->name,
+        refuse(q, "%s is not %.6g %s in this range of %s: it goes from %.6g to %.6g", q->told,
                q->wanted, q->result_unit, q->key, q->least, q->most);
     return EXIT_ROWS;
 }

@@ -483,6 +483,7 @@ void flk_build_mechanism(parser *p)
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     inclination = flk_build_inclination(p);
+    p->d->inclination = inclination;
     build_axes(p, inclination);
     direction = flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - inclination;
     flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);

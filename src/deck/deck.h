@@ -186,6 +186,7 @@ struct fourlink_deck {
     char title[256];
     deck_pins pins;
     deck_axes axes;
+    double inclination;     /* rad, of link 1 on the page */
     flk_machine machine;    /* the mechanism with its design, elements, friction, motor */
     fourlink_motion motion; /* angles in the deck's unit of angle */
     int one_instant;        /* 1: motion.at */

@@ -61,13 +61,14 @@ int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE])
 
 double flk_number_converted(double number, unit from, unit to)
 {
-    double value = flk_unit_in(number, from, to), rounded, back;
+    double value = flk_unit_in(number, from, to), rounded, exactly, back;
     char words[DIGITS_SIZE];
 
-    return read_back(value, DBL_DIG, words, &rounded) &&
-                   fabs(rounded - value) <= 2 * DBL_EPSILON * fabs(value) &&
-                   read_back(flk_unit_in(rounded, to, from), DBL_DIG, words, &back) &&
-                   back == number
+    if (!read_back(value, DBL_DIG, words, &rounded) ||
+        !(fabs(rounded - value) <= 2 * DBL_EPSILON * fabs(value)))
+        return value;
+    exactly = flk_unit_in(rounded, to, from); /* a fraction, 1/3 rev/s, has more digits */
+    return exactly == number || (read_back(exactly, DBL_DIG, words, &back) && back == number)
                ? rounded
                : value;
 }

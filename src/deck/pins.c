@@ -175,6 +175,11 @@ static void find_four_bar(deck_pins *pins, const drawing *x)
     place_link(pins, FOURLINK_FOLLOWER, x->at[PIN_D], rocker);
 }
 
+static void set_offset(deck_pins *pins, const drawing *x, double offset)
+{
+    pins->offset = fabs(offset) > SAME * x->size ? offset : 0;
+}
+
 /* The line of a slide on the ground: a point of it, and its direction u.  With F the foot of A on it, x runs
 ** from F to C, along the given direction if C is at F, or if there is no C. */
 static void find_line(deck_pins *pins, const drawing *x, double along, const fourlink_vector *C)
@@ -185,9 +190,7 @@ static void find_line(deck_pins *pins, const drawing *x, double along, const fou
     flk_sine_cosine(along, &u.y, &u.x);
     reach = FLK_DOT(from_A, u);
     pins->angle = C && reach < -SAME * x->size ? reduced(along + M_PI) : along;
-    pins->offset = pins->angle == along ? FLK_CROSS(u, from_A) : -FLK_CROSS(u, from_A);
-    if (fabs(pins->offset) <= SAME * x->size)
-        pins->offset = 0;
+    set_offset(pins, x, pins->angle == along ? FLK_CROSS(u, from_A) : -FLK_CROSS(u, from_A));
 }
 
 /* Slider-crank: a = AB, l = BC.  The side is the cosine of the angle from x to the rod. */
@@ -409,22 +412,26 @@ static void note_moved(parser *p, const drawing *x, int pin, fourlink_vector to,
                     flk_key_table[KEY_PINS_A + pin].name, in_words(p, by, far));
 }
 
-/* The direction of x of link 1, and the line of a slide on the ground: at the offset that is given, or as
-** drawn. */
+/* The direction of x of link 1, and the line of a slide on the ground: at the offset that is given, or along the
+** guide, or through C. */
 static void find_rough_ground(parser *p, deck_pins *pins, const drawing *x)
 {
     const setting *offset = flk_setting_find(p, KEY_GROUND_OFFSET);
     double along = pins->has_guide ? direction_of(minus(x->on_guide[1], x->on_guide[0]))
                                    : flk_setting_or(p, KEY_GROUND_ANGLE, 0);
     fourlink_kind kind = p->d->machine.mechanism.design.kind;
+    fourlink_vector u;
 
     if (WITH_PIN_D & (int)kind) {
         pins->angle = direction_of(minus(x->at[PIN_D], x->at[PIN_A]));
         return;
     }
     find_line(pins, x, along, kind == FOURLINK_SLIDER_CRANK ? &x->at[PIN_C] : NULL);
+    flk_sine_cosine(pins->angle, &u.y, &u.x);
     if (IS_SET(offset))
         pins->offset = offset->si[0];
+    else if (pins->has_guide)
+        set_offset(pins, x, FLK_CROSS(u, minus(x->on_guide[0], x->at[PIN_A])));
 }
 
 /* A stays, B lies in the drawn direction, D too; of the two assemblies that is meant whose C is nearer to the drawn

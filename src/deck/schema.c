@@ -142,16 +142,40 @@ static const struct {
                    {INVERTED, "tailgate", "crank"},
                    {INVERTED, "tower", "crank"},
                    {INVERTED, "body", "crank"},
+                   {INVERTED, "dump-body", "crank"},
                    {INVERTED, "cylinder", "lever"}};
 
 #define OTHER_LINKS (sizeof other_links / sizeof other_links[0])
+
+/* Equal whatever the case of letters, and whether a blank, - or _ joins the words. */
+static int is_word(text t, const char *word)
+{
+    char joined[MESSAGE_SIZE], *c;
+
+    if (t.length >= sizeof joined)
+        return 0;
+    for (c = flk_text_copy(t, joined, sizeof joined); *c; c++)
+        if (*c == '_' || *c == ' ')
+            *c = '-';
+    return flk_text_equal(t, word) || flk_text_equal(flk_text_of(joined), word);
+}
+
+int flk_link_is_other(text name)
+{
+    size_t i;
+
+    for (i = 0; i < OTHER_LINKS; i++)
+        if (is_word(name, other_links[i].written))
+            return 1;
+    return 0;
+}
 
 text flk_link_meant(int kind, text name)
 {
     size_t i;
 
     for (i = 0; i < OTHER_LINKS; i++)
-        if ((other_links[i].kinds & kind) && flk_text_equal(name, other_links[i].written))
+        if ((other_links[i].kinds & kind) && is_word(name, other_links[i].written))
             return flk_text_of(other_links[i].meant);
     return name;
 }
@@ -202,19 +226,6 @@ static const other_kind other_kinds[] = {
      0}};
 
 #define OTHER_KINDS (sizeof other_kinds / sizeof other_kinds[0])
-
-/* Equal whatever the case of letters, and whether a blank, - or _ joins the words. */
-static int is_word(text t, const char *word)
-{
-    char joined[MESSAGE_SIZE], *c;
-
-    if (t.length >= sizeof joined)
-        return 0;
-    for (c = flk_text_copy(t, joined, sizeof joined); *c; c++)
-        if (*c == '_' || *c == ' ')
-            *c = '-';
-    return flk_text_equal(t, word) || flk_text_equal(flk_text_of(joined), word);
-}
 
 /* The row of other_kinds that a text is; null if the key has none. */
 static const other_kind *other_kind_of(key_code key, text t)

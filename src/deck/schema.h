@@ -442,6 +442,9 @@ int flk_word_has_cylinder(text mechanism);
 /* The name of a link, and of its section, that another name means for a kind of mechanism, or this name. */
 text flk_link_meant(int kind, text name);
 
+/* 1 if a text is such another name, which may have a blank: dump body. */
+int flk_link_is_other(text name);
+
 /* Put such names of a kind of mechanism behind n words, with a null pointer at the end. */
 #define MOST_OTHER_LINKS 8
 void flk_link_add_others(int kind, const char **words, size_t n);

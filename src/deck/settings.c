@@ -303,6 +303,8 @@ section_code flk_section_meant(const parser *p, text name)
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
+    if (flk_link_is_other(*section))
+        *name = flk_text_from(*name, name->length);
     while (name->length && flk_text_is_word(name->start[0]) && !flk_text_blank(*name))
         *name = flk_text_from(*name, 1);
     section->length -= name->length;

@@ -110,7 +110,7 @@ static int set_result_unit(parser *p, text name)
 
 void flk_values_result_units(parser *p, const char *list)
 {
-    text rest = flk_text_of(list), item;
+    text rest = flk_reader_plain(p, flk_text_of(list)), item;
     text_place place = {"--units", 0};
 
     while (flk_text_split(&rest, ',', &item)) {

@@ -220,6 +220,15 @@ static void derive_offset(listing *t)
                     "offset of the line of stroke");
 }
 
+/* The angle of a ground that is given by the place of D. */
+static void derive_angle(listing *t)
+{
+    if (find_input(t, "ground.to.x"))
+        add_default(t, "ground", "angle", QUANTITY_ANGLE,
+                    flk_unit_from_si(t->d->inclination, t->d->units[QUANTITY_ANGLE].unit),
+                    "direction of the ground link");
+}
+
 /* What the pins give besides lengths. */
 static void derive_from_pins(listing *t, section_code section)
 {
@@ -376,8 +385,10 @@ static void add_what_follows(listing *t, section_code section)
         if (flk_section_of_link(t->d->machine.mechanism.design.kind, link) == section)
             derive_link(t, link);
     derive_from_pins(t, section);
-    if (section == SECTION_GROUND)
+    if (section == SECTION_GROUND) {
         derive_offset(t);
+        derive_angle(t);
+    }
     for (i = 0; i < sizeof sections / sizeof *sections; i++)
         if (sections[i].section == section)
             sections[i].derive(t);

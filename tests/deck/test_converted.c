@@ -51,6 +51,39 @@ static double number_of(long digits, int power)
     return value;
 }
 
+/* Fractions whose value in the other unit is a whole number: 1/3 rev/s is 20 rpm, if this is the same value. */
+TEST(test_fractions)
+{
+    static const struct {
+        const char *from, *to;
+        long size;
+    } pairs[] = {{"rev/s", "rpm", 60}, {"rev", "deg", 360}, {"ft", "in", 12},    {"min", "s", 60},
+                 {"in", "mm", 0},      {"m", "mm", 1000},   {"kip", "lbf", 1000}};
+    long n, d, cases = 0;
+    size_t i;
+    text bad;
+
+    for (i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        for (d = 1; d <= 300; d++)
+            for (n = 1; n <= 300; n++) {
+                unit from, to;
+                double whole, value, number = (double)n / (double)d;
+
+                if (pairs[i].size == 0 ? n * 254 % (10 * d) : n * pairs[i].size % d)
+                    continue;
+                assert_true(flk_unit_read(flk_text_of(pairs[i].from), &from, &bad));
+                assert_true(flk_unit_read(flk_text_of(pairs[i].to), &to, &bad));
+                value = flk_number_converted(number, from, to);
+                whole = (double)(pairs[i].size == 0 ? n * 254 / (10 * d) : n * pairs[i].size / d);
+                if (flk_unit_in(whole, to, from) != number)
+                    continue;
+                cases++;
+                if (value != whole)
+                    fail_msg("%ld/%ld %s: %.17g %s", n, d, pairs[i].from, value, pairs[i].to);
+            }
+    print_message("%ld fractions\n", cases);
+}
+
 /* Decimals of up to 9 digits in each pair of units in which they have an end. */
 TEST(test_decimals)
 {
