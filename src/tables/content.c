@@ -446,10 +446,12 @@ static void write_values(sheet *s)
             long at = sheet_column_under(s, k);
 
             outputs[k].has_value = 0;
+            outputs[k].why = NULL;
             outputs[k].is_other = at < 0;
             if (at < 0)
                 continue;
             reason = find_output(s, s->v.branches[i], own[at].handle, &outputs[k]);
+            outputs[k].why = reason;
             reason = reason ? reason : why_incomplete(&outputs[k]);
             why = why ? why : reason;
         }

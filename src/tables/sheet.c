@@ -48,6 +48,7 @@ void sheet_write_line(sheet *s, const fourlink_results *results, const char *dec
     fourlink_deck_problem(fourlink_results_deck(results), &s->v.problem);
     for (k = 0; outputs && k < s->n_header; k++) {
         outputs[k].is_other = 1;
+        outputs[k].why = NULL;
         for (i = 0; i < n && outputs[k].is_other; i++) {
             outputs[k].v = values[i];
             outputs[k].has_value = strcmp(s->header[k].name, values[i].name) == 0 &&

@@ -109,7 +109,8 @@ typedef struct sheet_row {
 /* One output of a design. */
 typedef struct sheet_output {
     int has_value;
-    int is_other; /* 1: of values, the deck has it in another unit, or not */
+    int is_other;    /* 1: of values, the deck has it in another unit, or not */
+    const char *why; /* why a line of values lacks it; null: it does not, or there is no reason */
     fourlink_value v;
 } sheet_output;
 

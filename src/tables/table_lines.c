@@ -214,13 +214,24 @@ static void put_value_heading(sheet *s, int units)
     line_put(&s->l, s->n_decks > 1 && !units ? "  deck\n" : "\n");
 }
 
+/* Say why a line lacks values, such as those of a row which the motion does not reach. */
+static void put_why_lacking(sheet *s, fourlink_branch branch, const sheet_output *outputs)
+{
+    unsigned long i;
+
+    for (i = 0; i < s->n_header; i++)
+        if (outputs[i].why)
+            line_put(&s->l, "# %s: %s: %s\n", fourlink_branch_text((int)branch), s->header[i].name,
+                     outputs[i].why);
+}
+
 /* A line of values; what a deck does not have is nan, or in another unit. */
 void table_put_values(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
     unsigned long i;
 
-    (void)why;
+    (void)why; /* of the line */
     line_put(&s->l, " %-8s", branch ? fourlink_branch_text((int)branch) : "");
     if (s->has_designs && s->design)
         line_value(&s->l, (double)s->design, ALL, DESIGN);
@@ -242,6 +253,8 @@ void table_put_values(sheet *s, fourlink_branch branch, const sheet_output *outp
         line_words(&s->l, s->deck_name, strlen(s->deck_name));
     }
     line_put(&s->l, "\n");
+    if (outputs)
+        put_why_lacking(s, branch, outputs);
 }
 
 void table_begin_values(sheet *s)
