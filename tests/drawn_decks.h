@@ -182,6 +182,8 @@ static int draw_pins(deck_lines *d)
         shortest = link[i].length > 0 ? fmin(shortest, link[i].length) : shortest;
     drawn_size = fmax(drawn_size, fabs(problem.mechanism.design.offset));
     is_rough = fmod(fabs(drawn_at), 0.1) < 0.03; /* three in ten, by what is drawn already */
+    if (kind == FOURLINK_SLIDER_CRANK && drawn.link[4].origin.x < 2 * ROUGH * shortest)
+        is_rough = 0; /* C could be drawn on the other side of A, from which x would run */
     turned = seldom(0.5) ? turns[one_of(4)] : between(-PI, PI);
     moved.x = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;
     moved.y = seldom(0.3) ? 0 : between(-FARTHEST, FARTHEST) * drawn_size;

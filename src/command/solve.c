@@ -179,7 +179,7 @@ static void take_columns(const question *q, fourlink_value columns[SOLVE_COLUMNS
     columns[0].name = q->key;
     columns[0].unit = q->unit;
     columns[1] = q->result;
-    columns[1].name = q->told;
+    columns[1].name = q->name;
     columns[1].unit = q->result_unit;
 }
 
