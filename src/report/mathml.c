@@ -82,7 +82,9 @@ static const struct {
                {"v", "v", MATH_SPEED},
                {"aB", "a", MATH_ACCELERATION},
                {"aC", "a", MATH_ACCELERATION},
+               {"aD", "a", MATH_ACCELERATION},
                {"aP", "a", MATH_ACCELERATION},
+               {"aQ", "a", MATH_ACCELERATION},
                {"n", "n", MATH_ONE},
                {"aG", "a", MATH_ACCELERATION},
                {"acor", "a", MATH_ACCELERATION},
@@ -194,13 +196,18 @@ double math_shown(const math *m, double value, math_unit unit)
     return math_units_value(&m->units, math_settled(m, value, unit), unit);
 }
 
+int math_has(const math *m, const char *name)
+{
+    return find(m, flk_text_of(name)) < m->n;
+}
+
 void math_set(math *m, const char *name, double value)
 {
     int i = find(m, flk_text_of(name));
 
     if (i == MATH_SYMBOLS)
         return;
-    m->symbol[i].name = name;
+    flk_text_join(m->symbol[i].name, MATH_NAME, name, (char *)NULL);
     m->symbol[i].value = math_settled(m, value, unit_of(name));
     m->n += i == m->n;
 }

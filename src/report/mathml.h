@@ -18,7 +18,8 @@
 #include "math_units.h"
 #include "page.h"
 
-#define MATH_SYMBOLS 96
+#define MATH_SYMBOLS 640
+#define MATH_NAME 16  /* bytes of a symbol's name */
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
 
 /* The unit of a symbol follows from its name.  Values are given in SI units and written in those of `units`. */
@@ -29,7 +30,7 @@ typedef struct math {
         size[MATH_UNITS]; /* how large values are: beside them rounding error is 0; 0: not known */
     int n;
     struct {
-        const char *name;
+        char name[MATH_NAME];
         double value;
     } symbol[MATH_SYMBOLS];
 } math;
@@ -40,6 +41,9 @@ void math_begin(math *m, page *p, const fourlink_unit *units);
 /* A value in SI units, 0 if it is rounding error; the same in the unit of equations. */
 double math_settled(const math *m, double value, math_unit unit);
 double math_shown(const math *m, double value, math_unit unit);
+
+/* 1 if a symbol has a value. */
+int math_has(const math *m, const char *name);
 
 /* Give a symbol its value; write NAME = VALUE UNIT within a line, too. */
 void math_set(math *m, const char *name, double value);

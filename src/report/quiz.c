@@ -352,7 +352,7 @@ static int put_feedback(quiz *z)
     request.opened = z->v.results;
     request.at = at[0] ? at : NULL;
     status = report_write_sample(z->page.out, z->source, &request, &mistake);
-    return status < 0 ? -1 : 1; /* of a deck with outputs there is none */
+    return status < 0 ? -1 : 1;
 }
 
 /* Write the parts of the text, each into its own file, and from there into the question. */

@@ -254,11 +254,6 @@ int report_write_sample(FILE *out, const fourlink_source *source, const report_r
     report r;
     int opened = open_report(&r, out, source, request, mistake);
 
-    if (opened > 0 && r.v.design->n_groups)
-        opened = view_refuse(mistake, "--quiz",
-                             "a sample calculation has the forces of four links; the deck has an "
-                             "[output]",
-                             "");
     if (opened > 0)
         report_put_sample(&r);
     return close_report(&r, opened);

@@ -8,6 +8,7 @@
 #include "sample_forces.h"
 #include "sample_limits.h"
 #include "sample_motion.h"
+#include "sample_output.h"
 #include "view/rounding.h"
 
 static void set_sizes(const report *r, math *m)
@@ -26,27 +27,6 @@ static void set_sizes(const report *r, math *m)
     view_find_sizes(&r->v, &r->now, r->loads, sizes);
     for (i = 0; i < MATH_UNITS; i++)
         m->size[i] = sizes[quantities[i]];
-}
-
-/* What is said of outputs, whose equations are not written. */
-static void put_outputs(report *r)
-{
-    int i, n = r->v.design->n_groups;
-    page *p = &r->page;
-
-    page_print(p, "<p>Not written out: the motion%s of ",
-               r->v.problem.has_forces ? " and the forces" : "");
-    for (i = 0; i < n; i++)
-        page_print(p, "%s<b>%s</b>",
-                   i == 0      ? ""
-                   : i + 1 < n ? ", "
-                               : " and ",
-                   fourlink_deck_link_text(r->v.deck, FOURLINK_FOLLOWER + 2 + 2 * i));
-    page_print(p, ", which %s on these links", n == 1 ? "hangs" : "hang");
-    if (r->v.problem.has_forces)
-        page_print(p, ", and the forces of the links, on which %s",
-                   n == 1 ? "it acts" : "they act");
-    page_print(p, ". The tables and curves have the values.</p>\n");
 }
 
 void report_put_sample(report *r)
@@ -80,9 +60,8 @@ void report_put_sample(report *r)
                    r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
     sample_put_limits(r, &m);
-    if (r->v.design->n_groups) {
-        put_outputs(r);
-    } else if (r->v.problem.has_forces) {
+    sample_put_outputs(r, &m);
+    if (r->v.problem.has_forces) {
         sample_put_forces(r, &m);
         sample_put_engine(r, &m);
     } else {

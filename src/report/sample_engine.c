@@ -132,7 +132,7 @@ static void put_crank_effort(report *r, math *m, const fourlink_engine *engine)
              engine->radial_force);
 }
 
-static void put_torques(math *m, const fourlink_engine *engine, int is_series)
+static void put_torques(const report *r, math *m, const fourlink_engine *engine, int is_series)
 {
     page_print(m->p, "<p>The torques on the crankshaft: of the piston effort");
     page_print(m->p, "%m%m%m:</p>\n",
@@ -157,6 +157,11 @@ static void put_torques(math *m, const fourlink_engine *engine, int is_series)
         m, "Tengine",
         "Tpiston <Tcorrection + Tcorrection > <Tweight,a + Tweight,a > <Tinertia,a + Tinertia,a >",
         engine->T_engine);
+    if (r->v.design->n_groups) {
+        page_print(m->p, "<p>All this is of the four links alone: T<sub>s</sub> above has what "
+                         "the outputs do, too.</p>\n");
+        return;
+    }
     page_print(m->p,
                "<p>Of a crank without mass, and without friction, T<sub>s</sub> above is "
                "\342\210\222T<sub>engine</sub>%s.</p>\n",
@@ -180,5 +185,5 @@ void sample_put_engine(report *r, math *m)
         put_series(r, m);
     put_piston_effort(r, m, &rod, &engine);
     put_crank_effort(r, m, &engine);
-    put_torques(m, &engine, problem->approximation != FOURLINK_EXACT);
+    put_torques(r, m, &engine, problem->approximation != FOURLINK_EXACT);
 }

@@ -13,6 +13,9 @@
 #include "report.h"
 #include "sample_friction.h"
 #include "sample_forces.h"
+#include "sample_motion.h"
+#include "sample_output_forces.h"
+#include "sample_sides.h"
 #include "system/format.h"
 #include "view/notation.h"
 
@@ -53,23 +56,6 @@ static void put_centre(report *r, math *m, const fourlink_body *b, int link)
     math_let(m, names[link][3], of_centre[link][1], b->acceleration.y);
 }
 
-/* The acceleration of B, with the crank's length under its name. */
-static void put_crank_pin(report *r, math *m)
-{
-    const fourlink_vector *a = &r->now.state.link[3].acceleration;
-    int is_r = r->v.kind.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BLOCK;
-
-    page_print(m->p, "<p>Pin B:</p>\n");
-    math_let(m, "aBx",
-             is_r ? "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2"
-                  : "<alpha2 - a * alpha2 * sin theta2 > - a * omega2 ^2 * cos theta2",
-             a->x);
-    math_let(m, "aBy",
-             is_r ? "<alpha2 r * alpha2 * cos theta2 > - r * omega2 ^2 * sin theta2"
-                  : "<alpha2 a * alpha2 * cos theta2 > - a * omega2 ^2 * sin theta2",
-             a->y);
-}
-
 /* 1 if link 4 slides on the ground, and its centre of mass is not at C. */
 static int has_arm(const report *r, const fourlink_body bodies[5])
 {
@@ -90,8 +76,10 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
     for (link = 2; link <= 4; link++) {
         if (!(r->v.design->link[link].mass > 0))
             continue;
+        if (link == 3 && !math_has(m, "aBx"))
+            page_print(m->p, "<p>Pin B:</p>\n");
         if (link == 3)
-            put_crank_pin(r, m);
+            sample_put_acceleration_of_B(r, m);
         if (link == r->v.kind.guided) {
             if (has_arm(r, bodies))
                 put_arm(r, m, &bodies[4], link);
@@ -105,17 +93,6 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
 }
 
 /* ------------------------------------------------------------------------------ nine equations */
-
-/* The heading of a table, with the name of a unit, or of two, in brackets. */
-static const char *with_units(char out[120], const char *words, const char *first,
-                              const char *second)
-{
-    char typeset[2][NOTATION_SIZE];
-
-    return flk_text_join(out, 120, words, " (", notation_unit(first, typeset[0]),
-                         second ? ", " : "", second ? notation_unit(second, typeset[1]) : "", ")",
-                         (char *)NULL);
-}
 
 /* What mass times acceleration is divided by, where their units do not go together. */
 static void put_factor(math *m)
@@ -132,43 +109,32 @@ static void put_factor(math *m)
                                  u->of[MATH_ACCELERATION].name, (char *)NULL));
 }
 
-/* Write an equation's right-hand side and its parts: inertia, weight, loads. */
-static void put_side(math *m, const char *link, const char *what, double inertia, double weight,
-                     double load, double b, math_unit of)
-{
-    page_row(m->p, "%s, %s|%.6g|%.6g|%.6g|%.6g", link, what, math_shown(m, inertia, of),
-             math_shown(m, -weight, of), math_shown(m, -load, of), math_shown(m, b, of));
-}
-
-static void put_sides(report *r, math *m, const fourlink_body bodies[5], const double b[9])
+static void put_sides(report *r, math *m, const fourlink_body bodies[FOURLINK_LINKS],
+                      const sample_carried *carried, const double b[9])
 {
     page *p = m->p;
-    char heading[120];
-    int link;
+    int link, i;
 
     page_print(p,
                "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along "
                "y, and the moments about its centre of mass; F<sub>ij</sub> is the force of link i "
                "on link j.  What is known stands on the right: mass times acceleration, less "
-               "weight, less loads.");
+               "weight, less loads%m.",
+               r->v.design->n_groups ? ", less what outputs do" : "");
     put_factor(m);
     page_print(p, "</p>\n");
-    page_table_of(p, "facts sides", "What is known of the nine equations",
-                  with_units(heading,
-                             "Equation|m a, I \316\261|\342\210\222 weight|\342\210\222 loads|b",
-                             m->units.of[MATH_FORCE].name, m->units.of[MATH_TORQUE].name));
+    sample_begin_sides(r, m, "What is known of the nine equations");
     for (link = 2; link <= 4; link++) {
-        const fourlink_body *x = &bodies[link];
-        const fourlink_link *data = &r->v.design->link[link];
-        const char *name = r->v.kind.link[link];
-        const double *side = b + 3 * (link - 2);
+        sample_side side[3];
 
-        put_side(m, name, "x", data->mass * x->acceleration.x, x->weight.x, x->force.x, side[0],
-                 MATH_FORCE);
-        put_side(m, name, "y", data->mass * x->acceleration.y, x->weight.y, x->force.y, side[1],
-                 MATH_FORCE);
-        put_side(m, name, "moments", data->inertia * r->now.state.link[link].alpha, 0, x->moment,
-                 side[2], MATH_TORQUE);
+        sample_find_sides(&r->v.design->link[link], &bodies[link], &r->now.state.link[link], 0,
+                          side);
+        side[0].carried = carried->force[link].x;
+        side[1].carried = carried->force[link].y;
+        side[2].carried = carried->moment[link];
+        for (i = 0; i < 3; i++)
+            side[i].b = b[3 * (link - 2) + i];
+        sample_put_sides(r, m, r->v.kind.link[link], side);
     }
     page_table_end(p);
 }
@@ -261,6 +227,18 @@ static void put_works(math *m, const char *name, const double work[3])
              math_shown(m, work[1], MATH_TORQUE), math_shown(m, work[2], MATH_TORQUE));
 }
 
+static const fourlink_link *data_of(const report *r, int link)
+{
+    return link <= FOURLINK_FOLLOWER ? &r->v.design->link[link]
+                                     : &r->v.design->group[(link - 5) / 2].body[(link - 5) % 2];
+}
+
+/* 1 if a link of this number is a rod and not a block in a slot. */
+static int has_rod(const report *r, int link)
+{
+    return r->v.design->group[(link - 5) / 2].hang == FOURLINK_HANGS_BY_ROD;
+}
+
 /* Virtual work: with the velocities of a unit crank speed,
 **
 **    Ts = sum (m a_G.v_G + I alpha omega) - sum W.v_G - sum (F.v_P + M omega)
@@ -268,7 +246,7 @@ static void put_works(math *m, const char *name, const double work[3])
 static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
 {
     double sum[3] = {0, 0, 0}, work[3];
-    char caption[120];
+    char caption[SAMPLE_HEADING];
     page *p = m->p;
     int link, i;
 
@@ -276,19 +254,22 @@ static void put_virtual_work(report *r, math *m, const fourlink_body bodies[5])
                "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the "
                "sum of all forces times the velocities of their points for a unit crank speed, of "
                "all torques times the angular velocities.</p>\n");
-    page_table_of(p, "facts works",
-                  with_units(caption, "Terms of virtual work", m->units.of[MATH_TORQUE].name, NULL),
-                  "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
-                  "\342\210\222 loads\302\267v");
-    for (link = 2; link <= 4; link++) {
+    page_table_of(
+        p, "facts works",
+        sample_with_units(caption, "Terms of virtual work", m->units.of[MATH_TORQUE].name, NULL),
+        "Link|m a\302\267v + I \316\261 \317\211|\342\210\222 weight\302\267v|"
+        "\342\210\222 loads\302\267v");
+    for (link = 2; link <= r->now.state.last; link++) {
         const fourlink_body *b = &bodies[link];
-        const fourlink_link *data = &r->v.design->link[link];
+        const fourlink_link *data = data_of(r, link);
         const fourlink_link_state *now = &r->now.state.link[link];
 
         work[0] = data->mass * dot(b->acceleration, b->k) + data->inertia * now->alpha * now->k;
         work[1] = -dot(b->weight, b->k);
         work[2] = -b->work;
-        put_works(m, r->v.kind.link[link], work);
+        if (link > FOURLINK_FOLLOWER && link % 2 && !has_rod(r, link))
+            continue; /* a block without mass */
+        put_works(m, fourlink_deck_link_text(r->v.deck, link), work);
         for (i = 0; i < 3; i++)
             sum[i] += work[i];
     }
@@ -328,10 +309,15 @@ void sample_put_forces(report *r, math *m)
     double A[9][9], b[9];
     fourlink_body bodies[FOURLINK_LINKS];
 
+    sample_carried carried;
+
     fourlink_bodies(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, bodies);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
     put_centres(r, m, bodies);
-    put_sides(r, m, bodies, b);
+    sample_put_output_centres(r, m, bodies);
+    sample_find_carried(r, bodies, &carried);
+    sample_put_output_forces(r, m, bodies, &carried);
+    put_sides(r, m, bodies, &carried, b);
     put_matrix(r, m, A, b);
     put_solution(r, m);
     sample_put_friction(r, m);

@@ -22,15 +22,20 @@ static void put_words(math *m, const char *words)
     page_print(m->p, "<p>%s</p>\n", words);
 }
 
-/* What is done to the last two equations, or to two of some equations before. */
-static void put_derived(math *m, int before, const char *words)
+void sample_put_derived(math *m, int second, const char *words)
 {
-    int second = m->p->n_equations - before, first = second - 1;
+    int first = second - 1;
 
     page_print(m->p,
                "<p>Equations (<a href=\"#equation-%d\">%d</a>) and (<a href=\"#equation-%d\">"
                "%d</a>), %s</p>\n",
                first, first, second, second, words);
+}
+
+/* Of the last two equations, or of two of some equations before. */
+static void put_derived(math *m, int before, const char *words)
+{
+    sample_put_derived(m, m->p->n_equations - before, words);
 }
 
 /* Of what is given, the crank, which all kinds have. */
@@ -56,6 +61,23 @@ static void let_turned(math *m, const char *name, const char *equation, double p
 
     flk_text_join(whole, sizeof whole, equation, turn, (char *)NULL);
     math_let(m, name, whole, angle);
+}
+
+void sample_put_acceleration_of_B(report *r, math *m)
+{
+    const fourlink_vector *a = &r->now.state.link[3].acceleration;
+    int is_r = r->v.kind.shape[FOURLINK_FOLLOWER] == FOURLINK_SHAPE_BLOCK;
+
+    if (math_has(m, "aBx"))
+        return;
+    math_let(m, "aBx",
+             is_r ? "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2"
+                  : "<alpha2 - a * alpha2 * sin theta2 > - a * omega2 ^2 * cos theta2",
+             a->x);
+    math_let(m, "aBy",
+             is_r ? "<alpha2 r * alpha2 * cos theta2 > - r * omega2 ^2 * sin theta2"
+                  : "<alpha2 a * alpha2 * cos theta2 > - a * omega2 ^2 * sin theta2",
+             a->y);
 }
 
 /* ------------------------------------------------------------------------------ four-bar */

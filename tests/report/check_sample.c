@@ -6,7 +6,7 @@
 ** A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of
 ** a degree).  An equation agrees if the difference can come from that.  No number is so small beside those of the
 ** crank and the largest force that it is rounding error.  With NAME=VALUE, the result NAME has that value, within a
-** unit of the last digit.  Prints what is wrong, and how many samples were checked.
+** unit of the last digit.  Prints what is wrong, and how many samples and equations were checked.
 */
 #include <math.h>
 
@@ -443,21 +443,24 @@ static void check_matrix(const xml_node *section, const double solution[9])
         wrong("%d rows of the nine equations", n);
 }
 
-static void check_sum(const char *what, const double *terms, int n, int step, double total)
+/* `most` is the largest number of the table, beside which a 0 may have been rounding error. */
+static void check_sum(const char *what, const double *terms, int n, int step, double total,
+                      double most)
 {
-    double all = 0, error = half_unit(total), size = 0;
+    double all = 0, error = half_unit(total) + 1e-12 * most;
     int i;
 
     for (i = 0; i < n; i++) {
-        all += terms[i * step];
-        error += half_unit(terms[i * step]);
-        size = fmax(size, fabs(terms[i * step]));
+        double x = terms[i * step];
+
+        all += x;
+        error += x != 0 ? half_unit(x) : 1e-11 * most;
     }
-    if (!(fabs(all - total) <= 1.01 * error + 1e-12 * size))
+    if (!(fabs(all - total) <= 1.01 * error))
         wrong("%s: %g is not the sum %.9g of its %d terms", what, total, all, n);
 }
 
-/* The last row of the table of works is the sum of the others; the fourth number of what is known, that of three. */
+/* The last row of the table of works is the sum of the others; the last number of what is known, that of those before. */
 static void check_sums(const xml_node *section)
 {
     const xml_node *table, *row;
@@ -465,18 +468,22 @@ static void check_sums(const xml_node *section)
     for (table = xml_next_named(section, section, "table"); table;
          table = xml_next_named(table, section, "table")) {
         int is_works = xml_has(table, "class", "facts works"), n = 0, width = 0, i;
-        double cells[60][4];
+        double cells[60][5], most = 0;
 
         if (!is_works && !xml_has(table, "class", "facts sides"))
             continue;
         for (row = xml_next_named(table, table, "tr"); row && n < 60;
              row = xml_next_named(row, table, "tr"))
             if (xml_is(row->parent, "tbody"))
-                width = read_cells(row, cells[n++], 4);
+                width = read_cells(row, cells[n++], 5);
+        for (i = 0; i < n * width; i++)
+            most = fmax(most, fabs(cells[i / width][i % width]));
         for (i = 0; is_works && i < width; i++)
-            check_sum("works", &cells[0][i], n - 1, 4, cells[n - 1][i]);
+            check_sum("works", &cells[0][i], n - 1, 5, cells[n - 1][i], most);
         for (i = 0; !is_works && i < n; i++)
-            check_sum("sides", cells[i], 3, 1, cells[i][3]);
+            check_sum("sides", cells[i], width - 1, 1, cells[i][width - 1], most);
+        if (n < 3 || width < 3)
+            wrong("a table of sums of %d rows", n);
     }
 }
 
@@ -790,7 +797,8 @@ static int check_synthesis(const xml_node *section)
     return n;
 }
 
-static void check_report(int argc, char **argv)
+/* Returns the number of its equations. */
+static int check_report(int argc, char **argv)
 {
     static results found;
     const xml_node *section, *x;
@@ -801,7 +809,7 @@ static void check_report(int argc, char **argv)
     if (!xml_read(&d, report)) {
         wrong("%s", d.wrong);
         xml_free(&d);
-        return;
+        return 0;
     }
     found.n = 0;
     section = find_section(&d, "synthesis");
@@ -829,18 +837,19 @@ static void check_report(int argc, char **argv)
     if (!n_equations)
         wrong("no equations");
     xml_free(&d);
+    return n_equations;
 }
 
 int main(int argc, char **argv)
 {
-    int i, n = 0;
+    int i, n = 0, n_equations = 0;
 
     for (i = 1; i < argc; i++)
         if (!strchr(argv[i], '=')) {
             report = argv[i];
             n++;
-            check_report(argc, argv);
+            n_equations += check_report(argc, argv);
         }
-    printf("%d samples\n", n);
+    printf("%d samples, %d equations\n", n, n_equations);
     return n_wrong > 0;
 }
