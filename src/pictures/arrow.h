@@ -16,7 +16,7 @@ typedef struct arrow {
     char name[40];
 } arrow;
 
-#define MOST_ARROWS 60
+#define MOST_ARROWS 160
 
 typedef struct arrow_list {
     arrow list[MOST_ARROWS];

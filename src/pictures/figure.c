@@ -283,29 +283,54 @@ static void put_bar(sketch *s, const picture *p, const fourlink_state *state, in
     sketch_line(s, kind, geometry_joint(&p->v, state, from), geometry_joint(&p->v, state, to));
 }
 
-/* The block of an output, and its slot with what joins it to its link: the line from P, or from the pin of a rocker. */
-static void put_slot(sketch *s, const picture *p, const fourlink_state *state, int i, pen kind)
+/* A slot and what joins it to its link: the line from P, or from the pin of a rocker. */
+static void put_slot_itself(sketch *s, const picture *p, const fourlink_state *state, int i,
+                            pen kind)
 {
     geometry_slot x = geometry_find_slot(&p->v, state, i);
     geometry_output pins = geometry_find_output(&p->v, state, i);
     double half = figure_block(s), margin = 1.5 * half;
     fourlink_vector from = x.link == p->v.design->group[i].link ? pins.P : pins.D, foot;
     double along = x.axis.x * (from.x - x.block.x) + x.axis.y * (from.y - x.block.y);
-    pen of_slot = kind ? kind : FIGURE_PEN(x.link);
 
     foot = place_in(x.block, x.axis, along, 0);
+    put_rectangle(s, kind, x.block, &x.axis, x.from - margin, x.to + margin, FIGURE_HIGH * half);
+    sketch_line(s, kind, from, foot);
+    if (along < x.from - margin || along > x.to + margin)
+        sketch_line(s, kind, foot,
+                    place_in(x.block, x.axis, along < x.from ? x.from - margin : x.to + margin, 0));
+}
+
+/* The block of an output, and its slot. */
+static void put_slot(sketch *s, const picture *p, const fourlink_state *state, int i, pen kind)
+{
+    geometry_slot x = geometry_find_slot(&p->v, state, i);
+    double half = figure_block(s);
+
     sketch_show(s, SKETCH_LINK, (unsigned long)x.link);
     sketch_skip(s, SLOT_PARTS * (1 + (unsigned long)i)); /* behind those of the link itself */
-    put_rectangle(s, of_slot, x.block, &x.axis, x.from - margin, x.to + margin, FIGURE_HIGH * half);
-    sketch_line(s, of_slot, from, foot);
-    if (along < x.from - margin || along > x.to + margin)
-        sketch_line(s, of_slot, foot,
-                    place_in(x.block, x.axis, along < x.from ? x.from - margin : x.to + margin, 0));
+    put_slot_itself(s, p, state, i, kind ? kind : FIGURE_PEN(x.link));
     if (is_away(s, p, state, i))
         return;
     sketch_show(s, SKETCH_LINK, (unsigned long)FOURLINK_FOLLOWER + 1 + 2 * (unsigned long)i);
     put_rectangle(s, kind ? kind : FIGURE_PEN(FOURLINK_FOLLOWER + 1 + 2 * i), x.block, &x.axis,
                   -0.8 * half, 0.8 * half, FIGURE_HIGH * half);
+}
+
+void figure_output_link(sketch *s, const picture *p, const fourlink_state *state, int link)
+{
+    int i = (link - FOURLINK_FOLLOWER - 1) / 2;
+    const fourlink_group *g = &p->v.design->group[i];
+    geometry_output x = geometry_find_output(&p->v, state, i);
+
+    if (link % 2)
+        sketch_line(s, FIGURE_PEN(link), x.P, x.Q);
+    else if (g->end == FOURLINK_GROUP_SLIDES)
+        figure_piston(s, FIGURE_PEN(link), x.Q, &g->direction);
+    else if (g->hang != FOURLINK_HANGS_BY_OWN_SLOT)
+        sketch_line(s, FIGURE_PEN(link), x.D, x.Q);
+    if (link % 2 == 0 && g->hang == FOURLINK_HANGS_BY_OWN_SLOT)
+        put_slot_itself(s, p, state, i, FIGURE_PEN(link));
 }
 
 static void put_outputs(sketch *s, const picture *p, const fourlink_state *state, pen kind)

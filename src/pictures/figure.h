@@ -43,6 +43,9 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
 /* Draw a lever with its slot. */
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 
+/* Draw a link of an output that is no block, with its slot. */
+void figure_output_link(sketch *s, const picture *p, const fourlink_state *state, int link);
+
 /* Draw the links at one position as lines, with one pen or PEN_OF_LINK; or in full, with letters at the pins,
 ** the slope and, if wanted, the angles of the links. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);

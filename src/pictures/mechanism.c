@@ -87,7 +87,8 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r, doubl
     if (s->is_window)
         return;
     sketch_show(s, SKETCH_MEANING, 0);
-    sketch_key(s, PEN_FORCE, "pin force, i on j");
+    sketch_key(s, PEN_FORCE,
+               p->v.design->n_groups ? "pin force, i on j, on an output" : "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
     sketch_show(s, SKETCH_MEANING, has_springs ? 2 : 1);

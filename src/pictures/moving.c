@@ -79,11 +79,11 @@ typedef struct drawn {
 /* Find what drawing k shows. */
 static subject subject_of(const moving *x, int k, int *which)
 {
-    int is_whole =
-        x->p.v.design->n_groups == 0; /* polygons and free bodies are of four links alone */
-    int polygons = !is_whole || view_is_still(&x->p.v) ? 0 : 2;
-    int bodies = is_whole && x->p.v.problem.has_forces ? FOURLINK_FOLLOWER - FOURLINK_CRANK + 1 : 0;
+    int polygons = view_is_still(&x->p.v) ? 0 : scene_count_polygons(&x->p.v);
+    int bodies = 0;
 
+    while (x->p.v.problem.has_forces && scene_body(&x->p.v, bodies))
+        bodies++;
     *which = 0;
     if (k == 0)
         return MECHANISM;
@@ -91,7 +91,7 @@ static subject subject_of(const moving *x, int k, int *which)
     if (k < polygons)
         return POLYGON;
     k -= polygons;
-    *which = FOURLINK_CRANK + k;
+    *which = k < bodies ? scene_body(&x->p.v, k) : 0;
     if (k < bodies)
         return BODY;
     k -= bodies;
@@ -145,9 +145,10 @@ static const picture_row *row_of(moving *x, unsigned long step)
 static void draw_step(picture *p, const void *what, int step)
 {
     const drawn *x = what;
-    const scene_polygon *polygon = &scene_polygons(&p->v)[x->subject == POLYGON ? x->which : 0];
     const picture_row *r = row_of(x->of, (unsigned long)step);
+    scene_polygon polygon;
 
+    scene_find_polygon(&p->v, x->subject == POLYGON ? x->which : 0, &polygon);
     display_clear(x->step);
     p->on.next = 0;
     p->on.motion->is_first = step == 0;
@@ -158,7 +159,7 @@ static void draw_step(picture *p, const void *what, int step)
     else if (x->subject == INSET)
         mechanism_draw_inset(p, r, x->which, x->of->largest);
     else if (x->subject == POLYGON)
-        vectors_draw_polygon(p, r, polygon, x->most);
+        vectors_draw_polygon(p, r, &polygon, x->most);
     else
         vectors_draw_body(p, r, x->which, x->of->largest);
     if (p->on.motion->phase != LABELS_DRAW)
@@ -181,13 +182,15 @@ static void draw_step(picture *p, const void *what, int step)
 static double usual_size(moving *x, int which)
 {
     double *sizes = memory_get(x->steps.n, sizeof *sizes), usual = 0;
+    scene_polygon polygon;
     size_t n = 0;
     unsigned long i;
 
     if (!sizes)
         return 1;
+    scene_find_polygon(&x->p.v, which, &polygon);
     for (i = 0; i < x->steps.n; i++) {
-        sizes[n] = vectors_size(row_of(x, i), &scene_polygons(&x->p.v)[which]);
+        sizes[n] = vectors_size(row_of(x, i), &polygon);
         n += sizes[n] > 0;
     }
     gsl_sort(sizes, 1, n);
@@ -226,14 +229,22 @@ static void set_size(moving *x, moving_panel *panel)
 
 static void name(const picture *p, const drawn *x, char out[80])
 {
-    if (x->subject == MECHANISM)
+    scene_polygon polygon;
+    const char *link = fourlink_deck_link_text(
+        p->v.deck, x->subject == POLYGON ? FOURLINK_FOLLOWER + 2 * (x->which / 2) : x->which);
+
+    if (x->subject == MECHANISM) {
         strcpy(out, "Mechanism");
-    else if (x->subject == INSET)
-        flk_text_join(out, 80, "The ", p->v.kind.link[x->which], " enlarged", (char *)NULL);
-    else if (x->subject == POLYGON)
-        flk_text_join(out, 80, scene_polygons(&p->v)[x->which].title, " polygon", (char *)NULL);
-    else
-        flk_text_join(out, 80, "Free body of the ", p->v.kind.link[x->which], (char *)NULL);
+    } else if (x->subject == INSET) {
+        flk_text_join(out, 80, "The ", link, " enlarged", (char *)NULL);
+    } else if (x->subject == POLYGON) {
+        scene_find_polygon(&p->v, x->which, &polygon);
+        flk_text_join(out, 80, polygon.title, " polygon", polygon.output ? " of " : "",
+                      polygon.output ? link : "", (char *)NULL);
+    } else {
+        flk_text_join(out, 80, x->which > FOURLINK_FOLLOWER ? "Free body of " : "Free body of the ",
+                      link, (char *)NULL);
+    }
 }
 
 int moving_open(moving *x, const fourlink_source *source, fourlink_results *results,

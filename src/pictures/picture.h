@@ -30,8 +30,8 @@
       "F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"                 \
       "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                   \
       "polar diagrams of the pin forces")                                                         \
-    X(VECTORS, "vectors", 2, 5, 620, 400, PLOT_DRAWING | PLOT_AT | PLOT_OF_FOUR, picture_vectors, \
-      NULL, "polygons of velocity, acceleration and forces")                                      \
+    X(VECTORS, "vectors", 2, 5, 620, 400, PLOT_DRAWING | PLOT_AT, picture_vectors, NULL,          \
+      "polygons of velocity, acceleration and forces")                                            \
     X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT | PLOT_OF_FOUR, picture_limits,    \
       NULL, "limits, transmission angle, instantaneous centres")                                  \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_STROKE | PLOT_AT, picture_klein, NULL,                \

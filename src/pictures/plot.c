@@ -88,10 +88,21 @@ static int count_polar_rows(const picture *p)
     return (of_forces + (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) / 3;
 }
 
+/* The rows of PLOT_VECTORS: the mechanism, its polygons in pairs, each free body with its polygon. */
+static int count_vector_rows(const picture *p)
+{
+    int polygons = scene_count_polygons(&p->v) / 2, bodies = 0;
+
+    while (p->v.problem.has_forces && scene_body(&p->v, bodies))
+        bodies++;
+    return p->request->part == PLOT_OF_MOTION   ? polygons
+           : p->request->part == PLOT_OF_FORCES ? bodies
+                                                : 1 + polygons + bodies;
+}
+
 /* Find the panels of a picture, in columns and rows. */
 static void count_panels(picture *p, int *columns, int *rows)
 {
-    static const int vector_rows[] = {5, 1, 3}; /* by part */
     const struct plot_info *info = &plot_table[p->request->kind];
     int n = count_columns(p);
 
@@ -101,7 +112,7 @@ static void count_panels(picture *p, int *columns, int *rows)
         *columns = n > 1 ? info->columns : 1;
         *rows = (n + *columns - 1) / *columns;
     } else if (p->request->kind == PLOT_VECTORS) {
-        *rows = p->request->part || p->v.problem.has_forces ? vector_rows[p->request->part] : 2;
+        *rows = count_vector_rows(p);
     } else if (p->request->kind == PLOT_MOTION) {
         *columns += p->v.design->n_groups;
         *rows = view_is_still(&p->v) ? 1 : *rows;

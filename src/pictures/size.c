@@ -21,7 +21,7 @@
 
 int size_lines_beside(const picture *p, int each_link)
 {
-    int lines[FOURLINK_LINKS] = {0}, most = 0, sum = 0, link;
+    int lines[FOURLINK_LINKS] = {0}, most = 0, sum = 0, last, link, g;
     fourlink_load_info load;
     unsigned long i;
 
@@ -36,8 +36,16 @@ int size_lines_beside(const picture *p, int each_link)
         lines[FOURLINK_FOLLOWER] += (int)p->v.problem.n_springs;
     if (p->v.problem.has_friction) /* of the guide, and the circles of the pins */
         lines[FOURLINK_FOLLOWER] += 2;
-    for (link = FOURLINK_CRANK; link < FOURLINK_LINKS; link++) {
-        sum += lines[link] + (link <= FOURLINK_FOLLOWER && p->v.design->link[link].mass > 0);
+    for (g = 0; g < p->v.design->n_groups && p->v.problem.has_forces; g++) {
+        const fourlink_group *group = &p->v.design->group[g];
+
+        lines[group->link]++; /* -FP, or FP */
+        lines[group->to]++;
+        sum += 1 + (group->to <= FOURLINK_GROUND);
+    }
+    last = FOURLINK_FOLLOWER + 2 * p->v.design->n_groups;
+    for (link = FOURLINK_CRANK; link <= last; link++) {
+        sum += lines[link] + (tracks_link(&p->v, link)->mass > 0);
         most = lines[link] > most ? lines[link] : most;
     }
     if (p->v.problem.has_forces)

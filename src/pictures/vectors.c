@@ -122,15 +122,18 @@ static void put_image(polygon *g, fourlink_vector end, const char *letter)
 static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 {
     static const char *const subscripts[] = {"", "", SUB_2, SUB_3, SUB_4};
-    char letter[80], fitting[LABELS_WORDS];
+    char letter[80], fitting[LABELS_WORDS], number[TRACKS_NAME];
     int i;
 
     for (i = 0; i < r->drawn.n_images && arrow_largest(&g->sides) > 0; i++) {
         const scene_image *x = &r->drawn.images[i];
 
+        if (x->output != d->output)
+            continue;
+        tracks_name(NOTATION_SUB, (unsigned long)x->link, number);
         flk_text_join(letter, sizeof letter,
                       canvas_shorten(x->name, IMAGE_NAME, 0, fitting, sizeof fitting), d->mark,
-                      subscripts[x->link], (char *)NULL);
+                      x->link <= FOURLINK_FOLLOWER ? subscripts[x->link] : number, (char *)NULL);
         sketch_show(&g->s, SKETCH_IMAGE, (unsigned long)i);
         put_image(g,
                   place_in(zero, tracks_vector(&r->numbers, x->of + d->derivative), g->s.shrink, 0),
@@ -155,27 +158,21 @@ static fourlink_vector corner_at(const polygon *g, int corner)
     return i < g->sides.n ? end_of(&g->sides.list[i]) : zero;
 }
 
-/* Its name, with subscript and superscript. */
-static const char *name_of(const scene_side *x, char out[40])
-{
-    return flk_text_join(out, 40, x->name, NOTATION_SUB, x->sub, x->super[0] ? NOTATION_SUPER : "",
-                         x->super, (char *)NULL);
-}
-
 /* Find the sides, so many times smaller than they are. */
 static void find_sides(polygon *g, const picture_row *r, const scene_polygon *d, double shrink)
 {
     const scene_side *x;
-    char name[40];
+    char name[SCENE_NAME];
 
     g->s.shrink = shrink;
     for (x = d->sides; x->name; x++)
-        if (r->numbers.list[x->of].is_there) {
+        if (r->numbers.list[d->first + x->of].is_there) {
+            int link = scene_link_of_side(&g->p->v, d, x);
+
             g->of[g->sides.n] = x;
-            arrow_put(&g->sides, g->sides.n,
-                      x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, name_of(x, name),
-                      corner_at(g, x->from),
-                      place_in(zero, tracks_vector(&r->numbers, x->of), shrink, 0));
+            arrow_put(&g->sides, g->sides.n, link ? FIGURE_PEN(link) : PEN_RESULT,
+                      scene_name_of_side(&g->p->v, d, x, name), corner_at(g, x->from),
+                      place_in(zero, tracks_vector(&r->numbers, d->first + x->of), shrink, 0));
         }
 }
 
@@ -199,7 +196,7 @@ double vectors_size(const picture_row *r, const scene_polygon *d)
     const scene_side *x;
 
     for (x = d->sides; x->name; x++) {
-        fourlink_vector v = tracks_vector(&r->numbers, x->of);
+        fourlink_vector v = tracks_vector(&r->numbers, d->first + x->of);
 
         size = GSL_MAX_DBL(size, gsl_hypot(v.x, v.y));
     }
@@ -214,6 +211,7 @@ static double shrink_of(double size, double most)
 
 void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon *d, double most)
 {
+    char letter[SCENE_NAME];
     polygon g;
     int i;
 
@@ -229,9 +227,12 @@ void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon 
     put_letter(&g, SCENE_SIDES, zero, d->letters[0]);
     for (i = 0; i < g.sides.n; i++)
         if (d->letters[g.of[i]->to] && side_to(&g, g.of[i]->to) == i)
-            put_letter(&g, i, end_of(&g.sides.list[i]), d->letters[g.of[i]->to]);
+            put_letter(&g, i, end_of(&g.sides.list[i]),
+                       scene_letter(&p->v, d, g.of[i]->to, letter));
     put_images(&g, r, d);
-    sketch_close(&g.s, d->q == QUANTITY_SPEED ? "velocity polygon" : "acceleration polygon");
+    sketch_close(&g.s, "%s polygon%s%s", d->q == QUANTITY_SPEED ? "velocity" : "acceleration",
+                 d->output ? " of " : "",
+                 d->output ? fourlink_deck_link_text(p->v.deck, 4 + 2 * d->output) : "");
 }
 
 /* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The
@@ -311,8 +312,8 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
             continue;
         n = b->forces.n;
         arrow_add_force(&b->forces, r, i);
-        if (sort != SCENE_PIN)
-            continue;
+        if (sort != SCENE_PIN || pin > 1 || b->link > FOURLINK_FOLLOWER)
+            continue; /* pins of outputs have no friction */
         b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
                                    n < b->forces.n ? b->forces.list[n].F : zero);
         b->of_pin[pin++] = n < b->forces.n ? n : -1;
@@ -334,7 +335,13 @@ static void touch(free_body *b, int pin)
 static double length_of(const picture *p, const picture_row *r, const free_body *b)
 {
     double length = place_distance(b->first, b->second), near, far;
+    int of = b->link - FOURLINK_FOLLOWER - 1;
 
+    if (of > 0 && of % 2 && p->v.design->group[of / 2].hang == FOURLINK_HANGS_BY_OWN_SLOT) {
+        geometry_slot slot = geometry_find_slot(&p->v, &r->now.state, of / 2);
+
+        length = slot.to - slot.from;
+    }
     if (b->link == p->v.kind.slotted && (p->on.motion || p->v.kind.guided)) {
         geometry_find_way(&p->v, r->now.branch, &near, &far);
         length = GSL_MAX_DBL(fabs(near), fabs(far));
@@ -342,14 +349,36 @@ static double length_of(const picture *p, const picture_row *r, const free_body 
     return length > 0 ? length : p->v.design->link[FOURLINK_CRANK].length;
 }
 
+/* The pins of a link; of an output P and Q of the rod, D and Q of a rocker, Q and, with a slot, P of a slider. */
+static void find_pins(free_body *b, const picture *p, const picture_row *r)
+{
+    int i = (b->link - FOURLINK_FOLLOWER - 1) / 2;
+    geometry_output x;
+
+    b->of_pin[0] = b->of_pin[1] = -1;
+    b->circle[0].radius = b->circle[1].radius = 0;
+    if (b->link <= FOURLINK_FOLLOWER) {
+        const fourlink_joint *ends = &p->v.kind.joint[b->link - FOURLINK_CRANK];
+
+        b->first = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[0]));
+        b->second = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[1]));
+        return;
+    }
+    x = geometry_find_output(&p->v, &r->now.state, i);
+    if (b->link % 2) {
+        b->first = x.P;
+        b->second = x.Q;
+    } else {
+        b->first = p->v.design->group[i].end == FOURLINK_GROUP_TURNS ? x.D : x.Q;
+        b->second = p->v.design->group[i].hang == FOURLINK_HANGS_BY_OWN_SLOT ? x.P : x.Q;
+    }
+}
+
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
-    const fourlink_joint *ends = &p->v.kind.joint[link - FOURLINK_CRANK];
-
     b->link = link;
-    b->first = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[0]));
-    b->second = tracks_vector(&r->numbers, TRACK_OF_JOINT(&ends[1]));
-    b->G = geometry_of_link(&r->now.state, link, &p->v.design->link[link].cg);
+    find_pins(b, p, r);
+    b->G = geometry_of_link(&r->now.state, link, &tracks_link(&p->v, link)->cg);
     b->length = length_of(p, r, b);
     b->forces.n = 0;
     add_forces(b, p, r, SCENE_PIN);
@@ -380,13 +409,51 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     figure_letter(s, at, other, other, letter);
 }
 
-/* Draw the body between its pins, out to its loads, with its centre of mass. */
+/* The pins of a link of an output, by their letters. */
+static void draw_output_pins(sketch *s, const picture *p, const free_body *b)
+{
+    int i = (b->link - FOURLINK_FOLLOWER - 1) / 2, is_rod = b->link % 2;
+    const fourlink_group *g = &p->v.design->group[i];
+    const char *second = g->hang == FOURLINK_HANGS_BY_OWN_SLOT ? "P" : "Q",
+               *first = is_rod                           ? "P"
+                        : g->end == FOURLINK_GROUP_TURNS ? "D"
+                                                         : second;
+
+    sketch_show(s, SKETCH_PIN, (unsigned long)(FOURLINK_FOLLOWER + 3 * i + (is_rod ? 0 : 2)));
+    if (is_rod || g->end == FOURLINK_GROUP_TURNS) {
+        sketch_pin(s, b->first, first);
+        figure_letter(s, b->first, b->second, b->second, first);
+    }
+    sketch_show(s, SKETCH_PIN, (unsigned long)(FOURLINK_FOLLOWER + 3 * i + 1));
+    sketch_pin(s, b->second, second);
+    figure_letter(s, b->second, b->first, b->first, second);
+}
+
+/* Draw thin lines to where outputs act on a link. */
+static void draw_carried(sketch *s, const picture *p, const picture_row *r, const free_body *b)
+{
+    int i;
+
+    for (i = 0; i < r->drawn.n_forces; i++) {
+        const scene_force *f = &r->drawn.forces[i];
+
+        if (f->on != b->link || f->at < TRACK_OUTPUT || f->sign > 0)
+            continue;
+        sketch_show(s, SKETCH_OFF, (unsigned long)(VIEW_LOADS + i));
+        figure_off(s, b->first, b->second, tracks_vector(&r->numbers, f->at));
+    }
+    (void)p;
+}
+
+/* Draw the body between its pins, out to its loads and outputs, with its centre of mass. */
 static void draw_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
     unsigned long i;
 
     sketch_show(s, SKETCH_LINK, (unsigned long)b->link);
-    if (b->link == p->v.kind.slotted)
+    if (b->link > FOURLINK_FOLLOWER)
+        figure_output_link(s, p, &r->now.state, b->link);
+    else if (b->link == p->v.kind.slotted)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else if (p->v.kind.slides_on[b->link])
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
@@ -398,10 +465,15 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
             figure_off(s, b->first, b->second,
                        geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
     }
+    draw_carried(s, p, r, b);
     sketch_show(s, SKETCH_CENTRE, (unsigned long)b->link);
-    if (p->v.design->link[b->link].mass > 0) {
+    if (tracks_link(&p->v, b->link)->mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G, "G");
+    }
+    if (b->link > FOURLINK_FOLLOWER) {
+        draw_output_pins(s, p, b);
+        return;
     }
     draw_pin(s, p, b, 0);
     if (p->v.kind.shape[b->link] != FOURLINK_SHAPE_BLOCK)
@@ -429,7 +501,11 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
 /* In a motion a body turns about its middle, a lever about its pin. */
 static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    if (p->on.motion && b->link == p->v.kind.slotted)
+    int of = b->link - FOURLINK_FOLLOWER - 1;
+
+    if (p->on.motion && of > 0 && p->v.design->group[of / 2].hang == FOURLINK_HANGS_BY_OWN_SLOT)
+        sketch_hold(s, b->first);
+    else if (p->on.motion && b->link == p->v.kind.slotted)
         sketch_hold(s, tracks_vector(&r->numbers, TRACK_OF_JOINT(&p->v.kind.joint[3])));
     else if (p->on.motion)
         sketch_hold(s, place_middle(b->first, b->second));
@@ -460,7 +536,8 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b,
     sketch_show(&s, SKETCH_CIRCLES, 0);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
         sketch_value(&s, "friction circles ", format_general(b->circle_scale, 6, number), ":1");
-    sketch_close(&s, "free body of the %s", p->v.kind.link[b->link]);
+    sketch_close(&s, b->link > FOURLINK_FOLLOWER ? "free body of %s" : "free body of the %s",
+                 fourlink_deck_link_text(p->v.deck, b->link));
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
@@ -477,7 +554,8 @@ static void put_force_polygon(picture *p, const free_body *b)
         at = end_of(&g.sides.list[i]);
     }
     draw_sides(&g);
-    sketch_close(&g.s, "forces on the %s", p->v.kind.link[b->link]);
+    sketch_close(&g.s, b->link > FOURLINK_FOLLOWER ? "forces on %s" : "forces on the %s",
+                 fourlink_deck_link_text(p->v.deck, b->link));
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)
@@ -504,8 +582,8 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
 {
     picture_row r;
     free_body body;
-    const scene_polygon *polygons = scene_polygons(&p->v);
-    int link, status = picture_row_find(p, branch, &r);
+    scene_polygon sides;
+    int link, k, status = picture_row_find(p, branch, &r);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
@@ -513,13 +591,13 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
         p->on.fills_row = 1;
         put_mechanism(p, &r.now);
     }
-    if (p->request->part != PLOT_OF_FORCES) {
-        vectors_draw_polygon(p, &r, &polygons[0], 0);
-        vectors_draw_polygon(p, &r, &polygons[1], 0);
+    for (k = 0; k < scene_count_polygons(&p->v) && p->request->part != PLOT_OF_FORCES; k++) {
+        scene_find_polygon(&p->v, k, &sides);
+        vectors_draw_polygon(p, &r, &sides, 0);
     }
     if (p->request->part == PLOT_OF_MOTION || !p->v.problem.has_forces)
         return NULL;
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+    for (k = 0; (link = scene_body(&p->v, k)) != 0; k++) {
         open_body(&body, p, &r, link);
         put_free_body(p, &r, &body, 0);
         put_force_polygon(p, &body);

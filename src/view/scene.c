@@ -49,7 +49,7 @@ static const scene_side coriolis[] = {{"a", "B", "n", O, BETWEEN, TRACK_ABN, 2},
                                       {"a", "B", "t", BETWEEN, B, TRACK_ABT, 2},
                                       {"a", "B4", "n", O, BETWEEN_C, TRACK_AB4N, 4},
                                       {"a", "B4", "t", BETWEEN_C, B4, TRACK_AB4T, 4},
-                                      {"a", "Cor", "", B4, BETWEEN_D, TRACK_AK, 5},
+                                      {"a", "Cor", "", B4, BETWEEN_D, TRACK_AK, 0},
                                       {"a", "BB4", "", BETWEEN_D, B, TRACK_AS, 3},
                                       NO_SIDE};
 
@@ -60,35 +60,146 @@ static const scene_side without_turning[] = {{"a", "B", "n", O, BETWEEN, TRACK_A
                                              {"a", "BB4", "", B4, B, TRACK_AS, 3},
                                              NO_SIDE};
 
+/* Of an output, in whose names 6 is its slider or rocker and k the link that carries it.  Of each type those sides have
+** a track that it has.
+**
+** v_Q = v_P + v_QP, of a rocker that floats = v_D + v_QD; in slots v_P = v_P6 + v_PP6, v_Q = v_Qk + v_QQk */
+enum { P = 1, Q, D, P6, QK, PART, PART_D, PART_S };
+
+static const scene_side of_output[] = {{"v", "P", "", O, P, OUTPUT_VP, SCENE_CARRYING},
+                                       {"v", "D", "", O, D, OUTPUT_D + 1, SCENE_FLOATING},
+                                       {"v", "QP", "", P, Q, OUTPUT_VQP, SCENE_ROD},
+                                       {"v", "QD", "", D, Q, OUTPUT_VQD, SCENE_END},
+                                       {"v", "Q", "", O, Q, OUTPUT_VQ, SCENE_END},
+                                       {"v", "P6", "", O, P6, OUTPUT_VP6, SCENE_END},
+                                       {"v", "PP6", "", P6, P, OUTPUT_VPP6, SCENE_ROD},
+                                       {"v", "Qk", "", O, QK, OUTPUT_VQK, SCENE_CARRYING},
+                                       {"v", "QQk", "", QK, Q, OUTPUT_VQQK, SCENE_ROD},
+                                       NO_SIDE};
+
+/* The same, with Coriolis' acceleration in slots, which is 0 where the slot does not turn */
+static const scene_side accelerated_output[] = {
+    {"a", "P", "", O, P, OUTPUT_AP, SCENE_CARRYING},
+    {"a", "D", "", O, D, OUTPUT_D + 2, SCENE_FLOATING},
+    {"a", "QP", "n", P, PART, OUTPUT_AQPN, SCENE_ROD},
+    {"a", "QP", "t", PART, Q, OUTPUT_AQPT, SCENE_ROD},
+    {"a", "QD", "n", D, PART_D, OUTPUT_AQDN, SCENE_END},
+    {"a", "QD", "t", PART_D, Q, OUTPUT_AQDT, SCENE_END},
+    {"a", "Q", "", O, Q, OUTPUT_AQ, SCENE_END},
+    {"a", "Q", "n", O, PART_D, OUTPUT_AQN, SCENE_END},
+    {"a", "Q", "t", PART_D, Q, OUTPUT_AQT, SCENE_END},
+    {"a", "P6", "", O, P6, OUTPUT_AP6, SCENE_END},
+    {"a", "P6", "n", O, PART_D, OUTPUT_AP6N, SCENE_END},
+    {"a", "P6", "t", PART_D, P6, OUTPUT_AP6T, SCENE_END},
+    {"a", "Cor", "", P6, PART_S, OUTPUT_AK, 0},
+    {"a", "PP6", "", PART_S, P, OUTPUT_AS, SCENE_ROD},
+    {"a", "Qk", "", O, QK, OUTPUT_AQK, SCENE_CARRYING},
+    {"a", "Cor", "", QK, PART_S, OUTPUT_AKK, 0},
+    {"a", "QQk", "", PART_S, Q, OUTPUT_ASK, SCENE_ROD},
+    NO_SIDE};
+
 static const char *const of_velocity[] = {"o", "b", "c", NULL, NULL, NULL},
                          *const of_acceleration[] = {"o'", "b'", "c'", NULL, NULL, NULL},
                          *const of_slide[] = {"o", "b", "b4", NULL, NULL, NULL},
-                         *const of_coriolis[] = {"o'", "b'", "b4'", NULL, NULL, NULL};
+                         *const of_coriolis[] = {"o'", "b'", "b4'", NULL, NULL, NULL},
+                         *const of_pins[] = {"o", "p", "q", "d", "p6", "qk", NULL, NULL, NULL},
+                         *const of_pins_accelerated[] = {"o'",  "p'", "q'", "d'", "p6'",
+                                                         "qk'", NULL, NULL, NULL};
 
 #define VELOCITY "Velocity", QUANTITY_SPEED, "all velocities are zero"
 #define ACCELERATION "Acceleration", QUANTITY_ACCELERATION, "all accelerations are zero"
 
-const scene_polygon *scene_polygons(const view *v)
+int scene_count_polygons(const view *v)
+{
+    return 2 + 2 * v->design->n_groups;
+}
+
+void scene_find_polygon(const view *v, int k, scene_polygon *found)
 {
     static const scene_polygon of_rod[] = {
-        {VELOCITY, velocities, of_velocity, {{0, 0}, {0, 0}}, "", 1},
-        {ACCELERATION, accelerations, of_acceleration, {{O, C}, {B, C}}, "'", 2}};
+        {VELOCITY, velocities, of_velocity, {{0, 0}, {0, 0}}, "", 1, 0, 0},
+        {ACCELERATION, accelerations, of_acceleration, {{O, C}, {B, C}}, "'", 2, 0, 0}};
     static const scene_polygon of_slider[] = {
-        {VELOCITY, sliding, of_slide, {{0, 0}, {0, 0}}, "", 1},
-        {ACCELERATION, coriolis, of_coriolis, {{O, B}, {O, B4}}, "'", 2}};
-
+        {VELOCITY, sliding, of_slide, {{0, 0}, {0, 0}}, "", 1, 0, 0},
+        {ACCELERATION, coriolis, of_coriolis, {{O, B}, {O, B4}}, "'", 2, 0, 0}};
     static const scene_polygon of_yoke[] = {
-        {VELOCITY, sliding, of_slide, {{0, 0}, {0, 0}}, "", 1},
-        {ACCELERATION, without_turning, of_coriolis, {{O, B}, {0, 0}}, "'", 2}};
+        {VELOCITY, sliding, of_slide, {{0, 0}, {0, 0}}, "", 1, 0, 0},
+        {ACCELERATION, without_turning, of_coriolis, {{O, B}, {0, 0}}, "'", 2, 0, 0}};
+    static const scene_polygon of_outputs[] = {
+        {VELOCITY, of_output, of_pins, {{0, 0}, {0, 0}}, "", 1, 0, 0},
+        {ACCELERATION, accelerated_output, of_pins_accelerated, {{0, 0}, {0, 0}}, "'", 2, 0, 0}};
+    int shape = (int)v->kind.shape[FOURLINK_FOLLOWER];
 
-    switch (v->kind.shape[FOURLINK_FOLLOWER]) {
-    case FOURLINK_SHAPE_LEVER:
-        return of_slider;
-    case FOURLINK_SHAPE_YOKE:
-        return of_yoke;
-    default:
-        return of_rod;
+    if (k >= 2) {
+        *found = of_outputs[k % 2];
+        found->output = k / 2;
+        found->first = TRACK_OF_OUTPUT(k / 2 - 1);
+    } else {
+        *found = (shape == FOURLINK_SHAPE_LEVER  ? of_slider
+                  : shape == FOURLINK_SHAPE_YOKE ? of_yoke
+                                                 : of_rod)[k];
     }
+}
+
+int scene_link_of_side(const view *v, const scene_polygon *d, const scene_side *side)
+{
+    const fourlink_group *g = d->output ? &v->design->group[d->output - 1] : NULL;
+
+    return side->link >= 0                ? side->link
+           : side->link == SCENE_CARRYING ? g->link
+           : side->link == SCENE_FLOATING ? g->to
+           : side->link == SCENE_ROD      ? 3 + 2 * d->output
+                                          : 4 + 2 * d->output;
+}
+
+/* Write a name of an output, with the numbers of its links. */
+static void put_numbered(const view *v, const scene_polygon *d, const char *name,
+                         char out[SCENE_NAME])
+{
+    int link = d->output ? v->design->group[d->output - 1].link : 0;
+    char letter[TRACKS_NAME];
+
+    for (*out = '\0'; *name; name++) {
+        tracks_name("", (unsigned long)(*name == '6' ? 4 + 2 * d->output : link), letter);
+        if (!d->output || (*name != '6' && *name != 'k')) {
+            letter[0] = *name;
+            letter[1] = '\0';
+        }
+        flk_text_join(out + strlen(out), SCENE_NAME - strlen(out), letter, (char *)NULL);
+    }
+}
+
+const char *scene_name_of_side(const view *v, const scene_polygon *d, const scene_side *side,
+                               char out[SCENE_NAME])
+{
+    char sub[SCENE_NAME];
+
+    put_numbered(v, d, side->sub, sub);
+    return flk_text_join(out, SCENE_NAME, side->name, NOTATION_SUB, sub,
+                         side->super[0] ? NOTATION_SUPER : "", side->super, (char *)NULL);
+}
+
+const char *scene_letter(const view *v, const scene_polygon *d, int corner, char out[SCENE_NAME])
+{
+    if (!d->letters[corner])
+        return NULL;
+    put_numbered(v, d, d->letters[corner], out);
+    return out;
+}
+
+int scene_body(const view *v, int k)
+{
+    int link;
+
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER + 2 * v->design->n_groups; link++) {
+        int of = link - FOURLINK_FOLLOWER - 1;
+
+        if (of >= 0 && of % 2 == 0 && v->design->group[of / 2].hang != FOURLINK_HANGS_BY_ROD)
+            continue;
+        if (k-- == 0)
+            return link;
+    }
+    return 0;
 }
 
 /* ------------------------------------------------------------------------------------------- springs */
@@ -164,21 +275,66 @@ static void add_pins(scene *s, const fourlink_kind_facts *kind)
     }
 }
 
-static void add_bodies(scene *s, const fourlink_design *design)
+/* The number of the last link. */
+static int last_of(const view *v)
+{
+    return FOURLINK_FOLLOWER + 2 * v->design->n_groups;
+}
+
+/* The force F of a pin of an output on a link, and -F on the other, unless that is the ground. */
+static void add_pin_of_output(scene *s, const char *sub, int of, int at, int on, int other)
+{
+    add(s->forces, &s->n_forces, SCENE_PIN, "F", sub, of, 1, at, on);
+    if (other > FOURLINK_GROUND)
+        add(s->forces, &s->n_forces, SCENE_PIN, "-F", sub, of, -1, at, other);
+}
+
+/* FP on the rod, or on slider or rocker with a slot; FQ on slider or rocker; FD on a rocker at its pin, or of the guide. */
+static void add_output(scene *s, const view *v, int i)
+{
+    const fourlink_group *g = &v->design->group[i];
+    int first = TRACK_OF_OUTPUT(i), rod = 5 + 2 * i, end = rod + 1,
+        by_rod = g->hang == FOURLINK_HANGS_BY_ROD;
+    char P_name[TRACKS_NAME] = "P", Q_name[TRACKS_NAME] = "Q", D_name[TRACKS_NAME],
+         guide[TRACKS_NAME];
+
+    if (v->design->n_groups > 1) {
+        tracks_name("P", (unsigned long)i + 1, P_name);
+        tracks_name("Q", (unsigned long)i + 1, Q_name);
+    }
+    tracks_name("D", (unsigned long)end, D_name);
+    tracks_name("1", (unsigned long)end, guide);
+    add_pin_of_output(s, P_name, first + OUTPUT_FP,
+                      first + (g->hang == FOURLINK_HANGS_IN_SLOT ? OUTPUT_Q : OUTPUT_P),
+                      by_rod ? rod : end, g->link);
+    if (by_rod)
+        add_pin_of_output(s, Q_name, first + OUTPUT_FQ, first + OUTPUT_Q, end, rod);
+    if (g->end == FOURLINK_GROUP_TURNS) {
+        add_pin_of_output(s, D_name, first + OUTPUT_FD, first + OUTPUT_D, end, g->to);
+        return;
+    }
+    add(s->forces, &s->n_forces, SCENE_PIN, "N", guide, first + OUTPUT_FD, 1, first + OUTPUT_Q,
+        end);
+    add(s->torques, &s->n_torques, SCENE_PIN, "M", guide, first + OUTPUT_M, 1, first + OUTPUT_Q,
+        end);
+}
+
+static void add_bodies(scene *s, const view *v)
 {
     char name[TRACKS_NAME];
     int link;
 
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+    for (link = FOURLINK_CRANK; link <= last_of(v); link++) {
+        const fourlink_link *data = tracks_link(v, link);
         int at = TRACK_OF_CENTRE(link);
 
-        if (design->link[link].mass <= 0)
+        if (data->mass <= 0)
             continue;
         tracks_name("G", (unsigned long)link, name);
         add(s->forces, &s->n_forces, SCENE_LOAD, "W", name + 1, TRACK_WEIGHT + link, 1, at, link);
         add(s->forces, &s->n_forces, SCENE_INERTIA, "-m a", name, TRACK_INERTIA_FORCE + link, 1, at,
             link);
-        if (design->link[link].inertia > 0)
+        if (data->inertia > 0)
             add(s->torques, &s->n_torques, SCENE_INERTIA, "-I" ALPHA, name + 1,
                 TRACK_INERTIA_TORQUE + link, 1, at, link);
     }
@@ -258,13 +414,15 @@ static void add_drive(scene *s, const view *v)
     }
 }
 
-static void add_image(scene *s, const char *name, int link, int of)
+/* `on` is the link of the point, `link` that below its letter. */
+static void add_image(scene *s, const char *name, int link, int of, int on)
 {
     scene_image *x = &s->images[s->n_images++];
 
     x->name = name;
     x->link = link;
     x->of = of;
+    x->output = on > FOURLINK_FOLLOWER ? (on - FOURLINK_FOLLOWER + 1) / 2 : 0;
 }
 
 static void add_images(scene *s, const view *v)
@@ -274,23 +432,27 @@ static void add_images(scene *s, const view *v)
     unsigned long i;
     int link;
 
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (v->design->link[link].mass > 0)
-            add_image(s, "g", link, TRACK_OF_CENTRE(link));
+    for (link = FOURLINK_CRANK; link <= last_of(v); link++)
+        if (tracks_link(v, link)->mass > 0)
+            add_image(s, "g", link, TRACK_OF_CENTRE(link), link);
     for (i = 0; i < v->problem.n_points; i++) {
         fourlink_deck_point(v->deck, i, &name, &link, &at);
-        add_image(s, name, 0, TRACK_OF_POINT(i));
+        add_image(s, name, 0, TRACK_OF_POINT(i), link);
     }
 }
 
 void scene_find(scene *s, const view *v)
 {
+    int i;
+
     s->n_images = 0;
     add_images(s, v);
     s->n_forces = s->n_torques = 0;
     if (v->problem.has_forces) {
         add_pins(s, &v->kind);
-        add_bodies(s, v->design);
+        for (i = 0; i < v->design->n_groups; i++)
+            add_output(s, v, i);
+        add_bodies(s, v);
     }
     add_loads(s, v);
     if (v->problem.has_forces)
@@ -299,8 +461,11 @@ void scene_find(scene *s, const view *v)
 
 char *scene_words(const scene_force *f, char *out, size_t size)
 {
-    static const char *const subscripts[] = {"", "\342\202\201", "\342\202\202", "\342\202\203",
-                                             "\342\202\204"};
+    static const char digits[] = "0123456789", *const subscripts[] = {
+                                                   "\342\202\200", "\342\202\201", "\342\202\202",
+                                                   "\342\202\203", "\342\202\204", "\342\202\205",
+                                                   "\342\202\206", "\342\202\207", "\342\202\210",
+                                                   "\342\202\211"};
     char letter[2] = {0, 0};
     const char *c, *script;
 
@@ -309,7 +474,7 @@ char *scene_words(const scene_force *f, char *out, size_t size)
         letter[0] = *c;
         if (*c == 's')
             script = SUB_S;
-        else if (*c > '4')
+        else if (!strchr(digits, *c))
             script = letter;
         else
             script = f->sort == SCENE_INERTIA ? "" : subscripts[*c - '0'];

@@ -17,10 +17,13 @@ typedef struct scene_side {
     const char *name, *sub, *super; /* v_CB, a_B^n */
     int from, to;                   /* 0: the pole */
     int of;                         /* its track */
-    int link;                       /* whose vector it is; 5: of none */
+    int link;                       /* whose vector it is; 0: of none */
 } scene_side;
 
 enum { SCENE_SIDES = 8 }; /* at most */
+
+/* The links of an output's sides. */
+enum { SCENE_CARRYING = -1, SCENE_FLOATING = -2, SCENE_ROD = -3, SCENE_END = -4 };
 
 typedef struct scene_polygon {
     const char *title; /* without "polygon" */
@@ -32,10 +35,24 @@ typedef struct scene_polygon {
     int lines[2][2];            /* from corner to corner; 0 and 0: none */
     const char *mark;           /* on the letters of the images, */
     int derivative;             /* and by how much their tracks are behind those of the places */
+    int output;                 /* of a polygon of output i, i + 1; 0: of the four links */
+    int first;                  /* the tracks of its sides are behind this one */
 } scene_polygon;
 
-/* Those of velocities and of accelerations. */
-const scene_polygon *scene_polygons(const view *v);
+/* Polygon k: of the four links and then of each output, of velocities and of accelerations. */
+int scene_count_polygons(const view *v);
+void scene_find_polygon(const view *v, int k, scene_polygon *found);
+
+#define SCENE_NAME 40
+
+/* The name of a side as notation.h marks it, the letter of a corner; the number of the link whose vector it is. */
+const char *scene_name_of_side(const view *v, const scene_polygon *d, const scene_side *side,
+                               char out[SCENE_NAME]);
+const char *scene_letter(const view *v, const scene_polygon *d, int corner, char out[SCENE_NAME]);
+int scene_link_of_side(const view *v, const scene_polygon *d, const scene_side *side);
+
+/* The links that are drawn as free bodies, by number from 0: all but blocks of outputs; 0: there are no more. */
+int scene_body(const view *v, int k);
 
 /* ----------------------------------------------------------------------------------- forces, torques */
 
@@ -57,12 +74,17 @@ typedef struct scene_force {
 /* The image of a centre of mass, g_2, or of a tracer point in a polygon. */
 typedef struct scene_image {
     const char *name;
-    int link; /* below its letter; 0: none */
-    int of;   /* the track of its place */
+    int link;   /* below its letter; 0: none */
+    int of;     /* the track of its place */
+    int output; /* i + 1 for a point of output i, in whose polygons it is; 0 */
 } scene_image;
 
-/* Pins with both directions, couples, weight and inertia of three links, loads, what drives. */
-enum { SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS + 2, SCENE_IMAGES = 3 + TRACKS_POINTS };
+/* Pins with both directions, couples, weight and inertia of three links, loads, what drives; of an output the forces
+** of three pins with both directions, and weight and inertia of two links. */
+enum {
+    SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS + 2 + (6 + 4) * FOURLINK_MOST_GROUPS,
+    SCENE_IMAGES = 3 + TRACKS_POINTS + 2 * FOURLINK_MOST_GROUPS
+};
 
 typedef struct scene {
     scene_image images[SCENE_IMAGES];

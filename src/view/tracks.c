@@ -25,6 +25,13 @@ fourlink_vector tracks_vector(const tracks *t, int number)
     return t->list[number].is_there ? t->list[number].v : zero;
 }
 
+const fourlink_link *tracks_link(const view *v, int link)
+{
+    int k = link - FOURLINK_FOLLOWER - 1;
+
+    return k < 0 ? &v->design->link[link] : &v->design->group[k / 2].body[k % 2];
+}
+
 static void begin(tracks *t, const view *v)
 {
     int i;
@@ -99,9 +106,9 @@ static void put_points(tracks *t, const fourlink_state *state)
         put_place(t, TRACK_OF_JOINT(&t->v->kind.joint[joint]), geometry_joint(t->v, state, joint));
     if (t->v->kind.slotted)
         put_lever(t, state);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (t->v->design->link[link].mass > 0)
-            put_point(t, TRACK_OF_CENTRE(link), state, link, &t->v->design->link[link].cg);
+    for (link = FOURLINK_CRANK; link <= state->last; link++)
+        if (tracks_link(t->v, link)->mass > 0)
+            put_point(t, TRACK_OF_CENTRE(link), state, link, &tracks_link(t->v, link)->cg);
     for (k = 0; k < t->v->problem.n_points; k++) {
         fourlink_deck_point(t->v->deck, k, NULL, &link, &at);
         put_point(t, TRACK_OF_POINT(k), state, link, &at);
@@ -194,8 +201,8 @@ static void put_inertia(tracks *t, const fourlink_state *state)
     int link;
 
     fourlink_bodies(t->v->mechanism, state, NULL, 0, body);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        const fourlink_link *data = &t->v->design->link[link];
+    for (link = FOURLINK_CRANK; link <= state->last; link++) {
+        const fourlink_link *data = tracks_link(t->v, link);
 
         if (data->mass > 0) {
             put(t, TRACK_WEIGHT + link, QUANTITY_FORCE, body[link].weight);
@@ -208,9 +215,164 @@ static void put_inertia(tracks *t, const fourlink_state *state)
     }
 }
 
+/* ------------------------------------------------------------------------------------------ outputs */
+
+static fourlink_vector difference(fourlink_vector u, fourlink_vector v)
+{
+    return place_at(u.x - v.x, u.y - v.y);
+}
+
+/* The part of a vector along a direction. */
+static fourlink_vector along(fourlink_vector v, const fourlink_vector *e)
+{
+    return place_in(zero, *e, v.x * e->x + v.y * e->y, 0);
+}
+
+/* The pins of an output, with their motion; each is a point of a link. */
+static void put_pins(tracks *t, const fourlink_state *state, int i)
+{
+    const fourlink_group *g = &t->v->design->group[i];
+    int first = TRACK_OF_OUTPUT(i), rod = 5 + 2 * i;
+    fourlink_vector end = zero;
+
+    put_point(t, first + OUTPUT_P, state, g->link, &g->at);
+    if (g->hang != FOURLINK_HANGS_IN_SLOT) {
+        put(t, first + OUTPUT_VP, QUANTITY_SPEED, t->list[first + OUTPUT_P + 1].v);
+        put(t, first + OUTPUT_AP, QUANTITY_ACCELERATION, t->list[first + OUTPUT_P + 2].v);
+    }
+    if (g->end == FOURLINK_GROUP_TURNS && g->hang != FOURLINK_HANGS_BY_OWN_SLOT)
+        end.x = g->length;
+    put_point(t, first + OUTPUT_Q, state, rod + 1, &end);
+    if (g->end == FOURLINK_GROUP_TURNS && g->to > FOURLINK_GROUND)
+        put_point(t, first + OUTPUT_D, state, g->to, &g->pivot);
+    else
+        put_place(t, first + OUTPUT_D, state->link[rod + 1].origin);
+}
+
+/* v_Q = v_P + v_QP, and of a rocker that floats v_Q = v_D + v_QD; so accelerations, each of two parts. */
+static void put_by_rod(tracks *t, const fourlink_state *state, int i)
+{
+    const fourlink_group *g = &t->v->design->group[i];
+    int first = TRACK_OF_OUTPUT(i);
+    const track *P = &t->list[first + OUTPUT_P], *Q = &t->list[first + OUTPUT_Q];
+    const fourlink_link_state *rod = &state->link[5 + 2 * i], *end = rod + 1;
+
+    put(t, first + OUTPUT_VQP, QUANTITY_SPEED, difference(Q[1].v, P[1].v));
+    put_parts(t, first + OUTPUT_AQPN, rod, difference(Q->v, P->v));
+    if (g->end == FOURLINK_GROUP_TURNS && g->to > FOURLINK_GROUND) {
+        const track *D = &t->list[first + OUTPUT_D];
+
+        put(t, first + OUTPUT_VQD, QUANTITY_SPEED, difference(Q[1].v, D[1].v));
+        put_parts(t, first + OUTPUT_AQDN, end, difference(Q->v, D->v));
+    }
+}
+
+/* v_P = v_P6 + v_PP6 along the slot, a_P = a_P6 + 2 omega6 x v_PP6 + a_PP6 */
+static void put_by_own_slot(tracks *t, const fourlink_state *state, int i)
+{
+    int first = TRACK_OF_OUTPUT(i);
+    const track *P = &t->list[first + OUTPUT_P];
+    const fourlink_link_state *block = &state->link[5 + 2 * i], *end = block + 1;
+    fourlink_vector r = difference(P->v, end->origin), v, a, slide, coriolis;
+
+    v = place_in(end->velocity, r, 0, end->omega);
+    a = place_in(place_in(end->acceleration, r, 0, end->alpha), r, -end->omega * end->omega, 0);
+    slide = along(difference(P[1].v, v), &block->axis);
+    coriolis = place_in(zero, slide, 0, 2 * end->omega);
+    put(t, first + OUTPUT_VP6, QUANTITY_SPEED, v);
+    put(t, first + OUTPUT_VPP6, QUANTITY_SPEED, slide);
+    if (t->v->design->group[i].end == FOURLINK_GROUP_SLIDES)
+        put(t, first + OUTPUT_AP6, QUANTITY_ACCELERATION, a);
+    else
+        put_parts(t, first + OUTPUT_AP6N, end, r);
+    put(t, first + OUTPUT_AK, QUANTITY_ACCELERATION, coriolis);
+    put(t, first + OUTPUT_AS, QUANTITY_ACCELERATION,
+        along(difference(difference(P[2].v, a), coriolis), &block->axis));
+}
+
+/* v_Q = v_Qk + v_QQk along the slot, a_Q = a_Qk + 2 omega_k x v_QQk + a_QQk */
+static void put_in_slot(tracks *t, const fourlink_state *state, int i)
+{
+    int first = TRACK_OF_OUTPUT(i);
+    const track *Q = &t->list[first + OUTPUT_Q];
+    const fourlink_link_state *block = &state->link[5 + 2 * i],
+                              *on = &state->link[t->v->design->group[i].link];
+    fourlink_vector r = difference(Q->v, on->origin), v, a, slide, coriolis;
+
+    v = place_in(on->velocity, r, 0, on->omega);
+    a = place_in(place_in(on->acceleration, r, 0, on->alpha), r, -on->omega * on->omega, 0);
+    slide = along(difference(Q[1].v, v), &block->axis);
+    coriolis = place_in(zero, slide, 0, 2 * on->omega);
+    put(t, first + OUTPUT_VQK, QUANTITY_SPEED, v);
+    put(t, first + OUTPUT_VQQK, QUANTITY_SPEED, slide);
+    put(t, first + OUTPUT_AQK, QUANTITY_ACCELERATION, a);
+    put(t, first + OUTPUT_AKK, QUANTITY_ACCELERATION, coriolis);
+    put(t, first + OUTPUT_ASK, QUANTITY_ACCELERATION,
+        along(difference(difference(Q[2].v, a), coriolis), &block->axis));
+}
+
+/* Q from the pole: a slider's, or in two parts a rocker's about a fixed pin. */
+static void put_Q(tracks *t, const fourlink_state *state, int i)
+{
+    const fourlink_group *g = &t->v->design->group[i];
+    int first = TRACK_OF_OUTPUT(i);
+    const track *Q = &t->list[first + OUTPUT_Q];
+    const fourlink_link_state *end = &state->link[6 + 2 * i];
+
+    if (g->hang == FOURLINK_HANGS_BY_OWN_SLOT ||
+        (g->end == FOURLINK_GROUP_TURNS && g->to > FOURLINK_GROUND))
+        return;
+    put(t, first + OUTPUT_VQ, QUANTITY_SPEED, Q[1].v);
+    if (g->end == FOURLINK_GROUP_SLIDES)
+        put(t, first + OUTPUT_AQ, QUANTITY_ACCELERATION, Q[2].v);
+    else
+        put_parts(t, first + OUTPUT_AQN, end, difference(Q->v, end->origin));
+}
+
+static void put_output(tracks *t, const fourlink_state *state, int i)
+{
+    put_pins(t, state, i);
+    switch (t->v->design->group[i].hang) {
+    case FOURLINK_HANGS_BY_ROD:
+        put_by_rod(t, state, i);
+        break;
+    case FOURLINK_HANGS_BY_OWN_SLOT:
+        put_by_own_slot(t, state, i);
+        break;
+    case FOURLINK_HANGS_IN_SLOT:
+        put_in_slot(t, state, i);
+    }
+    put_Q(t, state, i);
+}
+
+/* With the unknowns of a group: S n of a slot in place of the components of FP or FQ. */
+static void put_forces_of_output(tracks *t, const fourlink_state *state, const fourlink_load *loads,
+                                 int i)
+{
+    const fourlink_group *g = &t->v->design->group[i];
+    const fourlink_vector *e = &state->link[5 + 2 * i].axis;
+    int first = TRACK_OF_OUTPUT(i);
+    double A[6][6], b[6], x[6];
+
+    if (fourlink_group_system(t->v->mechanism, state, loads, t->v->problem.n_loads, i, A, b, x) !=
+        FOURLINK_OK)
+        return;
+    put(t, first + OUTPUT_FP, QUANTITY_FORCE,
+        g->hang == FOURLINK_HANGS_IN_SLOT ? place_in(zero, *e, 0, x[0]) : place_at(x[0], x[1]));
+    if (g->hang == FOURLINK_HANGS_BY_ROD)
+        put(t, first + OUTPUT_FQ, QUANTITY_FORCE, place_at(x[2], x[3]));
+    if (g->end == FOURLINK_GROUP_SLIDES) {
+        put(t, first + OUTPUT_FD, QUANTITY_FORCE, place_in(zero, g->direction, 0, x[4]));
+        put_number(t, first + OUTPUT_M, QUANTITY_TORQUE, x[5]);
+    } else {
+        put(t, first + OUTPUT_FD, QUANTITY_FORCE, place_at(x[4], x[5]));
+    }
+}
+
 static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_load *loads)
 {
     const fourlink_forces *f = &now->forces;
+    int i;
 
     put(t, TRACK_FORCE, QUANTITY_FORCE, place_at(f->F12x, f->F12y));
     put(t, TRACK_FORCE + 1, QUANTITY_FORCE, place_at(f->F23x, f->F23y));
@@ -225,6 +387,8 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
     put_inertia(t, &now->state);
     put_loads(t, &now->state, loads);
     put_drive(t, now);
+    for (i = 0; i < t->v->design->n_groups; i++)
+        put_forces_of_output(t, &now->state, loads, i);
 }
 
 void tracks_find_places(tracks *t, const view *v, const fourlink_state *state)
@@ -246,6 +410,7 @@ void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fo
 {
     double r = v->design->link[FOURLINK_CRANK].length, theta = now->row.crank.theta2;
     const fourlink_state *state = &now->state;
+    int i;
 
     if (now->status != FOURLINK_OK) {
         begin(t, v);
@@ -260,6 +425,8 @@ void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fo
     else
         put_rod(t, state);
     put_parts(t, TRACK_ABN, &state->link[FOURLINK_CRANK], arm(t, state, FOURLINK_CRANK));
+    for (i = 0; i < v->design->n_groups; i++)
+        put_output(t, state, i);
     if (v->problem.has_forces)
         put_forces(t, now, loads);
 }

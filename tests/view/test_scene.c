@@ -6,7 +6,7 @@
 ** Derivatives are differences over a short time, by positions of the same motion before and after.
 */
 #include "check.h"
-#include "random_parts.h"
+#include "random_outputs.h"
 #include "view/geometry.h"
 #include "view/scene.h"
 
@@ -19,13 +19,16 @@ static fourlink_results *results;
 
 /* ------------------------------------------------------------------------------------------ machines */
 
-static void open_scene(long number)
+static void open_scene(long number, int with_outputs)
 {
     fourlink_source source;
     fourlink_mistake mistake;
 
-    make_machine(number, EVERYTHING | (seldom(0.5) ? WILD : 0), GIVEN);
-    if (seldom(0.3))
+    if (with_outputs)
+        make_machine_with_outputs(number, (int)(number % 2));
+    else
+        make_machine(number, EVERYTHING | (seldom(0.5) ? WILD : 0), GIVEN);
+    if (!with_outputs && seldom(0.3))
         write("[load P]\nlink = %s\nforce = (%.6g, %.6g) N\nat = (%.6g, 0) mm\n",
               machine_links[machine][2], between(-300, 300), between(-300, 300), between(-80, 80));
     memset(&source, 0, sizeof source);
@@ -50,7 +53,7 @@ static void find_around(const fourlink_instant *now)
     fourlink_instant at = *now;
     double fastest = 0;
 
-    for (i = 2; i <= 4; i++)
+    for (i = 2; i <= now->state.last; i++)
         fastest = fmax(fastest,
                        fmax(fabs(now->state.link[i].omega), sqrt(fabs(now->state.link[i].alpha))));
     step = STEP / fastest;
@@ -231,6 +234,33 @@ static void check_rod(double v, double a)
         check_parts("aCn", "aCt", minus(C, at_now("D")), rate("vC"), a);
 }
 
+/* Pins of outputs, and what they are relative to each other: of a rod, and along slots. */
+static void check_output(int i, double v, double a)
+{
+    const fourlink_group *g = &shown.design->group[i];
+    const tracks *t = &around[NOW];
+    int first = TRACK_OF_OUTPUT(i);
+    fourlink_vector P = get(t, first + OUTPUT_P), Q = get(t, first + OUTPUT_Q), n, sum;
+
+    check_point(first + OUTPUT_P, first + OUTPUT_P + 1, first + OUTPUT_P + 2, v, a);
+    check_point(first + OUTPUT_Q, first + OUTPUT_Q + 1, first + OUTPUT_Q + 2, v, a);
+    if (g->end == FOURLINK_GROUP_TURNS && g->to > FOURLINK_GROUND)
+        check_point(first + OUTPUT_D, first + OUTPUT_D + 1, first + OUTPUT_D + 2, v, a);
+    else
+        same("pin of an output", rate_of(first + OUTPUT_D),
+             g->end == FOURLINK_GROUP_SLIDES ? rate_of(first + OUTPUT_Q) : place_at(0, 0), v);
+    if (g->hang == FOURLINK_HANGS_BY_ROD) {
+        none("length of a rod", size_of(minus(Q, P)) - g->rod, 1e-6 * g->rod);
+        none("vQP", dot(get(t, first + OUTPUT_VQP), minus(Q, P)), v * g->rod);
+        n = get(t, first + OUTPUT_AQPN);
+        none("aQPn", cross(n, minus(Q, P)), a * g->rod);
+        assert_true(dot(n, minus(Q, P)) <= 0);
+        none("aQPt", dot(get(t, first + OUTPUT_AQPT), minus(Q, P)), a * g->rod);
+        sum = plus(n, get(t, first + OUTPUT_AQPT));
+        same("aQP", sum, minus(rate_of(first + OUTPUT_Q + 1), rate_of(first + OUTPUT_P + 1)), a);
+    }
+}
+
 /* The largest track of a quantity: what differences are compared with. */
 static double largest(quantity q)
 {
@@ -261,6 +291,8 @@ static void check_motion(const fourlink_instant *now)
         check_slot(now, v, a);
     else
         check_rod(v, a);
+    for (i = 0; i < shown.design->n_groups; i++)
+        check_output(i, v, a);
     for (i = TRACK_CENTRE; i < TRACK_LOAD; i += i + 3 == TRACK_WEIGHT ? TRACK_POINT - i : 3)
         if (has(&around[NOW], i)) {
             check_point(i, i + 1, i + 2, v, a);
@@ -270,7 +302,7 @@ static void check_motion(const fourlink_instant *now)
 
 /* ------------------------------------------------------------------------------------------ polygons */
 
-enum { CORNERS = 8 };
+enum { CORNERS = 9 };
 
 static scene shown_scene;
 
@@ -279,7 +311,7 @@ static scene shown_scene;
 static void check_polygon(const scene_polygon *p)
 {
     fourlink_vector places[CORNERS];
-    int is_known[CORNERS] = {1, 0, 0, 0, 0, 0, 0, 0}, n = 1, i;
+    int is_known[CORNERS] = {1, 0, 0, 0, 0, 0, 0, 0, 0}, n = 1, i;
     const scene_side *side;
 
     places[0] = place_at(0, 0);
@@ -288,11 +320,11 @@ static void check_polygon(const scene_polygon *p)
     for (side = p->sides; side->name; side++) {
         fourlink_vector end;
 
-        if (!has(&around[NOW], side->of))
+        if (!has(&around[NOW], p->first + side->of))
             continue;
-        assert_int_equal(around[NOW].list[side->of].q, p->q);
+        assert_int_equal(around[NOW].list[p->first + side->of].q, p->q);
         assert_true(side->to < CORNERS && is_known[side->from]);
-        end = plus(places[side->from], get(&around[NOW], side->of));
+        end = plus(places[side->from], get(&around[NOW], p->first + side->of));
         if (is_known[side->to])
             same(p->title, places[side->to], end, largest(p->q));
         places[side->to] = end;
@@ -306,12 +338,14 @@ static void check_polygon(const scene_polygon *p)
 
 /* --------------------------------------------------------------------------------------- equilibrium */
 
+static long n_bodies;
+
 /* The forces on a link, weight and -m a among them, and their moments about A are in equilibrium. */
 static void check_equilibrium(const scene *s, const tracks *t)
 {
     double force = 0, arm = 0, moment, torque = 0;
     fourlink_vector sum;
-    int link, i;
+    int link, body, i;
 
     for (i = 0; i < TRACK_COUNT; i++) {
         if (!has(t, i))
@@ -320,7 +354,8 @@ static void check_equilibrium(const scene *s, const tracks *t)
         torque = fmax(torque, t->list[i].q == QUANTITY_TORQUE ? fabs(t->list[i].v.x) : 0);
         arm = fmax(arm, t->list[i].q == QUANTITY_LENGTH ? size_of(t->list[i].v) : 0);
     }
-    for (link = 2; link <= 4; link++) {
+    for (body = 0; (link = scene_body(&shown, body)) != 0; body++) {
+        n_bodies++;
         sum = place_at(0, 0);
         moment = 0;
         for (i = 0; i < s->n_forces; i++)
@@ -378,6 +413,12 @@ static void check_lever(const tracks *t, const fourlink_load *loads)
     for (i = 0; fourlink_deck_load(shown.deck, i, &info) == FOURLINK_OK; i++)
         if (info.sort == FOURLINK_LOAD_OWN && info.link == 4)
             extend(&loads[i].at);
+    for (link = 0; link < shown.design->n_groups; link++) {
+        if (shown.design->group[link].link == 4)
+            extend(&shown.design->group[link].at);
+        if (shown.design->group[link].to == 4)
+            extend(&shown.design->group[link].pivot);
+    }
     assert_near(shown.lever_low, lever_low, 0);
     assert_near(shown.lever_high, lever_high, 0);
     /* the pin of the lever is on the line of its ends */
@@ -417,17 +458,20 @@ static void check_scene(fourlink_branch branch)
     fourlink_load loads[32];
     fourlink_instant now;
     static tracks t;
-    int i;
+    scene_polygon polygon;
+    int i, k;
 
     scene_find(&shown_scene, &shown);
     for (i = 0; i < 4; i++) {
         if (fourlink_results_at(results, branch, between(-400, 400), NULL, &now, loads) !=
                 FOURLINK_OK ||
-            fabs(now.state.sine) < 0.2)
+            fabs(now.state.sine) < 0.2 || now.state.group_sine < 0.2)
             continue;
         check_motion(&now);
-        check_polygon(&scene_polygons(&shown)[0]);
-        check_polygon(&scene_polygons(&shown)[1]);
+        for (k = 0; k < scene_count_polygons(&shown); k++) {
+            scene_find_polygon(&shown, k, &polygon);
+            check_polygon(&polygon);
+        }
         tracks_find(&t, &shown, &now, loads);
         check_equilibrium(&shown_scene, &t);
         check_lever(&t, loads);
@@ -442,12 +486,39 @@ TEST(scenes_of_random_machines)
 
     for (number = 0; number < some_of(3000); number++) {
         begin_chance(67, number);
-        open_scene(number);
+        open_scene(number, 0);
         for (i = 0; i < shown.n_branches; i++)
             check_scene(shown.branches[i]);
         fourlink_results_free(results);
     }
     assert_true(n_instants > number && n_points > number);
+}
+
+/* The four links with what outputs do to them, and the links of outputs: how often a slot was there, a pin that moves. */
+TEST(scenes_of_random_outputs)
+{
+    long instants = n_instants, bodies = n_bodies;
+    int number, i, types[3][3] = {{0}}, floating = 0, end, hang;
+
+    for (number = 0; number < some_of(3000); number++) {
+        begin_chance(68, number);
+        open_scene(number, 1);
+        for (i = 0; i < shown.design->n_groups; i++) {
+            const fourlink_group *g = &shown.design->group[i];
+
+            types[g->end][g->hang]++;
+            floating += g->to > FOURLINK_GROUND;
+        }
+        for (i = 0; i < shown.n_branches; i++)
+            check_scene(shown.branches[i]);
+        fourlink_results_free(results);
+    }
+    assert_true(n_instants - instants > number / 2);
+    assert_true(n_bodies - bodies > 4 * (n_instants - instants));
+    for (end = 1; end < 3; end++)
+        for (hang = 0; hang < 3; hang++)
+            assert_true(types[end][hang] > 0);
+    assert_true(floating > 0);
 }
 
 /* -------------------------------------------------------------------------------------------- pins */
