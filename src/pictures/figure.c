@@ -171,6 +171,9 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch)
         include_all(s, p, branch, p->v.kind.guided || p->v.kind.slotted ? 2 * figure_block(s) : 0);
 }
 
+/* How many outputs a state has: none, if it is of the four links alone. */
+#define OUTPUTS_OF(state) (((state)->last - FOURLINK_FOLLOWER) / 2)
+
 /* 1 if the slider of an output is far outside of a drawing that moves: there it is left out. */
 static int is_away(const sketch *s, const picture *p, const fourlink_state *state, int i)
 {
@@ -183,7 +186,7 @@ static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_sta
     double beside = 3 * figure_block(s);
     int i;
 
-    for (i = 0; i < p->v.design->n_groups; i++) {
+    for (i = 0; i < OUTPUTS_OF(state); i++) {
         const fourlink_group *g = &p->v.design->group[i];
         geometry_output x = geometry_find_output(&p->v, state, i);
 
@@ -337,7 +340,7 @@ static void put_outputs(sketch *s, const picture *p, const fourlink_state *state
 {
     int i;
 
-    for (i = 0; i < p->v.design->n_groups; i++) {
+    for (i = 0; i < OUTPUTS_OF(state); i++) {
         geometry_output x = geometry_find_output(&p->v, state, i);
         int rod = FOURLINK_FOLLOWER + 1 + 2 * i;
         pen of_end = kind ? kind : FIGURE_PEN(rod + 1);

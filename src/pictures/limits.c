@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** limits.c - what a mechanism can do: its limits with the swing of link 4 or the stroke of the piston, or its
-** dead positions; and at one position the transmission angle and the instantaneous centres.
+** dead positions; at one position the transmission angle and the instantaneous centres; and the limits of outputs.
 **
 ** By the theorem of Kennedy the centres of any three links are on one line: I13 is on the lines I12 I23 and
 ** I14 I34, I24 on I12 I14 and I23 I34.  From the velocities, k = omega / omega2 and k_B = v_B / omega2:
@@ -13,8 +13,11 @@
 
 #include <gsl/gsl_math.h>
 
+#include <string.h>
+
 #include "base/cycle.h"
 #include "figure.h"
+#include "view/results.h"
 
 #define I_13 "I" SUB_1 SUB_3
 #define I_24 "I" SUB_2 SUB_4
@@ -32,14 +35,14 @@
 
 /* ------------------------------------------------------------------------------------------- limits */
 
-/* Draw the mechanism at a crank angle in rad, with the angle beside B; 0 if it cannot be assembled there. */
-static int put_position(sketch *s, const picture *p, fourlink_branch branch, double theta2,
-                        fourlink_state *state)
+/* Draw a mechanism at a crank angle in rad, with the angle beside B; 0 if it cannot be assembled there. */
+static int put_position_of(sketch *s, const picture *p, const fourlink_mechanism *mechanism,
+                           fourlink_branch branch, double theta2, fourlink_state *state)
 {
     char mark[PICTURE_MARK];
     figure_pins pins;
 
-    if (fourlink_position(p->v.mechanism, branch, theta2, state) != FOURLINK_OK)
+    if (fourlink_position(mechanism, branch, theta2, state) != FOURLINK_OK)
         return 0;
     pins = figure_place(p, state);
     figure_outline(s, p, state, PEN_OF_LINK);
@@ -49,6 +52,16 @@ static int put_position(sketch *s, const picture *p, fourlink_branch branch, dou
     figure_letter(s, pins.B, pins.A, pins.A,
                   figure_angle(p, view_direction(&p->v, theta2), 4, mark));
     return 1;
+}
+
+/* The four links alone: their limits can be where an output is not assembled. */
+static int put_position(sketch *s, const picture *p, fourlink_branch branch, double theta2,
+                        fourlink_state *state)
+{
+    fourlink_mechanism bare = *p->v.mechanism;
+
+    bare.design.n_groups = 0;
+    return put_position_of(s, p, &bare, branch, theta2, state);
 }
 
 /* Put "NAME = 40°" beside the drawing; or of a limit "NAME = 40° at θ2 = 60°". */
@@ -133,12 +146,14 @@ static void put_limits(picture *p, const fourlink_state *shown)
     const char *title = "neither limits nor dead positions";
     fourlink_limits limits;
     fourlink_reach reach;
+    fourlink_state bare = *shown;
     sketch s;
 
+    bare.last = FOURLINK_FOLLOWER;
     fourlink_limits_of(p->v.mechanism, branch, &limits);
     fourlink_reach_of(p->v.mechanism, &reach);
     figure_open(&s, p, branch);
-    figure_frame(&s, p, shown);
+    figure_frame(&s, p, &bare);
     if (limits.has_swing) {
         title = "limits of link 4";
         put_swing(&s, p, branch, &limits);
@@ -149,7 +164,7 @@ static void put_limits(picture *p, const fourlink_state *shown)
         title = "dead positions";
         put_dead(&s, p, branch, &reach);
     } else {
-        figure_outline(&s, p, shown, PEN_OF_LINK);
+        figure_outline(&s, p, &bare, PEN_OF_LINK);
     }
     put_angle(&s, p, MU " min", limits.mu_min);
     put_angle(&s, p, MU " max", limits.mu_max);
@@ -221,11 +236,141 @@ static void put_centres(sketch *s, const picture *p, const fourlink_state *state
     put_centre(s, p, I_24, I24, pins.A, p->v.kind.slotted ? pins.B : pins.C);
 }
 
+/* ------------------------------------------------------------------------------------------ outputs */
+
+/* A fact of an output, NAME.WHAT; null if it has none. */
+static const fourlink_value *find_fact(const picture *p, fourlink_branch branch, int i,
+                                       const char *what)
+{
+    const fourlink_value *facts;
+    unsigned long n, k;
+    char name[MESSAGE_SIZE];
+
+    flk_text_join(name, sizeof name, fourlink_deck_link_text(p->v.deck, 6 + 2 * i), ".", what,
+                  (char *)NULL);
+    results_facts(p->v.results, (int)branch, FOURLINK_FACTS_LIMITS, &facts, &n);
+    for (k = 0; k < n; k++)
+        if (strcmp(facts[k].name, name) == 0)
+            return &facts[k];
+    return NULL;
+}
+
+/* Put a fact of an output beside the drawing, with the crank angle where it is, if it is at one. */
+static void put_fact(sketch *s, const picture *p, const fourlink_value *fact)
+{
+    char words[PICTURE_WORDS], crank[PICTURE_MARK];
+    quantity q = flk_quantity_find(fact->quantity);
+
+    if (q == QUANTITY_ANGLE)
+        flk_text_join(words, sizeof words, fact->name, " = ",
+                      figure_angle(p, fact->value * fact->to_si, 5, crank), (char *)NULL);
+    else
+        picture_words(p, fact->name, fact->value * fact->to_si, q, words);
+    if (fact->has_angle)
+        sketch_note(s, "%s at " FIGURE_THETA SUB_2 " = %s", words,
+                    figure_angle(p, view_si(&p->v, QUANTITY_ANGLE, fact->angle), 5, crank));
+    else
+        sketch_note(s, "%s", words);
+}
+
+/* Draw the mechanism with the links that carry outputs, and the pins of output i. */
+static void put_with_output(sketch *s, const picture *p, const fourlink_state *state, int i)
+{
+    geometry_output x = geometry_find_output(&p->v, state, i);
+    int link;
+
+    for (link = FOURLINK_CRANK; link <= state->last; link++)
+        hull_draw(s, p, state, link);
+    figure_outline(s, p, state, PEN_OF_LINK);
+    sketch_pin(s, x.P, "P");
+    sketch_pin(s, x.Q, "Q");
+    sketch_pin(s, x.D, "D");
+}
+
+/* Draw the mechanism where an output has a limit, with the limit beside the drawing. */
+static int put_output_at(sketch *s, const picture *p, const fourlink_value *fact,
+                         fourlink_branch branch, int i, fourlink_state *state)
+{
+    double theta2 = view_si(&p->v, QUANTITY_ANGLE, fact->angle) - view_direction(&p->v, 0);
+
+    put_fact(s, p, fact);
+    if (!put_position_of(s, p, p->v.mechanism, branch, theta2, state))
+        return 0;
+    put_with_output(s, p, state, i);
+    return 1;
+}
+
+#define TURN 360
+
+/* Why an output has no limits. */
+static const char *why_unlimited(const picture *p, fourlink_branch branch)
+{
+    fourlink_state state;
+    int k;
+
+    for (k = 0; k < TURN; k++)
+        if (fourlink_position(p->v.mechanism, branch, 2 * M_PI * k / TURN, &state) != FOURLINK_OK)
+            return "no limits: the crank does not turn fully";
+    return "no limits: it turns fully";
+}
+
+/* The way of the slider between two states, beside it; the arc of a rocker about a fixed pin. */
+static void put_way(sketch *s, const picture *p, const fourlink_state state[2], int i)
+{
+    const fourlink_group *g = &p->v.design->group[i];
+    const fourlink_link_state *least = &state[0].link[6 + 2 * i], *most = &state[1].link[6 + 2 * i];
+
+    if (g->end == FOURLINK_GROUP_SLIDES) {
+        double below = -2 * FIGURE_HIGH * FIGURE_BLOCK * s->size;
+        fourlink_vector from = place_in(least->origin, g->direction, 0, below),
+                        to = place_in(most->origin, g->direction, 0, below),
+                        middle = place_middle(from, to);
+
+        sketch_arrow(s, PEN_RESULT, middle, from);
+        sketch_arrow(s, PEN_RESULT, middle, to);
+        sketch_text(s, middle, g->direction.y, -g->direction.x, "stroke");
+    } else if (g->to <= FOURLINK_GROUND) {
+        double radius = SWING * s->size,
+               swing = flk_cycle_place(most->theta - least->theta, 0, 2 * M_PI),
+               middle = least->theta + swing / 2;
+
+        sketch_turn_arrow(s, PEN_RESULT, least->origin, radius, middle, least->theta);
+        sketch_turn_arrow(s, PEN_RESULT, least->origin, radius, middle, least->theta + swing);
+        sketch_text_around(s, least->origin, radius, middle, "swing");
+    }
+}
+
+static void put_output(picture *p, const fourlink_state *shown, int i)
+{
+    int slides = p->v.design->group[i].end == FOURLINK_GROUP_SLIDES;
+    fourlink_branch branch = shown->branch;
+    const fourlink_value *fact;
+    fourlink_state state[2];
+    sketch s;
+
+    figure_open(&s, p, branch);
+    figure_frame(&s, p, shown);
+    fact = find_fact(p, branch, i, slides ? "x_min" : "theta_min");
+    if (fact && put_output_at(&s, p, fact, branch, i, &state[0]) &&
+        (fact = find_fact(p, branch, i, slides ? "x_max" : "theta_max")) != NULL &&
+        put_output_at(&s, p, fact, branch, i, &state[1])) {
+        put_way(&s, p, state, i);
+        put_fact(&s, p, find_fact(p, branch, i, slides ? "stroke" : "swing"));
+        if ((fact = find_fact(p, branch, i, "time_ratio")) != NULL)
+            sketch_note(&s, "%s = %.5g", fact->name, fact->value);
+    } else {
+        put_with_output(&s, p, shown, i);
+        sketch_note(&s, "%s", why_unlimited(p, branch));
+    }
+    sketch_close(&s, "%s: limits of %s", fourlink_branch_text((int)branch),
+                 fourlink_deck_link_text(p->v.deck, 6 + 2 * i));
+}
+
 const char *picture_limits(picture *p, fourlink_branch branch)
 {
     fourlink_instant now;
     sketch s;
-    int status = picture_position(p, branch, &now, p->loads);
+    int status = picture_position(p, branch, &now, p->loads), i;
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
@@ -240,5 +385,7 @@ const char *picture_limits(picture *p, fourlink_branch branch)
                 p->v.kind.slotted ? "" : ", I" SUB_3 SUB_4 " C",
                 p->v.kind.guided ? "" : ", I" SUB_1 SUB_4 " D");
     figure_close(&s, p, &now, "");
+    for (i = 0; i < p->v.design->n_groups; i++)
+        put_output(p, &now.state, i);
     return NULL;
 }

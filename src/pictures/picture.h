@@ -32,8 +32,8 @@
       "polar diagrams of the pin forces")                                                         \
     X(VECTORS, "vectors", 2, 5, 620, 400, PLOT_DRAWING | PLOT_AT, picture_vectors, NULL,          \
       "polygons of velocity, acceleration and forces")                                            \
-    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT | PLOT_OF_FOUR, picture_limits,    \
-      NULL, "limits, transmission angle, instantaneous centres")                                  \
+    X(LIMITS, "limits", 2, 0, 760, 460, PLOT_DRAWING | PLOT_AT, picture_limits, NULL,             \
+      "limits, transmission angle, instantaneous centres")                                        \
     X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_STROKE | PLOT_AT, picture_klein, NULL,                \
       "Klein's construction")                                                                     \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,            \
@@ -56,8 +56,7 @@ enum {
     PLOT_OVER = 256,     /* over the crank angle or over time */
     PLOT_BY_ANGLE = 512, /* not over time */
     PLOT_AT = 1024,      /* of one position */
-    PLOT_WANTED = 2048,  /* a linkage found for a function */
-    PLOT_OF_FOUR = 4096  /* of the four links alone, which are not all that there is with outputs */
+    PLOT_WANTED = 2048   /* a linkage found for a function */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,

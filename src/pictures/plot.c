@@ -113,6 +113,8 @@ static void count_panels(picture *p, int *columns, int *rows)
         *rows = (n + *columns - 1) / *columns;
     } else if (p->request->kind == PLOT_VECTORS) {
         *rows = count_vector_rows(p);
+    } else if (p->request->kind == PLOT_LIMITS) {
+        *columns += p->v.design->n_groups;
     } else if (p->request->kind == PLOT_MOTION) {
         *columns += p->v.design->n_groups;
         *rows = view_is_still(&p->v) ? 1 : *rows;
@@ -276,9 +278,6 @@ static const char *missing(const picture *p)
 
     if ((needs & PLOT_BY_ANGLE) && !p->v.problem.over.is_crank_angle)
         return "this picture needs [motion] rows = angle; the deck has rows by time";
-    if (p->v.design->n_groups && (needs & PLOT_OF_FOUR))
-        return "this picture shows four links; the deck has an [output], which is in --plot-kind "
-               "mechanism and animation";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->v.problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_WANTED) &&
