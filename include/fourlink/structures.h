@@ -1083,7 +1083,7 @@ FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 ** Note:
 **    x = (FPx FPy FQx FQy FDx FDy); of a slider (... N M), the guide's.  The force of a slot, FP in a slot of the
 **    carrying link and FQ in one of the group, is (S C): S along the slot's normal, to the left of the block's axis, and the
-**    couple C, which is 0.
+**    couple C, which is 0.  Where something drives on a group, its fourlink_drive_loads are to be among the loads.
 */
 FOURLINK_API int fourlink_group_system(const fourlink_mechanism *mechanism,
                                        const fourlink_state *state, const fourlink_load *loads,

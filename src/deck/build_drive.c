@@ -132,6 +132,23 @@ static int drive_of_link(parser *p, text name, flk_drive *drive)
     return 1;
 }
 
+/* The drive of the slider or rocker of an output that is named; 0 if it names none. */
+static int drive_of_output(parser *p, text name, flk_drive *drive)
+{
+    const fourlink_design *design = &p->d->machine.mechanism.design;
+    int i;
+
+    for (i = 0; i < design->n_groups; i++)
+        if (flk_text_same(name, p->d->outputs[i].name[1])) {
+            drive->sort = FLK_DRIVE_OUTPUT;
+            drive->link = FLK_ROD_OF(i) + 1;
+            drive->is_torque = p->d->groups[i].end == FOURLINK_GROUP_TURNS;
+            drive->to = drive->is_torque ? p->d->groups[i].to : 0;
+            return 1;
+        }
+    return 0;
+}
+
 /* The drive of the actuator or of the load that is named; 0 if it names none. */
 static int drive_by_name(parser *p, text name, flk_drive *drive)
 {
@@ -180,39 +197,6 @@ static int usual_drive(parser *p, flk_drive *drive)
     return drive_of_link(p, flk_text_of(drive->name), drive);
 }
 
-/* The place of a link of an [output] on which a drive acts; null if there is none. */
-static const setting *find_output_link(parser *p, const flk_drive *drive)
-{
-    static const key_code keys[] = {KEY_ACTUATOR_LINK, KEY_ACTUATOR_TO, KEY_LOAD_LINK};
-    text name = flk_text_of(drive->name);
-    size_t i;
-
-    for (i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        int is_load = keys[i] == KEY_LOAD_LINK;
-        const section_use *use =
-            is_load == (drive->sort == FLK_DRIVE_LOAD)
-                ? flk_section_find(p, is_load ? SECTION_LOAD : SECTION_ACTUATOR, &name)
-                : NULL;
-        const setting *link = use ? flk_setting_of(use, keys[i]) : NULL;
-
-        if (link && link->word > FOURLINK_FOLLOWER)
-            return link;
-    }
-    return NULL;
-}
-
-/* Refuse a drive on a link of an [output]: the nine equations have the four links alone. */
-static void check_links(parser *p, const flk_drive *drive)
-{
-    const setting *link = find_output_link(p, drive);
-
-    if (link)
-        flk_mistake(p->mistakes, link->place,
-                    "what drives acts on the four links, not on %t, which is of an [output]: "
-                    "[motion] drive = crank",
-                    link->value);
-}
-
 /* Refuse what needs a torque on the crank. */
 static void check_others(parser *p, text_place place)
 {
@@ -250,10 +234,11 @@ static const char *list_drives(parser *p, char out[MESSAGE_SIZE])
     int kind = (int)p->d->machine.mechanism.design.kind;
 
     return flk_message(out, MESSAGE_SIZE,
-                       "crank, %s, %sthe name of an actuator or of a load whose "
+                       "crank, %s, %sthe name of an actuator%s or of a load whose "
                        "size is unknown",
                        fourlink_link_text(kind, FOURLINK_FOLLOWER),
-                       kind == FOURLINK_INVERTED_SLIDER_CRANK ? "slide, " : "");
+                       kind == FOURLINK_INVERTED_SLIDER_CRANK ? "slide, " : "",
+                       p->d->machine.mechanism.design.n_groups ? ", of an output" : "");
 }
 
 void flk_build_drive(parser *p)
@@ -272,7 +257,8 @@ void flk_build_drive(parser *p)
         drive = NULL;
     } else if (IS_SET(s)) {
         drive->name = flk_reader_copy(p, s->value, "");
-        if (!drive_of_link(p, s->value, drive) && !drive_by_name(p, s->value, drive)) {
+        if (!drive_of_link(p, s->value, drive) && !drive_by_name(p, s->value, drive) &&
+            !drive_of_output(p, s->value, drive)) {
             flk_mistake(p->mistakes, s->place, "expected %s, not '%t'", list_drives(p, list),
                         s->value);
             drive = NULL;
@@ -286,7 +272,6 @@ void flk_build_drive(parser *p)
     }
     check_unknown(p, drive);
     if (drive) {
-        check_links(p, drive);
         check_others(p, IS_SET(s) ? s->place : second ? second->place : flk_reader_end(p));
     }
     p->d->machine.mechanism.drive = drive;

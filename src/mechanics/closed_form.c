@@ -46,14 +46,12 @@ static int drive_with_one(const flk_kind *kind, const fourlink_mechanism *mechan
 {
     flk_unit_drive drive;
     flk_body body[3];
-    int status = flk_drive_unit(mechanism->drive, mechanism, state, &drive), i;
+    int status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
 
     if (status != FOURLINK_OK)
         return status;
     memset(body, 0, sizeof body);
-    for (i = 0; i < drive.n_loads; i++)
-        flk_apply_load(&drive.load[i], &state->link[drive.load[i].link],
-                       &body[drive.load[i].link - FOURLINK_CRANK]);
+    flk_groups_pass(mechanism, state, drive.load, drive.n_loads, 1, body);
     solve_crank_driven(kind, mechanism, state, body, &factors->unit);
     factors->K = drive.K;
     return FOURLINK_OK;

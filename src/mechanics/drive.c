@@ -96,6 +96,27 @@ static void push_slider(const fourlink_state *state, flk_unit_drive *u)
     add_force(FOURLINK_FOLLOWER, &at, -slider->axis.x, -slider->axis.y, u);
 }
 
+/* A slider of a group along its line, or a rocker against the link with its pin. */
+static void push_output(const flk_drive *drive, const fourlink_state *state, flk_unit_drive *u)
+{
+    static const fourlink_vector origin = {0, 0};
+    const fourlink_link_state *end = &state->link[drive->link];
+
+    if (!drive->is_torque) {
+        add_force(drive->link, &origin, end->axis.x, end->axis.y, u);
+        add_force(FOURLINK_GROUND, &end->origin, -end->axis.x, -end->axis.y, u);
+        return;
+    }
+    add_force(drive->link, &origin, 0, 0, u);
+    u->load[0].torque = 1;
+    if (drive->to > FOURLINK_GROUND) {
+        add_force(drive->to, &origin, 0, 0, u);
+        u->load[1].torque = -1;
+    } else {
+        u->ground_moment = -1;
+    }
+}
+
 /* The power of the loads at unit crank speed. */
 static double power_of(const fourlink_state *state, const flk_unit_drive *u)
 {
@@ -115,6 +136,7 @@ static double power_of(const fourlink_state *state, const flk_unit_drive *u)
 int flk_drive_is_torque(const flk_drive *drive)
 {
     return drive->sort == FLK_DRIVE_TORQUE ||
+           (drive->sort == FLK_DRIVE_OUTPUT && drive->is_torque) ||
            (drive->sort == FLK_DRIVE_LOAD && drive->load.torque != 0);
 }
 
@@ -145,6 +167,9 @@ int flk_drive_unit(const flk_drive *drive, const fourlink_mechanism *mechanism,
     case FLK_DRIVE_ENDS:
         status = push_ends(drive->actuator, state, u);
         break;
+    case FLK_DRIVE_OUTPUT:
+        push_output(drive, state, u);
+        break;
     default:
         u->load[u->n_loads++] = drive->load;
         break;
@@ -167,6 +192,8 @@ int flk_drive_link(const flk_drive *drive, unsigned long i)
         if (a->link == FOURLINK_GROUND || a->to == FOURLINK_GROUND)
             return i > 0 ? 0 : a->link == FOURLINK_GROUND ? a->to : a->link;
         return i > 1 ? 0 : i ? a->to : a->link;
+    case FLK_DRIVE_OUTPUT:
+        return i == 0 ? drive->link : i == 1 && drive->to > FOURLINK_GROUND ? drive->to : 0;
     case FLK_DRIVE_LOAD:
         return i > 0 ? 0 : drive->load.link;
     default:

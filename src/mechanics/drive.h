@@ -17,7 +17,9 @@ enum {
     FLK_DRIVE_ALONG,  /* a force on piston or yoke, at C, along x of link 1, from the ground */
     FLK_DRIVE_SLIDE,  /* a force that pushes the slider along the slide from the lever */
     FLK_DRIVE_ENDS,   /* an actuator that pushes its ends apart */
-    FLK_DRIVE_LOAD    /* a load, whose size is unknown */
+    FLK_DRIVE_OUTPUT, /* the last link of a group: a slider along its line, from the ground; a rocker, from the
+                         link with its pin */
+    FLK_DRIVE_LOAD /* a load, whose size is unknown */
 };
 
 #define FLK_ACTUATOR_COLUMNS 6
@@ -40,9 +42,10 @@ typedef struct flk_actuator_state {
 int flk_actuator_at(const flk_actuator *actuator, const fourlink_state *state,
                     flk_actuator_state *at);
 
-/* FLK_DRIVE_ENDS: `actuator`; FLK_DRIVE_LOAD: `load`, of size 1. */
+/* FLK_DRIVE_ENDS: `actuator`; FLK_DRIVE_OUTPUT: `link`, and `to`, that with its pin; FLK_DRIVE_LOAD: `load`, of size 1. */
 struct flk_drive {
-    int sort;
+    int sort, link, to;
+    int is_torque;    /* FLK_DRIVE_OUTPUT: on a rocker */
     const char *name; /* of it in a deck */
     const flk_actuator *actuator;
     fourlink_load load;

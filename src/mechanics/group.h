@@ -68,10 +68,11 @@ typedef struct flk_group_forces {
     double M; /* N m, of the guide on the slider; 0 */
 } flk_group_forces;
 
-/* With valid loads, of a state that is not singular: in closed form, or by the six equations of each group. */
+/* With valid loads, and the effort of a drive that is not the crank, of a state that is not singular: in closed form, or
+** by the six equations of each group. */
 void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       const fourlink_load *loads, unsigned long n_loads, int closed_form,
-                       flk_group_forces *list);
+                       const fourlink_load *loads, unsigned long n_loads, double effort,
+                       int closed_form, flk_group_forces *list);
 
 /* The force and the moment about A that the groups exert on the ground. */
 void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state *state,

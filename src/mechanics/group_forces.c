@@ -209,21 +209,13 @@ static void take_force(fourlink_vector r, const fourlink_vector *F, flk_body *bo
     body->moment += FLK_CROSS(r, *F);
 }
 
-/* The bodies of all links, by number - 2, the first three of them cut free but without their loads; the forces
-** of the groups, unless null.  What the groups' bodies do in virtual work is added to that of the crank: -FP
-** must not be counted besides. */
-static void cut_all(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                    const fourlink_load *loads, unsigned long n_loads, int closed_form,
-                    flk_body *body, flk_group_forces *list)
+/* The forces of the groups, unless the list is null, the last one first: each adds to the free bodies of the links that carry
+** it.  What its bodies do in virtual work is added to that of the crank: -FP must not be counted besides. */
+static void pass_on(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    int closed_form, flk_body *body, flk_group_forces *list)
 {
-    unsigned long n;
     int i;
 
-    for (i = FLK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
-        flk_cut_link(FLK_LINK(mechanism, i), &state->link[i], &mechanism->design.gravity,
-                     &body[i - 2]);
-    for (n = 0; n < n_loads; n++)
-        flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
     for (i = mechanism->design.n_groups - 1; i >= 0; i--) {
         const fourlink_group *g = &mechanism->design.group[i];
         const fourlink_link_state *rod = &state->link[FLK_ROD_OF(i)];
@@ -249,6 +241,42 @@ static void cut_all(const fourlink_mechanism *mechanism, const fourlink_state *s
     }
 }
 
+/* The bodies of all links, by number - 2, the first three of them cut free but without their loads; the forces
+** of the groups, unless null. */
+static void cut_all(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    const fourlink_load *loads, unsigned long n_loads, double effort,
+                    int closed_form, flk_body *body, flk_group_forces *list)
+{
+    fourlink_load drive[2];
+    unsigned long n;
+    int i, n_drive = 0;
+
+    for (i = FLK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
+        flk_cut_link(FLK_LINK(mechanism, i), &state->link[i], &mechanism->design.gravity,
+                     &body[i - 2]);
+    for (n = 0; n < n_loads; n++)
+        flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
+    if (effort != 0)
+        fourlink_drive_loads(mechanism, state, effort, drive, &n_drive);
+    for (i = 0; i < n_drive; i++)
+        flk_apply_load(&drive[i], &state->link[drive[i].link], &body[drive[i].link - 2]);
+    pass_on(mechanism, state, closed_form, body, list);
+}
+
+void flk_groups_pass(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     const fourlink_load *loads, int n_loads, int closed_form, flk_body body[3])
+{
+    flk_body all[FOURLINK_LINKS - 2];
+    int i;
+
+    memset(all, 0, sizeof all);
+    memcpy(all, body, 3 * sizeof *body);
+    for (i = 0; i < n_loads; i++)
+        flk_apply_load(&loads[i], &state->link[loads[i].link], &all[loads[i].link - 2]);
+    pass_on(mechanism, state, closed_form, all, NULL);
+    memcpy(body, all, 3 * sizeof *body);
+}
+
 void flk_groups_cut(const fourlink_mechanism *mechanism, const fourlink_state *state,
                     const fourlink_load *loads, unsigned long n_loads, int closed_form,
                     flk_body body[3])
@@ -256,7 +284,7 @@ void flk_groups_cut(const fourlink_mechanism *mechanism, const fourlink_state *s
     flk_body all[FOURLINK_LINKS - 2];
 
     memcpy(all, body, 3 * sizeof *body);
-    cut_all(mechanism, state, loads, n_loads, closed_form, all, NULL);
+    cut_all(mechanism, state, loads, n_loads, 0, closed_form, all, NULL);
     memcpy(body, all, 3 * sizeof *body);
 }
 
@@ -272,13 +300,13 @@ static void cut_four(const fourlink_mechanism *mechanism, const fourlink_state *
 }
 
 void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       const fourlink_load *loads, unsigned long n_loads, int closed_form,
-                       flk_group_forces *list)
+                       const fourlink_load *loads, unsigned long n_loads, double effort,
+                       int closed_form, flk_group_forces *list)
 {
     flk_body all[FOURLINK_LINKS - 2];
 
     cut_four(mechanism, state, all);
-    cut_all(mechanism, state, loads, n_loads, closed_form, all, list);
+    cut_all(mechanism, state, loads, n_loads, effort, closed_form, all, list);
 }
 
 void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -335,7 +363,7 @@ int fourlink_group_system(const fourlink_mechanism *mechanism, const fourlink_st
         return status;
     rod = &state->link[FLK_ROD_OF(group)];
     cut_four(mechanism, state, all);
-    cut_all(mechanism, state, loads, n_loads, 0, all, list);
+    cut_all(mechanism, state, loads, n_loads, 0, 0, all, list);
     put_equations(&mechanism->design.group[group], rod, 1, banded);
     for (i = 0; i < SIX; i++)
         for (j = 0; j < SIX; j++)

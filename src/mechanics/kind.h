@@ -151,6 +151,10 @@ void flk_groups_cut(const fourlink_mechanism *mechanism, const fourlink_state *s
                     const fourlink_load *loads, unsigned long n_loads, int closed_form,
                     flk_body body[3]);
 
+/* Apply loads on any links to free bodies of links 2 to 4, on which groups without mass pass them. */
+void flk_groups_pass(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     const fourlink_load *loads, int n_loads, int closed_form, flk_body body[3]);
+
 /* How the nine unknowns are found from the free bodies, without checking them.
 **
 ** factor    FOURLINK_OK, FOURLINK_SINGULAR; of a drive FOURLINK_INPUT_DEAD_CENTRE, FOURLINK_NO_DIRECTION

@@ -136,9 +136,9 @@ static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism
 
 /* With a drive that is not the crank the ninth unknown is its effort: the column has its loads for the effort 1, on the
 ** side of the unknowns.  It is divided by its largest coefficient, which is returned. */
-static double put_drive(const flk_unit_drive *drive, const fourlink_state *state,
-                        const fourlink_vector about[3], const scaling *scale, const layout *at,
-                        double *A)
+static double put_drive(const flk_unit_drive *drive, const fourlink_mechanism *mechanism,
+                        const fourlink_state *state, const fourlink_vector about[3],
+                        const scaling *scale, const layout *at, double *A)
 {
     flk_body body[3];
     double column[9], largest = 0;
@@ -147,9 +147,7 @@ static double put_drive(const flk_unit_drive *drive, const fourlink_state *state
     memset(body, 0, sizeof body);
     for (i = 0; i < 3; i++)
         body[i].arm = about[i];
-    for (i = 0; i < drive->n_loads; i++)
-        flk_apply_load(&drive->load[i], &state->link[drive->load[i].link],
-                       &body[drive->load[i].link - FOURLINK_CRANK]);
+    flk_groups_pass(mechanism, state, drive->load, drive->n_loads, 0, body);
     for (i = 0; i < 3; i++) {
         column[3 * i] = -scale->force[i + 2] * body[i].force.x;
         column[3 * i + 1] = -scale->force[i + 2] * body[i].force.y;
@@ -245,7 +243,7 @@ static int factor_matrix(const flk_kind *kind, const fourlink_mechanism *mechani
         if (status != FOURLINK_OK)
             return status;
         factors->K = drive.K;
-        factors->scale = put_drive(&drive, state, origins, &scale, at, factors->A);
+        factors->scale = put_drive(&drive, mechanism, state, origins, &scale, at, factors->A);
     }
     gsl_linalg_LU_band_decomp(9, b->below, b->above, &A_view.matrix, &pivot_view.vector);
     for (k = 0; k < 9; k++)
@@ -311,7 +309,7 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
         status = flk_drive_unit(mechanism->drive, mechanism, state, &drive);
         if (status != FOURLINK_OK)
             return status;
-        largest = put_drive(&drive, state, centre, &none, &dense, A[0]);
+        largest = put_drive(&drive, mechanism, state, centre, &none, &dense, A[0]);
         for (i = 0; i < 9; i++)
             A[i][8] *= largest;
     }

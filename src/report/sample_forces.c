@@ -139,11 +139,20 @@ static void put_sides(report *r, math *m, const fourlink_body bodies[FOURLINK_LI
     page_table_end(p);
 }
 
-static void put_entry(math *m, double value, math_unit of)
+static void put_entry(math *m, double value)
 {
     page_print(m->p, "<mtd>");
-    math_number(m->p, math_shown(m, value, of));
+    math_number(m->p, value);
     page_print(m->p, "</mtd>");
+}
+
+/* A coefficient: in the equations of moments a force has an arm, and the torque of a drive on an output is a force by way of
+** one. */
+static double shown_coefficient(const math *m, double value, int is_moment, int of_torque)
+{
+    if (of_torque && !is_moment)
+        return math_shown(m, value, MATH_ONE) / math_units_value(&m->units, 1, MATH_LENGTH);
+    return math_shown(m, value, is_moment && !of_torque ? MATH_LENGTH : MATH_ONE);
 }
 
 /* 1 if unknown i is a torque; the ninth is what drives: Ts, or the effort of what drives elsewhere. */
@@ -179,11 +188,11 @@ static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
 
         page_print(p, "<mtr>");
         for (j = 0; j < 9; j++)
-            put_entry(m, A[i][j], is_moment && !is_torque(r, j) ? MATH_LENGTH : MATH_ONE);
+            put_entry(m, shown_coefficient(m, A[i][j], is_moment, is_torque(r, j)));
         page_print(p, "<mtd>");
         math_symbol(p, name_unknown(r, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
-        put_entry(m, b[i], is_moment ? MATH_TORQUE : MATH_FORCE);
+        put_entry(m, math_shown(m, b[i], is_moment ? MATH_TORQUE : MATH_FORCE));
         page_print(p, "</mtr>\n");
     }
     page_print(p, "</mtable>");
@@ -304,22 +313,55 @@ static void put_power(report *r, math *m)
     math_let(m, "P", equation, r->now.forces.at_crank * r->now.row.crank.omega2);
 }
 
+/* Add what drives to the loads of the links of outputs; 1 if it acts on one. */
+static int add_drive(report *r, fourlink_body bodies[FOURLINK_LINKS])
+{
+    fourlink_body more[FOURLINK_LINKS];
+    fourlink_load load[2];
+    int n, i, acts = 0;
+
+    fourlink_drive_loads(r->v.mechanism, &r->now.state, r->now.forces.drive, load, &n);
+    for (i = 0; i < n; i++) {
+        int link = load[i].link;
+
+        if (link <= FOURLINK_FOLLOWER)
+            continue;
+        fourlink_bodies(r->v.mechanism, &r->now.state, &load[i], 1, more);
+        bodies[link].force.x += more[link].force.x;
+        bodies[link].force.y += more[link].force.y;
+        bodies[link].moment += more[link].moment;
+        acts = 1;
+    }
+    return acts;
+}
+
+/* Forces of outputs are found first, unless what drives acts on an output: that is the ninth unknown. */
 void sample_put_forces(report *r, math *m)
 {
     double A[9][9], b[9];
-    fourlink_body bodies[FOURLINK_LINKS];
-
+    fourlink_body bodies[FOURLINK_LINKS], driven[FOURLINK_LINKS];
     sample_carried carried;
+    int drives;
 
     fourlink_bodies(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, bodies);
     fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
+    memcpy(driven, bodies, sizeof driven);
+    drives = r->v.mechanism->drive && add_drive(r, driven);
     put_centres(r, m, bodies);
     sample_put_output_centres(r, m, bodies);
-    sample_find_carried(r, bodies, &carried);
-    sample_put_output_forces(r, m, bodies, &carried);
+    sample_find_carried(r, bodies, 0, &carried);
+    if (drives)
+        page_print(m->p, "<p>What drives acts on an output: it is an unknown of the nine equations "
+                         "first, and then a load on the output.</p>\n");
+    else
+        sample_put_output_forces(r, m, bodies, &carried);
     put_sides(r, m, bodies, &carried, b);
     put_matrix(r, m, A, b);
     put_solution(r, m);
+    if (drives) {
+        sample_find_carried(r, bodies, 1, &carried);
+        sample_put_output_forces(r, m, driven, &carried);
+    }
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
     put_power(r, m);

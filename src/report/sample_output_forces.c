@@ -131,7 +131,7 @@ static void carry(sample_carried *found, const sample_output *o,
     found->moment[on] += moment_of(o, bodies, F);
 }
 
-void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS],
+void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS], int drives,
                          sample_carried *found)
 {
     double A[6][6], x[6];
@@ -140,9 +140,10 @@ void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS],
     memset(found, 0, sizeof *found);
     for (i = 0; i < r->v.design->n_groups; i++) {
         sample_output o = sample_output_of(r, NULL, i);
+        fourlink_instant now = r->now;
 
-        if (fourlink_group_system(&r->v.problem.mechanism, &r->now.state, r->loads,
-                                  r->v.problem.n_loads, i, A, found->b[i], x) != FOURLINK_OK)
+        now.forces.drive *= drives && r->v.mechanism->drive;
+        if (view_group_system(&r->v, &now, r->loads, i, A, found->b[i], x) != FOURLINK_OK)
             continue;
         found->pins[i] = pins_of(o.group, &r->now.state.link[5 + 2 * i], x);
         carry(found, &o, bodies, found->pins[i].FP);

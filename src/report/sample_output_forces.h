@@ -24,7 +24,8 @@ typedef struct sample_carried {
         moment[FOURLINK_LINKS]; /* N m, about its centre of mass, or of 5, 6 ... about its origin */
 } sample_carried;
 
-void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS],
+/* With `drives`, what drives is among the loads, if it is not the crank. */
+void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS], int drives,
                          sample_carried *found);
 
 /* The accelerations of the centres of mass of links 5, 6 ... */

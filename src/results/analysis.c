@@ -368,8 +368,8 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
 {
     const fourlink_mechanism *mechanism = &a->d->machine.mechanism;
 
-    flk_groups_forces(mechanism, &row->at.state, a->acting.load, a->d->machine.n_loads, closed_form,
-                      row->group);
+    flk_groups_forces(mechanism, &row->at.state, a->acting.load, a->d->machine.n_loads,
+                      mechanism->drive ? row->at.forces.drive : 0, closed_form, row->group);
     flk_groups_shake(mechanism, &row->at.state, row->group, &a->acting.ground,
                      &a->acting.ground_moment);
 }

@@ -48,7 +48,7 @@ static void put_system_of_output(sheet *s, const fourlink_instant *at, int i)
     double A[6][6], b[6], x[6];
     int k, j, link = FOURLINK_FOLLOWER + 1 + 2 * i;
 
-    fourlink_group_system(mechanism, &at->state, s->loads, s->v.problem.n_loads, i, A, b, x);
+    view_group_system(&s->v, at, s->loads, i, A, b, x);
     line_put(&s->l, "\n\n# %s and %s\n# ", fourlink_deck_link_text(s->v.deck, link),
              fourlink_deck_link_text(s->v.deck, link + 1));
     for (j = 0; j < 6; j++)

@@ -405,7 +405,10 @@ static void add_drive(scene *s, const view *v)
     for (i = 0; fourlink_deck_drive(v->deck, (unsigned long)i, &load) == FOURLINK_OK; i++) {
         if (load.has_torque)
             f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", TRACK_DRIVE_TORQUE + i, 1,
-                    TRACK_OF_JOINT(&v->kind.joint[v->kind.begins[load.link]]), load.link);
+                    load.link > FOURLINK_FOLLOWER
+                        ? TRACK_DRIVE + i
+                        : TRACK_OF_JOINT(&v->kind.joint[v->kind.begins[load.link]]),
+                    load.link);
         else
             f = add(s->forces, &s->n_forces, SCENE_LOAD, load.name, "", TRACK_DRIVE_FORCE + i, 1,
                     TRACK_DRIVE + i, load.link);

@@ -346,16 +346,16 @@ static void put_output(tracks *t, const fourlink_state *state, int i)
 }
 
 /* With the unknowns of a group: S n of a slot in place of the components of FP or FQ. */
-static void put_forces_of_output(tracks *t, const fourlink_state *state, const fourlink_load *loads,
+static void put_forces_of_output(tracks *t, const fourlink_instant *now, const fourlink_load *loads,
                                  int i)
 {
+    const fourlink_state *state = &now->state;
     const fourlink_group *g = &t->v->design->group[i];
     const fourlink_vector *e = &state->link[5 + 2 * i].axis;
     int first = TRACK_OF_OUTPUT(i);
     double A[6][6], b[6], x[6];
 
-    if (fourlink_group_system(t->v->mechanism, state, loads, t->v->problem.n_loads, i, A, b, x) !=
-        FOURLINK_OK)
+    if (view_group_system(t->v, now, loads, i, A, b, x) != FOURLINK_OK)
         return;
     put(t, first + OUTPUT_FP, QUANTITY_FORCE,
         g->hang == FOURLINK_HANGS_IN_SLOT ? place_in(zero, *e, 0, x[0]) : place_at(x[0], x[1]));
@@ -388,7 +388,7 @@ static void put_forces(tracks *t, const fourlink_instant *now, const fourlink_lo
     put_loads(t, &now->state, loads);
     put_drive(t, now);
     for (i = 0; i < t->v->design->n_groups; i++)
-        put_forces_of_output(t, &now->state, loads, i);
+        put_forces_of_output(t, now, loads, i);
 }
 
 void tracks_find_places(tracks *t, const view *v, const fourlink_state *state)

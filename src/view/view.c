@@ -203,6 +203,21 @@ int view_read_crank(const view *v, text value, text words, double *angle,
     return v->problem.has_drawn;
 }
 
+int view_group_system(const view *v, const fourlink_instant *now, const fourlink_load *loads, int i,
+                      double A[6][6], double b[6], double x[6])
+{
+    fourlink_load all[VIEW_LOADS + 2];
+    unsigned long n = v->problem.n_loads;
+    int more = 0;
+
+    if (n > VIEW_LOADS)
+        return fourlink_group_system(v->mechanism, &now->state, loads, n, i, A, b, x);
+    memcpy(all, loads, n * sizeof *all);
+    fourlink_drive_loads(v->mechanism, &now->state, now->forces.drive, all + n, &more);
+    return fourlink_group_system(v->mechanism, &now->state, all, n + (unsigned long)more, i, A, b,
+                                 x);
+}
+
 double view_direction(const view *v, double angle)
 {
     return v->problem.axes_on_page ? flk_cycle_beside(angle + v->problem.x_angle, 2 * M_PI) : angle;

@@ -116,6 +116,11 @@ int view_find_position(const view *v, fourlink_branch branch, const view_spot *s
 /* rad: where the transmission angle is smaller, a dead position is near, whose forces set no scale. */
 #define VIEW_NEAR 0.2
 
+/* The six equations of output i and their solution, as from fourlink_group_system: with the loads of an instant, and of
+** what drives, if that is not the crank. */
+int view_group_system(const view *v, const fourlink_instant *now, const fourlink_load *loads, int i,
+                      double A[6][6], double b[6], double x[6]);
+
 /* Why it is shown, if no crank angle was asked for: "as drawn", "where press acts"; "" for a sixth of the way. */
 #define VIEW_WHY 120
 const char *view_tell_position(const view *v, const fourlink_instant *now,

@@ -789,7 +789,7 @@ TEST(test_values)
             assert_int_equal((closed ? fourlink_analyse_dyad : fourlink_analyse)(
                                  &m, FOURLINK_OPEN, &crank, &load, 1, &s, &f),
                              FOURLINK_OK);
-            flk_groups_forces(&m, &s, &load, 1, closed, &of);
+            flk_groups_forces(&m, &s, &load, 1, 0, closed, &of);
             check_motion(&g, &s, row->motion);
             if (i >= N_ROWS)
                 check_block(&m, &s, &slot_rows[i - N_ROWS]);
@@ -1093,7 +1093,7 @@ static void check_forces(const machine *m, const fourlink_forces *F)
     int i, k, j;
 
     for (k = 0; k < 2; k++)
-        flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, k, of[k]);
+        flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, 0, k, of[k]);
     for (i = 0; i < m->design.n_groups; i++) {
         const double *x = (const double *)&of[0][i], *y = (const double *)&of[1][i];
 
@@ -1110,7 +1110,7 @@ static void check_equations(const machine *m)
     flk_group_forces of[MOST];
     int i, k, j;
 
-    flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, 1, of);
+    flk_groups_forces(&m->mechanism, &m->state, m->load, MOST + 1, 0, 1, of);
     for (i = 0; i < m->design.n_groups; i++) {
         const fourlink_group *g = &m->group[i];
         fourlink_vector e = m->state.link[5 + 2 * i].axis, u = g->direction;
@@ -1204,7 +1204,7 @@ TEST(test_load_at_P)
             m.load[k].link = 4 + 2 * m.design.n_groups -
                              (k % 2 && !is_block(m.group, 3 + 2 * m.design.n_groups));
         assert_int_equal(fourlink_solve(&m.mechanism, &m.state, m.load, MOST + 1, &F), FOURLINK_OK);
-        flk_groups_forces(&m.mechanism, &m.state, m.load, MOST + 1, 1, of);
+        flk_groups_forces(&m.mechanism, &m.state, m.load, MOST + 1, 0, 1, of);
         memset(loads, 0, sizeof loads);
         for (k = 0; k < m.design.n_groups; k++) {
             loads[n].link = m.group[k].link;

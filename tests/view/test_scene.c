@@ -24,10 +24,12 @@ static void open_scene(long number, int with_outputs)
     fourlink_source source;
     fourlink_mistake mistake;
 
-    if (with_outputs)
+    if (with_outputs) {
         make_machine_with_outputs(number, (int)(number % 2));
-    else
+        write(seldom(0.3) ? "drive = P\n" : "");
+    } else {
         make_machine(number, EVERYTHING | (seldom(0.5) ? WILD : 0), GIVEN);
+    }
     if (!with_outputs && seldom(0.3))
         write("[load P]\nlink = %s\nforce = (%.6g, %.6g) N\nat = (%.6g, 0) mm\n",
               machine_links[machine][2], between(-300, 300), between(-300, 300), between(-80, 80));
