@@ -55,7 +55,11 @@ build_program() {
     (cd "$source" && find src web -name '*.c' ! -name 'system_*.c' ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
         cd "$1" && work=$2 && shift 2
         for file; do
-            emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -O2 -ffp-contract=off -Dmain=web_main -Iinclude -Isrc -I"$work/web/gsl" \
+            case $file in
+            src/report/* | src/pictures/* | src/drawing/* | src/command/* | src/tables/* | src/deck/*) level=-Oz ;; # what is small loads sooner
+            *) level=-O2 ;;
+            esac
+            emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror $level -ffp-contract=off -Dmain=web_main -Iinclude -Isrc -I"$work/web/gsl" \
                 -c "$file" -o "$work/web/objects/$(echo "${file%.c}" | tr / -).o" || exit 255
         done' sh "$source" "$work"
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
