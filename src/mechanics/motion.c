@@ -122,7 +122,6 @@ static void accelerate_crank(double speed, double acceleration, double s, fourli
 
     if (speed < 0 || (speed == 0 && acceleration < 0))
         omega2 = -omega2;
-    row->side = 0;
     row->crank.omega2 = omega2;
     row->crank.alpha2 = acceleration;
     row->time = speed + omega2 != 0 ? 2 * s / (speed + omega2) : 0;
@@ -143,6 +142,7 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
     if (motion->run_up > 0 && motion->acceleration == 0)
         return FOURLINK_NO_RUN_UP;
     at.angle = at.place = angle;
+    at.side = 0;
     at.crank.theta2 = flk_motion_theta2(motion, angle);
     s = (angle - motion->from) * motion->angle_unit;
     if (motion->run_up > 0) {
