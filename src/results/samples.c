@@ -193,10 +193,11 @@ static double *make_room(double *list, size_t n, size_t i)
 static double largest_force(const flk_row *row)
 {
     const fourlink_forces *f = &row->at.forces;
-    double crank = GSL_MAX_DBL(flk_length(f->F12x, f->F12y), flk_length(f->F23x, f->F23y));
-    double follower = GSL_MAX_DBL(flk_length(f->F34x, f->F34y), flk_length(f->F14x, f->F14y));
 
-    return row->at.status == FOURLINK_OK ? GSL_MAX_DBL(crank, follower) : GSL_NAN;
+    if (row->at.status != FOURLINK_OK)
+        return GSL_NAN;
+    return GSL_MAX_DBL(GSL_MAX_DBL(flk_length(f->F12x, f->F12y), flk_length(f->F23x, f->F23y)),
+                       GSL_MAX_DBL(flk_length(f->F34x, f->F34y), flk_length(f->F14x, f->F14y)));
 }
 
 /* Insert a sample before number i. */
