@@ -17,6 +17,7 @@
 #include "import.h"
 #include "input.h"
 #include "rules.h"
+#include "terminal.h"
 #include "tables/content.h"
 #include "view/results.h"
 #include "view/view.h"
@@ -148,7 +149,7 @@ static int has_no_sweep(const input *in)
 }
 
 /* Whether the linkage of the deck was found by synthesis, and by a search from many starts. */
-static void find_task(input *in)
+static void find_task(input *in, clock_t begun)
 {
     unsigned long chosen, n;
     fourlink_solution first;
@@ -158,6 +159,7 @@ static void find_task(input *in)
         return;
     in->has_task = 1;
     in->has_starts = n > 0 && first.starts > 0;
+    terminal_tell_search(in->has_starts ? first.starts : 0, begun);
 }
 
 int input_has_values(const input *in)
@@ -491,6 +493,7 @@ static int open_input(input *in)
 {
     const options *o = in->o;
     char message[400];
+    clock_t begun;
     int status;
 
     if (!in->has_sweep && rules_without_sweep(o, message) && has_no_sweep(in)) {
@@ -508,6 +511,7 @@ static int open_input(input *in)
         in->source.effort = o->effort;
         in->source.synthesis = !o->synthesis ? 0 : o->solution ? o->solution : 1;
     }
+    begun = clock();
     status = open_results(in);
     if (status || !in->results)
         return status;
@@ -516,7 +520,7 @@ static int open_input(input *in)
     if (in->problem.n_designs)
         in->n_designs = in->problem.n_designs;
     if (o->synthesis)
-        find_task(in);
+        find_task(in, begun);
     if (o->synthesis && (o->design || !in->problem.n_designs)) {
         tell_defects(in);
         if (o->report && !view_find_solution(fourlink_results_deck(in->results), &in->found)) {

@@ -48,6 +48,14 @@ void terminal_set_up(sheet *s, FILE *out, int is_wide, const char *colour)
     s->is_coloured = s->format == &table_format && terminal_has_colour(out, colour);
 }
 
+void terminal_tell_search(unsigned long starts, clock_t begun)
+{
+    double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+
+    if (starts > 0 && seconds >= 1 && system_is_terminal(stderr))
+        fprintf(stderr, "fourlink: %lu starts took %.1f s\n", starts, seconds);
+}
+
 void progress_begin(progress *p, FILE *out)
 {
     p->is_shown = system_is_terminal(stderr) && !system_is_terminal(out);

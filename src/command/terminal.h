@@ -21,6 +21,9 @@ int terminal_has_colour(FILE *out, const char *colour);
 /* Set the width and the colours of a sheet. */
 void terminal_set_up(sheet *s, FILE *out, int is_wide, const char *colour);
 
+/* Tell on a terminal how long a search from so many starts took, if that is a second or more. */
+void terminal_tell_search(unsigned long starts, clock_t begun);
+
 /* Progress on a terminal, once a second. */
 typedef struct progress {
     int is_shown, is_told;
