@@ -13,14 +13,16 @@ void head_put_title(sheet *s)
         line_put(&s->l, "# %s\n", s->v.problem.title);
 }
 
-/* The axes of the page, and those of link 1 in them. */
+/* Whether axes are those of the page or of link 1, and how these lie there. */
 static void put_axes(sheet *s)
 {
     const fourlink_problem *p = &s->v.problem;
 
-    if (p->axes_on_page)
-        line_put(&s->l, "# axes of the page, with x of link 1 at %9g %s\n",
-                 view_value(&s->v, QUANTITY_ANGLE, p->x_angle), s->v.units[QUANTITY_ANGLE].name);
+    if (p->axes_on_page || p->has_drawn)
+        line_put(&s->l, "# axes of %s at %9g %s%s\n",
+                 p->axes_on_page ? "the page, with x of link 1" : "link 1, with x",
+                 view_value(&s->v, QUANTITY_ANGLE, p->x_angle), s->v.units[QUANTITY_ANGLE].name,
+                 p->axes_on_page ? "" : " on the page");
 }
 
 void head_put_kind(sheet *s)

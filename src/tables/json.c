@@ -167,8 +167,8 @@ static void open_list(sheet *s)
     put_labels(s);
     put_text(&s->l, "title", s->v.problem.title);
     put_text(&s->l, "mechanism", s->v.kind.words);
-    if (s->v.problem.axes_on_page)
-        put_text(&s->l, "axes", "page");
+    if (s->v.problem.axes_on_page || s->v.problem.has_drawn)
+        put_text(&s->l, "axes", s->v.problem.axes_on_page ? "page" : "ground");
 }
 
 static void open_deck(sheet *s)
