@@ -47,8 +47,10 @@ else
 fi
 awk '{drawings += $1; labels += $5; out += $11; if ($7 > most) most = $7}
     END {printf "%d decks, %d drawings compared, %d labels, %d left out, %s pixels at most\n", NR, drawings, labels, out, most}' all
-# without a position the x axis goes out of the sheet, so its label is not there
-check "labels that are left out: $(cat all)" test "$(awk 'NR > 1 {n += $5 - 20 * $11} END {print n + 0}' all)" -gt 0
+# Without a position the x axis goes out of the sheet, so its label is not there.  Random decks are crowded.
+share=20
+[ -z "${4-}" ] || share=10
+check "labels that are left out: $(cat all)" test "$(awk -v share=$share 'NR > 1 {n += $5 - share * $11} END {print n + 0}' all)" -gt 0
 least=100
 [ "${4-}${ALL_CASES-}" ] || least=30
 check "drawings: $(wc -l <all)" test "$(awk '{n += $1} END {print n + 0}' all)" -gt $least
