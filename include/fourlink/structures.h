@@ -611,11 +611,13 @@ typedef struct fourlink_problem {
     fourlink_motion
         prescribed;    /* its motion, in rad or m, and `motion` is the crank's only at `from` */
     int axes_on_page;  /* 1: results by name are in the axes of a page, structures never; */
-    fourlink_vector A; /* m, the place of A on the page, of [pins] too */
-    double x_angle;    /* rad, and the direction of x of link 1 there; else 0 */
+    fourlink_vector A; /* m, the place of A there */
+    double x_angle;    /* rad, and the direction of x of link 1; else 0 */
     int has_drawn;     /* 1: the deck has [pins] */
     double drawn;      /* the crank angle as drawn, in the deck's unit */
     int drawn_branch;  /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the drawing does not tell it */
+    fourlink_vector drawn_A; /* m, the place of A on the page of [pins], whatever the axes are */
+    double drawn_x;          /* rad, and the direction of x of link 1 there; else 0 */
 } fourlink_problem;
 
 /* All results at one crank angle. */

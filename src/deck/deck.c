@@ -200,10 +200,12 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     if (problem->is_prescribed)
         problem->prescribed = d->prescribed->motion;
     problem->axes_on_page = d->axes.is_page;
-    problem->A = d->pins.is_there ? d->pins.A : d->axes.A;
-    problem->x_angle = d->pins.is_there ? d->pins.angle : d->axes.angle;
+    problem->A = d->axes.A;
+    problem->x_angle = d->axes.angle;
     problem->has_drawn = d->pins.is_there;
     problem->drawn_branch = d->pins.branch;
+    problem->drawn_A = d->pins.A;
+    problem->drawn_x = d->pins.angle;
     if (problem->has_drawn)
         problem->drawn = flk_unit_from_si(flk_deck_drawn(d), d->units[QUANTITY_ANGLE].unit);
     return FOURLINK_OK;

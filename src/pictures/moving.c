@@ -274,10 +274,10 @@ void moving_close(moving *x)
 /* Where A is on the page of [pins], in the axes of the sheet. */
 static fourlink_vector place_of_A(const view *v)
 {
-    double angle = geometry_turn(v) - v->problem.x_angle;
+    double angle = geometry_turn(v) - v->problem.drawn_x;
 
-    return place_in(place_at(0, 0), place_at(cos(angle), sin(angle)), v->problem.A.x,
-                    v->problem.A.y);
+    return place_in(place_at(0, 0), place_at(cos(angle), sin(angle)), v->problem.drawn_A.x,
+                    v->problem.drawn_A.y);
 }
 
 /* A box whose origin is moved to a place. */

@@ -145,9 +145,9 @@ static void put_page(line *l, const rows *t)
     line_put(l, "\"page\":");
     if (t->v.problem.has_drawn) {
         line_put(l, "{\"A\":");
-        put_place(l, t, &t->v.problem.A);
+        put_place(l, t, &t->v.problem.drawn_A);
         line_put(l, ",\"direction\":");
-        json_text_number(l, t->v.problem.x_angle, 17);
+        json_text_number(l, t->v.problem.drawn_x, 17);
         line_put(l, "},\n");
     } else {
         line_put(l, "null,\n");

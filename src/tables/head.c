@@ -21,8 +21,8 @@ static void put_axes(sheet *s)
     if (p->axes_on_page || p->has_drawn)
         line_put(&s->l, "# axes of %s at %9g %s%s\n",
                  p->axes_on_page ? "the page, with x of link 1" : "link 1, with x",
-                 view_value(&s->v, QUANTITY_ANGLE, p->x_angle), s->v.units[QUANTITY_ANGLE].name,
-                 p->axes_on_page ? "" : " on the page");
+                 view_value(&s->v, QUANTITY_ANGLE, p->axes_on_page ? p->x_angle : p->drawn_x),
+                 s->v.units[QUANTITY_ANGLE].name, p->axes_on_page ? "" : " on the page");
 }
 
 void head_put_kind(sheet *s)
