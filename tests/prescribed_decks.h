@@ -185,7 +185,7 @@ static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch
 static void compare_range(const coordinate *q, const fourlink_problem *problem,
                           fourlink_branch branch, double theta2)
 {
-    double x, K, low, high, before, after, size, told[2], turn;
+    double x, K, low, high, before, after, size, scale, told[2], turn;
     fourlink_problem of;
     fourlink_results *r;
     char value[100];
@@ -211,11 +211,15 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     of = problem_of(r);
     told[0] = fmin(of.over.first, of.over.last);
     told[1] = fmax(of.over.first, of.over.last);
+    /* where the crank is at its dead position, rounding of a rod's square leaves x its root */
+    scale = 10 * size + (q->is_angle ? 0
+                                     : problem->mechanism.design.link[3].length *
+                                           sqrt(100 * DBL_EPSILON) / tolerances[NEAR_EXTREME]);
     x = fmin(low, high);
     turn = q->is_angle ? 2 * PI * floor((told[0] - x) / (2 * PI) + 0.5) : 0;
-    compare(NEAR_EXTREME, x + turn, told[0], 10 * size, "%s from, %s", q->name,
+    compare(NEAR_EXTREME, x + turn, told[0], scale, "%s from, %s", q->name,
             fourlink_branch_text((int)branch));
-    compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], 10 * size, "%s to, %s", q->name,
+    compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], scale, "%s to, %s", q->name,
             fourlink_branch_text((int)branch));
     fourlink_results_free(r);
 }
