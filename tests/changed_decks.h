@@ -335,6 +335,12 @@ static int mirror(deck_lines *d)
             snprintf(line_of(b, KEY_OUTPUT_SIDE)->value, LONG_VALUE, "%s",
                      is_right ? "left" : "right");
         }
+        if (kind == FOURLINK_FOUR_BAR && line_of(b, KEY_TABLE_BRANCH)) {
+            int is_open = strcmp(value_of(b, KEY_TABLE_BRANCH, ""), "open") == 0;
+
+            if (is_open || strcmp(value_of(b, KEY_TABLE_BRANCH, ""), "crossed") == 0)
+                set_line(d, KEY_TABLE_BRANCH, is_open ? "crossed" : "open");
+        }
         if (*only && is_torsional(b))
             snprintf(line_of(b, KEY_SPRING_ONLY)->value, LONG_VALUE, "%s",
                      strcmp(only, "pushes") == 0 ? "pulls" : "pushes");

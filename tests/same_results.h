@@ -473,6 +473,26 @@ static int is_at_rest(const columns *c, const double *row)
                1e-12 * quickest;
 }
 
+/* 1 where a torsional spring that acts one way is at its free angle: rounding decides whether its damping acts. */
+static int is_at_free_angle(const columns *c, const double *row)
+{
+    char name[100];
+    int i, j;
+
+    for (i = 0; i < base.n; i++) {
+        deck_block *b = &base.block[i];
+
+        if (!line_of(b, KEY_SPRING_ONLY) || !line_of(b, KEY_SPRING_DAMPING) ||
+            line_of(b, KEY_SPRING_FREE_ANGLE) || sscanf(b->header, "[spring %80[^]]", name) != 1)
+            continue;
+        strcat(name, ".angle");
+        j = find_column(c, name);
+        if (j >= 0 && fabs(row[j]) * c->list[j].told->to_si < 1e-12)
+            return 1;
+    }
+    return 0;
+}
+
 /* Rows whose statuses differ: near a dead position rounding decides, and so does where the steps of a motion that takes
 ** too many end. */
 static void compare_statuses(const side *a, const double *expected, int status, const side *b,
@@ -516,7 +536,9 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
             continue;
         }
         if ((present->factor == factor_mirrored && turns_back(&a->c, expected)) ||
-            (!present->is_exact && is_at_rest(&a->c, expected))) {
+            (!present->is_exact &&
+             (is_at_rest(&a->c, expected) || is_at_free_angle(&a->c, expected) ||
+              is_at_free_angle(&b->c, row)))) {
             present->undecided++;
             continue;
         }

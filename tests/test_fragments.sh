@@ -62,8 +62,8 @@ run_fortran() {
         block fortran 2 library.md
         printf '      WRITE (*, *) VALUE\n      END\n'
     } >old.f
-    gfortran "$source/include/fourlink.f90" new.f90 -o new $library || fail 'Fortran 2003 does not compile'
-    gfortran old.f -o old $library || fail 'FORTRAN 77 does not compile'
+    gfortran ${CFLAGS-} "$source/include/fourlink.f90" new.f90 -o new $library || fail 'Fortran 2003 does not compile'
+    gfortran ${CFLAGS-} old.f -o old $library || fail 'FORTRAN 77 does not compile'
     value=$("$build/fourlink" --at=40 --branch=open -c Ts --format=csv - <<END | tail -n 1 | cut -d, -f2
 $(deck)
 END

@@ -441,6 +441,10 @@ static void compare_on_page(void)
                 compare_statuses(&a, expected, status, &b, row, told, where);
                 continue;
             }
+            if (is_at_free_angle(&a.c, expected) || is_at_free_angle(&b.c, row)) {
+                present->undecided++;
+                continue;
+            }
             turn_row(&b.c, row);
             for (j = 0; j < b.c.n; j++)
                 if (isnan(row[j]) && strncmp(b.c.list[j].told->name, "I24", 3) == 0)
