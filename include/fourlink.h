@@ -792,6 +792,9 @@ FOURLINK_API const char *fourlink_status_text(int status);
 /* "open" or "crossed", by fourlink_branch: a constant string, never null. */
 FOURLINK_API const char *fourlink_branch_text(int branch);
 
+/* "rising" or "falling", by FOURLINK_RISING and FOURLINK_FALLING, the side of an input: the same. */
+FOURLINK_API const char *fourlink_input_side_text(int side);
+
 /* The version of the library, such as "0.3.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 

@@ -181,6 +181,115 @@ static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch
     fourlink_results_free(b.r);
 }
 
+/* ------------------------------------------------------------------------------------------- on both sides */
+
+/* The deck over a part of the range on a side; null if it is refused. */
+static fourlink_results *open_on(const char *on)
+{
+    fourlink_mistake mistake;
+
+    set_line(&changed, KEY_MOTION_SIDE, on);
+    write_lines(&changed, changed_text, sizeof changed_text);
+    return open_deck(changed_text, NULL, &mistake);
+}
+
+/* The rows of both sides are those of the rising one and then those of the falling one.  Extremes are the larger and the
+** smaller ones, means the average of the two. */
+static void compare_rows_of_sides(const side *one, const side *other, const side *both,
+                                  fourlink_branch branch)
+{
+    static double expected[MOST_COLUMNS], row[MOST_COLUMNS];
+    char where[100];
+    unsigned long i;
+
+    memset(sizes, 0, sizeof sizes);
+    memset(size_of_quantity, 0, sizeof size_of_quantity);
+    if (both->rows != 2 * one->rows || one->rows != other->rows)
+        fail("%lu rows on both sides, %lu and %lu on one", both->rows, one->rows, other->rows);
+    for (i = 0; i < both->rows && !has_failed; i++) {
+        const side *s = i < one->rows ? one : other;
+        int status = fourlink_results_row(s->r, branch, i % one->rows, expected, NULL, NULL);
+        int told = fourlink_results_row(both->r, branch, i, row, NULL, NULL);
+
+        if (status != told)
+            fail("row %lu of both sides: status %d, expected %d", i, told, status);
+        snprintf(where, sizeof where, "row %lu of both sides", i);
+        if (status == FOURLINK_OK && !has_failed)
+            compare_rows(s, both, expected, row, where);
+    }
+}
+
+static void compare_statistics_of_sides(const side *one, const side *other, const side *both,
+                                        fourlink_branch branch)
+{
+    int some, which, status[3];
+
+    for (some = 0; some < SOME_COLUMNS && !has_failed; some++) {
+        int j = one_of(both->c.n);
+
+        if (!has_statistics(&both->c.list[j], FOURLINK_MEAN) || both->c.list[j].sort == OF_ROUNDING)
+            continue;
+        for (which = FOURLINK_MAX; which <= FOURLINK_MEAN; which++) {
+            double x = statistic(one, j, branch, which, &status[0]),
+                   y = statistic(other, j, branch, which, &status[1]),
+                   z = statistic(both, j, branch, which, &status[2]), expected, size;
+
+            if (status[0] != FOURLINK_OK || status[1] != FOURLINK_OK || !isfinite(x + y)) {
+                present->undecided++;
+                continue;
+            }
+            if (status[2] != FOURLINK_OK)
+                fail("statistic %d of %s on both sides: status %d", which,
+                     both->c.list[j].told->name, status[2]);
+            expected = which == FOURLINK_MAX   ? fmax(x, y)
+                       : which == FOURLINK_MIN ? fmin(x, y)
+                                               : 0.5 * (x + y);
+            size = fabs(statistic(both, j, branch, FOURLINK_MAX, &status[0])) +
+                   fabs(statistic(both, j, branch, FOURLINK_MIN, &status[1]));
+            if (!(size > 1e-9 * size_of_quantity[both->c.list[j].q])) {
+                present->undecided++;
+                continue;
+            }
+            compare(which == FOURLINK_MEAN ? MEAN : EXTREME, expected, z, size,
+                    "statistic %d of %s on both sides", which, both->c.list[j].told->name);
+        }
+    }
+}
+
+/* Over a part of the range that the walk has found, from `low` to `high`. */
+static void compare_both_sides(const coordinate *q, fourlink_branch branch, double low, double high)
+{
+    static side one, other, both;
+    const char *in = q->is_angle ? "rad" : "m";
+    char value[100];
+
+    drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_NEAR);
+    snprintf(value, sizeof value, "%.17g %s", low + between(0.02, 0.3) * (high - low), in);
+    set_line(&changed, KEY_MOTION_FROM, value);
+    snprintf(value, sizeof value, "%.17g %s", high - between(0.02, 0.3) * (high - low), in);
+    set_line(&changed, KEY_MOTION_TO, value);
+    snprintf(value, sizeof value, "%.17g %s", (high - low) / between(3, 20), in);
+    set_line(&changed, KEY_MOTION_INTERVAL, value);
+    snprintf(value, sizeof value, "%.17g %s/s", between(0.1, 10) * (high - low), in);
+    set_line(&changed, KEY_MOTION_SPEED, value);
+    prepare(&one, open_on("rising"));
+    prepare(&other, open_on("falling"));
+    prepare(&both, open_on("both"));
+    if (!both.r != !(one.r && other.r))
+        fail("%s on both sides is %s, on one they are %s", q->name, both.r ? "read" : "refused",
+             one.r && other.r ? "read" : "refused");
+    if (both.r && !has_failed) {
+        present->cases++;
+        compare_rows_of_sides(&one, &other, &both, branch);
+        compare_statistics_of_sides(&one, &other, &both, branch);
+    }
+    fourlink_results_free(one.r);
+    fourlink_results_free(other.r);
+    fourlink_results_free(both.r);
+}
+
+/* ------------------------------------------------------------------------------------------------ the range */
+
 /* The rows without from and to go over the stretch in which the instant is. */
 static void compare_range(const coordinate *q, const fourlink_problem *problem,
                           fourlink_branch branch, double theta2)
@@ -222,7 +331,11 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     compare(NEAR_EXTREME, fmax(low, high) + turn, told[1], scale, "%s to, %s", q->name,
             fourlink_branch_text((int)branch));
     fourlink_results_free(r);
+    if (!has_failed)
+        compare_both_sides(q, branch, told[0], told[1]);
 }
+
+/* -------------------------------------------------------------------------------------------------- the law */
 
 static void compare_prescribed(void)
 {

@@ -282,19 +282,28 @@ static double scale_of(const columns *c, int j, const double *row, const double 
 
 /* Open a deck; a mistake fails unless it is in a deck of which a sweep was left out, or in which a drawn angle is now one
 ** from the ground. */
-static fourlink_results *opened(const char *words, const char *units)
+/* Null, and the first mistake, if a deck is refused. */
+static fourlink_results *open_deck(const char *words, const char *units, fourlink_mistake *mistake)
 {
     fourlink_source source;
     fourlink_results *r = NULL;
-    fourlink_mistake mistake;
 
-    memset(&mistake, 0, sizeof mistake);
+    memset(mistake, 0, sizeof *mistake);
     memset(&source, 0, sizeof source);
     source.text = words;
     source.length = (unsigned long)strlen(words);
     source.units = units;
     source.synthesis = strstr(words, "[synthesis]") != NULL;
-    if (fourlink_results_open(&source, 1, &r, &mistake, NULL) == FOURLINK_OK)
+    fourlink_results_open(&source, 1, &r, mistake, NULL);
+    return r;
+}
+
+static fourlink_results *opened(const char *words, const char *units)
+{
+    fourlink_mistake mistake;
+    fourlink_results *r = open_deck(words, units, &mistake);
+
+    if (r)
         return r;
     if (words != base_text || !(strstr(deck_text, "[sweep]") || strstr(deck_text, "= drawn")))
         fail("line %ld: %s", mistake.line, mistake.message);

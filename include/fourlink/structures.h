@@ -99,6 +99,11 @@ typedef enum fourlink_group_hang {
     FOURLINK_HANGS_IN_SLOT /* a pin Q of slider or rocker runs in a slot of that link, through P */
 } fourlink_group_hang;
 
+/* The numbers of the links of group i, from 0, the rod and the slider or rocker; that of the last link of a design. */
+#define FOURLINK_ROD_OF(i) (FOURLINK_FOLLOWER + 1 + 2 * (i))
+#define FOURLINK_END_OF(i) (FOURLINK_FOLLOWER + 2 + 2 * (i))
+#define FOURLINK_LAST_LINK(design) (FOURLINK_FOLLOWER + 2 * (design)->n_groups)
+
 /* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.  It
 ** has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links 5 + 2 i,
 ** the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along `direction`; the

@@ -141,7 +141,7 @@ static int drive_of_output(parser *p, text name, flk_drive *drive)
     for (i = 0; i < design->n_groups; i++)
         if (flk_text_same(name, p->d->outputs[i].name[1])) {
             drive->sort = FLK_DRIVE_OUTPUT;
-            drive->link = FLK_ROD_OF(i) + 1;
+            drive->link = FOURLINK_END_OF(i);
             drive->is_torque = p->d->groups[i].end == FOURLINK_GROUP_TURNS;
             drive->to = drive->is_torque ? p->d->groups[i].to : 0;
             return 1;

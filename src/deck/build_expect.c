@@ -110,8 +110,7 @@ static int read_side(parser *p, const setting *side, const deck_expectation *e)
         flk_mistake(p->mistakes, side->place, "'side' needs an input, such as input = x");
     else if (IS_SET(side) && own && !DECK_HAS_BOTH_SIDES(d) && side->word != own)
         flk_mistake(p->mistakes, side->place, "the rows are where %s is %s, not %t",
-                    d->prescribed->q->words, own == FOURLINK_RISING ? "rising" : "falling",
-                    side->value);
+                    d->prescribed->q->words, fourlink_input_side_text(own), side->value);
     if (!DECK_HAS_BOTH_SIDES(d) || !e->at_is_place)
         return 0;
     return IS_SET(side) ? side->word : own;

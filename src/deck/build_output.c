@@ -100,7 +100,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
     if (cg->of_centre)
         flk_mistake(p->mistakes, cg->place, "'%t': G is the centre of mass itself", cg->value);
     else
-        flk_build_place(p, cg, FLK_ROD_OF(number) + !is_rod, &link->cg);
+        flk_build_place(p, cg, FOURLINK_ROD_OF(number) + !is_rod, &link->cg);
     if (IS_SET(gyration) && IS_SET(inertia))
         flk_mistake(p->mistakes, gyration->place, "give only one of gyration and inertia");
     link->inertia =
@@ -139,7 +139,7 @@ static int read_link(parser *p, const section_use *use, int number, const settin
 {
     if (!flk_build_check_link(p, use, link))
         return 0;
-    if (link->word < FLK_ROD_OF(number))
+    if (link->word < FOURLINK_ROD_OF(number))
         return link->word;
     flk_mistake(p->mistakes, link->place,
                 "an output hangs on one of the four links or on an output before it, not on %t",

@@ -165,11 +165,6 @@ static int move_into(const deck_prescribed *x, const flk_stretch *s, double *val
     return low - close <= at && at <= high + close;
 }
 
-static const char *side_words(int side)
-{
-    return side == FOURLINK_RISING ? "rising" : "falling";
-}
-
 static const deck_unit *unit_of(const parser *p, const deck_prescribed *x)
 {
     return &p->d->units[x->q->is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH];
@@ -261,7 +256,7 @@ static void tell_near(parser *p, const deck_prescribed *x, fourlink_branch branc
 
     flk_message(why, MESSAGE_SIZE,
                 "'near' is no crank angle at which %s is %s on the %s branch: it is", x->q->words,
-                side_words(x->side), fourlink_branch_text((int)branch));
+                fourlink_input_side_text(x->side), fourlink_branch_text((int)branch));
     for (i = 0; i < n && listed < 4; i++) {
         length = strlen(why);
         if (all[i].side == x->side)
@@ -302,7 +297,7 @@ static int tell_end(parser *p, const deck_prescribed *x, fourlink_branch branch,
                     "at %.5g s the program leaves what %s reaches on the %s branch: %s, where it "
                     "is %s",
                     GSL_MIN(begin[0], begin[1]), x->q->words, fourlink_branch_text((int)branch),
-                    list_reach(p, x, &one, range), side_words(x->side));
+                    list_reach(p, x, &one, range), fourlink_input_side_text(x->side));
         return 1;
     }
     return 0;
@@ -342,7 +337,7 @@ static int choose_on_side(parser *p, deck_prescribed *x, fourlink_branch branch,
     else if (!tell_end(p, x, branch, &r, why))
         flk_message(why, MESSAGE_SIZE, "on the %s branch, %s reaches %s where it is %s",
                     fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges),
-                    side_words(side));
+                    fourlink_input_side_text(side));
     return found != NULL;
 }
 

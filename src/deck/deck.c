@@ -49,7 +49,7 @@ const char *fourlink_deck_status_text(const fourlink_deck *d, const fourlink_ins
 
 const char *fourlink_deck_link_text(const deck *d, int link)
 {
-    int i = link - FLK_ROD_OF(0);
+    int i = link - FOURLINK_ROD_OF(0);
 
     return i >= 0 && i < 2 * d->machine.mechanism.design.n_groups
                ? d->outputs[i / 2].name[i % 2]

@@ -270,7 +270,7 @@ int flk_output_link(const parser *p, text name)
         if (use->name.length && name.length >= use->name.length &&
             memcmp(name.start, use->name.start, use->name.length) == 0 &&
             i < FOURLINK_MOST_GROUPS && (!rod.length || flk_text_same(rod, ".rod")))
-            return FLK_ROD_OF(i) + !rod.length;
+            return FOURLINK_ROD_OF(i) + !rod.length;
     }
     return 0;
 }
@@ -281,7 +281,7 @@ int flk_output_has_slot(const parser *p, int rod)
     int i;
 
     for (i = 0; (use = flk_section_next(p, SECTION_OUTPUT, use)) != NULL; i++)
-        if (FLK_ROD_OF(i) == rod)
+        if (FOURLINK_ROD_OF(i) == rod)
             return IS_SET(flk_setting_of(use, KEY_OUTPUT_SLOT));
     return 0;
 }

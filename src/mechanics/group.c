@@ -60,8 +60,8 @@ static int check_group(const fourlink_group *g, int first)
 
 int flk_group_is_block(const fourlink_design *design, int link)
 {
-    return link >= FLK_ROD_OF(0) && (link - FLK_ROD_OF(0)) % 2 == 0 &&
-           design->group[(link - FLK_ROD_OF(0)) / 2].hang != FOURLINK_HANGS_BY_ROD;
+    return link >= FOURLINK_ROD_OF(0) && (link - FOURLINK_ROD_OF(0)) % 2 == 0 &&
+           design->group[(link - FOURLINK_ROD_OF(0)) / 2].hang != FOURLINK_HANGS_BY_ROD;
 }
 
 int flk_groups_check(const fourlink_design *design)
@@ -73,7 +73,7 @@ int flk_groups_check(const fourlink_design *design)
     if (design->n_groups && !design->group)
         return FOURLINK_NULL;
     for (i = 0; i < design->n_groups && status == FOURLINK_OK; i++) {
-        status = check_group(&design->group[i], FLK_ROD_OF(i));
+        status = check_group(&design->group[i], FOURLINK_ROD_OF(i));
         if (status == FOURLINK_OK && (flk_group_is_block(design, design->group[i].link) ||
                                       flk_group_is_block(design, design->group[i].to)))
             status = FOURLINK_BAD_GROUP;
@@ -100,7 +100,7 @@ static flk_hanging find(const fourlink_mechanism *mechanism, fourlink_state *sta
     h.group = &mechanism->design.group[i];
     h.on = &state->link[h.group->link];
     h.to = h.group->to > FOURLINK_GROUND ? &state->link[h.group->to] : NULL;
-    h.rod = &state->link[FLK_ROD_OF(i)];
+    h.rod = &state->link[FOURLINK_ROD_OF(i)];
     h.end = h.rod + 1;
     return h;
 }
@@ -142,15 +142,15 @@ double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *st
     double margin = 1, square[FOURLINK_LINKS];
     int i;
 
-    for (i = 0; i < FLK_ROD_OF(0); i++)
+    for (i = 0; i < FOURLINK_ROD_OF(0); i++)
         square[i] = 1;
     for (i = 0; i < mechanism->design.n_groups; i++) {
         flk_hanging h = find(mechanism, state, i);
         int is_there = square[h.group->link] > FLK_DEAD && square[h.group->to] > FLK_DEAD;
 
-        square[FLK_ROD_OF(i)] = square[FLK_ROD_OF(i) + 1] = is_there ? place_group(&h) : -1;
-        if (is_there && square[FLK_ROD_OF(i)] < margin)
-            margin = square[FLK_ROD_OF(i)];
+        square[FOURLINK_ROD_OF(i)] = square[FOURLINK_END_OF(i)] = is_there ? place_group(&h) : -1;
+        if (is_there && square[FOURLINK_ROD_OF(i)] < margin)
+            margin = square[FOURLINK_ROD_OF(i)];
     }
     return margin;
 }
@@ -205,7 +205,7 @@ void flk_groups_angles(const fourlink_mechanism *mechanism, fourlink_state *stat
 {
     int i;
 
-    for (i = FLK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
+    for (i = FOURLINK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
         state->link[i].theta = flk_angle_of_axis(&state->link[i].axis);
 }
 

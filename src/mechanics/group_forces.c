@@ -17,7 +17,7 @@ int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_
 
     if (!mechanism->design.n_groups)
         return 0;
-    for (i = FLK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
+    for (i = FOURLINK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
         if (!FLK_BOTH_WITHIN(state->link[i].axis, 2))
             return 1;
     return state->last != FLK_LAST_LINK(mechanism) || !(state->group_sine > FLK_SINGULAR);
@@ -218,8 +218,8 @@ static void pass_on(const fourlink_mechanism *mechanism, const fourlink_state *s
 
     for (i = mechanism->design.n_groups - 1; i >= 0; i--) {
         const fourlink_group *g = &mechanism->design.group[i];
-        const fourlink_link_state *rod = &state->link[FLK_ROD_OF(i)];
-        const flk_body *own = &body[FLK_ROD_OF(i) - 2];
+        const fourlink_link_state *rod = &state->link[FOURLINK_ROD_OF(i)];
+        const flk_body *own = &body[FOURLINK_ROD_OF(i) - 2];
         const fourlink_link_state *on = &state->link[g->link], *to = &state->link[g->to];
         flk_group_forces f;
         fourlink_vector r;
@@ -251,7 +251,7 @@ static void cut_all(const fourlink_mechanism *mechanism, const fourlink_state *s
     unsigned long n;
     int i, n_drive = 0;
 
-    for (i = FLK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
+    for (i = FOURLINK_ROD_OF(0); i <= FLK_LAST_LINK(mechanism); i++)
         flk_cut_link(FLK_LINK(mechanism, i), &state->link[i], &mechanism->design.gravity,
                      &body[i - 2]);
     for (n = 0; n < n_loads; n++)
@@ -315,7 +315,7 @@ void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state 
     int i;
 
     for (i = 0; i < mechanism->design.n_groups; i++) {
-        const fourlink_vector *at = &state->link[FLK_ROD_OF(i) + 1].origin;
+        const fourlink_vector *at = &state->link[FOURLINK_END_OF(i)].origin;
 
         if (mechanism->design.group[i].to > FOURLINK_GROUND)
             continue;
@@ -361,14 +361,14 @@ int fourlink_group_system(const fourlink_mechanism *mechanism, const fourlink_st
         status = FOURLINK_SINGULAR;
     if (status != FOURLINK_OK)
         return status;
-    rod = &state->link[FLK_ROD_OF(group)];
+    rod = &state->link[FOURLINK_ROD_OF(group)];
     cut_four(mechanism, state, all);
     cut_all(mechanism, state, loads, n_loads, 0, 0, all, list);
     put_equations(&mechanism->design.group[group], rod, 1, banded);
     for (i = 0; i < SIX; i++)
         for (j = 0; j < SIX; j++)
             A[i][j] = AT(banded, i, j);
-    put_right_side(&all[FLK_ROD_OF(group) - 2], 1, b);
-    solve_six(&mechanism->design.group[group], rod, &all[FLK_ROD_OF(group) - 2], 1, x);
+    put_right_side(&all[FOURLINK_ROD_OF(group) - 2], 1, b);
+    solve_six(&mechanism->design.group[group], rod, &all[FOURLINK_ROD_OF(group) - 2], 1, x);
     return FOURLINK_OK;
 }

@@ -41,7 +41,7 @@ static double value_at(const search *x, double theta2, double *rate)
     crank.theta2 = theta2;
     if (flk_mechanism_move(x->mechanism, x->branch, &crank, 1, &state) != FOURLINK_OK)
         return GSL_NAN;
-    end = &state.link[FLK_ROD_OF(x->group) + 1];
+    end = &state.link[FOURLINK_END_OF(x->group)];
     if (g->end == FOURLINK_GROUP_TURNS) {
         *rate = end->omega;
         return end->theta;

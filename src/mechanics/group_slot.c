@@ -48,7 +48,7 @@ void flk_group_slide(const fourlink_mechanism *mechanism, const fourlink_state *
                      double *slide, double *rate)
 {
     const fourlink_group *g = &mechanism->design.group[i];
-    const fourlink_link_state *block = &state->link[FLK_ROD_OF(i)], *end = block + 1;
+    const fourlink_link_state *block = &state->link[FOURLINK_ROD_OF(i)], *end = block + 1;
     const fourlink_link_state *link =
         g->hang == FOURLINK_HANGS_IN_SLOT ? &state->link[g->link] : end;
     fourlink_vector r = {0, 0};

@@ -68,9 +68,8 @@ int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *lo
 int flk_check_link(const fourlink_link *link);
 int flk_check_length(double length);
 
-/* The number of the rod of group i, of the last link; the data of a moving link. */
-#define FLK_ROD_OF(i) (FOURLINK_FOLLOWER + 1 + 2 * (i))
-#define FLK_LAST_LINK(mechanism) (FOURLINK_FOLLOWER + 2 * (mechanism)->design.n_groups)
+/* The number of the last link; the data of a moving link. */
+#define FLK_LAST_LINK(mechanism) FOURLINK_LAST_LINK(&(mechanism)->design)
 #define FLK_LINK(mechanism, i)                               \
     ((i) <= FOURLINK_FOLLOWER ? &(mechanism)->design.link[i] \
                               : &(mechanism)->design.group[((i)-5) / 2].body[((i)-5) % 2])

@@ -18,6 +18,11 @@ const char *fourlink_branch_text(int branch)
     return branch == FOURLINK_OPEN ? "open" : "crossed";
 }
 
+const char *fourlink_input_side_text(int side)
+{
+    return side == FOURLINK_FALLING ? "falling" : "rising";
+}
+
 const char *fourlink_version(void)
 {
     return FOURLINK_VERSION;

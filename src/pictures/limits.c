@@ -246,8 +246,8 @@ static const fourlink_value *find_fact(const picture *p, fourlink_branch branch,
     unsigned long n, k;
     char name[MESSAGE_SIZE];
 
-    flk_text_join(name, sizeof name, fourlink_deck_link_text(p->v.deck, 6 + 2 * i), ".", what,
-                  (char *)NULL);
+    flk_text_join(name, sizeof name, fourlink_deck_link_text(p->v.deck, FOURLINK_END_OF(i)), ".",
+                  what, (char *)NULL);
     results_facts(p->v.results, (int)branch, FOURLINK_FACTS_LIMITS, &facts, &n);
     for (k = 0; k < n; k++)
         if (strcmp(facts[k].name, name) == 0)
@@ -318,7 +318,8 @@ static const char *why_unlimited(const picture *p, fourlink_branch branch)
 static void put_way(sketch *s, const picture *p, const fourlink_state state[2], int i)
 {
     const fourlink_group *g = &p->v.design->group[i];
-    const fourlink_link_state *least = &state[0].link[6 + 2 * i], *most = &state[1].link[6 + 2 * i];
+    const fourlink_link_state *least = &state[0].link[FOURLINK_END_OF(i)],
+                              *most = &state[1].link[FOURLINK_END_OF(i)];
 
     if (g->end == FOURLINK_GROUP_SLIDES) {
         double below = -2 * FIGURE_HIGH * FIGURE_BLOCK * s->size;
@@ -363,7 +364,7 @@ static void put_output(picture *p, const fourlink_state *shown, int i)
         sketch_note(&s, "%s", why_unlimited(p, branch));
     }
     sketch_close(&s, "%s: limits of %s", fourlink_branch_text((int)branch),
-                 fourlink_deck_link_text(p->v.deck, 6 + 2 * i));
+                 fourlink_deck_link_text(p->v.deck, FOURLINK_END_OF(i)));
 }
 
 const char *picture_limits(picture *p, fourlink_branch branch)

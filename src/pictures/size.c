@@ -43,7 +43,7 @@ int size_lines_beside(const picture *p, int each_link)
         lines[group->to]++;
         sum += 1 + (group->to <= FOURLINK_GROUND);
     }
-    last = FOURLINK_FOLLOWER + 2 * p->v.design->n_groups;
+    last = FOURLINK_LAST_LINK(p->v.design);
     for (link = FOURLINK_CRANK; link <= last; link++) {
         sum += lines[link] + (tracks_link(&p->v, link)->mass > 0);
         most = lines[link] > most ? lines[link] : most;

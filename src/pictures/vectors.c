@@ -232,7 +232,8 @@ void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon 
     put_images(&g, r, d);
     sketch_close(&g.s, "%s polygon%s%s", d->q == QUANTITY_SPEED ? "velocity" : "acceleration",
                  d->output ? " of " : "",
-                 d->output ? fourlink_deck_link_text(p->v.deck, 4 + 2 * d->output) : "");
+                 d->output ? fourlink_deck_link_text(p->v.deck, FOURLINK_END_OF(d->output - 1))
+                           : "");
 }
 
 /* The friction circle of a pin of a link, to which its force is a tangent, in m; radius 0: no friction.  The

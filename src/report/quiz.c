@@ -181,7 +181,7 @@ static void put_name(quiz *z, const fourlink_check *c, const fourlink_value *v)
     else if (c->has_angle)
         page_print(p, ", at %.9g%U", c->angle, z->v.units[QUANTITY_ANGLE].name);
     if (c->side)
-        page_print(p, ", where it is %s", view_side_text(c->side));
+        page_print(p, ", where it is %s", fourlink_input_side_text(c->side));
     if (c->branch == FOURLINK_CROSSED)
         page_print(p, ", crossed branch");
 }

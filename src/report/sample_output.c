@@ -199,7 +199,7 @@ static sample_hung find_motion(const sample_output *o)
     sample_hung now;
 
     memset(&now, 0, sizeof now);
-    now.rod = &link[5 + 2 * o->i];
+    now.rod = &link[FOURLINK_ROD_OF(o->i)];
     now.end = now.rod + 1;
     e = &now.rod->axis;
     now.P = move_point(on, turned(on, g->at));
@@ -278,7 +278,8 @@ static void put_output(const sample_output *o)
     const sample_output_type *type = sample_output_type_of(g);
     sample_hung now = find_motion(o);
     sample_output pivot = *o;
-    int loop, slides_on = g->end == FOURLINK_GROUP_SLIDES && is_carrying(o->r, 6 + 2 * o->i);
+    int loop,
+        slides_on = g->end == FOURLINK_GROUP_SLIDES && is_carrying(o->r, FOURLINK_END_OF(o->i));
 
     pivot.is_about_pivot = 1;
     sample_output_heading(o, "position");
@@ -288,7 +289,8 @@ static void put_output(const sample_output *o)
                g->hang == FOURLINK_HANGS_BY_ROD
                    ? " The rod is link %d, the %s link %d.</p>\n"
                    : " The block on the pin is link %d, without mass; the %s is link %d.</p>\n",
-               5 + 2 * o->i, g->end == FOURLINK_GROUP_SLIDES ? "slider" : "rocker", 6 + 2 * o->i);
+               FOURLINK_ROD_OF(o->i), g->end == FOURLINK_GROUP_SLIDES ? "slider" : "rocker",
+               FOURLINK_END_OF(o->i));
     if (o->r->v.design->n_groups > 1)
         page_print(o->m->p, "<p>In the equations its pins have the number %d.</p>\n", o->i + 1);
     put_given(o, &now);

@@ -62,7 +62,7 @@ void sample_put_output_centres(report *r, math *m, const fourlink_body bodies[FO
 
         for (k = 0; k < 2; k++)
             if (o.group->body[k].mass > 0)
-                put_centre(&o, &bodies[5 + 2 * i + k], 5 + 2 * i + k);
+                put_centre(&o, &bodies[FOURLINK_ROD_OF(i) + k], FOURLINK_ROD_OF(i) + k);
     }
 }
 
@@ -98,8 +98,8 @@ static fourlink_vector arm_of(const report *r, const sample_output *o)
     fourlink_vector at = o->is_about_pivot ? o->group->pivot : o->group->at, arm;
 
     if (!o->is_about_pivot && o->group->hang == FOURLINK_HANGS_IN_SLOT) {
-        arm.x = link[5 + 2 * o->i].origin.x - on->origin.x;
-        arm.y = link[5 + 2 * o->i].origin.y - on->origin.y;
+        arm.x = link[FOURLINK_ROD_OF(o->i)].origin.x - on->origin.x;
+        arm.y = link[FOURLINK_ROD_OF(o->i)].origin.y - on->origin.y;
     } else {
         arm.x = at.x * on->axis.x - at.y * on->axis.y;
         arm.y = at.x * on->axis.y + at.y * on->axis.x;
@@ -145,7 +145,7 @@ void sample_find_carried(report *r, const fourlink_body bodies[FOURLINK_LINKS], 
         now.forces.drive *= drives && r->v.mechanism->drive;
         if (view_group_system(&r->v, &now, r->loads, i, A, found->b[i], x) != FOURLINK_OK)
             continue;
-        found->pins[i] = pins_of(o.group, &r->now.state.link[5 + 2 * i], x);
+        found->pins[i] = pins_of(o.group, &r->now.state.link[FOURLINK_ROD_OF(i)], x);
         carry(found, &o, bodies, found->pins[i].FP);
         o.is_about_pivot = 1;
         if (o.group->to > FOURLINK_GROUND)
@@ -169,7 +169,7 @@ static void put_words(const sample_output *o, const char *words)
 
 static void put_slider_by_rod(const sample_output *o, const sample_pins *f, const double b[6])
 {
-    fourlink_vector u = o->r->now.state.link[6 + 2 * o->i].axis, nu;
+    fourlink_vector u = o->r->now.state.link[FOURLINK_END_OF(o->i)].axis, nu;
 
     nu.x = -u.y;
     nu.y = u.x;
@@ -213,7 +213,7 @@ static void put_rocker_by_rod(const sample_output *o, const sample_pins *f, cons
 
 static double along_normal(const sample_output *o, fourlink_vector F)
 {
-    const fourlink_vector *e = &o->r->now.state.link[5 + 2 * o->i].axis;
+    const fourlink_vector *e = &o->r->now.state.link[FOURLINK_ROD_OF(o->i)].axis;
 
     return cross(*e, F);
 }
@@ -309,10 +309,10 @@ static void put_sides(const sample_output *o, const fourlink_body bodies[FOURLIN
                    : "<p>What is known of the %s, with moments about %s. The sums b are F and M "
                      "of link %d:</p>\n",
                is_slider(o) ? "slider" : "rocker", is_slider(o) ? "Q" : "D",
-               by_rod ? 5 + 2 * o->i : 6 + 2 * o->i, 6 + 2 * o->i);
+               by_rod ? FOURLINK_ROD_OF(o->i) : FOURLINK_END_OF(o->i), FOURLINK_END_OF(o->i));
     sample_begin_sides(o->r, o->m, "What is known of an output");
     for (k = !by_rod; k < 2; k++) {
-        int link = 5 + 2 * o->i + k;
+        int link = FOURLINK_ROD_OF(o->i) + k;
         sample_side side[3];
 
         for (j = 0; j < 3; j++)

@@ -38,7 +38,7 @@ static void put_letter(const sample_output *o, char letter, char out[MATH_NAME])
     out[0] = letter;
     out[1] = '\0';
     if (letter == 'P' && o->is_about_pivot)
-        sprintf(out, "D%d", 6 + 2 * o->i);
+        sprintf(out, "D%d", FOURLINK_END_OF(o->i));
     else if (letter == 'k')
         sprintf(out, "%d", sample_output_link(o));
     else if (letter == '5' || letter == '6')
@@ -121,7 +121,7 @@ int sample_can_turn(const report *r, int link)
 void sample_output_heading(const sample_output *o, const char *part)
 {
     page_print(o->m->p, "<h3>Output <b>%s</b>",
-               fourlink_deck_link_text(o->r->v.deck, 6 + 2 * o->i));
+               fourlink_deck_link_text(o->r->v.deck, FOURLINK_END_OF(o->i)));
     if (o->r->v.design->n_groups > 1)
         page_print(o->m->p, ", number %d", o->i + 1);
     page_print(o->m->p, ": %s</h3>\n", part);

@@ -81,7 +81,7 @@ static void put_row(sheet *s, const sheet_row *row)
     if (s->v.problem.has_both_sides && row->at && row->at->row.side != s->side) {
         s->side = row->at->row.side;
         page_print(p, "<tr><td colspan=\"%lu\">%s is %s:</td></tr>\n", s->v.n_columns,
-                   s->v.problem.over.words, view_side_text(s->side));
+                   s->v.problem.over.words, fourlink_input_side_text(s->side));
     }
     page_print(p, "<tr>");
     if (row->at && row->at->status == FOURLINK_OK)
@@ -135,7 +135,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     else if (c->has_angle)
         page_print(p, "%.9g%U", c->angle, s->v.units[QUANTITY_ANGLE].name);
     if (c->side)
-        page_print(p, ", %s", view_side_text(c->side));
+        page_print(p, ", %s", fourlink_input_side_text(c->side));
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)

@@ -121,7 +121,8 @@ static double value_of_force(const flk_column *c, const flk_row *row)
 static double value_of_output(const flk_column *c, const flk_row *row)
 {
     const fourlink_group *g = &c->d->groups[c->of.output];
-    const fourlink_link_state *rod = &row->at.state.link[FLK_ROD_OF(c->of.output)], *end = rod + 1;
+    const fourlink_link_state *rod = &row->at.state.link[FOURLINK_ROD_OF(c->of.output)],
+                              *end = rod + 1;
     const flk_group_forces *f = &row->group[c->of.output];
     double slide, rate;
 

@@ -291,7 +291,7 @@ static void derive_prescribed(listing *t, const deck_prescribed *x)
 static void derive_side(listing *t, const deck_prescribed *x)
 {
     if (!find_input(t, "motion.side"))
-        add_words(t, "motion.side", x->side == FOURLINK_RISING ? "rising" : "falling",
+        add_words(t, "motion.side", fourlink_input_side_text(x->side),
                   "whether the input rises or falls as the crank turns counter-clockwise");
 }
 

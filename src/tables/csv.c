@@ -171,7 +171,7 @@ static void open_summary(sheet *s)
 /* The side of an input, of a deck of which the rows are on both; else "". */
 static const char *side_of(const sheet *s, int side)
 {
-    return s->v.problem.has_both_sides && side ? view_side_text(side) : "";
+    return s->v.problem.has_both_sides && side ? fourlink_input_side_text(side) : "";
 }
 
 static void put_row(sheet *s, const sheet_row *row)

@@ -88,7 +88,7 @@ static void put_section(sheet *s, fourlink_branch branch, int side, double place
         line_put(&s->l, "at = %15g %s\n", place, of);
     line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)branch));
     if (side)
-        line_put(&s->l, "side = %s\n", view_side_text(side));
+        line_put(&s->l, "side = %s\n", fourlink_input_side_text(side));
     for (j = 0; j < s->v.n_columns; j++)
         if (is_asked(&s->v.columns[j]))
             put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
@@ -130,7 +130,7 @@ static void put_form_place(sheet *s, const fourlink_check *c)
                  c->has_place ? c->place_unit : s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, "branch = %s\n", fourlink_branch_text((int)c->branch));
     if (c->side)
-        line_put(&s->l, "side = %s\n", view_side_text(c->side));
+        line_put(&s->l, "side = %s\n", fourlink_input_side_text(c->side));
 }
 
 /* What the deck's own [expect] asks. */

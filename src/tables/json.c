@@ -226,7 +226,7 @@ static void put_row(sheet *s, const sheet_row *row)
     put_newline(s);
     begin_object(&s->l, "status", row->status);
     if (s->v.problem.has_both_sides && row->at)
-        put_text(&s->l, "side", view_side_text(row->at->row.side));
+        put_text(&s->l, "side", fourlink_input_side_text(row->at->row.side));
     line_put(&s->l, ",\"values\":");
     for (i = 0; row->values && i < s->v.n_columns; i++) {
         line_text(&s->l, i ? "," : "[", 1);
@@ -247,7 +247,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_given(&s->l, "theta2", c->has_angle ? c->angle : GSL_NAN);
     put_text(&s->l, "branch", fourlink_branch_text((int)c->branch));
     if (c->side)
-        put_text(&s->l, "side", view_side_text(c->side));
+        put_text(&s->l, "side", fourlink_input_side_text(c->side));
     put_text(&s->l, "unit", c->unit);
     put_text(&s->l, "printed", c->printed_text);
     put_name(&s->l, "computed", 0);

@@ -241,7 +241,7 @@ static void put_side(sheet *s, const sheet_row *row)
     if (!s->v.problem.has_both_sides || !row->at || row->at->row.side == s->side)
         return;
     s->side = row->at->row.side;
-    line_put(&s->l, "# side: %s\n", view_side_text(s->side));
+    line_put(&s->l, "# side: %s\n", fourlink_input_side_text(s->side));
 }
 
 static void put_row(sheet *s, const sheet_row *row)

@@ -77,7 +77,7 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, ", %s", fourlink_branch_text((int)c->branch));
     if (c->side)
-        line_put(&s->l, ", %s", view_side_text(c->side));
+        line_put(&s->l, ", %s", fourlink_input_side_text(c->side));
     if (c->hint[0])
         line_put(&s->l, "; hint: %s", c->hint);
     line_finish(&s->l, start, s->width, s->width < NARROW ? 4 : 19);

@@ -148,8 +148,8 @@ int scene_link_of_side(const view *v, const scene_polygon *d, const scene_side *
     return side->link >= 0                ? side->link
            : side->link == SCENE_CARRYING ? g->link
            : side->link == SCENE_FLOATING ? g->to
-           : side->link == SCENE_ROD      ? 3 + 2 * d->output
-                                          : 4 + 2 * d->output;
+           : side->link == SCENE_ROD      ? FOURLINK_ROD_OF(d->output - 1)
+                                          : FOURLINK_END_OF(d->output - 1);
 }
 
 /* Write a name of an output, with the numbers of its links. */
@@ -160,7 +160,8 @@ static void put_numbered(const view *v, const scene_polygon *d, const char *name
     char letter[TRACKS_NAME];
 
     for (*out = '\0'; *name; name++) {
-        tracks_name("", (unsigned long)(*name == '6' ? 4 + 2 * d->output : link), letter);
+        tracks_name("", (unsigned long)(*name == '6' ? FOURLINK_END_OF(d->output - 1) : link),
+                    letter);
         if (!d->output || (*name != '6' && *name != 'k')) {
             letter[0] = *name;
             letter[1] = '\0';
@@ -191,7 +192,7 @@ int scene_body(const view *v, int k)
 {
     int link;
 
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER + 2 * v->design->n_groups; link++) {
+    for (link = FOURLINK_CRANK; link <= FOURLINK_LAST_LINK(v->design); link++) {
         int of = link - FOURLINK_FOLLOWER - 1;
 
         if (of >= 0 && of % 2 == 0 && v->design->group[of / 2].hang != FOURLINK_HANGS_BY_ROD)
@@ -275,12 +276,6 @@ static void add_pins(scene *s, const fourlink_kind_facts *kind)
     }
 }
 
-/* The number of the last link. */
-static int last_of(const view *v)
-{
-    return FOURLINK_FOLLOWER + 2 * v->design->n_groups;
-}
-
 /* The force F of a pin of an output on a link, and -F on the other, unless that is the ground. */
 static void add_pin_of_output(scene *s, const char *sub, int of, int at, int on, int other)
 {
@@ -293,7 +288,7 @@ static void add_pin_of_output(scene *s, const char *sub, int of, int at, int on,
 static void add_output(scene *s, const view *v, int i)
 {
     const fourlink_group *g = &v->design->group[i];
-    int first = TRACK_OF_OUTPUT(i), rod = 5 + 2 * i, end = rod + 1,
+    int first = TRACK_OF_OUTPUT(i), rod = FOURLINK_ROD_OF(i), end = rod + 1,
         by_rod = g->hang == FOURLINK_HANGS_BY_ROD;
     char P_name[TRACKS_NAME] = "P", Q_name[TRACKS_NAME] = "Q", D_name[TRACKS_NAME],
          guide[TRACKS_NAME];
@@ -324,7 +319,7 @@ static void add_bodies(scene *s, const view *v)
     char name[TRACKS_NAME];
     int link;
 
-    for (link = FOURLINK_CRANK; link <= last_of(v); link++) {
+    for (link = FOURLINK_CRANK; link <= FOURLINK_LAST_LINK(v->design); link++) {
         const fourlink_link *data = tracks_link(v, link);
         int at = TRACK_OF_CENTRE(link);
 
@@ -435,7 +430,7 @@ static void add_images(scene *s, const view *v)
     unsigned long i;
     int link;
 
-    for (link = FOURLINK_CRANK; link <= last_of(v); link++)
+    for (link = FOURLINK_CRANK; link <= FOURLINK_LAST_LINK(v->design); link++)
         if (tracks_link(v, link)->mass > 0)
             add_image(s, "g", link, TRACK_OF_CENTRE(link), link);
     for (i = 0; i < v->problem.n_points; i++) {

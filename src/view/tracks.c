@@ -232,7 +232,7 @@ static fourlink_vector along(fourlink_vector v, const fourlink_vector *e)
 static void put_pins(tracks *t, const fourlink_state *state, int i)
 {
     const fourlink_group *g = &t->v->design->group[i];
-    int first = TRACK_OF_OUTPUT(i), rod = 5 + 2 * i;
+    int first = TRACK_OF_OUTPUT(i), rod = FOURLINK_ROD_OF(i);
     fourlink_vector end = zero;
 
     put_point(t, first + OUTPUT_P, state, g->link, &g->at);
@@ -255,7 +255,7 @@ static void put_by_rod(tracks *t, const fourlink_state *state, int i)
     const fourlink_group *g = &t->v->design->group[i];
     int first = TRACK_OF_OUTPUT(i);
     const track *P = &t->list[first + OUTPUT_P], *Q = &t->list[first + OUTPUT_Q];
-    const fourlink_link_state *rod = &state->link[5 + 2 * i], *end = rod + 1;
+    const fourlink_link_state *rod = &state->link[FOURLINK_ROD_OF(i)], *end = rod + 1;
 
     put(t, first + OUTPUT_VQP, QUANTITY_SPEED, difference(Q[1].v, P[1].v));
     put_parts(t, first + OUTPUT_AQPN, rod, difference(Q->v, P->v));
@@ -267,48 +267,56 @@ static void put_by_rod(tracks *t, const fourlink_state *state, int i)
     }
 }
 
+/* A point, with its velocity and acceleration, in a slot: those of the place r of the link that has it, there at present,
+** and along the slot, with Coriolis' acceleration 2 omega x v between. */
+typedef struct in_slot {
+    fourlink_vector r, v, a, slide, slide_a, coriolis;
+} in_slot;
+
+static in_slot find_in_slot(const track point[3], const fourlink_link_state *on,
+                            const fourlink_vector *axis)
+{
+    in_slot x;
+
+    x.r = difference(point[0].v, on->origin);
+    x.v = place_in(on->velocity, x.r, 0, on->omega);
+    x.a = place_in(place_in(on->acceleration, x.r, 0, on->alpha), x.r, -on->omega * on->omega, 0);
+    x.slide = along(difference(point[1].v, x.v), axis);
+    x.coriolis = place_in(zero, x.slide, 0, 2 * on->omega);
+    x.slide_a = along(difference(difference(point[2].v, x.a), x.coriolis), axis);
+    return x;
+}
+
 /* v_P = v_P6 + v_PP6 along the slot, a_P = a_P6 + 2 omega6 x v_PP6 + a_PP6 */
 static void put_by_own_slot(tracks *t, const fourlink_state *state, int i)
 {
     int first = TRACK_OF_OUTPUT(i);
-    const track *P = &t->list[first + OUTPUT_P];
-    const fourlink_link_state *block = &state->link[5 + 2 * i], *end = block + 1;
-    fourlink_vector r = difference(P->v, end->origin), v, a, slide, coriolis;
+    const fourlink_link_state *end = &state->link[FOURLINK_END_OF(i)];
+    in_slot x =
+        find_in_slot(&t->list[first + OUTPUT_P], end, &state->link[FOURLINK_ROD_OF(i)].axis);
 
-    v = place_in(end->velocity, r, 0, end->omega);
-    a = place_in(place_in(end->acceleration, r, 0, end->alpha), r, -end->omega * end->omega, 0);
-    slide = along(difference(P[1].v, v), &block->axis);
-    coriolis = place_in(zero, slide, 0, 2 * end->omega);
-    put(t, first + OUTPUT_VP6, QUANTITY_SPEED, v);
-    put(t, first + OUTPUT_VPP6, QUANTITY_SPEED, slide);
+    put(t, first + OUTPUT_VP6, QUANTITY_SPEED, x.v);
+    put(t, first + OUTPUT_VPP6, QUANTITY_SPEED, x.slide);
     if (t->v->design->group[i].end == FOURLINK_GROUP_SLIDES)
-        put(t, first + OUTPUT_AP6, QUANTITY_ACCELERATION, a);
+        put(t, first + OUTPUT_AP6, QUANTITY_ACCELERATION, x.a);
     else
-        put_parts(t, first + OUTPUT_AP6N, end, r);
-    put(t, first + OUTPUT_AK, QUANTITY_ACCELERATION, coriolis);
-    put(t, first + OUTPUT_AS, QUANTITY_ACCELERATION,
-        along(difference(difference(P[2].v, a), coriolis), &block->axis));
+        put_parts(t, first + OUTPUT_AP6N, end, x.r);
+    put(t, first + OUTPUT_AK, QUANTITY_ACCELERATION, x.coriolis);
+    put(t, first + OUTPUT_AS, QUANTITY_ACCELERATION, x.slide_a);
 }
 
 /* v_Q = v_Qk + v_QQk along the slot, a_Q = a_Qk + 2 omega_k x v_QQk + a_QQk */
 static void put_in_slot(tracks *t, const fourlink_state *state, int i)
 {
     int first = TRACK_OF_OUTPUT(i);
-    const track *Q = &t->list[first + OUTPUT_Q];
-    const fourlink_link_state *block = &state->link[5 + 2 * i],
-                              *on = &state->link[t->v->design->group[i].link];
-    fourlink_vector r = difference(Q->v, on->origin), v, a, slide, coriolis;
+    in_slot x = find_in_slot(&t->list[first + OUTPUT_Q], &state->link[t->v->design->group[i].link],
+                             &state->link[FOURLINK_ROD_OF(i)].axis);
 
-    v = place_in(on->velocity, r, 0, on->omega);
-    a = place_in(place_in(on->acceleration, r, 0, on->alpha), r, -on->omega * on->omega, 0);
-    slide = along(difference(Q[1].v, v), &block->axis);
-    coriolis = place_in(zero, slide, 0, 2 * on->omega);
-    put(t, first + OUTPUT_VQK, QUANTITY_SPEED, v);
-    put(t, first + OUTPUT_VQQK, QUANTITY_SPEED, slide);
-    put(t, first + OUTPUT_AQK, QUANTITY_ACCELERATION, a);
-    put(t, first + OUTPUT_AKK, QUANTITY_ACCELERATION, coriolis);
-    put(t, first + OUTPUT_ASK, QUANTITY_ACCELERATION,
-        along(difference(difference(Q[2].v, a), coriolis), &block->axis));
+    put(t, first + OUTPUT_VQK, QUANTITY_SPEED, x.v);
+    put(t, first + OUTPUT_VQQK, QUANTITY_SPEED, x.slide);
+    put(t, first + OUTPUT_AQK, QUANTITY_ACCELERATION, x.a);
+    put(t, first + OUTPUT_AKK, QUANTITY_ACCELERATION, x.coriolis);
+    put(t, first + OUTPUT_ASK, QUANTITY_ACCELERATION, x.slide_a);
 }
 
 /* Q from the pole: a slider's, or in two parts a rocker's about a fixed pin. */
@@ -317,7 +325,7 @@ static void put_Q(tracks *t, const fourlink_state *state, int i)
     const fourlink_group *g = &t->v->design->group[i];
     int first = TRACK_OF_OUTPUT(i);
     const track *Q = &t->list[first + OUTPUT_Q];
-    const fourlink_link_state *end = &state->link[6 + 2 * i];
+    const fourlink_link_state *end = &state->link[FOURLINK_END_OF(i)];
 
     if (g->hang == FOURLINK_HANGS_BY_OWN_SLOT ||
         (g->end == FOURLINK_GROUP_TURNS && g->to > FOURLINK_GROUND))
@@ -351,7 +359,7 @@ static void put_forces_of_output(tracks *t, const fourlink_instant *now, const f
 {
     const fourlink_state *state = &now->state;
     const fourlink_group *g = &t->v->design->group[i];
-    const fourlink_vector *e = &state->link[5 + 2 * i].axis;
+    const fourlink_vector *e = &state->link[FOURLINK_ROD_OF(i)].axis;
     int first = TRACK_OF_OUTPUT(i);
     double A[6][6], b[6], x[6];
 

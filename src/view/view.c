@@ -283,11 +283,6 @@ int view_find_along(const view *v, fourlink_branch branch, int side, double plac
                 : fourlink_results_along(v->results, branch, place, values, now, loads);
 }
 
-const char *view_side_text(int side)
-{
-    return side == FOURLINK_FALLING ? "falling" : "rising";
-}
-
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
                    fourlink_instant *now, fourlink_load *loads)
 {

@@ -97,9 +97,6 @@ text view_value_of_spot(text words);
 int view_find_along(const view *v, fourlink_branch branch, int side, double place, double *values,
                     fourlink_instant *now, fourlink_load *loads);
 
-/* The word of a side. */
-const char *view_side_text(int side);
-
 /* The row there, as from fourlink_results_at. */
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
                    fourlink_instant *now, fourlink_load *loads);
