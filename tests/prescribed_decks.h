@@ -194,13 +194,14 @@ static fourlink_results *open_on(const char *on)
 }
 
 /* The rows of both sides are those of the rising one and then those of the falling one.  Extremes are the larger and the
-** smaller ones, means the average of the two. */
-static void compare_rows_of_sides(const side *one, const side *other, const side *both,
-                                  fourlink_branch branch)
+** smaller ones, means the average of the two where both sides have all of their rows.  Returns 1 if they do. */
+static int compare_rows_of_sides(const side *one, const side *other, const side *both,
+                                 fourlink_branch branch)
 {
     static double expected[MOST_COLUMNS], row[MOST_COLUMNS];
     char where[100];
     unsigned long i;
+    int is_whole = 1;
 
     memset(sizes, 0, sizeof sizes);
     memset(size_of_quantity, 0, sizeof size_of_quantity);
@@ -216,11 +217,13 @@ static void compare_rows_of_sides(const side *one, const side *other, const side
         snprintf(where, sizeof where, "row %lu of both sides", i);
         if (status == FOURLINK_OK && !has_failed)
             compare_rows(s, both, expected, row, where);
+        is_whole &= status == FOURLINK_OK;
     }
+    return is_whole;
 }
 
 static void compare_statistics_of_sides(const side *one, const side *other, const side *both,
-                                        fourlink_branch branch)
+                                        fourlink_branch branch, int last)
 {
     int some, which, status[3];
 
@@ -229,7 +232,7 @@ static void compare_statistics_of_sides(const side *one, const side *other, cons
 
         if (!has_statistics(&both->c.list[j], FOURLINK_MEAN) || both->c.list[j].sort == OF_ROUNDING)
             continue;
-        for (which = FOURLINK_MAX; which <= FOURLINK_MEAN; which++) {
+        for (which = FOURLINK_MAX; which <= last; which++) {
             double x = statistic(one, j, branch, which, &status[0]),
                    y = statistic(other, j, branch, which, &status[1]),
                    z = statistic(both, j, branch, which, &status[2]), expected, size;
@@ -262,6 +265,7 @@ static void compare_both_sides(const coordinate *q, fourlink_branch branch, doub
     static side one, other, both;
     const char *in = q->is_angle ? "rad" : "m";
     char value[100];
+    int is_whole;
 
     drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_NEAR);
     snprintf(value, sizeof value, "%.17g %s", low + between(0.02, 0.3) * (high - low), in);
@@ -280,8 +284,9 @@ static void compare_both_sides(const coordinate *q, fourlink_branch branch, doub
              one.r && other.r ? "read" : "refused");
     if (both.r && !has_failed) {
         present->cases++;
-        compare_rows_of_sides(&one, &other, &both, branch);
-        compare_statistics_of_sides(&one, &other, &both, branch);
+        is_whole = compare_rows_of_sides(&one, &other, &both, branch);
+        compare_statistics_of_sides(&one, &other, &both, branch,
+                                    is_whole ? FOURLINK_MEAN : FOURLINK_MIN);
     }
     fourlink_results_free(one.r);
     fourlink_results_free(other.r);
