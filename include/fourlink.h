@@ -241,7 +241,9 @@ enum {
     FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always present */
     FOURLINK_FACTS_EXTREMES = 2, /* max() and min() of the columns */
     FOURLINK_FACTS_TURNING = 4,  /* turning moment and flywheel */
-    FOURLINK_FACTS_MOTION = 8    /* actual motion: mean speed, fluctuation, run-up */
+    FOURLINK_FACTS_MOTION = 8,   /* actual motion: mean speed, fluctuation, run-up */
+    FOURLINK_FACTS_NAMES = 16    /* alone: all that any deck can have but max() and min(), by name,
+                                    without values; nothing is computed */
 };
 
 /* Of fourlink/structures.h. */

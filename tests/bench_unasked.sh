@@ -67,13 +67,13 @@ points 400 >p400.deck
 
 unit=$(cost -f csv -i '1 deg' "$plain")
 ratio 0.16 'print the deck of a machine' --print-deck "$steady"
-ratio 0.13 'a mistake in the deck of a machine' -c typo "$run_up"
+ratio 0.16 'a mistake in the deck of a machine' -c typo "$run_up"
 ratio 0.16 'the stroke of a machine' -c stroke "$steady"
-ratio 2.9 'solve for the stroke of a machine' --solve='crank.length = 150 mm .. 250 mm where stroke = 420 mm' "$steady"
+ratio 4.2 'solve for the stroke of a machine' --solve='crank.length = 150 mm .. 250 mm where stroke = 420 mm' "$steady"
 ratio 3.8 'exact flywheel' "$steady"
 ratio 1.2 'run-up, its table' -f csv "$run_up"
-ratio 14 'csv of all decks' -f csv "$data"/*.deck
-ratio 10 'check of all decks' --check "$data"/*.deck
+ratio 20 'csv of all decks' -f csv "$data"/*.deck
+ratio 15.5 'check of all decks' --check "$data"/*.deck
 ratio 0.29 '360 rows of an angle' -f csv -c theta4 -i '1 deg' "$plain"
 ratio 1.3 '3600 rows of an angle' -c theta4 -i '0.1 deg' "$plain"
 ratio 1.95 'picture of the motion' --plot=x.svg --plot-kind=motion "$plain"
@@ -83,8 +83,8 @@ ratio 0.8 'a card of 720 points' -c stroke card.deck
 ratio 14 'mean and rms of 100 designs' -f csv mean.deck
 ratio 20 'turning moment of 100 designs' -f csv turning.deck
 ratio 0.73 'best at the end of a range' --best='min max(Ts)' best.deck
-ratio 3.3 'wrong answers, in order' --check=wrong "$plain"
-ratio 9.8 'list without a deck' --list
+ratio 2.9 'wrong answers, in order' --check=wrong "$plain"
+ratio 0.9 'list without a deck' --list
 ratio 1.2 'csv of all columns, 100 points' -f csv -c all -i '90 deg' p100.deck
 ratio 4.3 'csv of all columns, 400 points' -f csv -c all -i '90 deg' p400.deck
 ratio 0.85 'list, 100 points' --list p100.deck

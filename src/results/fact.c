@@ -678,6 +678,17 @@ static int has_swing(const fourlink_mechanism *mechanism)
     return fourlink_limits_of(mechanism, FOURLINK_OPEN, &limits) == FOURLINK_OK && limits.has_swing;
 }
 
+/* List all facts by name. */
+static unsigned long list_names(listing *t)
+{
+    int code, n = OF_OUTPUT(t->d->machine.mechanism.design.n_groups, 0);
+
+    add_type(t);
+    for (code = FACT_TYPE + 1; code < n; code++)
+        add_fact(t, code, GSL_NAN);
+    return t->n;
+}
+
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups, int handle,
                             const flk_column *columns, size_t n_columns, flk_list *list)
 {
@@ -690,6 +701,8 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
     t.n = 0;
     t.only = handle;
     t.branch = 0;
+    if (groups == FOURLINK_FACTS_NAMES)
+        return list_names(&t);
     if (groups & FOURLINK_FACTS_LIMITS) {
         int has_slide = flk_kind_has_slide(t.d->machine.mechanism.design.kind);
 

@@ -216,6 +216,8 @@ static int open_slip(flk_opened *o, size_t i)
     change.origin = "";
     change.assignment = words;
     status = flk_opened_changed(o, &change, &none, &o->slips[i]);
+    if (status == FOURLINK_OK)
+        status = flk_opened_keep_rows(o->slips[i]);
     o->is_slip_tried[i] = status != FOURLINK_NO_MEMORY;
     return status == FOURLINK_NO_MEMORY ? status : FOURLINK_OK;
 }
@@ -314,7 +316,9 @@ int flk_hint_find(flk_opened *o, const deck_expectation *e, const flk_name *n, f
     if (c->hint[0] || c->has_place ||
         flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return FOURLINK_OK;
-    status = flk_name_prepare(o, n, other);
+    status = flk_opened_keep_rows(o);
+    if (status == FOURLINK_OK)
+        status = flk_name_prepare(o, n, other);
     if (status != FOURLINK_OK)
         return status;
     turn = flk_name_turn(o, n);

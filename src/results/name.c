@@ -163,12 +163,40 @@ static int value_in_row(const flk_opened *o, const flk_column *c, fourlink_branc
     return FOURLINK_OK;
 }
 
+/* A row that is kept; null if the motion does not have the angle. */
+static const flk_row *find_row(flk_opened *o, int needs, fourlink_branch branch, double angle)
+{
+    flk_kept_row *kept;
+    size_t i;
+
+    for (i = 0; i < GSL_MIN(o->n_rows, FLK_ROWS_KEPT); i++) {
+        kept = &o->rows[i];
+        if (kept->needs == needs && kept->branch == branch && kept->angle == angle)
+            return &kept->row;
+    }
+    kept = &o->rows[o->n_rows % FLK_ROWS_KEPT];
+    kept->angle = GSL_NAN; /* until the row is known */
+    if (!flk_analysis_at_angle(&o->a, needs, branch, angle, &kept->row))
+        return NULL;
+    kept->needs = needs;
+    kept->branch = branch;
+    kept->angle = angle;
+    o->n_rows++;
+    return &kept->row;
+}
+
 static int value_of_column(flk_opened *o, const flk_column *c, int needs, fourlink_branch branch,
                            double angle, fourlink_value *value)
 {
     flk_row row;
 
-    if (!flk_analysis_at_angle(&o->a, flk_column_need(c) | needs, branch, angle, &row))
+    needs |= flk_column_need(c);
+    if (o->rows) {
+        const flk_row *kept = find_row(o, needs, branch, angle);
+
+        return kept ? value_in_row(o, c, branch, kept, value) : FOURLINK_NO_SUCH_ANGLE;
+    }
+    if (!flk_analysis_at_angle(&o->a, needs, branch, angle, &row))
         return FOURLINK_NO_SUCH_ANGLE;
     return value_in_row(o, c, branch, &row, value);
 }

@@ -529,6 +529,13 @@ int flk_opened_changed(const flk_opened *from, const fourlink_change *change,
              : FOURLINK_NO_MEMORY;
 }
 
+int flk_opened_keep_rows(flk_opened *o)
+{
+    if (!o->rows)
+        o->rows = malloc(FLK_ROWS_KEPT * sizeof *o->rows);
+    return o->rows ? FOURLINK_OK : FOURLINK_NO_MEMORY;
+}
+
 void flk_opened_free(flk_opened *o)
 {
     int i;
@@ -542,6 +549,7 @@ void flk_opened_free(flk_opened *o)
     flk_deck_free(&o->d);
     free(o->columns);
     free(o->checks);
+    free(o->rows);
     free(o->facts.names);
     free(o->facts.list);
     free(o);

@@ -16,6 +16,15 @@ typedef struct flk_kept_check {
     fourlink_check check;
 } flk_kept_check;
 
+#define FLK_ROWS_KEPT 16 /* the rows in which hints look for the values of a row */
+
+typedef struct flk_kept_row {
+    int needs;
+    fourlink_branch branch;
+    double angle; /* as asked */
+    flk_row row;
+} flk_kept_row;
+
 #define FLK_AT_NAMES 256 /* of the form NAME at ANGLE, that can have handles */
 
 #define FLK_SLIPS 9 /* hint.c */
@@ -38,6 +47,8 @@ typedef struct flk_opened {
     char *at_names; /* each NAME at ANGLE that has a handle, of DECK_NAME_SIZE bytes */
     size_t n_at_names;
     flk_kept_check *checks; /* of the first expected values */
+    flk_kept_row *rows;     /* computed last, the next one over the first; null: none are kept */
+    size_t n_rows;
     struct flk_opened *slips
         [FLK_SLIPS]; /* with a line as students misread it; null: not opened, or not possible */
     int is_slip_tried[FLK_SLIPS];
@@ -129,6 +140,9 @@ int flk_opened_solution(const flk_opened *from, unsigned long number, const flk_
                         flk_opened **opened);
 int flk_opened_changed(const flk_opened *from, const fourlink_change *change,
                        const flk_mistake_list *list, flk_opened **opened);
+
+/* Keep the rows that values of columns are taken from: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+int flk_opened_keep_rows(flk_opened *o);
 void flk_opened_free(flk_opened *o);
 
 #endif

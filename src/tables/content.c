@@ -341,11 +341,12 @@ static void write_list(sheet *s, fourlink_results *const *results, size_t n_resu
     for (i = 0; i < n_results; i++)
         fourlink_results_list(results[i], FOURLINK_ALL_COLUMNS, &all[i].list, &all[i].n);
     put_names(s, all, n_results, s->format->column);
-    for (i = 0; i < n_results; i++)
-        results_facts(results[i], FOURLINK_OPEN,
-                      FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-                      &all[i].list, &all[i].n);
-    put_names(s, all, n_results, s->format->listed);
+    results_facts(results[0], FOURLINK_OPEN,
+                  s->listed
+                      ? FOURLINK_FACTS_NAMES
+                      : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
+                  &all[0].list, &all[0].n);
+    put_names(s, all, 1, s->format->listed);
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
     for (i = 0; i < sizeof of_columns / sizeof of_columns[0]; i++) {
