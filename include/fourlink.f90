@@ -61,7 +61,7 @@ module fourlink
   integer(c_int), parameter :: fourlink_columns = 1, fourlink_all_columns = 2, &
     fourlink_inputs = 3, fourlink_variables = 4, fourlink_outputs = 5, fourlink_conditions = 6
   integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
-    fourlink_facts_turning = 4, fourlink_facts_motion = 8
+    fourlink_facts_turning = 4, fourlink_facts_motion = 8, fourlink_facts_names = 16
   integer(c_int), parameter :: fourlink_max = 1, fourlink_min = 2, fourlink_mean = 3, &
     fourlink_rms = 4
   integer(c_long), parameter :: fourlink_any_design = int(z'ffffffff', c_long)
