@@ -273,13 +273,14 @@ typedef struct fourlink_turning fourlink_turning;
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing, with two exceptions.  fourlink_results_check opens the deck again, once with
-**    each, as slips may have changed it: without weights, in other axes.  A motion that is not given is integrated on a branch
+** 3) The functions below allocate nothing, with three exceptions.  fourlink_results_check opens the deck again, once with
+**    each, as slips may have changed it: without weights, in other axes.  The first extreme, mean or crossing takes
+**    room for searches.  A motion that is not given is integrated on a branch
 **    when something is first asked that follows from it, which can take seconds.  Facts of a run-up need the
 **    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
 **    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
-**    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, for programs that must not fail
-**    later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier
+**    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, with FOURLINK_FACTS_EXTREMES takes room
+**    for searches, for programs that must not fail later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier
 **    calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,

@@ -263,7 +263,7 @@ symbols() {
         "! nm --defined-only '$lib/libfourlink.a' | awk 'NF == 3 && \$2 ~ /[A-Z]/ {print \$3}' | grep -v '^flk_\|^__' | sort | comm -13 declared - | grep ."
     check 'no stdio, exit, locale, error handler in the library' sh -c \
         "! nm -D --undefined-only '$lib/libfourlink.so' | grep -wE '[a-z_]*printf[a-z_]*|puts|putc|fputs|fopen|fwrite|fread|stdout|stderr|exit|abort|localeconv|setlocale|gsl_set_error_handler|gsl_set_error_handler_off|gsl_error'"
-    # Memory is taken where a deck is opened, and by a search through many points; crank positions, rows, facts and extremes need none.
+    # Memory is taken where a deck is opened, by the first search along a motion, and by one through many points; crank positions, rows and facts need none.
     nm -A --undefined-only "$lib/libfourlink.a" | grep -wE 'malloc|calloc|realloc|free|[a-z_]*alloc' |
         sed 's/.*:\([a-z0-9_]*\)\.c\.o:.*/\1/' | sort -u >allocating
     check 'memory is for decks' sh -c "printf '%s\n' actual analysis corners deck extremes mean message opened path points reader results samples | cmp - allocating"

@@ -2,8 +2,8 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks: for these, all are read once before they are written.
-** What can be read only once, such as standard input, is kept as text.
+** The header of a csv has the columns of all decks: for these, all are read once before they are written, the first of them
+** stay open, and the others are read again.  What can be read only once, such as standard input, is kept as text.
 */
 #include <errno.h>
 #include <stdlib.h>
@@ -24,6 +24,8 @@
 #include "terminal.h"
 #include "view/results.h"
 
+#define KEPT 24 /* decks that stay open: half a megabyte each */
+
 /* Many inputs, and what is known of all. */
 typedef struct batch {
     const options *o;
@@ -31,6 +33,7 @@ typedef struct batch {
     const input *deck; /* null: the inputs are decks */
     size_t n;
     input_text *texts; /* of decks that can be read only once; else null texts */
+    input *kept;       /* the first KEPT decks, read before; without results: not kept */
     fourlink_value *header;
     unsigned long n_header;
     int has_designs; /* 1: one of these has a [sweep] */
@@ -273,6 +276,9 @@ static void batch_close(batch *b)
         free((void *)b->header[k].name);
     for (i = 0; i < b->n && b->texts; i++)
         free(b->texts[i].start);
+    for (i = 0; i < KEPT && b->kept; i++)
+        input_close(&b->kept[i]);
+    free(b->kept);
     free(b->header);
     free(b->texts);
     marks_free(&b->m);
@@ -404,21 +410,37 @@ static int read_input(batch *b, size_t i, input *in)
     return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
 }
 
-/* Read all inputs, in silence, for what must be known of all; returns the exit status. */
+/* Read all inputs, in silence, for what must be known of all; returns the exit status.  Those of which nothing is to
+** be told stay open. */
 static int scan(batch *b)
 {
-    int enough = 1;
-    input in;
+    int enough = 1, is_read, may_keep = !b->deck && !asks(b->o);
+    input none, *in;
     size_t i;
 
-    for (i = 0; i < b->n && enough && !system_caught(); i++) {
+    b->kept = memory_get(KEPT, sizeof *b->kept);
+    for (i = 0; i < b->n && b->kept && enough && !system_caught(); i++) {
+        in = i < KEPT ? &b->kept[i] : &none;
         command_be_silent(1);
-        read_input(b, i, &in);
-        command_be_silent(0);
-        enough = add_columns(b, &in);
-        input_close(&in);
+        is_read = read_input(b, i, in) == 0;
+        is_read &= !command_be_silent(0);
+        enough = add_columns(b, in);
+        if (may_keep && is_read && i < KEPT)
+            continue;
+        input_close(in);
+        memset(in, 0, sizeof *in);
     }
-    return enough ? 0 : complain_of_memory();
+    return b->kept && enough ? 0 : complain_of_memory();
+}
+
+/* Take input i, or read it; returns the exit status. */
+static int take_input(batch *b, size_t i, input *in)
+{
+    if (!b->kept || i >= KEPT || !b->kept[i].results)
+        return read_input(b, i, in);
+    *in = b->kept[i];
+    memset(&b->kept[i], 0, sizeof *in);
+    return 0;
 }
 
 /* 1 if the sheet has a part for this input: a deck without results is named among comparisons only. */
@@ -436,7 +458,7 @@ static int write_all(batch *b)
     size_t i;
 
     for (i = 0; i < b->n && !system_caught(); i++) {
-        status = command_worse(status, read_input(b, i, &in));
+        status = command_worse(status, take_input(b, i, &in));
         if (memory_has_failed()) { /* which is told */
             input_close(&in);
             break;

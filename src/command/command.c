@@ -10,11 +10,15 @@
 #include "system/memory.h"
 #include "command.h"
 
-static int silent, coloured, told_of_memory;
+static int silent, withheld, coloured, told_of_memory;
 
-void command_be_silent(int is_silent)
+int command_be_silent(int is_silent)
 {
+    int had = withheld;
+
     silent = is_silent;
+    withheld = 0;
+    return had;
 }
 
 void command_be_coloured(int is_coloured)
@@ -52,6 +56,7 @@ void command_say(const char *first, ...)
     const char *words;
     va_list more;
 
+    withheld |= silent;
     if (silent)
         return;
     va_start(more, first);
@@ -93,6 +98,7 @@ void command_tell(const char *what, const char *file, long line, const char *mes
     int is_elsewhere = deck_name && strcmp(file, deck_name) != 0;
     char where[40] = "";
 
+    withheld |= silent;
     if (silent)
         return;
     if (line)

@@ -13,8 +13,8 @@ int command_worse(int status, int other);
 /* Print strings, up to a null pointer, as a line of messages. */
 void command_say(const char *first, ...);
 
-/* Print no messages (1), or print them again (0): those of what is read twice. */
-void command_be_silent(int is_silent);
+/* Print no messages (1), or print them again (0): those of what is read twice.  Returns 1 if some were not printed. */
+int command_be_silent(int is_silent);
 
 /* Print what a message is, such as error, in colour. */
 void command_be_coloured(int is_coloured);

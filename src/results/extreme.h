@@ -48,12 +48,15 @@ typedef struct flk_extremes {
     size_t n,
         *asked; /* by flk_column.number: the column's place + 1 among these; 0: not asked for */
     int is_together; /* 1: all are always wanted */
-    flk_samples_room room;
-    flk_bests *bests; /* of each column, in a search */
+    size_t most;
+    flk_samples_room room; /* of searches, */
+    flk_bests *bests;      /* of each column in one */
 } flk_extremes;
 
-/* Allocate memory for at most so many columns, in a struct that is 0, and free it.  0 when out of memory. */
+/* Allocate memory for at most so many columns, in a struct that is 0; that of searches, unless there is some; and free
+** both.  0 when out of memory. */
 int flk_extremes_open(flk_extremes *x, size_t most);
+int flk_extremes_prepare(flk_extremes *x);
 void flk_extremes_close(flk_extremes *x);
 
 /* Ask for the extremes of a column; to be called before flk_extremes_find. */

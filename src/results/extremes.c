@@ -11,15 +11,22 @@ int flk_extremes_open(flk_extremes *x, size_t most)
     int k;
 
     x->together[0] = malloc(4 * most * sizeof *x->together[0]);
-    x->bests = malloc((most + 1) * sizeof *x->bests);
     x->asked = calloc(most, sizeof *x->asked);
-    if (!flk_samples_open(&x->room, most + 1) || !x->together[0] || !x->bests || !x->asked)
+    if (!x->together[0] || !x->asked)
         return 0;
+    x->most = most;
     for (k = 0; k < 2; k++) {
         x->together[k] = x->together[0] + (size_t)k * most;
         x->alone[k] = x->together[0] + (size_t)(2 + k) * most;
     }
     return 1;
+}
+
+int flk_extremes_prepare(flk_extremes *x)
+{
+    if (!x->bests)
+        x->bests = malloc((x->most + 1) * sizeof *x->bests);
+    return x->bests && flk_samples_open(&x->room, x->most + 1);
 }
 
 void flk_extremes_close(flk_extremes *x)

@@ -209,10 +209,10 @@ static int needs_of_lock(const flk_opened *o)
 
 int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch)
 {
-    int groups = n->kind == FLK_NAME_FACT ? flk_fact_group(n->handle)
-                 : n->kind == FLK_NAME_UNKNOWN || n->kind == FLK_NAME_GIVEN
-                     ? 0
-                     : FOURLINK_FACTS_EXTREMES;
+    int groups = n->kind == FLK_NAME_FACT        ? flk_fact_group(n->handle)
+                 : n->kind == FLK_NAME_STATISTIC ? FLK_SEARCHES
+                 : n->kind == FLK_NAME_UNKNOWN || n->kind == FLK_NAME_GIVEN ? 0
+                                                                            : FLK_ROWS;
 
     return flk_opened_prepare(o, (int)branch, groups);
 }

@@ -29,7 +29,9 @@ int flk_opened_prepare(flk_opened *o, int branch, int groups)
         if (branch ? branch == each : i == 0 ? o->d.open : o->d.crossed)
             status = flk_actual_prepare(o->a.course.actual, (fourlink_branch)each, has_facts);
     }
-    return status;
+    return status == FOURLINK_OK && (groups & FLK_SEARCHES) && !flk_extremes_prepare(&o->extremes)
+               ? FOURLINK_NO_MEMORY
+               : status;
 }
 
 /* ------------------------------------------------------------------------------------------------ opening */

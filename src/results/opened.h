@@ -99,8 +99,12 @@ void flk_name_of_handle(flk_opened *o, int handle, flk_name *n);
 /* Describe what a name means, without its value; all 0 if it is unknown. */
 void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v);
 
-/* Find the motion of a branch, or with 0 of those of the deck, as far as facts of these groups need it; a column needs
-** as much as an extreme.  What a name needs.  FOURLINK_OK, FOURLINK_NO_MEMORY. */
+/* Beside groups of facts: extremes, means and crossings are searches along the motion, rows have places on it. */
+#define FLK_SEARCHES FOURLINK_FACTS_EXTREMES
+#define FLK_ROWS 64
+
+/* Find the motion of a branch, or with 0 of those of the deck, as far as these groups need it, and room for searches.
+** What a name needs.  FOURLINK_OK, FOURLINK_NO_MEMORY. */
 int flk_opened_prepare(flk_opened *o, int branch, int groups);
 int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch);
 

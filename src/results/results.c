@@ -305,13 +305,12 @@ static int check_branch(const fourlink_results *r, int is_given, int branch)
                : FOURLINK_BAD_BRANCH;
 }
 
-/* The same; then prepare its motion, so that nothing after this needs memory. */
+/* The same; then prepare its motion, so that no row after this needs memory. */
 static int check_motion(fourlink_results *r, int is_given, int branch)
 {
     int status = check_branch(r, is_given, branch);
 
-    return status == FOURLINK_OK ? flk_opened_prepare(r->now, branch, FOURLINK_FACTS_EXTREMES)
-                                 : status;
+    return status == FOURLINK_OK ? flk_opened_prepare(r->now, branch, FLK_ROWS) : status;
 }
 
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
@@ -560,9 +559,11 @@ int fourlink_results_motion_along(fourlink_results *r, fourlink_branch branch, d
 int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
                                double value, unsigned long max, double *angles, unsigned long *n)
 {
-    int status = check_motion(r, name && n && (angles || !max), (int)branch);
+    int status = check_branch(r, name && n && (angles || !max), (int)branch);
     flk_column c;
 
+    if (status == FOURLINK_OK)
+        status = flk_opened_prepare(r->now, (int)branch, FLK_SEARCHES);
     if (status != FOURLINK_OK)
         return status;
     if (!FLK_WITHIN(value, FOURLINK_NUMBER_MAX))

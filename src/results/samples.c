@@ -23,9 +23,12 @@
 
 int flk_samples_open(flk_samples_room *room, size_t most)
 {
-    room->columns = malloc(most * sizeof *room->columns);
-    room->near = malloc(sizeof *room->near);
-    room->values = malloc(FLK_SAMPLES_MOST * (most + 2) * sizeof *room->values);
+    if (!room->columns)
+        room->columns = malloc(most * sizeof *room->columns);
+    if (!room->near)
+        room->near = malloc(sizeof *room->near);
+    if (!room->values)
+        room->values = malloc(FLK_SAMPLES_MOST * (most + 2) * sizeof *room->values);
     return room->columns && room->near && room->values;
 }
 

@@ -95,7 +95,7 @@ int fourlink_extreme(const fourlink_mechanism *mechanism, const fourlink_motion 
     flk_deck_start(&d);
     set_motion(motion, &d);
     status = set_machine(mechanism, loads, n_loads, &d) && flk_analysis_open(&a, &d, NULL) &&
-                     flk_extremes_open(&x, flk_column_limit(&d))
+                     flk_extremes_open(&x, flk_column_limit(&d)) && flk_extremes_prepare(&x)
                  ? find_value(&a, &x, name, branch, value, angle)
                  : FOURLINK_NO_MEMORY;
     flk_extremes_close(&x);

@@ -44,6 +44,8 @@ static digest check_everything(const char *contents, const fourlink_change colum
     /* an actual motion is integrated when its branch is first asked for */
     fourlink_results_row(r, FOURLINK_OPEN, 0, NULL, NULL, NULL);
     fourlink_results_row(r, FOURLINK_CROSSED, 0, NULL, NULL, NULL);
+    /* the first search takes room for all */
+    fourlink_results_crossings(r, "theta2", FOURLINK_OPEN, 0, 0, NULL, &i);
     /* and slips are sought when a value that differs is first compared */
     for (i = 0; fourlink_results_check(r, i, &check) == FOURLINK_OK;)
         i++;
