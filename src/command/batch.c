@@ -116,11 +116,12 @@ static int add_answer(batch *b, input *in)
 {
     fourlink_value of_solve[SOLVE_COLUMNS], *of_best = NULL;
     unsigned long n = 0;
+    char name[SOLVE_NAME];
     int enough;
 
     b->has_values = 1;
     if (in->results && b->o->solve)
-        n = solve_columns(in, of_solve);
+        n = solve_columns(in, of_solve, name);
     else if (in->results)
         of_best = best_columns(in, &n);
     enough = add_list(b, of_best ? of_best : of_solve, n, 1);

@@ -34,7 +34,7 @@ typedef struct question {
     input *in;
     view v;
     char key[MESSAGE_SIZE], name[MESSAGE_SIZE];
-    char told[MESSAGE_SIZE]; /* the name, at the angle as it was written */
+    char told[SOLVE_NAME]; /* the name, at the angle as it was written */
     char unit[MESSAGE_SIZE],
         result_unit[MESSAGE_SIZE]; /* values set make the texts of lists invalid */
     fourlink_value of, result;     /* what is sought, and what is to have a value */
@@ -179,7 +179,7 @@ static void take_columns(const question *q, fourlink_value columns[SOLVE_COLUMNS
     columns[0].name = q->key;
     columns[0].unit = q->unit;
     columns[1] = q->result;
-    columns[1].name = q->name;
+    columns[1].name = q->told;
     columns[1].unit = q->result_unit;
 }
 
@@ -422,7 +422,7 @@ int solve_write(FILE *out, input *in)
     return end(&q);
 }
 
-unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS])
+unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS], char name[SOLVE_NAME])
 {
     question q;
 
@@ -430,6 +430,7 @@ unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS])
         return 0;
     columns[0] = q.of;
     columns[1] = q.result;
+    columns[1].name = strcpy(name, q.told);
     return SOLVE_COLUMNS;
 }
 

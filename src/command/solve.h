@@ -15,9 +15,11 @@
 int solve_write(FILE *out, input *in);
 
 /* The same in a sheet of values, with the columns that solve_columns gives: SOLVE_COLUMNS, or 0 if the deck has
-** no such question.  A deck without a solution has a line that says why. */
+** no such question; `name` holds that of the value, at its angle.  A deck without a solution has a line that says why. */
 #define SOLVE_COLUMNS 2
-unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS]);
+#define SOLVE_NAME MESSAGE_SIZE
+unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS],
+                            char name[SOLVE_NAME]);
 int solve_put(sheet *s, input *in);
 
 #endif
