@@ -72,8 +72,8 @@ ratio 0.16 'the stroke of a machine' -c stroke "$steady"
 ratio 4.2 'solve for the stroke of a machine' --solve='crank.length = 150 mm .. 250 mm where stroke = 420 mm' "$steady"
 ratio 3.8 'exact flywheel' "$steady"
 ratio 1.2 'run-up, its table' -f csv "$run_up"
-ratio 18.2 'csv of all decks' -f csv "$data"/*.deck
-ratio 15.5 'check of all decks' --check "$data"/*.deck
+ratio 17.8 'csv of all decks' -f csv "$data"/*.deck
+ratio 14 'check of all decks' --check "$data"/*.deck
 ratio 0.29 '360 rows of an angle' -f csv -c theta4 -i '1 deg' "$plain"
 ratio 1.3 '3600 rows of an angle' -c theta4 -i '0.1 deg' "$plain"
 ratio 1.95 'picture of the motion' --plot=x.svg --plot-kind=motion "$plain"

@@ -36,6 +36,9 @@ double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *st
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
                        double *list, size_t most);
 
+/* 1 if the crank turns fully with all groups, they come back after a turn, and none goes beyond all bounds. */
+int flk_groups_come_back(const fourlink_mechanism *mechanism, fourlink_branch branch);
+
 /* The first group without a position at a crank angle at which the four links have one; -1: none. */
 int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2);
 

@@ -226,6 +226,20 @@ size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch bran
     return drop_repeated(list, x.n);
 }
 
+int flk_groups_come_back(const fourlink_mechanism *mechanism, fourlink_branch branch)
+{
+    fourlink_reach reach;
+    double end;
+    search x;
+
+    if (mechanism->change_folded || mechanism->change_stretched ||
+        fourlink_reach_of(mechanism, &reach) != FOURLINK_OK || reach.n_ranges != 1 ||
+        !IS_TURN(reach, 0) || flk_groups_ends(mechanism, branch, 2 * M_PI, &end, 1))
+        return 0;
+    set_up(&x, mechanism, branch, 2 * M_PI, NULL, 0);
+    return margin_at(M_PI, &x) > 0;
+}
+
 /* Add the ranges between `from` and `to` in which all is assembled, cut at the ends that are there. */
 static size_t add_ranges(search *x, const double *ends, size_t n_ends, double from, double to,
                          flk_range *list, size_t n, size_t most)

@@ -87,19 +87,6 @@ static double go_on(search *x, double value)
     return x->last = value;
 }
 
-/* 1 if the crank turns fully, and the groups come back after a turn. */
-static int comes_back(const fourlink_mechanism *mechanism, fourlink_branch branch)
-{
-    flk_range range[2];
-    double
-        end; /* also one at which a slider goes beyond all bounds and comes back from the other side */
-
-    return !mechanism->change_folded && !mechanism->change_stretched &&
-           !flk_groups_ends(mechanism, branch, 2 * M_PI, &end, 1) &&
-           flk_groups_ranges(mechanism, branch, range, 2) == 1 &&
-           range[0].to - range[0].from >= 2 * M_PI * (1 - 1e-15);
-}
-
 int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch branch, int group,
                           flk_group_limits *limits)
 {
@@ -113,8 +100,6 @@ int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch b
     x.n_returns = 0;
     limits->least = GSL_POSINF;
     limits->most = GSL_NEGINF;
-    if (!comes_back(mechanism, branch))
-        return 0;
     first = x.last = value_at(&x, START, &before);
     for (i = 1; i <= SAMPLES; i++) {
         double theta2 = START + 2 * M_PI * i / SAMPLES, value = value_at(&x, theta2, &rate), unused;

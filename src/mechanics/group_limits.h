@@ -13,8 +13,7 @@ typedef struct flk_group_limits {
     double time_ratio; /* 1, of its two ways; 0 if it turns back more than twice */
 } flk_group_limits;
 
-/* 0 if there are none: the crank does not turn fully with all groups, comes back after two turns, or a rocker turns
-** fully. */
+/* Of a mechanism whose groups come back after a turn (flk_groups_come_back); 0 if a rocker turns fully. */
 int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch branch, int group,
                           flk_group_limits *limits);
 

@@ -302,7 +302,7 @@ static void add_reach_with_outputs(listing *t, int branch)
     double turn;
     int i;
 
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < 2 && is_any_wanted(t, FACT_THETA2_FROM, FACT_THETA2_TO); i++) {
         t->branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         if (!is_asked(t->d, t->branch, branch) ||
             !flk_kind_has_branch(flk_kind_of(t->d->machine.mechanism.design.kind),
@@ -505,9 +505,12 @@ static void add_limits_of_outputs(listing *t)
     const fourlink_mechanism *mechanism = &t->d->machine.mechanism;
     flk_group_limits limits;
     double turn;
-    int i;
+    int i, n = mechanism->design.n_groups;
 
-    for (i = 0; i < mechanism->design.n_groups; i++) {
+    if (!n || !is_any_wanted(t, OF_OUTPUT(0, 0), OF_OUTPUT(n, -1)) ||
+        !flk_groups_come_back(mechanism, (fourlink_branch)t->branch))
+        return;
+    for (i = 0; i < n; i++) {
         if (!is_any_wanted(t, OF_OUTPUT(i, 0), OF_OUTPUT(i, OUTPUT_FACTS - 1)) ||
             !flk_group_limits_find(mechanism, (fourlink_branch)t->branch, i, &limits))
             continue;
