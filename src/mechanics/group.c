@@ -137,6 +137,17 @@ int flk_groups_place(const fourlink_mechanism *mechanism, fourlink_state *state)
     return FOURLINK_OK;
 }
 
+void flk_groups_stand(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    int i;
+
+    for (i = 0; i < mechanism->design.n_groups; i++) {
+        flk_hanging h = find(mechanism, state, i);
+
+        place_group(&h);
+    }
+}
+
 double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     double margin = 1, square[FOURLINK_LINKS];

@@ -26,6 +26,9 @@ void flk_groups_accelerate(const fourlink_mechanism *mechanism, fourlink_state *
 void flk_groups_angles(const fourlink_mechanism *mechanism, fourlink_state *state);
 int flk_groups_follow(const fourlink_mechanism *mechanism, fourlink_state *state);
 
+/* The places of links 5, 6 ... also in a dead position: those in line. */
+void flk_groups_stand(const fourlink_mechanism *mechanism, fourlink_state *state);
+
 /* How far the groups are from where they cannot be assembled, smooth in theta2 and negative beyond: the
 ** smallest square of a sine.  A group on one that cannot be assembled does not count.  Links 5, 6 ... of the
 ** state are written. */

@@ -26,9 +26,7 @@ static double place_slider(const flk_hanging *h, const fourlink_vector *pivot)
     d.y = p->y - pivot->y;
     c = FLK_CROSS(*u, d) / l;
     square = (1 - c) * (1 + c);
-    if (!(square > FLK_DEAD))
-        return square;
-    rho = h->group->side * sqrt(square);
+    rho = h->group->side * FLK_ROOT_OR_0(square);
     h->rod->axis.x = rho * u->x + c * u->y;
     h->rod->axis.y = rho * u->y - c * u->x;
     h->end->axis = *u;
@@ -110,13 +108,11 @@ static double place_rocker(const flk_hanging *h, const fourlink_vector *pivot)
     f = flk_length(x.x, x.y);
     square = ((l + r - f) / l) * ((l + r + f) / r) * ((f - fabs(l - r)) / l) *
              ((f + fabs(l - r)) / r) / 4;
-    if (!(square > FLK_DEAD))
-        return square;
     x.x /= f;
     x.y /= f;
     FLK_TURN_LEFT(n, x);
     along = (f + (l - r) * ((l + r) / f)) / 2;
-    across = h->group->side * l * (r / f) * sqrt(square);
+    across = h->group->side * l * (r / f) * FLK_ROOT_OR_0(square);
     h->rod->axis.x = (along * x.x + across * n.x) / l;
     h->rod->axis.y = (along * x.y + across * n.y) / l;
     h->end->axis.x = ((along - f) * x.x + across * n.x) / r;

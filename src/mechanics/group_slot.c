@@ -79,8 +79,6 @@ static double place_slider(const flk_hanging *h, const fourlink_vector *pivot)
     fourlink_vector d;
 
     h->end->axis = *u;
-    if (!(sine * sine > FLK_DEAD))
-        return sine * sine;
     d.x = h->rod->origin.x - pivot->x;
     d.y = h->rod->origin.y - pivot->y;
     S = FLK_CROSS(d, *e) / sine;
@@ -104,8 +102,7 @@ static double place_slider_in_slot(const flk_hanging *h, const fourlink_vector *
 
     FLK_TURN(h->rod->axis, h->on, h->group->slot);
     square = place_slider(h, pivot);
-    if (square > FLK_DEAD)
-        h->rod->origin = h->end->origin;
+    h->rod->origin = h->end->origin;
     return square;
 }
 
@@ -173,14 +170,12 @@ static double place_rocker_with_slot(const flk_hanging *h, const fourlink_vector
     r.y = h->rod->origin.y - pivot->y;
     f = flk_length(r.x, r.y);
     square = (1 - offset / f) * (1 + offset / f);
-    if (!(square > FLK_DEAD))
-        return f > 0 ? square : offset == 0 ? 0 : -1;
-    s = h->group->side * sqrt(square);
+    s = h->group->side * FLK_ROOT_OR_0(square);
     e->x = (s * r.x + offset * (r.y / f)) / f;
     e->y = (s * r.y - offset * (r.x / f)) / f;
     h->end->axis = *e;
     h->end->origin = *pivot;
-    return square;
+    return f > 0 ? square : offset == 0 ? 0 : -1;
 }
 
 /* s, from D to P along the slot */
@@ -231,9 +226,7 @@ static double place_rocker_in_slot(const flk_hanging *h, const fourlink_vector *
     d.y = h->rod->origin.y - pivot->y;
     c = FLK_DOT(n, d) / r;
     square = (1 - c) * (1 + c);
-    if (!(square > FLK_DEAD))
-        return square;
-    s = h->group->side * sqrt(square);
+    s = h->group->side * FLK_ROOT_OR_0(square);
     h->end->axis.x = c * n.x + s * e->x;
     h->end->axis.y = c * n.y + s * e->y;
     h->end->origin = *pivot;

@@ -18,7 +18,7 @@ typedef struct flk_hanging {
 ** with its motion before each step; a block's is where it is in the slot.
 **
 ** place        axes and origins of both links; returns the square of the sine of its position, negative where it
-**              cannot be assembled
+**              cannot be assembled; in a dead position they are those in line, unless pins meet
 ** move         k of both, from the derivatives of the rod's origin and of `pivot`
 ** accelerate   alpha of both, and the acceleration of a slider's origin
 ** solve        FQ in closed form, from the free bodies and their moments about their origins
@@ -34,6 +34,9 @@ typedef struct flk_group_type {
 extern const flk_group_type flk_slider_by_rod, flk_rocker_by_rod; /* group_rod.c */
 extern const flk_group_type flk_slider_with_slot, flk_rocker_with_slot, flk_slider_in_slot,
     flk_rocker_in_slot; /* group_slot.c */
+
+/* The sine of a position from its square. */
+#define FLK_ROOT_OR_0(square) ((square) > 0 ? sqrt(square) : 0)
 
 /* The arm of the carrying link to P, or to the block in its slot, which must have its place. */
 void flk_group_arm(const fourlink_group *group, const fourlink_link_state *on,
