@@ -189,8 +189,15 @@ static int usual_drive(parser *p, flk_drive *drive)
         drive->name = d->actuators[0].name;
         return 1;
     }
-    if (!input->word || input->word == FLK_ACTUATOR_INPUT)
+    if (!input->word)
         return 0;
+    if (input->word == FLK_NAMED_INPUT) {
+        text name, of;
+
+        flk_text_cut_last(input->value, ".", &name, &of);
+        drive->name = flk_reader_copy(p, name, "");
+        return drive_of_output(p, name, drive);
+    }
     drive->name = flk_coordinates[input->word - 1].what == FLK_OF_SLIDE
                       ? "slide"
                       : fourlink_link_text(kind, FOURLINK_FOLLOWER);
@@ -251,7 +258,7 @@ void flk_build_drive(parser *p)
     build_actuators(p);
     check_cylinder(p);
     drive = flk_reader_keep(p, sizeof *drive);
-    if (!drive || flk_mistakes_count(p->mistakes))
+    if (!drive || p->out_of_memory || flk_mistakes_count(p->mistakes))
         return;
     if (IS_SET(s) && flk_text_equal(s->value, "crank")) {
         drive = NULL;

@@ -46,7 +46,7 @@ int flk_build_is_prescribed(parser *p)
                         "'%s' needs an input, such as input = x", flk_key_table[own[i]].name);
     if (!input->word)
         return 0;
-    if (input->word != FLK_ACTUATOR_INPUT &&
+    if (input->word != FLK_NAMED_INPUT &&
         !(flk_coordinates[input->word - 1].kinds & (int)p->d->machine.mechanism.design.kind))
         flk_mistake(p->mistakes, input->place, "%s %s has no %t", flk_text_article(kind), kind,
                     input->value);
@@ -61,46 +61,54 @@ int flk_build_is_prescribed(parser *p)
         flk_mistake(p->mistakes, mode->place,
                     "'input' gives the motion, and mode = %t computes it: leave out one",
                     mode->value);
-    if (input->word != FLK_ACTUATOR_INPUT)
+    if (input->word != FLK_NAMED_INPUT)
         p->d->over = &flk_abscissas[input->word + DECK_OVER_INPUT];
     return 1;
 }
 
-/* The actuator whose length is prescribed: it joins the ground to the crank, or to a link 4 that turns. */
-static const flk_actuator *find_actuator(parser *p, const setting *input)
+/* ---------------------------------------------------------------------------------------------- by its name */
+
+/* The length of an actuator. */
+static int find_actuator(parser *p, const setting *input, text name, flk_coordinate *q)
 {
-    int kind = (int)p->d->machine.mechanism.design.kind, link;
     const flk_actuator *x;
-    text name, of;
     size_t i;
 
-    flk_text_cut_last(input->value, ".", &name, &of);
     for (i = 0; i < p->d->n_actuators && !flk_text_same(name, p->d->actuators[i].name); i++)
         ;
-    if (i == p->d->n_actuators) {
-        flk_mistake(p->mistakes, input->place, "there is no [actuator %t]", name);
-        return NULL;
-    }
+    if (i == p->d->n_actuators)
+        return flk_mistake(p->mistakes, input->place, "there is no [actuator %t]", name);
     x = &p->d->actuators[i];
-    link = x->link == FOURLINK_GROUND ? x->to : x->link;
-    if ((x->link != FOURLINK_GROUND && x->to != FOURLINK_GROUND) || link == FOURLINK_COUPLER)
-        flk_mistake(
-            p->mistakes, input->place,
-            "the crank does not follow in one way from the length of an actuator that joins "
-            "two moving links, or is on the %s: --at='%t = ...' finds the places of a length",
-            fourlink_link_text(kind, FOURLINK_COUPLER), input->value);
-    else if (link > FOURLINK_FOLLOWER)
-        flk_mistake(p->mistakes, input->place,
-                    "the length of an actuator that is prescribed is between the ground and the "
-                    "crank or %s, not a link of an [output]",
-                    fourlink_link_text(kind, FOURLINK_FOLLOWER));
-    else if (fourlink_slides(kind, link))
-        flk_mistake(p->mistakes, input->place,
-                    "an actuator on the %s, which slides: input = x prescribes its place",
-                    fourlink_link_text(kind, link));
-    else
-        return x;
-    return NULL;
+    q->what = FLK_OF_ACTUATOR;
+    q->actuator = x;
+    q->n_groups = flk_search_groups(GSL_MAX(x->link, x->to));
+    q->is_searched = flk_search_has_to(x, p->d->machine.mechanism.design.kind);
+    return 1;
+}
+
+/* The place of the slider of an output, or the angle of its rocker. */
+static int find_output(parser *p, const setting *input, text name, flk_coordinate *q)
+{
+    const fourlink_group *g;
+    int n = p->d->machine.mechanism.design.n_groups, i, turns;
+
+    for (i = 0; i < n && !flk_text_same(name, p->d->outputs[i].name[1]); i++)
+        ;
+    if (i == n)
+        return flk_mistake(p->mistakes, input->place, "there is no [output %t]", name);
+    g = &p->d->groups[i];
+    turns = g->end == FOURLINK_GROUP_TURNS;
+    if (q->is_angle != turns)
+        return flk_mistake(p->mistakes, input->place,
+                           turns ? "[output %t] turns: input = %t.theta"
+                                 : "[output %t] slides: input = %t.x",
+                           name, name);
+    q->what = FLK_OF_GROUP;
+    q->group = g;
+    q->link = FOURLINK_END_OF(i);
+    q->n_groups = i + 1;
+    q->is_searched = 1;
+    return 1;
 }
 
 /* The coordinate that is prescribed; null after a mistake. */
@@ -108,32 +116,35 @@ static const flk_coordinate *find_coordinate(parser *p, const setting *input)
 {
     flk_coordinate *q;
     fourlink_abscissa *over;
+    text name, of;
 
-    if (input->word != FLK_ACTUATOR_INPUT)
+    if (input->word != FLK_NAMED_INPUT)
         return &flk_coordinates[input->word - 1];
     q = flk_reader_keep(p, sizeof *q);
     over = flk_reader_keep(p, sizeof *over);
     if (!q || !over)
         return NULL;
+    flk_text_cut_last(input->value, ".", &name, &of);
     q->name = q->symbol = q->words = flk_reader_copy(p, input->value, "");
     q->kinds = ANY_KIND;
-    q->what = FLK_OF_ACTUATOR;
-    q->actuator = find_actuator(p, input);
-    *over = flk_abscissas[FLK_OF_DISPLACEMENT + 1 + DECK_OVER_INPUT];
+    q->is_angle = flk_text_equal(of, "theta");
+    *over =
+        flk_abscissas[(q->is_angle ? FLK_OF_FOLLOWER : FLK_OF_DISPLACEMENT) + 1 + DECK_OVER_INPUT];
     over->name = over->symbol = over->rows = over->words = q->name;
     if (!p->d->program)
         p->d->over = over;
-    return q->actuator ? q : NULL;
+    return (flk_text_equal(of, "length") ? find_actuator : find_output)(p, input, name, q) ? q
+                                                                                           : NULL;
 }
 
 /* ------------------------------------------------------------------------------------------------------ reach */
 
-/* Whether a crank angle is in a stretch, less whole turns. */
-static int has_angle(const flk_stretch *x, double theta2)
+/* Whether a crank angle is in a stretch, less whole periods. */
+static int has_angle(const flk_stretch *x, double theta2, double period)
 {
     double close = CLOSE * (x->theta2_to - x->theta2_from);
 
-    return flk_cycle_place(theta2, x->theta2_from - close, 2 * M_PI) <= x->theta2_to + close;
+    return flk_cycle_place(theta2, x->theta2_from - close, period) <= x->theta2_to + close;
 }
 
 /* Keep the stretches of a side and, if given, near a crank angle. */
@@ -142,14 +153,14 @@ static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch bran
 {
     const setting *near = flk_setting_find(p, KEY_MOTION_NEAR);
     flk_stretch all[FLK_STRETCHES];
-    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i;
+    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i, turns;
+    double theta2 = IS_SET(near) ? flk_setting_crank_angle(p, near) - p->d->axes.angle : 0;
 
-    r->n = 0;
-    for (i = 0; i < n; i++)
-        if (all[i].side == side &&
-            (!IS_SET(near) ||
-             has_angle(&all[i], flk_setting_crank_angle(p, near) - p->d->axes.angle)))
-            r->list[r->n++] = all[i];
+    for (turns = 2, r->n = 0; turns > 0 && !r->n; turns--)
+        for (i = 0; i < n; i++)
+            if (all[i].side == side &&
+                (!IS_SET(near) || has_angle(&all[i], theta2, turns * 2 * M_PI)))
+                r->list[r->n++] = all[i];
 }
 
 /* A value of the coordinate moved by whole turns, if it is an angle outside a stretch, to where the stretch has it; 0 if it
@@ -193,41 +204,43 @@ static const char *list_reach(parser *p, const deck_prescribed *x, const reach *
 static void turn_stretch(parser *p, const deck_prescribed *x, fourlink_branch branch,
                          const double *from, const double *to, flk_stretch *s)
 {
-    double low = from && to ? GSL_MIN(*from, *to) : from ? *from : *to - 2 * M_PI;
+    double turn = fabs(s->to - s->from), way = s->theta2_to - s->theta2_from;
+    double low = from && to ? GSL_MIN(*from, *to) : from ? *from : *to - turn;
     flk_prescribed at = {0, 0, 0};
     fourlink_crank crank;
 
     at.value = low - x->motion.x_at;
     if (flk_coordinate_crank(x->q, &p->d->machine.mechanism, branch, s, &at, &crank) != FOURLINK_OK)
         return;
-    s->theta2_to = crank.theta2 + (s->theta2_to - s->theta2_from);
-    s->theta2_from = crank.theta2;
-    s->from = at.value + (s->side > 0 ? 0 : 2 * M_PI);
-    s->to = at.value + (s->side > 0 ? 2 * M_PI : 0);
+    s->theta2_from = crank.theta2 - (x->q->is_searched && s->side < 0 ? way : 0);
+    s->theta2_to = s->theta2_from + way;
+    s->from = at.value + (s->side > 0 ? 0 : turn);
+    s->to = at.value + (s->side > 0 ? turn : 0);
 }
 
-/* The stretch in which both ends of a range are; null if there is none. */
-static const flk_stretch *find_stretch(parser *p, const deck_prescribed *x, fourlink_branch branch,
-                                       reach *r, const double *from, const double *to)
+/* Keep the stretches in which both ends of a range are. */
+static void keep_stretches(parser *p, const deck_prescribed *x, fourlink_branch branch, reach *r,
+                           const double *from, const double *to, reach *kept)
 {
     double at[2];
     int i;
 
-    for (i = 0; i < r->n; i++) {
+    for (i = 0, kept->n = 0; i < r->n; i++) {
         flk_stretch *s = &r->list[i];
         double width = fabs(s->to - s->from);
+        int is_turn = x->q->is_searched ? flk_coordinate_turns(x->q, s)
+                                        : x->q->is_angle && fabs(width - 2 * M_PI) <= CLOSE * width;
 
-        if (x->program && x->q->is_angle && width >= 2 * M_PI * (1 - CLOSE))
-            return s; /* it turns with the crank, any number of times */
-        if ((from || to) && x->q->is_angle && fabs(width - 2 * M_PI) <= CLOSE * width)
+        if ((from || to) && is_turn && !x->program)
             turn_stretch(p, x, branch, from, to, s);
         at[0] = from ? *from : s->from + x->motion.x_at;
         at[1] = to ? *to : s->to + x->motion.x_at;
-        if (move_into(x, s, &at[0]) && move_into(x, s, &at[1]) &&
-            (!from || !to || fabs((at[1] - at[0]) - (*to - *from)) <= 2 * CLOSE * width))
-            return s;
+        if ((x->program &&
+             flk_coordinate_turns(x->q, s)) || /* with the crank, any number of times */
+            (move_into(x, s, &at[0]) && move_into(x, s, &at[1]) &&
+             (!from || !to || fabs((at[1] - at[0]) - (*to - *from)) <= 2 * CLOSE * width)))
+            kept->list[kept->n++] = *s;
     }
-    return NULL;
 }
 
 /* ------------------------------------------------------------------------------------------------------ range */
@@ -245,28 +258,37 @@ static text_place place_or(parser *p, const setting *s)
     return IS_SET(s) ? s->place : flk_setting_find(p, KEY_MOTION_INPUT)->place;
 }
 
+/* Add the crank angles of the stretches on a side to a message. */
+static void list_crank_angles(parser *p, const flk_stretch *list, int n, int side,
+                              char why[MESSAGE_SIZE])
+{
+    const deck_unit *u = &p->d->units[QUANTITY_ANGLE];
+    int listed = 0, i;
+    size_t length;
+
+    for (i = 0; i < n && listed < 4; i++) {
+        length = strlen(why);
+        if (list[i].side == side)
+            flk_message(why + length, MESSAGE_SIZE - length, "%s from %.5g to %.5g %s",
+                        listed++ ? "," : "",
+                        flk_unit_from_si(list[i].theta2_from + p->d->axes.angle, u->unit),
+                        flk_unit_from_si(list[i].theta2_to + p->d->axes.angle, u->unit), u->name);
+    }
+    if (!listed)
+        strcat(why, " nowhere");
+}
+
 /* Say at which crank angles there are stretches of the side, as none is at `near`. */
 static void tell_near(parser *p, const deck_prescribed *x, fourlink_branch branch,
                       char why[MESSAGE_SIZE])
 {
     flk_stretch all[FLK_STRETCHES];
-    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i, listed = 0;
-    const deck_unit *u = &p->d->units[QUANTITY_ANGLE];
-    size_t length;
+    int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all);
 
     flk_message(why, MESSAGE_SIZE,
                 "'near' is no crank angle at which %s is %s on the %s branch: it is", x->q->words,
                 fourlink_input_side_text(x->side), fourlink_branch_text((int)branch));
-    for (i = 0; i < n && listed < 4; i++) {
-        length = strlen(why);
-        if (all[i].side == x->side)
-            flk_message(why + length, MESSAGE_SIZE - length, "%s from %.5g to %.5g %s",
-                        listed++ ? "," : "",
-                        flk_unit_from_si(all[i].theta2_from + p->d->axes.angle, u->unit),
-                        flk_unit_from_si(all[i].theta2_to + p->d->axes.angle, u->unit), u->name);
-    }
-    if (!listed)
-        strcat(why, " nowhere");
+    list_crank_angles(p, all, n, x->side, why);
 }
 
 /* Say when a program leaves the stretch in which it begins; 0 if it begins in none. */
@@ -308,9 +330,8 @@ static int choose_on_side(parser *p, deck_prescribed *x, fourlink_branch branch,
                           char why[MESSAGE_SIZE])
 {
     const double *from = place_of(p, KEY_MOTION_FROM), *to = place_of(p, KEY_MOTION_TO);
-    const flk_stretch *found;
     char ranges[MESSAGE_SIZE];
-    reach r;
+    reach r, found;
 
     if (x->program) {
         from = &x->motion.from;
@@ -331,14 +352,21 @@ static int choose_on_side(parser *p, deck_prescribed *x, fourlink_branch branch,
             fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges));
         return 0;
     }
-    found = find_stretch(p, x, branch, &r, from, to);
-    if (found)
-        *DECK_STRETCH(x, branch, side) = *found;
-    else if (!tell_end(p, x, branch, &r, why))
+    keep_stretches(p, x, branch, &r, from, to, &found);
+    if (found.n > 1) {
+        flk_message(why, MESSAGE_SIZE,
+                    "on the %s branch, %s is there at several crank angles where it is %s: give "
+                    "'near', one between these limits:",
+                    fourlink_branch_text((int)branch), x->q->words, fourlink_input_side_text(side));
+        list_crank_angles(p, found.list, found.n, side, why);
+    } else if (found.n) {
+        *DECK_STRETCH(x, branch, side) = found.list[0];
+    } else if (!tell_end(p, x, branch, &r, why)) {
         flk_message(why, MESSAGE_SIZE, "on the %s branch, %s reaches %s where it is %s",
                     fourlink_branch_text((int)branch), x->q->words, list_reach(p, x, &r, ranges),
                     fourlink_input_side_text(side));
-    return found != NULL;
+    }
+    return found.n == 1;
 }
 
 static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char why[MESSAGE_SIZE])
@@ -395,13 +423,42 @@ static void check_drawn(parser *p, const deck_prescribed *x, const setting *s)
                     x->q->words);
 }
 
-/* 1 if the values of two stretches are the same. */
-static int is_same_range(const flk_stretch *s, const flk_stretch *other)
+/* rad, by how many whole turns a stretch of an angle is before a value amid a range; 0 of a length. */
+static double turns_before(const deck_prescribed *x, const flk_stretch *s, double middle)
+{
+    return x->q->is_angle ? 2 * M_PI * flk_cycle_nearest(middle - 0.5 * (s->from + s->to), 2 * M_PI)
+                          : 0;
+}
+
+/* 1 if the values of two stretches are the same, less whole turns. */
+static int is_same_range(const deck_prescribed *x, const flk_stretch *s, const flk_stretch *other)
 {
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
+    double turns = turns_before(x, other, 0.5 * (low + high));
 
-    return fabs(GSL_MIN(other->from, other->to) - low) <= CLOSE * (high - low) &&
-           fabs(GSL_MAX(other->from, other->to) - high) <= CLOSE * (high - low);
+    return fabs(GSL_MIN(other->from, other->to) + turns - low) <= CLOSE * (high - low) &&
+           fabs(GSL_MAX(other->from, other->to) + turns - high) <= CLOSE * (high - low);
+}
+
+/* Let the stretches of an angle that swings, of all branches and sides, be in the turn of the rows. */
+static void align_stretches(deck_prescribed *x)
+{
+    double middle = 0.5 * (x->motion.from + x->motion.to) - x->motion.x_at, turns;
+    int i, k;
+
+    for (i = 0; i < 4; i++) {
+        flk_stretch *s = &x->stretch[i / 2][i % 2];
+
+        if (!x->q->is_searched || s->is_whole || s->from == s->to)
+            continue;
+        turns = middle < GSL_MIN(s->from, s->to) || middle > GSL_MAX(s->from, s->to)
+                    ? turns_before(x, s, middle)
+                    : 0;
+        s->from += turns;
+        s->to += turns;
+        for (k = 0; k <= FLK_STRETCH_PARTS; k++)
+            s->node[k].value += turns;
+    }
 }
 
 /* The rows: without `from` and `to`, from end to end of the stretch, in the sense of the speed. */
@@ -419,12 +476,13 @@ static void build_range(parser *p, deck_prescribed *x, fourlink_branch branch)
     fourlink_range range;
     int status;
 
-    if (x->has_both && !(IS_SET(from) && IS_SET(to)) && !is_same_range(s, falling))
+    if (x->has_both && !(IS_SET(from) && IS_SET(to)) && !is_same_range(x, s, falling))
         flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_SIDE)->place,
                     "%s reaches different ranges where it is rising and where it is falling: give "
                     "'from' and 'to', or one side",
                     x->q->words);
-    if (p->d->open && p->d->crossed && !(IS_SET(from) && IS_SET(to)) && !is_same_range(s, other)) {
+    if (p->d->open && p->d->crossed && !(IS_SET(from) && IS_SET(to)) &&
+        !is_same_range(x, s, other)) {
         if (IS_SET(flk_setting_find(p, KEY_TABLE_BRANCH)))
             flk_mistake(p->mistakes, flk_setting_find(p, KEY_TABLE_BRANCH)->place,
                         "the branches reach different ranges of %s: give 'from' and 'to', or one "
@@ -456,7 +514,7 @@ static void choose_by_crank(const parser *p, deck_prescribed *x, fourlink_branch
     int n = flk_coordinate_stretches(x->q, &p->d->machine.mechanism, branch, all), i;
 
     for (i = 0; i < n; i++)
-        if (i == 0 || has_angle(&all[i], x->theta2))
+        if (i == 0 || has_angle(&all[i], x->theta2, 2 * M_PI))
             *DECK_STRETCH(x, branch, FOURLINK_RISING) = *DECK_STRETCH(x, branch, FOURLINK_FALLING) =
                 all[i];
 }
@@ -479,6 +537,26 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
     }
 }
 
+/* The value of an angle that swings through more than a turn, in the turn that it is in near a crank angle. */
+static double value_near(parser *p, const deck_prescribed *x, fourlink_branch branch, double value)
+{
+    const setting *near = flk_setting_find(p, KEY_MOTION_NEAR);
+    const flk_stretch *s = DECK_STRETCH(x, branch, x->side);
+    double theta2, at, moved;
+
+    if (!IS_SET(near) || !x->q->is_searched || !x->q->is_angle)
+        return value;
+    theta2 = flk_cycle_place(flk_setting_crank_angle(p, near) - p->d->axes.angle, s->theta2_from,
+                             2 * M_PI);
+    at = flk_coordinate_in_turn(
+        x->q, s, theta2, flk_coordinate_value(x->q, &p->d->machine.mechanism, branch, theta2));
+    moved = value + 2 * M_PI * flk_cycle_nearest(at + x->motion.x_at - value, 2 * M_PI);
+    return moved - x->motion.x_at < GSL_MIN(s->from, s->to) ||
+                   moved - x->motion.x_at > GSL_MAX(s->from, s->to)
+               ? value
+               : moved;
+}
+
 /* Between which values a program goes. */
 static void build_limits(deck_prescribed *x)
 {
@@ -499,7 +577,7 @@ void flk_build_prescribed(parser *p)
     fourlink_branch branch;
     deck_prescribed *x;
 
-    if (!input->word || flk_mistakes_count(p->mistakes))
+    if (!input->word || p->out_of_memory || flk_mistakes_count(p->mistakes))
         return;
     x = flk_reader_keep(p, sizeof *x);
     if (!x)
@@ -530,13 +608,14 @@ void flk_build_prescribed(parser *p)
         branch = choose_branches(p, x);
         if (flk_mistakes_count(p->mistakes))
             return;
-        if (x->program)
-            move_into(x, DECK_STRETCH(x, branch, x->side), &x->motion.from);
-        else if (!IS_SET(at))
+        if (!x->program && !IS_SET(at))
             build_range(p, x, branch);
         else
             move_into(x, DECK_STRETCH(x, branch, x->side), &x->motion.from);
+        if (IS_SET(at))
+            x->motion.from = value_near(p, x, branch, x->motion.from);
         x->motion.to = IS_SET(at) || x->program ? x->motion.from : x->motion.to;
+        align_stretches(x);
         x->theta2 = DECK_STRETCH(x, branch, x->side)->theta2_from;
     }
     crank->from = (x->theta2 + crank->x_at) / crank->angle_unit;

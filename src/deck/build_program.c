@@ -14,6 +14,7 @@
 #include "parser.h"
 #include "pieces.h"
 #include "settings.h"
+#include "values.h"
 
 #define STEPS 60 /* rows of a program, less one, without a time_step */
 
@@ -316,13 +317,6 @@ static void build_rows(parser *p, const flk_program *x)
                     duration / mode->time_step);
 }
 
-/* 1 if what is prescribed is an angle, as the crank angle. */
-static int is_angle(const setting *input)
-{
-    return !input->word ||
-           (input->word != FLK_ACTUATOR_INPUT && flk_coordinates[input->word - 1].is_angle);
-}
-
 int flk_build_program(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_MOTION_PROGRAM),
@@ -345,7 +339,7 @@ int flk_build_program(parser *p)
     if (!program)
         return 1;
     program->is_of_speed = flk_setting_find(p, KEY_MOTION_PROGRAM_OF)->word;
-    program->is_angle = is_angle(input);
+    program->is_angle = !input->word || flk_input_is_angle(input);
     program->from = flk_setting_or(p, KEY_MOTION_FROM, 0) - (program->is_angle ? motion->x_at : 0);
     if (!read_program(p, s, program))
         return 1;

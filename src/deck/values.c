@@ -15,12 +15,36 @@
 #include "values.h"
 #include "vector.h"
 
-/* NAME.length, which [motion] input can be. */
-static int is_length_of_actuator(text value)
+/* NAME.length of an actuator, NAME.x or NAME.theta of an output, which [motion] input can be. */
+static int is_named_input(text value)
 {
     text name, of;
 
-    return flk_text_cut_last(value, ".", &name, &of) && name.length && flk_text_equal(of, "length");
+    return flk_text_cut_last(value, ".", &name, &of) && name.length &&
+           (flk_text_equal(of, "length") || flk_text_equal(of, "x") || flk_text_equal(of, "theta"));
+}
+
+int flk_input_is_angle(const setting *input)
+{
+    const word_info *word = flk_word_find(KEY_MOTION_INPUT, 0, input->value);
+    text name, of;
+
+    if (word)
+        return word->value == 0 || flk_coordinates[word->value - 1].is_angle;
+    return !is_named_input(input->value) ||
+           (flk_text_cut_last(input->value, ".", &name, &of) && flk_text_equal(of, "theta"));
+}
+
+#define NAMED_INPUTS 3
+
+static void add_named_inputs(const char **words)
+{
+    static const char *const named[NAMED_INPUTS + 1] = {"NAME.length", "NAME.x", "NAME.theta",
+                                                        NULL};
+
+    while (*words)
+        words++;
+    memcpy(words, named, sizeof named);
 }
 
 static void read_word(parser *p, key_code key, setting *s)
@@ -28,7 +52,7 @@ static void read_word(parser *p, key_code key, setting *s)
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
     const word_info *word = flk_word_find(key, flk_setting_kind(p), s->value);
     const char *advice = flk_word_advice(key, s->value);
-    const char *listed[MOST_WORDS];
+    const char *listed[MOST_WORDS + NAMED_INPUTS];
     char list[MESSAGE_SIZE];
 
     if (!word && flk_key_table[key].form != FORM_WORD) {
@@ -36,8 +60,8 @@ static void read_word(parser *p, key_code key, setting *s)
         if (s->word)
             return;
     }
-    if (word || (key == KEY_MOTION_INPUT && is_length_of_actuator(s->value))) {
-        s->word = word ? word->value : FLK_ACTUATOR_INPUT;
+    if (word || (key == KEY_MOTION_INPUT && is_named_input(s->value))) {
+        s->word = word ? word->value : FLK_NAMED_INPUT;
         return;
     }
     if (advice) {
@@ -45,6 +69,8 @@ static void read_word(parser *p, key_code key, setting *s)
         return;
     }
     flk_key_words(key, kind ? kind->link : NULL, listed);
+    if (key == KEY_MOTION_INPUT)
+        add_named_inputs(listed);
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
                 flk_text_list(listed, ", ", " or ", list, sizeof list), s->value,
                 flk_word_nearest(key, flk_setting_kind(p), s->value));
@@ -352,11 +378,8 @@ static quantity quantity_of_place(const section_use *use, key_code key, quantity
 static quantity quantity_of_motion(const section_use *use, key_code key)
 {
     const setting *s = flk_setting_of(use, KEY_MOTION_INPUT);
-    const word_info *word = IS_SET(s) ? flk_word_find(KEY_MOTION_INPUT, 0, s->value) : NULL;
-    int is_length = word ? word->value && !flk_coordinates[word->value - 1].is_angle
-                         : IS_SET(s) && is_length_of_actuator(s->value);
 
-    if (!is_length)
+    if (!IS_SET(s) || flk_input_is_angle(s))
         return flk_key_table[key].q;
     switch (key) {
     case KEY_MOTION_FROM:

@@ -35,6 +35,9 @@ int flk_unit_of_value(const deck *d, text value, quantity q, text *name, unit *u
 /* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 
+/* 1 if what [motion] input names is an angle. */
+int flk_input_is_angle(const setting *input);
+
 /* The quantity of a place of the motion that has been read: of an angle if it has no unit. */
 quantity flk_values_quantity_at(const setting *at);
 

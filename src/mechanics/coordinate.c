@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate.c - the coordinates that can be prescribed in place of the crank angle.
+** coordinate.c - the crank by a coordinate that is prescribed.
 **
-** The crank angle that belongs to a value follows in closed form from the kind's record; the rates from the very row
-** at unit speed, so that near a dead position of the crank all errors are those of one position.
+** The crank angle that belongs to a value follows in closed form from the kind's record, or is searched where there is
+** none; the rates from the very row at unit speed, so that near a dead position of the crank all errors are those of one
+** position.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
 
 #include "base/cycle.h"
 #include "base/solve.h"
 #include "base/trig.h"
 #include "coordinate.h"
-#include "mechanism.h"
+#include "group.h"
+#include "kind.h"
 
 #define DEAD 1e-7      /* of the crank's length, or of 1: K below it is 0 */
 #define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
@@ -23,85 +25,8 @@
 #define SAME_END 1e-12 /* of the same: what counts as its end over which pieces go */
 #define AT_END 1e-5 /* at an end K below this is 0: it grows with the root of the way from there */
 #define INSIDE 1e-6 /* rad: what rounding puts beside a stretch, near its ends */
+#define WHOLE 1e-9  /* of a turn: what a stretch of one may lack */
 #define LEAST 1e-12 /* of the same: the length of a stretch */
-
-const flk_coordinate flk_coordinates[FLK_COORDINATES] = {
-    {"theta4", "\316\270\342\202\204", "theta4", 1,
-     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_FOLLOWER, NULL},
-    {"x", "x", "x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_DISPLACEMENT, NULL},
-    {"C.x", "C.x", "C.x", 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, FLK_OF_PIN, NULL},
-    {"slide", "slide", "the slide", 0, FOURLINK_INVERTED_SLIDER_CRANK, FLK_OF_SLIDE, NULL}};
-
-void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk_prescribed *at)
-{
-    const fourlink_link_state *follower = &state->link[FOURLINK_FOLLOWER];
-    flk_actuator_state length = {0, 0, 0, {0, 0}};
-
-    switch (q->what) {
-    case FLK_OF_FOLLOWER:
-        at->value = flk_angle(follower->axis.y, follower->axis.x);
-        at->rate = follower->omega;
-        at->second = follower->alpha;
-        break;
-    case FLK_OF_PIN:
-        at->value = follower->origin.x;
-        at->rate = follower->velocity.x;
-        at->second = follower->acceleration.x;
-        break;
-    case FLK_OF_DISPLACEMENT:
-        at->value = state->x;
-        at->rate = state->v;
-        at->second = state->a;
-        break;
-    case FLK_OF_SLIDE:
-        at->value = state->slide;
-        at->rate = state->slide_v;
-        at->second = state->slide_a;
-        break;
-    default:
-        flk_actuator_at(q->actuator, state, &length);
-        at->value = length.length;
-        at->rate = length.speed;
-        at->second = length.acceleration;
-        break;
-    }
-}
-
-void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourlink_state *state)
-{
-    fourlink_link_state *follower = &state->link[FOURLINK_FOLLOWER];
-    double sense =
-        -(double)state->branch; /* x rises where the pin goes back, but on a crossed branch */
-
-    switch (q->what) {
-    case FLK_OF_FOLLOWER:
-        follower->theta = -flk_cycle_place(-at->value, -M_PI, 2 * M_PI); /* -pi < theta <= pi */
-        follower->omega = at->rate;
-        follower->alpha = at->second;
-        break;
-    case FLK_OF_PIN:
-        follower->origin.x = at->value;
-        follower->velocity.x = at->rate;
-        follower->acceleration.x = at->second;
-        state->v = sense * at->rate;
-        state->a = sense * at->second;
-        break;
-    case FLK_OF_DISPLACEMENT:
-        state->x = at->value;
-        state->v = at->rate;
-        state->a = at->second;
-        follower->velocity.x = sense * at->rate;
-        follower->acceleration.x = sense * at->second;
-        break;
-    case FLK_OF_SLIDE:
-        state->slide = at->value;
-        state->slide_v = at->rate;
-        state->slide_a = at->second;
-        break;
-    default: /* an actuator's length is no part of a state */
-        break;
-    }
-}
 
 /* What counts as 1 of a coordinate or of its rate at unit speed. */
 static double scale_of(const flk_coordinate *q, const fourlink_mechanism *mechanism)
@@ -109,27 +34,12 @@ static double scale_of(const flk_coordinate *q, const fourlink_mechanism *mechan
     return q->is_angle ? 1 : mechanism->design.link[FOURLINK_CRANK].length;
 }
 
-/* The state at unit crank speed, and with it the value, K and L of a coordinate. */
-static int unit_state(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                      fourlink_branch branch, double theta2, flk_prescribed *unit,
-                      fourlink_state *state)
-{
-    fourlink_crank crank = {0, 1, 0};
-    int status;
-
-    crank.theta2 = theta2;
-    status = flk_mechanism_move(mechanism, branch, &crank, 0, state);
-    if (status == FOURLINK_OK)
-        flk_coordinate_of(q, state, unit);
-    return status;
-}
-
 static int at_unit_speed(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                          fourlink_branch branch, double theta2, flk_prescribed *unit)
 {
     fourlink_state state;
 
-    return unit_state(q, mechanism, branch, theta2, unit, &state);
+    return flk_coordinate_unit_state(q, mechanism, branch, theta2, unit, &state);
 }
 
 /* 1 if two values are the same, to rounding. */
@@ -201,11 +111,20 @@ static int is_at_end(const flk_stretch *stretch, double value)
     return fabs(value - stretch->from) <= close || fabs(value - stretch->to) <= close;
 }
 
+int flk_coordinate_turns(const flk_coordinate *q, const flk_stretch *stretch)
+{
+    return q->is_angle &&
+           (q->is_searched ? stretch->is_whole
+                           : fabs(stretch->to - stretch->from) >= 2 * M_PI * (1 - WHOLE));
+}
+
 double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
                               double value)
 {
     double turn = 2 * M_PI, n = floor((theta2 - stretch->theta2_from) / turn);
 
+    if (q->is_searched)
+        return q->is_angle ? flk_search_in_turn(stretch, theta2, value) : value;
     if (!q->is_angle || !(fabs(stretch->to - stretch->from) > turn * (1 + LEAST)))
         return value;
     return flk_cycle_place(value, stretch->from + turn * (stretch->side > 0 ? n : -n - 1), turn);
@@ -231,6 +150,19 @@ static int move_into(const flk_stretch *stretch, double period, double *theta2)
     return *theta2 <= stretch->theta2_to + INSIDE;
 }
 
+/* 1 if the groups that move a coordinate have no position at an end of a stretch: they are in a dead one, beside which
+** rounding may not assemble them. */
+static int is_where_reduced_ends(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                                 fourlink_branch branch, double theta2)
+{
+    fourlink_mechanism reduced;
+    flk_prescribed unit;
+    fourlink_state state;
+
+    flk_search_reduce(q, mechanism, &reduced);
+    return flk_coordinate_unit_state(q, &reduced, branch, theta2, &unit, &state) != FOURLINK_OK;
+}
+
 /* The crank at an end of a stretch, where there may be no row. */
 static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                     fourlink_branch branch, const flk_stretch *stretch, double value,
@@ -239,10 +171,12 @@ static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism
     int is_first = fabs(value - stretch->from) < fabs(value - stretch->to), status;
 
     *theta2 = is_first ? stretch->theta2_from : stretch->theta2_to;
-    status = unit_state(q, mechanism, branch, *theta2, unit, state);
+    status = flk_coordinate_unit_state(q, mechanism, branch, *theta2, unit, state);
     if (status == FOURLINK_OK && fabs(unit->rate) < AT_END * scale_of(q, mechanism))
         unit->rate = 0;
-    return status;
+    return status == FOURLINK_GROUP_APART && is_where_reduced_ends(q, mechanism, branch, *theta2)
+               ? FOURLINK_DEAD_POSITION
+               : status;
 }
 
 /* The crank angle of a value in a stretch of a branch.  Beyond a change point links 3 and 4 are on the side of the other
@@ -257,6 +191,10 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
     int status = FOURLINK_NO_SUCH_ANGLE, tried;
     double list[2], without = GSL_NAN;
 
+    if (q->is_searched)
+        return is_at_end(stretch, value)
+                   ? take_end(q, mechanism, branch, stretch, value, theta2, unit, state)
+                   : flk_search_crank(q, mechanism, branch, stretch, value, theta2, unit, state);
     for (i = 0; i < (can_change ? 2 * turns : 1); i++) {
         n = list_cranks(q, mechanism, branch, (fourlink_branch)(i % 2 ? -(int)branch : (int)branch),
                         stretch->side, value, list);
@@ -264,7 +202,7 @@ static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechani
             *theta2 = list[k] + (i / 2) * 2 * M_PI;
             if (gsl_isnan(*theta2) || !move_into(stretch, turns * 2 * M_PI, theta2))
                 continue;
-            tried = unit_state(q, mechanism, branch, *theta2, unit, state);
+            tried = flk_coordinate_unit_state(q, mechanism, branch, *theta2, unit, state);
             if (tried != FOURLINK_OK) {
                 status = tried;
                 without = *theta2;
@@ -348,21 +286,6 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
     return set_rates(q, mechanism, &unit, at, crank);
 }
 
-double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                            fourlink_branch branch, double theta2)
-{
-    fourlink_state state;
-    flk_prescribed at;
-
-    flk_mechanism_place(mechanism, branch, theta2, &state);
-    state.link[FOURLINK_FOLLOWER].omega = state.link[FOURLINK_FOLLOWER].alpha = 0;
-    memset(&state.link[FOURLINK_FOLLOWER].velocity, 0, sizeof(fourlink_vector));
-    memset(&state.link[FOURLINK_FOLLOWER].acceleration, 0, sizeof(fourlink_vector));
-    state.v = state.a = state.slide_v = state.slide_a = 0;
-    flk_coordinate_of(q, &state, &at);
-    return at.value;
-}
-
 double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                               fourlink_branch branch, const flk_stretch *stretch, double value)
 {
@@ -374,7 +297,7 @@ double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism 
         if (middle <= from || middle >= to)
             return middle;
         at = flk_coordinate_value(q, mechanism, branch, middle);
-        at = q->is_angle ? flk_cycle_place(at, low, 2 * M_PI) : at;
+        at = q->is_angle && !q->is_searched ? flk_cycle_place(at, low, 2 * M_PI) : at;
         at = flk_coordinate_in_turn(q, stretch, middle, at);
         if ((at < value) == (stretch->side > 0))
             from = middle;
@@ -407,6 +330,7 @@ typedef struct rate_search {
     const flk_coordinate *q;
     const fourlink_mechanism *mechanism;
     fourlink_branch branch;
+    double sign; /* of K beside a dip towards 0 */
 } rate_search;
 
 static double rate_at(double theta2, void *data)
@@ -418,7 +342,8 @@ static double rate_at(double theta2, void *data)
                                                                                       : GSL_NAN;
 }
 
-/* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length. */
+/* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length; one that is searched may have no
+** value at an end. */
 static int add_stretch(const rate_search *s, double from, double to, double way, flk_stretch *list,
                        int n)
 {
@@ -431,35 +356,97 @@ static int add_stretch(const rate_search *s, double from, double to, double way,
     x->side = way > 0 ? FOURLINK_RISING : FOURLINK_FALLING;
     x->from = flk_coordinate_value(s->q, s->mechanism, s->branch, from);
     x->to = flk_coordinate_value(s->q, s->mechanism, s->branch, to);
+    x->is_whole = 0;
     if (s->q->is_angle)
         x->to += 2 * M_PI * flk_cycle_nearest(way - (x->to - x->from), 2 * M_PI);
+    if (s->q->is_searched && !gsl_finite(x->to - x->from))
+        return n + 1;
     return fabs(x->to - x->from) > LEAST * scale_of(s->q, s->mechanism) ? n + 1 : n;
+}
+
+/* The stretches of a range as far as it is sampled. */
+typedef struct stretches {
+    rate_search of;
+    flk_stretch *list;
+    int n;
+    double begin, way; /* of the last one, which goes on */
+    flk_sample last;   /* of K, not 0 */
+} stretches;
+
+/* Take the next sample of K: between it and the last one a stretch may end. */
+static void take_sample(stretches *t, const flk_sample *p)
+{
+    if (t->last.value * p->value < 0) {
+        flk_bracket b = flk_bracket_of(t->last.x, p->x, t->last.value, p->value);
+        double zero = flk_find_zero(rate_at, &t->of, &b, 0);
+
+        t->n = add_stretch(&t->of, t->begin, zero, t->way, t->list, t->n);
+        t->begin = zero;
+        t->way = 0;
+    }
+    t->way += p->value * (p->x - t->last.x);
+    if (p->value != 0)
+        t->last.value = p->value;
+    t->last.x = p->x;
+}
+
+static double nearness_at(double theta2, void *data)
+{
+    const rate_search *s = data;
+
+    return -s->sign * rate_at(theta2, data);
+}
+
+#define NEAR 0.5 /* of a sample: a dip that may pass 0 beside it */
+
+/* Where three samples of K of one sign dip towards 0, the lowest place; it may be beyond 0, between two dead centres. */
+static int find_dip(stretches *t, const flk_sample p[3], flk_sample *lowest)
+{
+    double bend = p[0].value - 2 * p[1].value + p[2].value, slope = p[2].value - p[0].value;
+    flk_sample turned[3];
+    int i;
+
+    t->of.sign = p[1].value > 0 ? 1 : -1;
+    if (!(p[0].value * p[1].value > 0 && p[1].value * p[2].value > 0) || !(t->of.sign * bend > 0) ||
+        fabs(p[1].value) > fabs(p[0].value) || fabs(p[1].value) > fabs(p[2].value) ||
+        !(slope * slope / (8 * fabs(bend)) > NEAR * fabs(p[1].value)))
+        return 0;
+    for (i = 0; i < 3; i++) {
+        turned[i].x = p[i].x;
+        turned[i].value = -t->of.sign * p[i].value;
+    }
+    *lowest = flk_find_peak(nearness_at, &t->of, turned, 0);
+    lowest->value *= -t->of.sign;
+    return t->of.sign * lowest->value < 0;
 }
 
 /* The stretches of a range of crank angles, sampled where cosines of equal steps are. */
 static int add_crank_range(const rate_search *s, double from, double to, flk_stretch *list, int n)
 {
-    double begin = from, last = 0, before = from, way = 0, x, rate;
+    flk_sample p[3], lowest;
+    stretches t;
     int i;
 
+    t.of = *s;
+    t.list = list;
+    t.n = n;
+    t.begin = t.last.x = from;
+    t.way = t.last.value = 0;
+    p[0].value = p[1].value = 0;
     for (i = 0; i < SAMPLES; i++) {
-        x = from + 0.5 * (to - from) * (1 - flk_cosine(M_PI * (i + 0.5) / SAMPLES));
-        rate = rate_at(x, (void *)s);
-        if (gsl_isnan(rate))
+        p[2].x = from + 0.5 * (to - from) * (1 - flk_cosine(M_PI * (i + 0.5) / SAMPLES));
+        p[2].value = rate_at(p[2].x, &t.of);
+        if (gsl_isnan(p[2].value))
             continue;
-        if (last * rate < 0) {
-            flk_bracket b = flk_bracket_of(before, x, last, rate);
-            double zero = flk_find_zero(rate_at, (void *)s, &b, 0);
-
-            n = add_stretch(s, begin, zero, way, list, n);
-            begin = zero;
-            way = 0;
+        if (find_dip(&t, p, &lowest)) {
+            t.last = p[0];
+            take_sample(&t, &lowest);
         }
-        way += rate * (x - before);
-        last = rate == 0 ? last : rate;
-        before = x;
+        take_sample(&t, &p[2]);
+        p[0] = p[1];
+        p[1] = p[2];
     }
-    return add_stretch(s, begin, to, way, list, n);
+    return add_stretch(&t.of, t.begin, to, t.way, list, t.n);
 }
 
 /* Join the last stretch of a turn to the first, which it continues. */
@@ -480,28 +467,64 @@ static int join_ends(const flk_coordinate *q, double turn, flk_stretch *list, in
     return n - 1;
 }
 
+/* The stretches of a range of crank angles, which groups that move the coordinate may end and begin again. */
+static int add_range(const rate_search *s, double from, double to, int is_turn, flk_stretch *list,
+                     int n)
+{
+    double ends[FLK_GROUPS_ENDS], turn = to - from, begin;
+    size_t n_ends = 0, i;
+    int first = n;
+
+    if (s->mechanism->design.n_groups)
+        n_ends = flk_groups_ends(s->mechanism, s->branch, is_turn ? turn : 2 * M_PI, ends,
+                                 FLK_GROUPS_ENDS);
+    if (is_turn && n_ends) {
+        to = ends[0] + turn;
+        from = ends[0];
+    }
+    for (i = 0; i < n_ends; i++)
+        ends[i] = flk_cycle_place(ends[i], from, is_turn ? turn : 2 * M_PI);
+    gsl_sort(ends, 1, n_ends);
+    for (i = 0, begin = from; i <= n_ends; i++) {
+        double end = i < n_ends ? ends[i] : to;
+
+        if (end > begin && end <= to) {
+            n = add_crank_range(s, begin, end, list, n);
+            begin = end;
+        }
+    }
+    if (is_turn && !n_ends) {
+        n = first + join_ends(s->q, turn, list + first, n - first);
+        if (n == first + 1)
+            list[first].is_whole =
+                list[first].theta2_to - list[first].theta2_from >= turn * (1 - WHOLE);
+    }
+    return n;
+}
+
 int flk_coordinate_stretches(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                              fourlink_branch branch, flk_stretch list[FLK_STRETCHES])
 {
     double turn = mechanism->change_stretched != mechanism->change_folded ? 4 * M_PI : 2 * M_PI;
-    fourlink_mechanism four = *mechanism;
+    fourlink_mechanism reduced;
     fourlink_reach reach;
     rate_search s;
     int i, n = 0;
 
-    four.design.n_groups = 0; /* rows where an output cannot be assembled are told, as of a crank */
+    flk_search_reduce(q, mechanism, &reduced); /* rows where another output cannot be assembled are
+                                                  told, as of a crank */
     s.q = q;
-    s.mechanism = &four;
+    s.mechanism = &reduced;
     s.branch = branch;
     if (fourlink_reach_of(mechanism, &reach) != FOURLINK_OK)
         return 0;
     for (i = 0; i < reach.n_ranges; i++) {
-        int is_full = reach.to[i] - reach.from[i] >= 2 * M_PI * (1 - 1e-15);
+        int is_turn = reach.to[i] - reach.from[i] >= 2 * M_PI * (1 - 1e-15);
 
-        n = add_crank_range(&s, reach.from[i], is_full ? reach.from[i] + turn : reach.to[i], list,
-                            n);
-        if (is_full)
-            n = join_ends(q, turn, list, n);
+        n = add_range(&s, reach.from[i], is_turn ? reach.from[i] + turn : reach.to[i], is_turn,
+                      list, n);
     }
+    for (i = 0; i < n && q->is_searched; i++)
+        flk_search_prepare(q, &reduced, branch, &list[i]);
     return n;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate.h - the coordinates that can be prescribed in place of the crank angle: rocker or lever, piston or
-** yoke, slide.
+** coordinate.h - the crank by a coordinate that is prescribed: rocker or lever, piston or yoke, slide; slider or rocker of a
+** group; the length of an actuator.
 **
 ** A coordinate q that is prescribed gives the crank:
 **
@@ -12,46 +12,7 @@
 #ifndef FOURLINK_COORDINATE_H
 #define FOURLINK_COORDINATE_H
 
-#include "drive.h"
-#include "fourlink.h"
-
-/* What kinds ask of a coordinate: kind.h, theta2_of. */
-enum { FLK_OF_FOLLOWER, FLK_OF_DISPLACEMENT, FLK_OF_PIN, FLK_OF_SLIDE, FLK_OF_ACTUATOR };
-
-typedef struct flk_coordinate {
-    const char *name, *symbol; /* in a deck; in UTF-8 */
-    const char *words;         /* in a sentence */
-    int is_angle;              /* 1: rad; 0: m */
-    int kinds;                 /* that have it */
-    int what;                  /* FLK_OF_FOLLOWER ... */
-    const flk_actuator *
-        actuator; /* FLK_OF_ACTUATOR: its length; it joins the ground to the crank, or to a link 4 that
-                                     turns */
-} flk_coordinate;
-
-/* By the word of [motion] input, from 1; 0 is the crank angle, and the word after these the length of an actuator. */
-#define FLK_COORDINATES 4
-#define FLK_ACTUATOR_INPUT (FLK_COORDINATES + 1)
-extern const flk_coordinate flk_coordinates[FLK_COORDINATES];
-
-/* A value, its rate and its second rate, rad or m. */
-typedef struct flk_prescribed {
-    double value, rate, second;
-} flk_prescribed;
-
-/* A coordinate in a state. */
-void flk_coordinate_of(const flk_coordinate *q, const fourlink_state *state, flk_prescribed *at);
-
-/* Set a coordinate of a state, an angle less whole turns.  Nothing else of the state changes. */
-void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourlink_state *state);
-
-/* A stretch between two neighbouring dead centres of the coordinate, or dead positions of the mechanism, or a
-** whole turn without any. */
-typedef struct flk_stretch {
-    double theta2_from, theta2_to; /* rad, increasing */
-    double from, to; /* of the coordinate; continuous, so that an angle may pass 180 deg */
-    int side;
-} flk_stretch;
+#include "coordinate_search.h"
 
 /* The crank where a coordinate is as prescribed, on a branch and in a stretch.  FOURLINK_OK; FOURLINK_NO_SUCH_ANGLE;
 ** FOURLINK_INPUT_DEAD_CENTRE, with theta2 set; or the status of the position. */
@@ -78,13 +39,11 @@ int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mecha
 int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);
 
-/* The value where a crank angle is, also at a dead position, a change point, or where an output cannot be assembled; an angle
-** is that of the principal turn. */
-double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                            fourlink_branch branch, double theta2);
+/* 1 if a coordinate is an angle that goes on turning as the crank does. */
+int flk_coordinate_turns(const flk_coordinate *q, const flk_stretch *stretch);
 
-/* A value moved by whole turns to what it is at a crank angle of a stretch of more than one turn, over which crank and link 4
-** turn alike; else the value. */
+/* A value moved by whole turns to what it is at a crank angle of a stretch: of one of more than one turn, over which crank and
+** link 4 turn alike; of any where it is searched; else the value. */
 double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
                               double value);
 
@@ -92,7 +51,7 @@ double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretc
 double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                               fourlink_branch branch, const flk_stretch *stretch, double value);
 
-/* The same by the closed form, where there is one, and at the ends of the stretch themselves. */
+/* The same by the closed form or the search, where there is one, and at the ends of the stretch themselves. */
 double flk_coordinate_theta2(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                              fourlink_branch branch, const flk_stretch *stretch, double value);
 

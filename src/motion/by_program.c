@@ -52,7 +52,7 @@ static double into_stretch(const deck_prescribed *x, const flk_stretch *s, doubl
                            double *beyond)
 {
     double low = GSL_MIN(s->from, s->to), width = fabs(s->to - s->from), close = CLOSE * width;
-    int is_full = x->q->is_angle && width >= 2 * M_PI * (1 - CLOSE);
+    int is_full = flk_coordinate_turns(x->q, s);
     double turn = is_full ? width : 2 * M_PI, n = floor((value - low + close) / turn);
 
     *beyond = 0;

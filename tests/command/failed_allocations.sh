@@ -131,7 +131,7 @@ each() {
 # Decks are one folder up from where the program works.
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" \
     "$data/watt-six-bar.deck" "$data/shaper-by-slot.deck" \
-    "$data/slide-by-trapezoids.deck" .
+    "$data/slide-by-trapezoids.deck" "$data/steering-on-a-rack.deck" "$data/dump-body.deck" .
 for deck in springs steady motor free lever; do cp "$decks/../fuzz/decks/$deck.deck" "$deck.deck"; done
 sed 's/^indicator.*/indicator = file card.csv deg bar\nclearance = 8 %/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
@@ -179,6 +179,8 @@ all 0 -f csv -S -o result $few ../shaper-by-slot.deck
 all 0 --plot=x.svg $few ../shaper-by-slot.deck
 all 0 -f csv -o result ../slide-by-trapezoids.deck
 all 0 -S -o result ../ram.deck
+all 0 -f csv -o result ../steering-on-a-rack.deck
+all 0 -f csv -o result ../dump-body.deck
 all 0 --check -o result ../slide-by-trapezoids.deck
 all 0 --plot=x.svg ../slide-by-trapezoids.deck
 for format in table csv json; do
