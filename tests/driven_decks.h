@@ -15,21 +15,6 @@
     "friction_D friction_guide friction_slot Fsx "                                             \
     "Fsy Ms "
 
-static const char *const link_names[][3] = {{"crank", "coupler", "rocker"},
-                                            {"crank", "rod", "piston"},
-                                            {"crank", "slider", "lever"},
-                                            {"crank", "slider", "yoke"}};
-
-static const char *link_of(int i)
-{
-    int k = kind == FOURLINK_FOUR_BAR                ? 0
-            : kind == FOURLINK_SLIDER_CRANK          ? 1
-            : kind == FOURLINK_INVERTED_SLIDER_CRANK ? 2
-                                                     : 3;
-
-    return i == 1 ? "ground" : link_names[k][i - 2];
-}
-
 /* A drive that is tried: of a link, along the slide, an actuator, a load of unknown size. */
 static char drive_lines[600], load_lines[900], drive_name[20];
 static int driven_ends[2];

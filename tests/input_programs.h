@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** input_programs.h - random machines whose piston, yoke, rocker, lever, slide or cylinder goes by a random program over time.
+** input_programs.h - random machines whose piston, yoke, rocker, lever, slide or cylinder goes by a random program over time;
+** or an output, or the length of an actuator between any two links, for which there is no closed form.
 **
 ** The range of the input is asked for first; then the program goes between values of it, some of them its ends, where the
 ** input is at its dead centre.
@@ -9,7 +10,7 @@
 #define INPUT_PROGRAMS_H
 
 #include "fourlink.h"
-#include "random_parts.h"
+#include "random_outputs.h"
 
 typedef struct input_choice {
     const char *name, *value, *rate, *second; /* columns */
@@ -28,12 +29,57 @@ static const input_choice inputs[] = {
     {"ram.length", "ram.length", "ram.speed", "ram.acceleration", "m", "ram",
      1 << A_FOUR_BAR | 1 << A_SLIDER_CRANK | 1 << AN_INVERTED | 1 << A_YOKE}};
 
+static int is_searched; /* 1: an output or the length of an actuator between any links */
+
+static const input_choice searched[] = {
+    {"P.x", "P.x", "P.v", "P.a", "m", "P", 0},
+    {"P.theta", "P.theta", "P.omega", "P.alpha", "rad", "P", 0},
+    {"Q.x", "Q.x", "Q.v", "Q.a", "m", "Q", 0},
+    {"Q.theta", "Q.theta", "Q.omega", "Q.alpha", "rad", "Q", 0},
+    {"ram.length", "ram.length", "ram.speed", "ram.acceleration", "m", "ram", 0}};
+
 static const input_choice *input;
 static double input_from, input_to; /* its range, rad or m */
 static int input_is_whole;          /* 1: its program may go to the ends of the range */
 static int is_by_crank;             /* 1: the crank drives all the same */
 static const char *input_side, *input_branch;
 static double input_near; /* deg, where the input has several ranges; else NaN */
+
+/* 1 if an output slides on a line. */
+static int slides_of(const char *header)
+{
+    const char *at, *end, *line;
+
+    deck_text[length] = '\0';
+    at = strstr(deck_text, header);
+    end = strstr(at + 1, "\n[");
+    line = strstr(at, "\nline = ");
+    return line && (!end || line < end);
+}
+
+/* Write up to two outputs, and choose one of them or an actuator, on any links. */
+static void choose_searched(void)
+{
+    int outputs = one_of(3), is_second = outputs == 2 && seldom(0.7), other, i;
+
+    memset(has_slot, 0, sizeof has_slot);
+    with_slots = seldom(0.5);
+    for (i = 0; i < outputs; i++)
+        write_output(i);
+    if (!outputs || seldom(0.4)) {
+        input = &searched[4];
+        write("[actuator ram]\n");
+        other = write_any_link("link", outputs, -1);
+        write("at = (%.6g, %.6g) mm\n", between(-100, 300), between(-200, 200));
+        if (seldom(0.4))
+            write("to = ground\n");
+        else
+            write_any_link("to", outputs, other);
+        write("to_at = (%.6g, %.6g) mm\n", between(-300, 300), between(-300, 300));
+        return;
+    }
+    input = &searched[2 * is_second + !slides_of(is_second ? "[output Q]" : "[output P]")];
+}
 
 /* The machine without a motion. */
 static void make_input_machine(long number)
@@ -44,14 +90,18 @@ static void make_input_machine(long number)
                  AN_INSTANT);
     deck_text[length] = '\0';
     length = (size_t)(strstr(deck_text, "[motion]") - deck_text);
-    do
-        i = one_of((int)(sizeof inputs / sizeof inputs[0]));
-    while (!(inputs[i].machines & 1 << machine));
-    input = &inputs[i];
+    if (is_searched) {
+        choose_searched();
+    } else {
+        do
+            i = one_of((int)(sizeof inputs / sizeof inputs[0]));
+        while (!(inputs[i].machines & 1 << machine));
+        input = &inputs[i];
+    }
     input_side = seldom(0.5) ? "rising" : "falling";
     input_branch = machine == A_YOKE || seldom(0.5) ? "open" : "crossed";
     is_by_crank = seldom(0.4);
-    if (strcmp(input->drive, "ram") == 0)
+    if (strcmp(input->drive, "ram") == 0 && !is_searched)
         write("[actuator ram]\nlink = crank\nat = (%.6g, %.6g) mm\nto = ground\n"
               "to_at = (%.6g, %.6g) mm\n",
               between(50, 500), between(-200, 200), between(-500, 500), between(-900, -100));

@@ -14,14 +14,16 @@
 typedef struct coordinate {
     const char *name, *value, *rate, *second; /* columns */
     int is_angle, is_pin, kinds;
+    int group; /* from 1, of an output; 0: it is none */
+    int is_strut;
 } coordinate;
 
 static const coordinate coordinates[] = {
     {"theta4", "theta4", "omega4", "alpha4", 1, 0,
-     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK},
-    {"x", "x", "v", "a", 0, 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE},
-    {"C.x", "x", "v", "a", 0, 1, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE},
-    {"slide", "slide", "slide_v", "slide_a", 0, 0, FOURLINK_INVERTED_SLIDER_CRANK}};
+     FOURLINK_FOUR_BAR | FOURLINK_INVERTED_SLIDER_CRANK, 0, 0},
+    {"x", "x", "v", "a", 0, 0, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, 0, 0},
+    {"C.x", "x", "v", "a", 0, 1, FOURLINK_SLIDER_CRANK | FOURLINK_SCOTCH_YOKE, 0, 0},
+    {"slide", "slide", "slide_v", "slide_a", 0, 0, FOURLINK_INVERTED_SLIDER_CRANK, 0, 0}};
 
 #define N_COORDINATES (int)(sizeof coordinates / sizeof coordinates[0])
 
@@ -89,7 +91,90 @@ static void prescribe(const coordinate *q, const fourlink_problem *problem, cons
     snprintf(value, sizeof value, "%.17g %s", way * a, units[2]);
     set_line(&changed, KEY_MOTION_ACCELERATION, value);
     set_line(&changed, KEY_TABLE_BRANCH, branch == FOURLINK_OPEN ? "open" : "crossed");
+    snprintf(value, sizeof value, "%.17g deg", instant);
+    if (strchr(q->name, '.') && !q->is_pin)
+        set_line(&changed, KEY_MOTION_NEAR, value); /* it may be there at several angles */
     write_lines(&changed, changed_text, sizeof changed_text);
+}
+
+/* ---------------------------------------------------------------------------------------- an actuator between any links */
+
+static const char *const link_names[][3] = {{"crank", "coupler", "rocker"},
+                                            {"crank", "rod", "piston"},
+                                            {"crank", "slider", "lever"},
+                                            {"crank", "slider", "yoke"}};
+
+static const char *link_of(int i)
+{
+    int k = kind == FOURLINK_FOUR_BAR                ? 0
+            : kind == FOURLINK_SLIDER_CRANK          ? 1
+            : kind == FOURLINK_INVERTED_SLIDER_CRANK ? 2
+                                                     : 3;
+
+    return i == 1 ? "ground" : link_names[k][i - 2];
+}
+
+static int strut_ends[2];
+static fourlink_vector strut_points[2];
+
+/* The name of an end, of an output too; its number is that of the link. */
+static void draw_end(const fourlink_design *design, int i, char name[60])
+{
+    int last = FOURLINK_LAST_LINK(design), k, groups = 0;
+
+    do
+        strut_ends[i] = 1 + one_of(last);
+    while ((i && strut_ends[1] == strut_ends[0]) ||
+           (strut_ends[i] > 4 && strut_ends[i] % 2 == 1 &&
+            design->group[(strut_ends[i] - 5) / 2].hang != FOURLINK_HANGS_BY_ROD));
+    strut_points[i].x = design->link[2].length * between(-3, 3);
+    strut_points[i].y = design->link[2].length * between(-3, 3);
+    if (strut_ends[i] <= 4)
+        snprintf(name, 60, "%s", link_of(strut_ends[i]));
+    for (k = 0; k < base.n && strut_ends[i] > 4; k++) {
+        const char *header = base.block[k].header, *of = strchr(header, ' ');
+
+        if (base.block[k].section == SECTION_OUTPUT && groups++ == (strut_ends[i] - 5) / 2)
+            snprintf(name, 60, "%.*s%s", (int)strcspn(of + 1, "]"), of + 1,
+                     strut_ends[i] % 2 ? ".rod" : "");
+    }
+}
+
+/* Add an actuator that does not drive to the deck. */
+static void add_strut(const fourlink_problem *p)
+{
+    char names[2][60], text_of[500];
+    deck_block *b;
+    int i;
+
+    for (i = 0; i < 2; i++)
+        draw_end(&p->mechanism.design, i, names[i]);
+    set_line(&base, KEY_MOTION_DRIVE, "crank");
+    b = add_block(&base, "[actuator Strut]");
+    add_line(b, "link", names[0]);
+    add_line(b, "to", names[1]);
+    for (i = 0; i < 2; i++) {
+        snprintf(text_of, sizeof text_of, "(%.17g, %.17g) m", strut_points[i].x, strut_points[i].y);
+        add_line(b, i ? "to_at" : "at", text_of);
+    }
+    write_lines(&base, base_text, sizeof base_text);
+}
+
+/* The outputs that move it, and those before them. */
+static int groups_of_strut(void)
+{
+    int last = strut_ends[0] > strut_ends[1] ? strut_ends[0] : strut_ends[1];
+
+    return last > 4 ? (last - 5) / 2 + 1 : 0;
+}
+
+/* An end of it, and its velocity. */
+static void strut_end(const fourlink_state *at, int i, fourlink_vector *place, fourlink_vector *v)
+{
+    memset(v, 0, sizeof *v);
+    *place = strut_points[i];
+    if (strut_ends[i] > 1)
+        fourlink_point(at, strut_ends[i], &strut_points[i], place, v, NULL);
 }
 
 /* ------------------------------------------------------------------------------------- a walk of the crank */
@@ -104,6 +189,26 @@ static int walk_at(const coordinate *q, const fourlink_problem *p, fourlink_bran
     crank.theta2 = theta2;
     if (fourlink_analyse_dyad(&p->mechanism, branch, &crank, NULL, 0, &at, NULL) != FOURLINK_OK)
         return 0;
+    if (q->is_strut) {
+        fourlink_vector P[2], v[2];
+
+        strut_end(&at, 0, &P[0], &v[0]);
+        strut_end(&at, 1, &P[1], &v[1]);
+        *x = hypot(P[0].x - P[1].x, P[0].y - P[1].y);
+        *K = ((P[0].x - P[1].x) * (v[0].x - v[1].x) + (P[0].y - P[1].y) * (v[0].y - v[1].y)) / *x;
+        return 1;
+    }
+    if (q->group) {
+        const fourlink_group *g = &p->mechanism.design.group[q->group - 1];
+        const fourlink_link_state *end = &at.link[FOURLINK_END_OF(q->group - 1)];
+
+        *x = q->is_angle ? end->theta + p->x_angle
+                         : g->direction.x * (end->origin.x - g->pivot.x) +
+                               g->direction.y * (end->origin.y - g->pivot.y);
+        *K = q->is_angle ? end->omega
+                         : g->direction.x * end->velocity.x + g->direction.y * end->velocity.y;
+        return 1;
+    }
     *x = q->is_angle                              ? at.link[4].theta + p->x_angle
          : q->is_pin                              ? at.link[4].origin.x
          : kind == FOURLINK_INVERTED_SLIDER_CRANK ? at.slide
@@ -115,7 +220,8 @@ static int walk_at(const coordinate *q, const fourlink_problem *p, fourlink_bran
     return 1;
 }
 
-#define STEP 1e-3 /* rad, of the walk */
+#define STEP 1e-3   /* rad, of the walk */
+#define FAR_AWAY 50 /* of the crank */
 
 /* The last value before K changes its sign or the position ends, walking from a crank angle; the walk ends with ever
 ** smaller steps. */
@@ -129,7 +235,8 @@ static double walk(const coordinate *q, const fourlink_problem *p, fourlink_bran
     last = x;
     for (*travel = 0; step > 1e-14 && fabs(*travel) < 4 * PI;) {
         before = x;
-        if (walk_at(q, p, branch, theta2 + *travel + way * step, &x, &K) && K * first > 0) {
+        if (walk_at(q, p, branch, theta2 + *travel + way * step, &x, &K) && K * first > 0 &&
+            (q->is_angle || (x - before) * first * way > 0)) { /* not beyond all bounds */
             *travel += way * step;
             last += q->is_angle ? difference_of_angles(before, x) - before : x - before;
         } else {
@@ -309,8 +416,9 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
     low = walk(q, problem, branch, theta2, -1, &before);
     high = walk(q, problem, branch, theta2, 1, &after);
     size = q->is_angle ? 1 : problem->mechanism.design.link[2].length;
-    if (fabs(after - before) >= 2 * PI || fabs(high - low) < 1e-3 * size)
-        return; /* no end within a turn, or hardly any way */
+    if (fabs(after - before) >= 2 * PI || fabs(high - low) < 1e-3 * size ||
+        (!q->is_angle && fabs(high) + fabs(low) > FAR_AWAY * size))
+        return; /* no end within a turn, or hardly any way, or on the way beyond all bounds */
     drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_AT);
     set_line(&changed, KEY_MOTION_ACCELERATION, "0 rad/s2");
     drop_key(find_block(&changed, SECTION_MOTION), KEY_MOTION_ACCELERATION);
@@ -340,20 +448,66 @@ static void compare_range(const coordinate *q, const fourlink_problem *problem,
         compare_both_sides(q, branch, told[0], told[1]);
 }
 
+/* ------------------------------------------------------------------------------ outputs and lengths of actuators */
+
+#define MOST_NAMED 12
+
+/* List the outputs and the actuators of the deck, and return their number. */
+static int list_named(coordinate list[MOST_NAMED], fourlink_problem *problem)
+{
+    static char words[MOST_NAMED][3][40];
+    static const char *const endings[3][3] = {
+        {"x", "v", "a"}, {"theta", "omega", "alpha"}, {"length", "speed", "acceleration"}};
+    int groups = 0, n = 0, i, k;
+
+    for (i = 0; i < base.n && n < MOST_NAMED; i++) {
+        const deck_block *b = &base.block[i];
+        const char *name = strchr(b->header, ' ');
+        coordinate *q = &list[n];
+        int of;
+
+        if (b->section != SECTION_OUTPUT && b->section != SECTION_ACTUATOR)
+            continue;
+        memset(q, 0, sizeof *q);
+        q->kinds = kind;
+        q->group = b->section == SECTION_OUTPUT ? ++groups : 0;
+        q->is_angle =
+            q->group && problem->mechanism.design.group[q->group - 1].end == FOURLINK_GROUP_TURNS;
+        of = !q->group ? 2 : q->is_angle;
+        q->is_strut = strcmp(b->header, "[actuator Strut]") == 0;
+        for (k = 0; k < 3; k++)
+            snprintf(words[n][k], sizeof words[n][k], "%.*s.%s", (int)strcspn(name + 1, "]"),
+                     name + 1, endings[of][k]);
+        q->name = q->value = words[n][0];
+        q->rate = words[n][1];
+        q->second = words[n][2];
+        n++;
+    }
+    return n;
+}
+
 /* -------------------------------------------------------------------------------------------------- the law */
 
 static void compare_prescribed(void)
 {
     static side a;
     static double row[MOST_COLUMNS];
-    fourlink_problem problem;
-    int i, k;
+    fourlink_problem problem, four;
+    coordinate named_ones[MOST_NAMED];
+    int i, k, n_named;
 
     prepare(&a, opened(base_text, NULL));
+    if (a.r && seldom(0.7)) {
+        problem = problem_of(a.r);
+        add_strut(&problem);
+        fourlink_results_free(a.r);
+        prepare(&a, opened(base_text, NULL));
+    }
     if (!a.r)
         return;
-    problem = problem_of(a.r);
-    problem.mechanism.design.n_groups = 0; /* the walk is that of the four links */
+    problem = four = problem_of(a.r);
+    four.mechanism.design.n_groups = 0; /* the walk is that of the four links */
+    n_named = list_named(named_ones, &problem);
     for (k = 0; k < (kind == FOURLINK_SCOTCH_YOKE ? 1 : 2); k++) {
         fourlink_branch branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 
@@ -363,9 +517,18 @@ static void compare_prescribed(void)
             if (coordinates[i].kinds & kind) {
                 compare_prescribed_row(&a, &coordinates[i], branch, row);
                 if (!has_failed)
-                    compare_range(&coordinates[i], &problem, branch,
+                    compare_range(&coordinates[i], &four, branch,
                                   instant * PI / 180 - problem.x_angle);
             }
+        for (i = 0; i < n_named && !has_failed; i++) {
+            fourlink_problem some = problem;
+
+            some.mechanism.design.n_groups =
+                named_ones[i].is_strut ? groups_of_strut() : named_ones[i].group;
+            compare_prescribed_row(&a, &named_ones[i], branch, row);
+            if (!has_failed && (named_ones[i].group || named_ones[i].is_strut))
+                compare_range(&named_ones[i], &some, branch, instant * PI / 180 - problem.x_angle);
+        }
     }
     fourlink_results_free(a.r);
 }

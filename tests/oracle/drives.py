@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# drives.py FOURLINK N [FIRST] - N random machines of the four kinds, moved by an input and driven anywhere, against absolute
-# coordinates with multipliers whose driver is at its real place (chains.py): the crank's motion, the effort, pin forces.
+# drives.py FOURLINK N [FIRST [outputs]] - N random machines of the four kinds, moved by an input and driven anywhere, against
+# absolute coordinates with multipliers whose driver is at its real place (chains.py): the crank's motion, the effort, pin
+# forces.  With `outputs` each has a pair of links on one of the four, and is moved by that or by an actuator between any links.
 #
 # The crank angle, its speed and its acceleration are chosen; the value of the input and its rates, which the deck gets, are
 # those of the chain in long doubles.  Wild ones have lengths of several orders, or are close to where the input or the
@@ -15,11 +16,12 @@ import sys
 import numpy as np
 
 sys.argv, arguments = sys.argv[:1], sys.argv[1:]
-from chains import REAL, Along, Angle, Distance, four_bar, inverted, slider_crank, yoke  # noqa: E402
+from chains import REAL, Along, Angle, Distance, four_bar, inverted, slider_crank, with_rocker, with_slider, yoke  # noqa: E402
 
 EPS = 2.2e-16
 DOUBT = 1000
 fourlink, n, first = arguments[0], int(arguments[1]), int(arguments[2]) if len(arguments) > 2 else 0
+with_outputs = len(arguments) > 3 and arguments[3] == 'outputs'
 count, worst, failed, near_dead, refused = {}, {}, 0, 0, 0
 
 
@@ -92,6 +94,47 @@ def machine(r):
     return kind, rig, text, drives, inputs, side, a, reach, [f for f in dead if abs(f) < 1]
 
 
+LINKS = (('crank', 'coupler', 'rocker'), ('crank', 'rod', 'piston'), ('crank', 'slider', 'lever'), ('crank', 'slider', 'yoke'))
+
+
+def with_output(r, kind, rig, a, reach):
+    """The same with an output on one of its links and an actuator between any two; the lines of both, inputs and drives."""
+    size = a * 10 ** r.uniform(-0.3, 0.5)
+
+    def point(most):
+        return size * complex(r.uniform(-most, most), r.uniform(-most, most))
+    bodies = [(r.uniform(0.1, 3), size ** 2 * r.uniform(0.01, 1), point(1)) for _ in range(2)]
+    some = [i for i in (1, 2, 3) if kind < 3 or i != 2]  # a yoke's slider has its axes along the slot
+    k, p, rod, force = r.choice(some), point(2), size * r.uniform(1, 5), complex(r.uniform(-300, 300), r.uniform(-300, 300))
+    side, names = r.choice((1, -1)), ('ground',) + LINKS[kind] + ('P.rod', 'P')
+    text = '[output P]\nlink = %s\nat = (%.17g, %.17g) m\nrod = %.17g m\n' % (names[k], p.real, p.imag, rod)
+    if r.random() < 0.5:
+        line, angle = point(4), r.uniform(-180, 180)
+        u = np.exp(1j * np.radians(REAL(angle)))
+        rig = with_slider(rig, k, p, rod, line, u, side, bodies, force)
+        text += 'line = (%.17g, %.17g) m\nangle = %.17g deg\nside = %s\n' % (line.real, line.imag, angle, 'ahead' if side > 0 else 'behind')
+        inputs, at = {'P.x': Along(0, u, 5, 0, 0, line)}, 0
+        drives = {'P': inputs['P.x']}
+    else:
+        j, length = r.choice([0, 0] + [i for i in some if i != k]), size * r.uniform(1, 5)
+        pivot, at = point(2 if j else 4), length
+        rig = with_rocker(rig, k, p, rod, j, pivot, length, side, bodies, force)
+        text += 'length = %.17g m\nside = %s\n' % (length, 'left' if side > 0 else 'right')
+        text += ('to = %s\nto_at' % names[j] if j else 'pivot') + ' = (%.17g, %.17g) m\n' % (pivot.real, pivot.imag)
+        inputs, drives = {'P.theta': Angle(5, 0)}, {'P': Angle(5, j)}
+    for front, (mass, inertia, centre) in (('rod_', bodies[0]), ('', bodies[1])):
+        text += '%smass = %.17g kg\n%sinertia = %.17g kg m2\n%scg = (%.17g, %.17g) m\n' % (
+            front, mass, front, inertia, front, centre.real, centre.imag)
+    text += '[load cut]\nlink = P\nforce = (%.17g, %.17g) N\nat = (%.17g, 0) m\n' % (force.real, force.imag, at)
+    ends, P, Q = r.sample([0, 4, 5] + some, 2), point(2), point(2)
+    if 0 in ends:
+        ends = sorted(ends, reverse=True)
+    text += '[actuator strut]\nlink = %s\nat = (%.17g, %.17g) m\nto = %s\nto_at = (%.17g, %.17g) m\n' % (
+        names[ends[0]], P.real, P.imag, names[ends[1]], Q.real, Q.imag)
+    inputs['strut.length'] = drives['strut'] = Distance(ends[0], P, ends[1], Q)
+    return rig, text, inputs, drives, max(reach, rod, 5 * size)
+
+
 def rate(driver, s, v, omega):
     return sum(g[1] * v[g[0]].real + g[2] * v[g[0]].imag + g[3] * omega[g[0]] for g in driver.gradient(s) if g[0])
 
@@ -116,6 +159,9 @@ def try_one(number):
     global near_dead, refused
     r = random.Random(number)
     kind, rig, text, drives, inputs, side, a, reach, dead = machine(r)
+    if with_outputs:
+        rig, more, inputs, others, reach = with_output(r, kind, rig, a, reach)
+        text, drives = text + more, dict(drives, **others)
     theta2, omega2 = r.uniform(0, 360), r.choice((1, -1)) * 10 ** r.uniform(-1, 1.5)
     if r.random() < 0.2:
         theta2 = 90.0 * r.randrange(4) + r.choice((1, -1)) * 10 ** r.uniform(-4, 0.5)
@@ -127,14 +173,20 @@ def try_one(number):
     with np.errstate(all='ignore'):
         s = rig.state(theta2, omega2, alpha2)
         unit = rig.state(theta2, 1, 0)
-    if not np.isfinite(abs(s.alpha[2]) + abs(s.alpha[3])).all():
+    if not np.isfinite(sum(abs(f) for f in s.alpha[2:])).all():
         return
     grows = max(1, float(abs(unit.omega[2][0])), float(abs(unit.omega[3][0])) if kind in (0, 2) else 1)
+    if with_outputs:
+        grows = max([grows] + [float(abs(f[0])) for f in unit.omega[4:]])
     name, drive = r.choice(sorted(inputs)), r.choice(sorted(drives))
     q, p = inputs[name], drives[drive]
     x, K = value(q, s), float(rate(q, unit, unit.v, unit.omega)[0])
     v, acc = float(rate(q, s, s.v, s.omega)[0]), float((rate(q, s, s.a, s.alpha) + q.curvature(s))[0])
     size = 1 if isinstance(q, Angle) else a
+    bends = grows
+    if with_outputs:  # L, and what it is made of
+        L = float((rate(q, unit, unit.a, unit.alpha) + q.curvature(unit))[0]) / size
+        bends = max([grows, abs(L)] + [float(abs(f[0])) for f in unit.alpha[4:]])
     Kp = float(rate(p, unit, unit.v, unit.omega)[0]) / (1 if isinstance(p, Angle) else a)
     if not (abs(K) > 1e-4 * size and abs(Kp) > 1e-4 and grows < 1e4):
         return
@@ -157,11 +209,11 @@ def try_one(number):
     forces, effort = rig.row(s, p)
     scale = max(abs(f) for f in forces + [1])
     moved = sum(b[0] * reach + b[1] / a for b in rig.bodies)
-    scale = max(scale, sum(b[0] for b in rig.bodies) * 9.81 + moved * (omega2 ** 2 * grows ** 3 + abs(alpha2) * grows))
+    scale = max(scale, sum(b[0] for b in rig.bodies) * 9.81 + moved * (omega2 ** 2 * max(grows ** 3, bends * grows) + abs(alpha2) * grows))
     tell(number, kind, 'theta2', np.radians((found[0] - theta2 + 180) % 360 - 180), 0, DOUBT * EPS * near * grows, deck)
     tell(number, kind, 'omega2', found[1], omega2, doubt * abs(omega2), deck)
-    tell(number, kind, 'alpha2', found[2], alpha2, doubt * near * (abs(alpha2) + omega2 ** 2 * grows), deck)
-    doubt *= near / Kp ** 2 * grows
+    tell(number, kind, 'alpha2', found[2], alpha2, doubt * near * (abs(alpha2) + omega2 ** 2 * bends), deck)
+    doubt *= near / Kp ** 2 * grows * (10 if with_outputs else 1)  # arms of five links
     tell(number, kind, 'F12', complex(found[3], found[4]), forces[0], doubt * scale, deck)
     tell(number, kind, 'effort', found[5], effort, doubt * scale * (a if isinstance(p, Angle) else 1), deck)
     count['kind %d' % kind] = count.get('kind %d' % kind, 0) + 1

@@ -424,6 +424,21 @@ static void try_deck(fourlink_results *r)
     }
 }
 
+/* Name the place or the angle of the deck's first output; 0 if it has none, and for some that have. */
+static int name_output(char *name, size_t most)
+{
+    const char *header = strstr(deck_text, "\n[output "), *next, *line;
+
+    if (!header || seldom(0.3))
+        return 0;
+    header += strlen("\n[output ");
+    next = strstr(header, "\n[");
+    line = strstr(header, "\nline");
+    snprintf(name, most, "%.*s.%s", (int)strcspn(header, "]"), header,
+             line && (!next || line < next) ? "x" : "theta");
+    return 1;
+}
+
 /* The same deck, moved by another input, over all that it reaches on a side. */
 static void prescribe(void)
 {
@@ -432,6 +447,8 @@ static void prescribe(void)
     const char *input = strstr(deck_text, "four-bar")   ? four_bar[0]
                         : strstr(deck_text, "inverted") ? inverted[one_of(2)]
                                                         : guided[one_of(2)];
+    char named[60];
+    int is_named = name_output(named, sizeof named);
     char *motion = strstr(deck_text, "\n[motion]"), *after;
 
     if (motion) {
@@ -439,11 +456,16 @@ static void prescribe(void)
         memmove(motion, after ? after : motion + strlen(motion),
                 strlen(after ? after : motion + strlen(motion)) + 1);
     }
+    if (is_named)
+        input = named;
     length = strlen(deck_text);
     length += (size_t)snprintf(deck_text + length, sizeof deck_text - length,
                                "\n[motion]\ninput = %s\nside = %s\nspeed = %s%.17g %s\n", input,
                                seldom(0.5) ? "falling" : "rising", seldom(0.5) ? "-" : "",
-                               power_of_ten(-1, 1), strcmp(input, "theta4") == 0 ? "rad/s" : "m/s");
+                               power_of_ten(-1, 1), strstr(input, "theta") ? "rad/s" : "m/s");
+    if (is_named)
+        length += (size_t)snprintf(deck_text + length, sizeof deck_text - length,
+                                   "near = %.17g deg\n", between(0, 360));
 }
 
 int main(int argc, char **argv)

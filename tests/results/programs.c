@@ -2,9 +2,10 @@
 **
 ** programs.c - random machines whose crank, or another input, goes by a random program over time.
 **
-**    programs [inputs|rows] [N [FIRST]]
+**    programs [inputs|rows|searched|searched-rows] [N [FIRST]]
 **
-** With `inputs` another coordinate than the crank goes by the program; with `rows` too, and only rows are compared.
+** With `inputs` another coordinate than the crank goes by the program; with `rows` too, and only rows are compared.  With
+** `searched` and `searched-rows` it is an output, or an actuator between any links.
 ** Rows are compared with those of the same deck at one instant, with the angle, speed and acceleration of the crank; the
 ** speed and acceleration themselves with differences of the angle, those of an input with differences of the input too.  Extremes are compared with the best of thousands of
 ** rows, refined, means with a sum over them.  Decks that fail are left as programs-NUMBER.deck.
@@ -24,6 +25,8 @@
 #define SMOOTH 1e-8  /* ... an extreme; */
 #define AT_DEAD 1e-6 /* ... of an input that goes to its dead centre */
 #define SUMMED 2e-5  /* ... a mean; loads jump */
+#define NARROW 1e-3  /* m or rad, of an output: a range too narrow for its rows, or too far away, */
+#define FAR 20       /* ... m, on its way beyond all bounds */
 
 static fourlink_results *results;
 static fourlink_problem problem;
@@ -75,6 +78,8 @@ static int make_of_input(const fourlink_crank *crank)
     input_from = fmin(p.over.first, p.over.last);
     input_to = fmax(p.over.first, p.over.last);
     fourlink_results_free(r);
+    if (is_searched && !(input_to - input_from > NARROW && fabs(input_from) + fabs(input_to) < FAR))
+        return 0;
     write_input_program();
     return 1;
 }
@@ -263,6 +268,9 @@ static int is_rounded(unsigned long c, const double *here)
 
     if (strncmp(name, "klein", 5) == 0 || (name[0] == 'h' && here[column_of(input->second)] == 0))
         return 1;
+    if (is_searched && strcmp(name, "h4") == 0 &&
+        fabs(here[column_of("alpha4")]) < 1e-9 * size[column_of("alpha4")])
+        return 1; /* of a rocker that stands still */
     if (n < 5 || n > sizeof force || strcmp(name + n - 4, "_dir") != 0)
         return 0;
     memcpy(force, name, n - 4);
@@ -290,6 +298,8 @@ static void check_instant(double time)
     if (is_of_inputs) {
         check_input_rates(time, here);
         doubt = doubt_of(here, now.row.crank.omega2);
+        if (is_searched && now.state.last > FOURLINK_FOLLOWER) /* beside its dead positions */
+            doubt /= now.state.group_sine * now.state.group_sine;
         n_dead += doubt > 1e9;
         if (doubt > 1e9)
             return;
@@ -469,8 +479,9 @@ int main(int argc, char **argv)
     char name[100];
     int i, k;
 
-    is_of_rows = argc > 1 && strcmp(argv[1], "rows") == 0;
-    is_of_inputs = is_of_rows || (argc > 1 && strcmp(argv[1], "inputs") == 0);
+    is_searched = argc > 1 && strncmp(argv[1], "searched", 8) == 0;
+    is_of_rows = argc > 1 && strstr(argv[1], "rows");
+    is_of_inputs = is_searched || is_of_rows || (argc > 1 && strcmp(argv[1], "inputs") == 0);
     argc -= is_of_inputs;
     argv += is_of_inputs;
     n = argc > 1 ? atol(argv[1]) : 4;
