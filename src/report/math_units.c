@@ -14,8 +14,8 @@
 static const quantity quantities[MATH_UNITS] = {
     QUANTITY_LENGTH, QUANTITY_AREA,         QUANTITY_ANGLE,         QUANTITY_NUMBER,
     QUANTITY_SPEED,  QUANTITY_ACCELERATION, QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
-    QUANTITY_FORCE,  QUANTITY_TORQUE,       QUANTITY_POWER,         QUANTITY_MASS,
-    QUANTITY_INERTIA};
+    QUANTITY_FORCE,  QUANTITY_TORQUE,       QUANTITY_ENERGY,        QUANTITY_POWER,
+    QUANTITY_MASS,   QUANTITY_INERTIA};
 
 #define SAME 1e-12 /* relative difference of units that have two names, */
 #define ONE 1e-9   /* ... of a factor that is 1 */
@@ -54,6 +54,7 @@ void math_units_take(math_units *u, const fourlink_unit *units)
     set(u, MATH_ANGULAR_ACCELERATION, 1, 1, "rad/s2", "", "");
     set(u, MATH_FORCE, F->up, F->down, F->name, "", "");
     set(u, MATH_TORQUE, F->up * L->up, F->down * L->down, F->name, ".", L->name);
+    set(u, MATH_ENERGY, F->up * L->up, F->down * L->down, F->name, ".", L->name);
     set(u, MATH_POWER, P->up, P->down, P->name, "", "");
     set(u, MATH_MASS, m->up, m->down, m->name, "", "");
     set(u, MATH_INERTIA, m->up * u->of[MATH_AREA].up, m->down * u->of[MATH_AREA].down, m->name, ".",

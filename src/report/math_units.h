@@ -24,6 +24,7 @@ typedef enum math_unit {
     MATH_ANGULAR_ACCELERATION,
     MATH_FORCE,
     MATH_TORQUE,
+    MATH_ENERGY,
     MATH_POWER,
     MATH_MASS,
     MATH_INERTIA,

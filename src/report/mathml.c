@@ -64,7 +64,16 @@ void math_block(page *p, const char *name_of_class)
 static const struct {
     const char *name, *letter;
     math_unit unit;
-} letters[] = {{"theta", "\316\270", MATH_ANGLE},
+} letters[] = {{"OM", "OM", MATH_LENGTH},
+               {"BM", "BM", MATH_LENGTH},
+               {"BQ", "BQ", MATH_LENGTH},
+               {"QN", "QN", MATH_LENGTH},
+               {"ON", "ON", MATH_LENGTH},
+               {"DE", "\316\224E", MATH_ENERGY},
+               {"E", "E", MATH_ENERGY},
+               {"Cs", "C", MATH_ONE},
+               {"Ce", "C", MATH_ONE},
+               {"theta", "\316\270", MATH_ANGLE},
                {"beta", "\316\262", MATH_ANGLE},
                {"gamma", "\316\263", MATH_ANGLE},
                {"psi", "\317\210", MATH_ANGLE},
@@ -93,7 +102,11 @@ static const struct {
                {"M", "M", MATH_TORQUE},
                {"T", "T", MATH_TORQUE},
                {"P", "P", MATH_POWER},
+               {"KC", "K", MATH_LENGTH},
+               {"Ks", "K", MATH_LENGTH},
                {"K", "K", MATH_ONE},
+               {"L3", "L", MATH_ONE},
+               {"L4", "L", MATH_ONE},
                {"Q", "Q", MATH_ONE},
                {"S2", "S", MATH_AREA},
                {"S3", "S", MATH_AREA}};

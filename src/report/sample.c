@@ -5,7 +5,10 @@
 #include "mathml.h"
 #include "report.h"
 #include "sample_engine.h"
+#include "sample_flywheel.h"
 #include "sample_forces.h"
+#include "sample_input.h"
+#include "sample_klein.h"
 #include "sample_limits.h"
 #include "sample_motion.h"
 #include "sample_output.h"
@@ -19,8 +22,8 @@ static void set_sizes(const report *r, math *m)
         QUANTITY_SPEED,         QUANTITY_ACCELERATION,
         QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
         QUANTITY_FORCE,         QUANTITY_TORQUE,
-        QUANTITY_POWER,         QUANTITY_MASS,
-        QUANTITY_INERTIA};
+        QUANTITY_ENERGY,        QUANTITY_POWER,
+        QUANTITY_MASS,          QUANTITY_INERTIA};
     double sizes[QUANTITY_COUNT];
     int i;
 
@@ -59,11 +62,14 @@ void report_put_sample(report *r)
                    view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
                    r->v.units[QUANTITY_ANGLE].name);
     sample_put_motion(r, &m);
+    sample_put_input(r, &m);
+    sample_put_klein(r, &m);
     sample_put_limits(r, &m);
     sample_put_outputs(r, &m);
     if (r->v.problem.has_forces) {
         sample_put_forces(r, &m);
         sample_put_engine(r, &m);
+        sample_put_flywheel(r, &m);
     } else {
         page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");
     }

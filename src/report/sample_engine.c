@@ -47,8 +47,10 @@ static void put_masses(report *r, math *m, const fourlink_rod *rod)
     if (has_rod) {
         math_given(m, "m", design->link[3].mass);
         math_given(m, "b", rod->b);
-        math_given(m, "I", design->link[3].inertia);
     }
+    math_set(m, "m", design->link[3].mass);
+    if (has_rod || design->link[3].inertia > 0)
+        math_given(m, "I", design->link[3].inertia);
     if (has_mass && (design->gravity.x != 0 || design->gravity.y != 0)) {
         math_given(m, "gx", design->gravity.x);
         math_given(m, "gy", design->gravity.y);
@@ -144,7 +146,8 @@ static void put_torques(const report *r, math *m, const fourlink_engine *engine,
     math_set(m, "Tweight,a", engine->T_weight_a);
     math_set(m, "Tinertia,a", engine->T_inertia_a);
     if (engine->correction_couple != 0) {
-        let_inertial(m, "Tcouple", "( I - m * b * ( l - b ) ) * alpha3", engine->correction_couple);
+        let_inertial(m, "Tcouple", "( I <m - m * b * ( l - b ) > ) * alpha3",
+                     engine->correction_couple);
         math_let(m, "Tcorrection", "Tcouple * { r * cos theta2 | l * cos theta3 }",
                  engine->T_correction);
     }

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "mathml.h"
 #include "report.h"
+#include "sample_drive.h"
 #include "sample_friction.h"
 #include "sample_forces.h"
 #include "sample_motion.h"
@@ -365,4 +366,5 @@ void sample_put_forces(report *r, math *m)
     sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
     put_power(r, m);
+    sample_put_drive(r, m);
 }

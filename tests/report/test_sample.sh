@@ -138,6 +138,24 @@ for branch in open crossed; do
 done
 check 'of an engine without gas, masses and loads there is none' fails grep -q 'Engine method' r-1.html
 
+# Klein's construction, the flywheel by the facts, what drives
+check 'Klein of an engine' grep -q "<h3>Klein's construction</h3>" engine.html
+for deck in "$data/khurmi-16.11.deck" "$data/me3491-exercise-4.deck"; do
+    "$fourlink" --report=wheel.html -b open "$deck" >out 2>err || check "$deck: $(cat err)" test $? -eq 1
+    run 0 -f csv -b open -c energy_fluctuation,energy_coefficient "$deck"
+    set -- $(tail -n 1 out | tr -d '\r' | tr ',' ' ')
+    check "the flywheel of $deck: $*" "$programs/check_sample" wheel.html "ΔE=$2" Ce=$3
+done
+run 0 -f csv -b open -c flywheel_inertia,mean_power "$data/khurmi-16.11.deck"
+set -- $(tail -n 1 out | tr -d '\r' | tr ',' ' ')
+"$fourlink" --report=wheel.html -b open "$data/khurmi-16.11.deck" >out
+check "the flywheel: $*" "$programs/check_sample" wheel.html If=$2 Pm=$3
+for deck in rocker-driven lever-on-its-slide slide-by-trapezoids rod-end-at-speed boom-on-a-cylinder four-bar-on-a-ram; do
+    "$fourlink" --report=driven.html -b open "$data/$deck.deck" >out 2>err
+    check "what drives $deck" "$programs/check_sample" driven.html
+    check "it is written: $deck" grep -q -e '<h3>What drives</h3>' driven.html
+done
+
 # friction is that of the columns
 check 'no friction without its section' fails grep -q '<h3>Friction</h3>' r.html
 sample rubbed-norton.deck --plot-at='95 deg' --branch=open
