@@ -209,12 +209,20 @@ function changes(before, after) {
 async function tryTyping() {
     await load("alvi-5.1.deck");
     const good = fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8");
+    const seen = await b.evaluate(`(() => {
+        const area = document.getElementById("deck"), lines = [...document.querySelectorAll("#colours > div")];
+        const numbers = [...document.querySelectorAll("#gutter pre > div")].map((x) => x.getBoundingClientRect().top);
+        return [area.scrollWidth <= area.clientWidth, lines.some((x) => x.offsetHeight > 30),
+                Math.abs(area.scrollHeight - Math.max(area.clientHeight, document.getElementById("colours").offsetHeight + 8)) < 2,
+                lines.every((x, i) => Math.abs(x.getBoundingClientRect().top - numbers[i]) < 1)];
+    })()`);
+    check("long lines go on below, numbers at their beginnings: " + seen, seen.every((x) => x));
     await typeDeck(good.replace("length = 66 mm", "lenght = 66 mm"));
     check("a mistake as one types: " + await messages(), (await messages())[0] ===
           "alvi-5.1.deck:14: error: unknown key 'lenght' in [coupler]; did you mean 'length'?");
     check("the mistake stands at its line", await b.evaluate(`(() => {
         const mark = document.querySelector("#layer .mark");
-        return mark.style.top === "260px" && mark.textContent.startsWith("unknown key 'lenght'");
+        return mark.offsetTop === document.querySelectorAll("#colours > div")[13].offsetTop && mark.textContent.startsWith("unknown key 'lenght'");
     })()`));
     check("the text is invalid for a screen reader", await b.evaluate(
         `document.getElementById("deck").getAttribute("aria-invalid") === "true"`));

@@ -2,15 +2,16 @@
 **
 ** editor.js - the text of the deck: line numbers, colours, messages at their lines, undo.
 **
-** The text is a textarea whose letters are not seen: behind it they stand again, in colours.  It has an undo of its own,
-** since dragging in the drawing changes the text too.
+** The text is a textarea whose letters are not seen: behind it they stand again, in colours.  A line that is longer than the
+** editor is wide goes on below, in both at the same letter.  It has an undo of its own, since dragging in the drawing changes the
+** text too.
 */
 web.editor = function (area, gutter, layer, changed) {
 
 const colours = layer.querySelector("pre");
 const {html} = fourlink;
-const LINE = 20, MOST_STEPS = 500;
-let steps = [], undone = [], present = {text: "", from: 0, to: 0}, group = null, time = 0, lines = 0, marks = [];
+const LINE = 20, BORDER = 8, GAP = 16, MOST_STEPS = 500; /* px */
+let steps = [], undone = [], present = {text: "", from: 0, to: 0}, group = null, time = 0, marks = [];
 
 const snapshot = () => ({text: area.value, from: area.selectionStart, to: area.selectionEnd});
 
@@ -30,12 +31,10 @@ function keep(kind) {
     return true;
 }
 
+/* The numbers stand at the first rows of their lines. */
 function number() {
-    const count = area.value.split("\n").length;
-    if (count !== lines)
-        gutter.firstChild.textContent = Array.from({length: count}, (_, i) => i + 1).join("\n");
-    lines = count;
     colour();
+    layOut();
 }
 
 const escaped = (words) => words.replace(/&/g, "&amp;").replace(/</g, "&lt;");
@@ -52,11 +51,36 @@ function lineInColour(line) {
 }
 
 function colour() {
-    colours.innerHTML = area.value.split("\n").map(lineInColour).join("\n");
+    colours.innerHTML = area.value.split("\n").map((line) => "<div>" + lineInColour(line) + "</div>").join("");
+}
+
+function layOut() {
+    layer.firstChild.style.width = area.clientWidth - 2 * BORDER + "px";
+    const heights = [...colours.children].map((line) => line.offsetHeight || LINE);
+    gutter.firstChild.replaceChildren(...heights.map((high, i) => {
+        const made = html("div", {}, String(i + 1));
+        made.style.height = high + "px";
+        return made;
+    }));
+    for (const made of marks)
+        place(made);
+}
+
+/* Put a message over its line, its words behind the last letter. */
+function place(made) {
+    const line = colours.children[made.dataset.line - 1];
+    if (!line)
+        return;
+    const range = document.createRange(), from = layer.firstChild.getBoundingClientRect();
+    range.selectNodeContents(line);
+    const last = [...range.getClientRects()].pop();
+    made.style.top = line.offsetTop + "px";
+    made.style.height = (line.offsetHeight || LINE) + "px";
+    made.firstChild.style.left = BORDER + (last ? last.right - from.left : 0) + GAP + "px";
 }
 
 function scroll() {
-    layer.firstChild.style.transform = "translate(" + -area.scrollLeft + "px," + -area.scrollTop + "px)";
+    layer.firstChild.style.transform = "translateY(" + -area.scrollTop + "px)";
     gutter.firstChild.style.transform = "translateY(" + -area.scrollTop + "px)";
 }
 
@@ -67,26 +91,24 @@ function mark(messages) {
         if (message.line > 0 && message.line <= texts.length)
             seen.set(message.line, (seen.get(message.line) || []).concat(message));
     marks = [...seen].map(([line, list]) => {
-        const wide = texts[line - 1].replace(/\t/g, "    ").length;
         const words = list.map((m) => m.text.replace(/^.*?:\d+: (error|note|defect): /, "")).join("; ");
         const made = html("div", {class: "mark " + (list.find((m) => m.kind !== "note") || list[0]).kind}, html("span", {}, words));
-        made.style.top = (line - 1) * LINE + "px";
-        made.firstChild.style.marginLeft = "calc(" + (wide + 2) + "ch)";
+        made.dataset.line = line;
         return made;
     });
     layer.firstChild.replaceChildren(...marks, colours);
+    marks.forEach(place);
     area.setAttribute("aria-invalid", messages.some((m) => m.kind === "error") ? "true" : "false");
 }
 
 /* Put a text in the place of all; of one kind, it is one step. */
 function put(text, kind) {
-    const {selectionStart, selectionEnd, scrollTop, scrollLeft} = area;
+    const {selectionStart, selectionEnd, scrollTop} = area;
     if (text === area.value)
         return;
     area.value = text;
     area.setSelectionRange(Math.min(selectionStart, text.length), Math.min(selectionEnd, text.length));
     area.scrollTop = scrollTop;
-    area.scrollLeft = scrollLeft;
     if (kind === group)
         time = performance.now();
     keep(kind || null);
@@ -126,7 +148,7 @@ function select(line) {
     const end = area.value.indexOf("\n", before);
     area.focus();
     area.setSelectionRange(before, end < 0 ? area.value.length : end);
-    area.scrollTop = Math.max(0, (line - 1) * LINE - area.clientHeight / 2);
+    area.scrollTop = Math.max(0, colours.children[line - 1].offsetTop - area.clientHeight / 2);
 }
 
 area.addEventListener("input", (event) => {
@@ -151,6 +173,7 @@ area.addEventListener("keydown", (event) => {
     (key === "y" || event.shiftKey ? redo : undo)();
 });
 area.addEventListener("scroll", scroll);
+new ResizeObserver(layOut).observe(area);
 
 return {begin, put, undo, redo, mark, select, text: () => area.value,
         can: () => [steps.length > 0, undone.length > 0],
