@@ -9,6 +9,8 @@
 #include "base/message.h"
 #include "sketch.h"
 
+#define BEYOND 4 /* letters: half a number at the right end of an axis */
+
 void sketch_value(sketch *s, const char *words, const char *value, const char *unit)
 {
     sketch_line_beside *new = &s->notes[s->n_notes];
@@ -48,7 +50,8 @@ static double width_of_note(const sketch_line_beside *x)
 
 double sketch_margin_width(const sketch *s)
 {
-    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
+    double narrow = s->c->is_text ? 1 : 0.95;
+    double width = (canvas_has_scales(s->c) || s->c->is_text ? 1 : BEYOND) * CANVAS_LETTER;
     int i;
 
     for (i = 0; i < s->n_notes; i++)

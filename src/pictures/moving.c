@@ -70,8 +70,9 @@ typedef enum subject { MECHANISM, INSET, POLYGON, BODY, NOTHING } subject;
 typedef struct drawn {
     moving *of;
     subject subject;
-    int which;   /* link, or number of a polygon */
-    double most; /* of a polygon: a larger one is drawn smaller */
+    int which; /* link, or number of a polygon */
+    double
+        most; /* of a polygon: a larger one is drawn smaller; of a free body, its largest force */
     display *step;
     moving_panel *panel;
 } drawn;
@@ -161,7 +162,7 @@ static void draw_step(picture *p, const void *what, int step)
     else if (x->subject == POLYGON)
         vectors_draw_polygon(p, r, &polygon, x->most);
     else
-        vectors_draw_body(p, r, x->which, x->of->largest);
+        vectors_draw_body(p, r, x->which, x->most);
     if (p->on.motion->phase != LABELS_DRAW)
         return;
     motion_add(&x->panel->list, (size_t)step, x->step);
@@ -198,6 +199,21 @@ static double usual_size(moving *x, int which)
         usual = GSL_MIN_DBL(sizes[n - 1], 3 * sizes[n / 2]);
     free(sizes);
     return usual;
+}
+
+/* The largest force on a link, but for those near dead positions. */
+static double largest_on(moving *x, int link)
+{
+    double largest = 0;
+    unsigned long i;
+
+    for (i = 0; i < x->steps.n; i++) {
+        const picture_row *r = row_of(x, i);
+
+        if (r->now.status == FOURLINK_OK && r->now.state.mu >= VIEW_NEAR)
+            largest = GSL_MAX_DBL(largest, vectors_largest(&x->p, r, link));
+    }
+    return largest;
 }
 
 /* In pixels, by moving_size; the mechanism is as high as it needs, between these ratios. */
@@ -303,7 +319,9 @@ int moving_draw(moving *x, int k, moving_panel *panel)
     what.subject = subject_of(x, k, &what.which);
     what.step = &step;
     what.panel = panel;
-    what.most = what.subject == POLYGON ? usual_size(x, what.which) : 0;
+    what.most = what.subject == POLYGON ? usual_size(x, what.which)
+                : what.subject == BODY  ? largest_on(x, what.which)
+                                        : 0;
     panel->size = what.subject == MECHANISM ? MOVING_WHOLE
                   : what.subject == BODY    ? MOVING_THIRD
                                             : MOVING_HALF;

@@ -16,6 +16,11 @@
 /* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
 
+/* The longest arrow, also of a body that turns, and half of a block, as parts of a body's length. */
+#define LONGEST 0.65
+#define LONGEST_OF_MOTION 0.5
+#define HALF_BLOCK 0.2
+
 /* A friction circle is drawn to scale if its radius is at least this fraction of the drawing. */
 #define SMALLEST_CIRCLE 0.04
 
@@ -499,6 +504,18 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
     }
 }
 
+/* 1 for a link that is no more than a block, which is as long as the crank here. */
+static int is_block(const picture *p, int link)
+{
+    const fourlink_group *g;
+
+    if (link <= FOURLINK_FOLLOWER)
+        return p->v.kind.shape[link] == FOURLINK_SHAPE_BLOCK;
+    g = &p->v.design->group[(link - FOURLINK_FOLLOWER - 1) / 2];
+    return link % 2 == 0 && g->end == FOURLINK_GROUP_SLIDES &&
+           g->hang != FOURLINK_HANGS_BY_OWN_SLOT;
+}
+
 /* In a motion a body turns about its middle, a lever about its pin. */
 static void hold_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
@@ -517,17 +534,20 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b,
                           double largest_of_motion)
 {
     double largest = arrow_longest(&b->forces, largest_of_motion);
+    double longest = (p->on.motion ? LONGEST_OF_MOTION : LONGEST) * b->length;
     char number[FORMAT_SIZE];
     sketch s;
 
     sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
     hold_body(&s, p, r, b);
     s.letter = LETTER;
+    if (is_block(p, b->link))
+        s.block = HALF_BLOCK * b->length;
     draw_body(&s, p, r, b);
     if (largest > 0) {
-        if (arrow_draw(&b->forces, &s, p, 0.8 * b->length / largest, largest))
+        if (arrow_draw(&b->forces, &s, p, longest / largest, largest))
             arrow_note_missing(&s, p, largest);
-        arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * b->length / largest, largest);
+        arrow_draw_scale(&s, p, QUANTITY_FORCE, longest / largest, largest);
     } else {
         sketch_show(&s, SKETCH_MISSING, 1);
         sketch_note(&s, NO_FORCES);
@@ -577,6 +597,14 @@ void vectors_draw_body(picture *p, const picture_row *r, int link, double larges
 
     open_body(&body, p, r, link);
     put_free_body(p, r, &body, largest);
+}
+
+double vectors_largest(const picture *p, const picture_row *r, int link)
+{
+    free_body body;
+
+    open_body(&body, p, r, link);
+    return arrow_largest(&body.forces);
 }
 
 const char *picture_vectors(picture *p, fourlink_branch branch)

@@ -12,7 +12,8 @@
 double vectors_size(const picture_row *r, const scene_polygon *d);
 void vectors_draw_polygon(picture *p, const picture_row *r, const scene_polygon *d, double most);
 
-/* Draw the free body of a link; `largest` is the largest force of the motion, N. */
+/* The largest force on a link, N.  Draw its free body; `largest` is that of the motion. */
+double vectors_largest(const picture *p, const picture_row *r, int link);
 void vectors_draw_body(picture *p, const picture_row *r, int link, double largest);
 
 #endif

@@ -313,10 +313,10 @@ function start() {
 }
 
 /* The numbers of the pictures go to the drawings that take their place on the screen: the mechanism, the polygons of
-   the motion, and the free bodies, which are the last three. */
+   the motion, and the free bodies. */
 function giveNumbers([main], panels) {
     const pictures = [...document.querySelectorAll("figure.mechanism, figure.vectors")];
-    const places = {mechanism: main, "vectors of-motion": panels[0], "vectors of-forces": panels[panels.length - 3]};
+    const places = {mechanism: main, "vectors of-motion": panels[0], "vectors of-forces": panels.find((x) => x.closest(".third"))};
     for (const picture of pictures)
         if (places[picture.className])
             places[picture.className].prepend(picture.querySelector("figcaption").textContent.split(".")[0] + ". ");

@@ -64,6 +64,9 @@ static void put_vectors(report *r)
         put_part(r, PLOT_VECTORS, PLOT_OF_FORCES, r->drawn_at,
                  "Each link with the forces on it, and their polygon, which closes",
                  at_angle(r, "Free bodies and polygons of forces", caption));
+    put_figure(r, PLOT_KLEIN, r->drawn_at,
+               "Klein's construction: lengths that stand for velocity and acceleration",
+               at_angle(r, "Klein's construction", caption));
 }
 
 void report_put_mechanism(report *r)
@@ -87,7 +90,6 @@ void report_put_mechanism(report *r)
 
 void report_put_curves(report *r)
 {
-    const char *at = r->drawn_at;
     const char *over = r->v.problem.over.words;
     char caption[320];
 
@@ -102,7 +104,4 @@ void report_put_curves(report *r)
                "Polar diagrams of the pin forces.");
     put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",
                "The actual motion: speed with its mean, torques over the speed, energy.");
-    put_figure(r, PLOT_KLEIN, at,
-               "Klein's construction: lengths that stand for velocity and acceleration",
-               at_angle(r, "Klein's construction", caption));
 }
