@@ -2,6 +2,7 @@
 **
 ** mathml.c - equations in MathML.
 */
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -10,9 +11,9 @@
 #include "system/xml.h"
 #include "mathml.h"
 
-#define FUNCTION(name)                                                 \
-    "<mspace width=\"0.17em\"/><mi>" name "</mi><mo>\342\201\241</mo>" \
-    "<mspace width=\"0.1em\"/>"
+#define FUNCTION(name)                                                                           \
+    "<mspace width=\"0.17em\"/><mi>" name "</mi><mo lspace=\"0\" rspace=\"0\">\342\201\241</mo>" \
+    "<mspace width=\"0.17em\"/>"
 #define INFIX(sign) "<mo form=\"infix\">" sign "</mo>"
 #define LEFT "<mo stretchy=\"false\">(</mo>"
 #define RIGHT "<mo stretchy=\"false\">)</mo>"
@@ -267,11 +268,20 @@ static void put_named(writer *w, text token)
     page_print(p, in_brackets ? RIGHT "</mrow>" : "");
 }
 
+/* 1 for a length between two points: OM. */
+static int is_of_two_letters(text token)
+{
+    return token.length == 2 && isupper((unsigned char)token.start[0]) &&
+           isupper((unsigned char)token.start[1]);
+}
+
 static void put_atom(writer *w, text token)
 {
     int is_square = w->rest.start && w->rest.length >= 2 && strncmp(w->rest.start, "^2", 2) == 0;
     page *p = w->m->p;
 
+    if (is_of_two_letters(token) && !w->has_numbers && !w->is_first)
+        page_print(p, "<mspace width=\"0.17em\"/>");
     if (is_square) {
         next_token(w);
         page_print(p, "<msup>");

@@ -45,7 +45,7 @@ static void put_areas(math *m, const fourlink_turning *t, double omega)
     char sum[MATH_EQUATION], name[MATH_NAME];
 
     page_print(m->p,
-               "<p>Areas between the turning moment \342\210\222T<sub>s</sub> and its mean, in "
+               "<p>Areas E between the turning moment \342\210\222T<sub>s</sub> and its mean, in "
                "the order of the motion from the beginning of the cycle:</p>\n<ul "
                "class=\"given\">\n");
     for (i = 0; i < t->n_areas; i++) {
@@ -77,7 +77,8 @@ static void put_inertia(report *r, math *m, const fourlink_turning *t, double om
     double all = t->energy_fluctuation / (t->fluctuation * omega * omega), rotor = all - t->inertia;
     char equation[MATH_EQUATION];
 
-    page_print(m->p, given > 0 ? "<p>The coefficient of fluctuation of speed that it leaves:</p>\n"
+    page_print(m->p, given > 0 ? "<p>The coefficient of fluctuation of speed that a flywheel "
+                                 "I<sub>f</sub> leaves:</p>\n"
                                : "<p>The moment of inertia for the coefficient of fluctuation of "
                                  "speed:</p>\n");
     page_print(m->p, "<ul class=\"given\">\n");
@@ -123,7 +124,8 @@ void sample_put_flywheel(report *r, math *m)
     page_print(m->p, "<h3>Turning moment and flywheel</h3>\n");
     if (omega != 0) {
         page_print(m->p,
-                   "<p>The mean T<sub>m</sub> of the turning moment over the cycle, at the "
+                   "<p>The mean T<sub>m</sub> of the turning moment over the cycle "
+                   "\316\270<sub>c</sub>, at the "
                    "%sspeed \317\211:</p>\n<ul class=\"given\">\n",
                    r->v.problem.mode == FOURLINK_MODE_GIVEN ? "" : "mean ");
         math_given(m, "Tm", t.mean_torque);
@@ -134,9 +136,11 @@ void sample_put_flywheel(report *r, math *m)
                  t.mean_power);
     }
     put_areas(m, &t, omega < 0 ? -1 : omega > 0 ? 1 : r->now.row.crank.omega2);
-    if (t.has_coefficient)
+    if (t.has_coefficient) {
+        page_print(m->p, "<p>The coefficient of fluctuation of energy:</p>\n");
         math_let(m, "Ce", t.mean_torque < 0 ? "- { DE | Tm * thetac }" : "{ DE | Tm * thetac }",
                  t.energy_coefficient);
+    }
     if (omega != 0 && t.inertia > 0 && t.fluctuation > 0)
         put_inertia(r, m, &t, omega);
 }

@@ -70,8 +70,10 @@ static void put_centres(report *r, math *m, const fourlink_body bodies[5])
 
     page_print(m->p,
                "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector from a "
-               "link's pin (A, B, %s) to its centre of mass G.</p>\n",
-               has_arm(r, bodies) ? "C" : "D");
+               "link's pin (A, B%s) to its centre of mass G.</p>\n",
+               has_arm(r, bodies) ? ", C"
+               : r->v.kind.guided ? ""
+                                  : ", D");
     math_set(m, "omega4", r->now.state.link[4].omega);
     math_set(m, "alpha4", r->now.state.link[4].alpha);
     for (link = 2; link <= 4; link++) {

@@ -88,7 +88,9 @@ static void put_rocker_of_four_bar(report *r, math *m, const fourlink_state *at_
 
     C.x = design->link[1].length + c * cos(theta4);
     C.y = c * sin(theta4);
-    page_print(m->p, "<p>Pin C, and the triangle ABC by the law of cosines:</p>\n");
+    page_print(m->p,
+               "<p>Pin C, and the triangle ABC by the law of cosines, with f = AC, its direction "
+               "\317\210 and its angle \316\262 at A:</p>\n");
     math_let(m, "xC", "d + c * cos theta4", C.x);
     math_let(m, "yC", "c * sin theta4", C.y);
     put_triangle(r, m, &C, "[ xC ^2 + yC ^2 ]", "atan2 ( yC , xC )",
@@ -126,7 +128,9 @@ static void put_piston(report *r, math *m, const fourlink_state *at_one)
     const fourlink_design *design = r->v.design;
     fourlink_vector C = r->now.state.link[4].origin;
 
-    page_print(m->p, "<p>The triangle ABC by the law of cosines:</p>\n");
+    page_print(m->p,
+               "<p>The triangle ABC by the law of cosines, with f = AC, its direction \317\210 and "
+               "its angle \316\262 at A:</p>\n");
     put_triangle(r, m, &C, "[ xC ^2 + e ^2 ]", "atan2 ( e , xC )",
                  "acos { r ^2 + fA ^2 - l ^2 | 2 * r * fA }", design->link[3].length);
     page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
@@ -165,7 +169,9 @@ static void put_slide(report *r, math *m, const fourlink_state *at_one)
            h = r->v.problem.mechanism.h, f = gsl_hypot(r->now.state.s, h);
     double of_B = angle_of((a * a + d * d - f * f) / (2 * a * d));
 
-    page_print(m->p, "<p>The triangle ABD by the law of cosines:</p>\n");
+    page_print(m->p,
+               "<p>The triangle ABD by the law of cosines, with f = BD and its angle \316\262 at "
+               "A:</p>\n");
     math_let(m, "f", "[ s ^2 + h ^2 ]", f);
     math_let(m, "betaA", "acos { a ^2 + d ^2 - f ^2 | 2 * a * d }", of_B);
     let_either(r, m, "betaA", of_B, "- betaA", -of_B);
