@@ -79,8 +79,8 @@ static void put_inertia(report *r, math *m, const fourlink_turning *t, double om
 
     page_print(m->p, given > 0 ? "<p>The coefficient of fluctuation of speed that a flywheel "
                                  "I<sub>f</sub> leaves:</p>\n"
-                               : "<p>The moment of inertia for the coefficient of fluctuation of "
-                                 "speed:</p>\n");
+                               : "<p>The flywheel I<sub>f</sub> for the coefficient of fluctuation "
+                                 "of speed C<sub>s</sub>:</p>\n");
     page_print(m->p, "<ul class=\"given\">\n");
     if (given > 0)
         math_given(m, "If", t->inertia);
