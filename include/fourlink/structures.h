@@ -658,6 +658,23 @@ struct fourlink_turning {
     fourlink_area area[FOURLINK_AREAS];
 };
 
+/* A part of the program of a motion, between two of its points.  With u = (time - begin) / (end - begin) and the shape
+** s(u) of its law, which goes from 0 to 1, the coordinate of the program, or its speed, is value + rise s(u); of a
+** spline, with T = end - begin,
+**
+**    value + rise u + T^2 / 6 [bend[0] ((1 - u)^3 - (1 - u)) + bend[1] (u^3 - u)] */
+typedef struct fourlink_program_part {
+    const char *law;    /* as a deck has it */
+    double begin, end;  /* s */
+    double value, rise; /* rad or m; where the points are speeds, by s */
+    double coordinate;  /* rad or m, at its beginning */
+    double bend[2];     /* of a spline: second derivatives at its ends */
+    double ramp
+        [2]; /* of a trapezoid: u where its speed has risen, and 1 - u where it begins to fall */
+    int is_angle;    /* 1: rad; 0: m */
+    int is_of_speed; /* 1: the points are speeds */
+} fourlink_program_part;
+
 /* ---------------------------------------------------------------------------------------------
 ** Functions
 ** ------------------------------------------------------------------------------------------- */
@@ -1487,6 +1504,19 @@ FOURLINK_API const char *fourlink_deck_status_text(const fourlink_deck *deck,
 **    crank, coupler ...; of a link of an [output] NAME or NAME.rod; "unknown link"
 */
 FOURLINK_API const char *fourlink_deck_link_text(const fourlink_deck *deck, int link);
+
+/* The part of a deck's program that a time is in.
+**
+** Given:
+**    deck    from fourlink_deck_read or fourlink_results_deck
+**    time    s; before the beginning of the program its first part, behind its end the last
+** Returned:
+**    part    its words are constant strings
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL; FOURLINK_NO_SUCH_POINT for a deck without a program
+*/
+FOURLINK_API int fourlink_deck_program(const fourlink_deck *deck, double time,
+                                       fourlink_program_part *part);
 
 /* A tracer point of a deck.
 **

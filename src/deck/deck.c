@@ -316,6 +316,28 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
+int fourlink_deck_program(const fourlink_deck *d, double time, fourlink_program_part *part)
+{
+    const flk_program_segment *g;
+
+    if (!d || !part)
+        return FOURLINK_NULL;
+    if (!d->program)
+        return FOURLINK_NO_SUCH_POINT;
+    g = flk_program_segment_at(d->program, time);
+    part->law = flk_law_names[g->law];
+    part->begin = g->begin;
+    part->end = g->begin + g->length;
+    part->value = g->value;
+    part->rise = g->rise;
+    part->coordinate = d->program->is_of_speed ? g->coordinate : g->value;
+    memcpy(part->bend, g->bend, sizeof part->bend);
+    memcpy(part->ramp, g->ramp, sizeof part->ramp);
+    part->is_angle = d->program->is_angle;
+    part->is_of_speed = d->program->is_of_speed;
+    return FOURLINK_OK;
+}
+
 int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_info *info)
 {
     const flk_machine *machine;

@@ -4,7 +4,8 @@
 **
 ** A label is tried around its place in SIDES directions, of which the first leads away from the place behind it, each at RINGS
 ** distances up to two widths of an arrow.  It keeps its side while that is free; then it takes the one that stays free longest
-** in the steps to come.  A label for which there is no room is placed before the others, and if that does not help it is left out.
+** in the steps to come.  A label for which there is no room, or none on its side, is placed before the others; one without room is left out if that does
+** not help.
 **
 ** All lengths are those of the sheet: when the page makes it narrower, texts become larger in it.
 */
@@ -12,7 +13,8 @@ fourlink.labels = (function () {
 
 const SIDES = 36, RINGS = [0.1, 0.3, 0.5, 0.7, 0.95];
 const AHEAD = 16, TURN = 8, POOR = 12; /* steps that are looked at; by so many a side must be better for each of SIDES farther, or if poor */
-const TRIES = 8, APART = 1; /* pixels between two labels */
+const TRIES = 8, FEWER = 3, APART = 1; /* for labels without room, and for those that jump; pixels between two labels */
+const JUMP = 4.5, MOST_LABELS = 100; /* a side that is so many of SIDES farther; one label left out is worse than all jumps */
 
 /* Whether a line, [x, y, x, y, half its width], goes through a box, by its middle and half its sides. */
 function crosses([x1, y1, x2, y2, half], box) {
@@ -105,9 +107,10 @@ function make(labels, before) {
         }
         return best;
     }
-    /* Place labels, some before all others, then those that keep their sides; returns sides by label, and who is left out. */
+    /* Place labels, some before all others, then those that keep their sides; returns sides by label, who is left out and who
+       jumps. */
     function attempt(here, before, free, scene, later) {
-        const put = new Map(), taken = [...scene.texts], out = [];
+        const put = new Map(), taken = [...scene.texts], out = [], jumped = [];
         const take = (k, one) => {
             put.set(k, one);
             taken.push(one.box);
@@ -116,10 +119,13 @@ function make(labels, before) {
             if (!free.has(k))
                 free.set(k, freeOf(k, scene));
             const one = choose(k, free.get(k), taken, later);
-            if (one)
-                take(k, one);
-            else
+            if (!one) {
                 out.push(k);
+                return;
+            }
+            take(k, one);
+            if (sides[k] !== null && one.far > JUMP)
+                jumped.push(k);
         }
         function cannotStay(k) {
             const box = sides[k] !== null && boxOf(k, sides[k], scene);
@@ -130,7 +136,7 @@ function make(labels, before) {
         }
         before.forEach(find);
         here.filter((k) => !before.includes(k)).filter(cannotStay).forEach(find);
-        return {put, out};
+        return {put, out, jumped, cost: MOST_LABELS * out.length + jumped.length};
     }
     /* Place the labels of a scene, {places, lines, curves, texts, near, isThere}, where `near` is [] at first; later(n) is that of the
     ** n-th step from there, or null.  The frame is {left, top, right, bottom, pixel, reach}.  Returns the boxes, by label. */
@@ -138,10 +144,11 @@ function make(labels, before) {
         const here = order.filter(scene.isThere), free = new Map();
         frame = newFrame;
         kept = new Map();
-        let best = attempt(here, [], free, scene, later), first = best.out;
-        for (let n = 1; n < TRIES && best.out.length && first.length; n++) {
-            const next = attempt(here, first, free, scene, later), more = next.out.filter((k) => !first.includes(k));
-            if (next.out.length < best.out.length)
+        const inNeed = ({out, jumped}) => [...out, ...jumped];
+        let best = attempt(here, [], free, scene, later), first = inNeed(best);
+        for (let n = 1; n < (best.out.length ? TRIES : FEWER) && best.cost && first.length; n++) {
+            const next = attempt(here, first, free, scene, later), more = inNeed(next).filter((k) => !first.includes(k));
+            if (next.cost < best.cost)
                 best = next;
             first = more.length ? [...more, ...first] : [];
         }

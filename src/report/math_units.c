@@ -15,7 +15,7 @@ static const quantity quantities[MATH_UNITS] = {
     QUANTITY_LENGTH, QUANTITY_AREA,         QUANTITY_ANGLE,         QUANTITY_NUMBER,
     QUANTITY_SPEED,  QUANTITY_ACCELERATION, QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
     QUANTITY_FORCE,  QUANTITY_TORQUE,       QUANTITY_ENERGY,        QUANTITY_POWER,
-    QUANTITY_MASS,   QUANTITY_INERTIA};
+    QUANTITY_MASS,   QUANTITY_INERTIA,      QUANTITY_TIME};
 
 #define SAME 1e-12 /* relative difference of units that have two names, */
 #define ONE 1e-9   /* ... of a factor that is 1 */
@@ -47,6 +47,7 @@ void math_units_take(math_units *u, const fourlink_unit *units)
     set(u, MATH_LENGTH, L->up, L->down, L->name, "", "");
     set(u, MATH_AREA, L->up * L->up, L->down * L->down, L->name, "2", "");
     set(u, MATH_ANGLE, 1, 1, "", "", "");
+    set(u, MATH_TIME, 1, 1, "s", "", "");
     set(u, MATH_ONE, 1, 1, "", "", "");
     set(u, MATH_SPEED, L->up, L->down, L->name, "/s", "");
     set(u, MATH_ACCELERATION, L->up, L->down, L->name, "/s2", "");

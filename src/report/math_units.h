@@ -28,6 +28,7 @@ typedef enum math_unit {
     MATH_POWER,
     MATH_MASS,
     MATH_INERTIA,
+    MATH_TIME,
     MATH_UNITS
 } math_unit;
 

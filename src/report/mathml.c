@@ -78,6 +78,18 @@ static const struct {
                {"beta", "\316\262", MATH_ANGLE},
                {"gamma", "\316\263", MATH_ANGLE},
                {"psi", "\317\210", MATH_ANGLE},
+               {"pi", "\317\200", MATH_ONE},
+               {"tau", "\317\204", MATH_ONE},
+               {"sigma1", "\317\203\342\200\262", MATH_ONE},
+               {"sigma2", "\317\203\342\200\263", MATH_ONE},
+               {"sigma", "\317\203", MATH_ONE},
+               {"Sigma", "\316\243", MATH_ONE},
+               {"t", "t", MATH_TIME},
+               {"Dtheta", "\316\224\316\270", MATH_ANGLE},
+               {"Domega", "\316\224\317\211", MATH_ANGULAR_SPEED},
+               {"Dv", "\316\224v", MATH_SPEED},
+               {"Dq", "\316\224q", MATH_LENGTH},
+               {"aq", "a", MATH_ACCELERATION},
                {"delta", "\316\264", MATH_ANGLE},
                {"omega", "\317\211", MATH_ANGULAR_SPEED},
                {"alpha", "\316\261", MATH_ANGULAR_ACCELERATION},
@@ -277,12 +289,13 @@ static int is_of_two_letters(text token)
 
 static void put_atom(writer *w, text token)
 {
-    int is_square = w->rest.start && w->rest.length >= 2 && strncmp(w->rest.start, "^2", 2) == 0;
+    char power =
+        w->rest.start && w->rest.length >= 2 && w->rest.start[0] == '^' ? w->rest.start[1] : '\0';
     page *p = w->m->p;
 
     if (is_of_two_letters(token) && !w->has_numbers && !w->is_first)
         page_print(p, "<mspace width=\"0.17em\"/>");
-    if (is_square) {
+    if (power) {
         next_token(w);
         page_print(p, "<msup>");
         w->is_first = 0; /* a negative number has brackets in any case */
@@ -298,7 +311,8 @@ static void put_atom(writer *w, text token)
     } else {
         put_named(w, token);
     }
-    page_print(p, is_square ? "<mn>2</mn></msup>" : "");
+    if (power)
+        page_print(p, "<mn>%d</mn></msup>", power - '0');
 }
 
 /* Leave out the group of <NAME ... > if the symbol is 0. */

@@ -7,7 +7,7 @@
 **    a, theta3, F12x        symbols: a letter, or the name of a Greek one, and its subscript
 **    2, 180deg              numbers, angles
 **    + - * = , ( )          a product shows its dot only between numbers
-**    ^2  )^2                the square of the symbol, or of the bracket
+**    ^2 ... ^8  )^2         a power of the symbol, the square of the bracket
 **    { x | y }  [ x ]       a fraction, a square root
 **    <alpha2 x >            x, unless alpha2 is 0
 **    sin cos acos asin atan2

@@ -12,6 +12,7 @@
 #include "sample_limits.h"
 #include "sample_motion.h"
 #include "sample_output.h"
+#include "sample_program.h"
 #include "view/rounding.h"
 
 static void set_sizes(const report *r, math *m)
@@ -23,7 +24,8 @@ static void set_sizes(const report *r, math *m)
         QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_ACCELERATION,
         QUANTITY_FORCE,         QUANTITY_TORQUE,
         QUANTITY_ENERGY,        QUANTITY_POWER,
-        QUANTITY_MASS,          QUANTITY_INERTIA};
+        QUANTITY_MASS,          QUANTITY_INERTIA,
+        QUANTITY_TIME};
     double sizes[QUANTITY_COUNT];
     int i;
 
@@ -61,6 +63,7 @@ void report_put_sample(report *r)
                    r->v.units[QUANTITY_ANGLE].name,
                    view_value(&r->v, QUANTITY_ANGLE, r->now.row.crank.theta2),
                    r->v.units[QUANTITY_ANGLE].name);
+    sample_put_program(r, &m);
     sample_put_motion(r, &m);
     sample_put_input(r, &m);
     sample_put_klein(r, &m);

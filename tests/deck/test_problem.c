@@ -394,6 +394,35 @@ TEST(test_mistakes_of_files)
     assert_ptr_equal(deck, untouched);
 }
 
+TEST(test_program)
+{
+    static const char contents[] =
+        "mechanism = four-bar\n"
+        "[ground]\nlength = 80 mm\n"
+        "[crank]\nlength = 20 mm\n"
+        "[coupler]\nlength = 66 mm\n"
+        "[rocker]\nlength = 56 mm\n"
+        "[motion]\nprogram = 0 s 0 rad/s, 0.5 s 6 rad/s, 2 s 0 rad/s\n"
+        "program_of = speed\nfrom = 1 rad\nlaw = linear\ntime_step = 0.1 s\n";
+    fourlink_program_part part;
+    fourlink_deck *deck;
+
+    assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_deck_program(deck, 1.25, &part), FOURLINK_OK);
+    assert_string_equal(part.law, "linear");
+    assert_near(part.begin, 0.5, 0);
+    assert_near(part.end, 2, 0);
+    assert_near(part.value, 6, 0);
+    assert_near(part.rise, -6, 0);
+    assert_near(part.coordinate, 1 + 0.5 * 6 / 2, 1e-15); /* the area of a triangle */
+    assert_true(part.is_angle && part.is_of_speed);
+    assert_int_equal(fourlink_deck_program(deck, -1, &part), FOURLINK_OK);
+    assert_near(part.begin, 0, 0);
+    assert_int_equal(fourlink_deck_program(deck, 1, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_program(NULL, 1, &part), FOURLINK_NULL);
+    fourlink_deck_free(deck);
+}
+
 TEST(test_nulls)
 {
     fourlink_deck *deck = untouched;

@@ -166,6 +166,7 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
     fourlink_vector at;
     fourlink_unit unit;
     fourlink_load_info load;
+    fourlink_program_part part;
     const char *name;
     unsigned long i;
     int link;
@@ -173,6 +174,8 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
     for (i = 0; i < p->n_points; i++)
         MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_OK && *name);
     MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_NO_SUCH_POINT);
+    MUST(fourlink_deck_program(deck, 1, &part) == FOURLINK_NO_SUCH_POINT ||
+         (part.end > part.begin && *part.law));
     for (i = 0; i < p->n_loads; i++)
         MUST(fourlink_deck_load(deck, i, &load) == FOURLINK_OK && *load.name && load.link >= 2 &&
              load.link <= 4 + 2 * p->mechanism.design.n_groups);

@@ -139,7 +139,8 @@ static void put_element(equation *e, const xml_node *x)
         put(e, power);
     } else if (xml_is(x, "msup")) {
         put_element(e, x->first);
-        put(e, "^"); /* a square */
+        put(e, "^");
+        put(e, words_of(x->last, words));
     } else if (xml_is(x, "msub")) {
         put_constant(e, x);
     } else {
@@ -264,8 +265,8 @@ static double factor(reader *r)
     if (take(r, "-"))
         return -factor(r);
     take(r, "+");
-    for (x = operand(r); take(r, "^");)
-        x *= x;
+    for (x = operand(r); take(r, "^"); r->at++)
+        x = pow(x, *r->at - '0');
     return x;
 }
 

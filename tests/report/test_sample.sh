@@ -156,6 +156,27 @@ for deck in rocker-driven lever-on-its-slide slide-by-trapezoids rod-end-at-spee
     check "it is written: $deck" grep -q -e '<h3>What drives</h3>' driven.html
 done
 
+# programs, by each law, of places and of speeds, in each part of a law
+for law in spline harmonic cycloidal 3-4-5 4-5-6-7 modified-sine cubic trapezoid linear; do
+    for of in coordinate speed; do
+        {
+            sed '/^\[motion/,$d' "$alvi" | sed '/^\[load/,$d'
+            echo '[motion]'
+            [ $of = coordinate ] && echo 'program = 0 s 10 deg, 0.4 s 90 deg, 0.6 s 120 deg, 1 s 0 deg' ||
+                printf 'program_of = speed\nprogram = 0 s 0 rpm, 0.4 s 30 rpm, 0.6 s 10 rpm, 1 s 20 rpm\n'
+            printf 'law = %s\ntime_step = 0.05 s\n' $law
+        } >program.deck
+        for time in 0.02 0.35 0.55 0.95; do
+            "$fourlink" --report=program-$law-$of-$time.html --plot-at="time = $time s" -b open program.deck >out 2>err ||
+                check "$law of $of: $(cat err)" false
+        done
+    done
+done
+"$programs/check_sample" program-*.html >checked 2>&1
+check "programs: $(head -n 5 checked)" test "$(sed 's/,.*//' checked)" = '72 samples'
+check "with their laws: $(grep -l '<h3>Program</h3>' program-*.html | wc -l)" test "$(grep -l '<h3>Program</h3>' program-*.html | wc -l)" -ge 60
+rm -f program-*.html
+
 # friction is that of the columns
 check 'no friction without its section' fails grep -q '<h3>Friction</h3>' r.html
 sample rubbed-norton.deck --plot-at='95 deg' --branch=open
