@@ -5,8 +5,8 @@
 **
 ** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
 ** twice per degree, and base/solve finds where they cross a level between two samples.  At which angle a
-** speed crosses a level depends on the speed of the crank: such levels are corners only if the crank has one
-** given speed.  Otherwise they are left out: only the second derivative of a curve jumps there.
+** speed crosses a level depends on the speed of the crank: unless that has one given speed, such levels are sought
+** along the motion itself, from corner to corner.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -152,6 +152,73 @@ static void find_crossings(flk_corners *c, fourlink_branch branch)
     drop_at_change(c, branch);
     gsl_sort(c->theta2[index_of(branch)], 1, c->n[index_of(branch)]);
     c->is_known[index_of(branch)] = 1;
+}
+
+/* ------------------------------------------------------------------------- levels of speeds along a motion */
+
+#define STEP (M_PI / 180) /* rad passed */
+#define LEAST_STEPS 12
+
+typedef struct along {
+    const flk_corners *corners;
+    const flk_moving *m;
+    const flk_switch *s;
+    double level;
+} along;
+
+static double value_along(double passed, void *data)
+{
+    const along *x = data;
+    const flk_machine *machine = &x->corners->d->machine;
+    fourlink_crank crank;
+    fourlink_state state;
+
+    if (!x->m->at(x->m->data, passed, &crank) ||
+        flk_mechanism_move(&machine->mechanism, x->m->branch, &crank, 0, &state) != FOURLINK_OK)
+        return GSL_NAN;
+    return flk_switch_value(machine, x->s, &state) - x->level;
+}
+
+/* The first level that the switch crosses between two values, at `from` and `to`, where it crosses it. */
+static double first_level(along *x, double from, double to, double last, double now)
+{
+    double number;
+    flk_bracket b;
+    int step;
+
+    if (gsl_isnan(last + now) || !flk_switch_passes(x->s, last, now, &number, &step))
+        return GSL_POSINF;
+    x->level = flk_switch_level(x->s, number);
+    b = flk_bracket_of(from, to, last - x->level, now - x->level);
+    return flk_find_zero(value_along, x, &b, 0);
+}
+
+double flk_corners_of_speed(const flk_corners *c, const flk_moving *m, double from, double to)
+{
+    double begin = from + 2 * FLK_CORNERS_CLOSE(to), end = to - 2 * FLK_CORNERS_CLOSE(to);
+    double first = GSL_POSINF, step, last, now, found;
+    size_t n, i, j;
+    along x;
+
+    if (!(begin < end))
+        return first;
+    n = (size_t)GSL_MAX_DBL(LEAST_STEPS, ceil((end - begin) / STEP));
+    step = (end - begin) / (double)n;
+    x.corners = c;
+    x.m = m;
+    for (j = c->n_switches; j < c->n_switches + c->n_of_speed; j++) {
+        x.s = &c->switches[j];
+        x.level = 0;
+        last = value_along(begin, &x);
+        for (i = 1; i <= n && begin + (double)(i - 1) * step < first; i++, last = now) {
+            x.level = 0;
+            now = value_along(begin + (double)i * step, &x);
+            found = first_level(&x, begin + (double)(i - 1) * step, begin + (double)i * step, last,
+                                now);
+            first = GSL_MIN_DBL(first, found);
+        }
+    }
+    return first;
 }
 
 /* ------------------------------------------------------------------------------- dead centres of the drive */
@@ -366,8 +433,8 @@ flk_piece_end flk_corners_first(const flk_direction *direction)
 
 /* ------------------------------------------------------------------------------------------- the switches */
 
-/* Put the switches over the crank angle first, and leave out those whose corners depend on the speed; count
-** the levels of the others. */
+/* Put the switches over the crank angle first, and those whose corners depend on the speed last; count the levels of the
+** others. */
 static size_t sort(flk_corners *c, size_t n)
 {
     size_t i, n_levels = 0;
@@ -380,10 +447,12 @@ static size_t sort(flk_corners *c, size_t n)
             c->switches[c->n_switches++] = c->switches[c->n_over_theta2];
             c->switches[c->n_over_theta2++] = s;
         } else if (flk_switch_is_of_position(&s) || has_one_speed(c->d)) {
+            c->switches[i] = c->switches[c->n_switches];
             c->switches[c->n_switches++] = s;
             n_levels += s.n;
         }
     }
+    c->n_of_speed = n - c->n_switches;
     return n_levels;
 }
 

@@ -27,8 +27,9 @@ typedef enum flk_piece_end {
 ** found when first needed, so that columns of the motion alone never pay for them. */
 typedef struct flk_corners {
     const deck *d;
-    flk_switch *switches; /* the first n_over_theta2 are over the crank angle */
+    flk_switch *switches; /* the first n_over_theta2 are over the crank angle; */
     size_t n_switches, n_over_theta2;
+    size_t n_of_speed; /* ... so many behind the others depend on the crank's speed */
     double period;     /* rad: positions repeat after this */
     double *theta2[2]; /* rad, increasing, of the open and the crossed branch */
     size_t n[2], most;
@@ -62,6 +63,18 @@ void flk_corners_close(flk_corners *corners);
 ** given. */
 double flk_corners_next(const flk_direction *direction, double after, const double *more, size_t n,
                         flk_piece_end *what);
+
+/* A motion of a branch: `at` sets the crank after an angle passed, or returns 0. */
+typedef struct flk_moving {
+    fourlink_branch branch;
+    int (*at)(const void *data, double passed, fourlink_crank *crank);
+    const void *data;
+} flk_moving;
+
+/* The first corner between two angles passed at which a speed crosses one of its levels, if that depends on the crank's
+** speed; infinite if there is none. */
+double flk_corners_of_speed(const flk_corners *corners, const flk_moving *moving, double from,
+                            double to);
 
 /* The kind of corner at the first row. */
 flk_piece_end flk_corners_first(const flk_direction *direction);

@@ -564,6 +564,38 @@ void flk_course_set_prescribed(const flk_course *c, double place, fourlink_state
     flk_coordinate_set(x->q, &at, state);
 }
 
+/* The crank after an angle passed. */
+static int crank_after(const void *data, double passed, fourlink_crank *crank)
+{
+    const flk_pieces *x = data;
+    int is_second = x->one_side > 0 && passed >= x->one_side, status;
+    double place = x->first + x->rate * (is_second ? passed - x->one_side : passed);
+    flk_actual_row actual;
+    fourlink_row row;
+
+    status = x->course->type->at(x->course, x->branch,
+                                 is_second ? FOURLINK_FALLING : flk_course_first_side(x->course),
+                                 place, &row, &actual);
+    *crank = row.crank;
+    return status == FOURLINK_OK;
+}
+
+/* End a piece where a speed crosses a level of a load. */
+static void end_at_speed(const flk_pieces *x, flk_piece *piece)
+{
+    flk_moving moving;
+    double corner;
+
+    moving.branch = x->branch;
+    moving.at = crank_after;
+    moving.data = x;
+    corner = flk_corners_of_speed(x->course->corners, &moving, piece->from, piece->to);
+    if (!(corner < piece->to))
+        return;
+    piece->to = corner;
+    piece->end = FLK_END_PLAIN;
+}
+
 int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 {
     if (!(piece->to < x->length))
@@ -571,5 +603,7 @@ int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
     piece->begin = piece->end;
     piece->from = piece->to;
     x->course->type->next(x, piece);
+    if (x->has_loads && x->course->corners->n_of_speed)
+        end_at_speed(x, piece);
     return 1;
 }

@@ -259,6 +259,25 @@ static void take_top_beside_end(sought *k, const flk_sample *end, const flk_samp
 ** The search runs over the distance from the end, or where the column behaves as its root, over that. */
 #define BESIDE_END 4e-4 /* of the distance to the next sample */
 
+/* Behind at[0], the closest place, take the highest of some, ever farther away, into at[1] and its neighbours into the
+** others: of two alone rounding error could decide. */
+#define FARTHER 4
+
+static void take_highest_beside_end(sought *k, double next, flk_sample at[3])
+{
+    flk_sample place[3];
+
+    place[0] = at[0];
+    place[1].x = 2 * BESIDE_END;
+    place[1].value = peak_beside_end(place[1].x, k);
+    for (at[1].value = GSL_NEGINF; place[1].x < 1; place[0] = place[1], place[1] = place[2]) {
+        place[2].x = GSL_MIN_DBL(FARTHER * place[1].x, 1);
+        place[2].value = place[2].x < 1 ? peak_beside_end(place[2].x, k) : next;
+        if (place[1].value > at[1].value || place[1].x <= 2 * BESIDE_END)
+            memcpy(at, place, sizeof place);
+    }
+}
+
 static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
 {
     const flk_samples *x = k->x;
@@ -269,10 +288,7 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
     k->is_root = flk_follow_is_root(k->end < 0.5 ? x->f.piece.begin : x->f.piece.end);
     at[0].x = BESIDE_END;
     at[0].value = peak_beside_end(at[0].x, k);
-    at[1].x = 2 * BESIDE_END;
-    at[1].value = peak_beside_end(at[1].x, k);
-    at[2].x = 1;
-    at[2].value = sample_of(k, next).value;
+    take_highest_beside_end(k, sample_of(k, next).value, at);
     top = at[0];
     if (at[1].value > at[0].value) {
         top = flk_find_peak(peak_beside_end, k, at, EQUAL * fabs(at[1].value));

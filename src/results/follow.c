@@ -649,41 +649,56 @@ static double extrapolate_in_root(const double *x, const double *y, double *erro
     return value_at_end(root, y, &p, error);
 }
 
-/* A direction by its unit vector, which has a limit where the vector grows without bound. */
-static void take_unit_vectors(values y[2])
+/* A direction, of a vector whose components are P(root of x) / x^(k / 2): where k is the order of the vector's pole, the
+** values of both P at the end are not 0, and have it.  Unlike those of the unit vector their polynomials are as exact
+** where the direction turns over close to the end.  1 if it is known with an error below `least`, rad. */
+static int direction_in_root(const flk_limit_rows *e, values y[2], double least, double *angle)
 {
-    double length;
-    int scale, k;
+    double value[2], error[2], times[2][NODES], length, doubt;
+    int scale, order, i, k, is_known = 0;
 
-    for (scale = 0; scale < SCALES; scale++)
-        for (k = 0; k < NODES; k++) {
-            length = flk_length(y[0][scale][k], y[1][scale][k]);
-            y[0][scale][k] /= length;
-            y[1][scale][k] /= length;
+    for (order = 2 * e->greatest_order; order >= 0 && !is_known; order--)
+        for (scale = 0; scale < SCALES; scale++) {
+            for (i = 0; i < 2; i++) {
+                for (k = 0; k < NODES; k++)
+                    times[i][k] = gsl_pow_int(sqrt(e->x[scale][k]), order) * y[i][scale][k];
+                value[i] = extrapolate_in_root(e->x[scale], times[i], &error[i]);
+            }
+            length = flk_length(value[0], value[1]);
+            doubt = (fabs(value[0]) * error[1] + fabs(value[1]) * error[0]) / gsl_pow_2(length);
+            if (!(doubt <= least && flk_length(error[0], error[1]) <= FINITE * length))
+                continue;
+            least = doubt;
+            is_known = 1;
+            *angle = flk_angle(value[1], value[0]);
         }
+    return is_known;
 }
 
 /* Take such a limit if it is known with an error below `least`.  Then rows beside the end are exact. */
 static void take_limit_in_root(const flk_limit_rows *e, const flk_followed *t, values y[2],
                                double size, double least, flk_limit *l)
 {
-    int is_direction = l->n == 2 && t->turn > 0, scale;
     double value[2] = {0, 0}, error[2] = {0, 0}, of;
+    int scale;
 
-    if (is_direction)
-        take_unit_vectors(y);
+    if (l->n == 2 && t->turn > 0) {
+        if (direction_in_root(e, y, least, &l->value)) {
+            l->value *= t->c->scale;
+            l->rounded = 0;
+        }
+        return;
+    }
     for (scale = 0; scale < SCALES; scale++) {
         value[0] = extrapolate_in_root(e->x[scale], y[0][scale], &error[0]);
         if (l->n == 2)
             value[1] = extrapolate_in_root(e->x[scale], y[1][scale], &error[1]);
-        of = is_direction ? 1 : GSL_MAX_DBL(size, flk_length(value[0], value[1]));
+        of = GSL_MAX_DBL(size, flk_length(value[0], value[1]));
         if (!(flk_length(error[0], error[1]) <= least * of))
             continue;
         least = flk_length(error[0], error[1]) / of;
         l->rounded = 0;
-        l->value = is_direction ? flk_angle(value[1], value[0]) * t->c->scale
-                   : l->n == 2  ? flk_length(value[0], value[1])
-                                : value[0];
+        l->value = l->n == 2 ? flk_length(value[0], value[1]) : value[0];
     }
 }
 

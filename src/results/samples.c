@@ -20,6 +20,7 @@
 #define LEAST_STEPS 12   /* of a piece */
 #define SHORT 1e-9       /* rad, of a piece of which one row is computed */
 #define HALVINGS 9       /* of the step towards some ends */
+#define ARRAYS 3         /* at most, of a column: values, two components of a vector */
 
 int flk_samples_open(flk_samples_room *room, size_t most)
 {
@@ -28,7 +29,7 @@ int flk_samples_open(flk_samples_room *room, size_t most)
     if (!room->near)
         room->near = malloc(sizeof *room->near);
     if (!room->values)
-        room->values = malloc(FLK_SAMPLES_MOST * (most + 2) * sizeof *room->values);
+        room->values = malloc(FLK_SAMPLES_MOST * (ARRAYS * most + 2) * sizeof *room->values);
     return room->columns && room->near && room->values;
 }
 
@@ -60,7 +61,11 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
     memset(c, 0, sizeof *c);
     flk_follow_column(&x->f, &c->of, column);
     c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) && !x->f.a->d->prescribed;
-    c->v = x->force + FLK_SAMPLES_MOST * x->n_columns;
+    c->v = x->force + FLK_SAMPLES_MOST * (ARRAYS * x->n_columns - ARRAYS + 1);
+    if (c->of.turn > 0 && flk_column_has_vector(column)) {
+        c->vector[0] = c->v + FLK_SAMPLES_MOST;
+        c->vector[1] = c->vector[0] + FLK_SAMPLES_MOST;
+    }
     x->needs |= flk_column_need(column);
     x->has_noise |= c->of.is_noise;
 }
@@ -165,6 +170,22 @@ static double inside_of(const flk_sampled *c, double inside, double end)
                : flk_followed_nearest(&c->of, inside, end);
 }
 
+/* Set the components of vectors in sample i. */
+static void take_vectors(const flk_samples *x, size_t i, const flk_row *row)
+{
+    size_t k;
+
+    for (k = 0; k < x->n_columns; k++) {
+        const flk_sampled *c = &x->columns[k];
+
+        if (!c->vector[0])
+            continue;
+        c->vector[0][i] = c->vector[1][i] = GSL_NAN;
+        if (row->at.status == FOURLINK_OK)
+            flk_column_vector(c->of.c, row, &c->vector[0][i], &c->vector[1][i]);
+    }
+}
+
 static void take_end(const flk_samples *x, double s, size_t i)
 {
     flk_piece_end end = s <= 0 ? x->f.piece.begin : x->f.piece.end;
@@ -185,6 +206,7 @@ static void take_end(const flk_samples *x, double s, size_t i)
         c->v[i] = c->is_inside[s >= 1] ? inside_of(c, there, here) : here;
         c->corner[s >= 1] = c->is_inside[s >= 1] ? here : there;
     }
+    take_vectors(x, i, &beside);
 }
 
 static double *make_room(double *list, size_t n, size_t i)
@@ -203,6 +225,15 @@ static double largest_force(const flk_row *row)
                        GSL_MAX_DBL(flk_length(f->F34x, f->F34y), flk_length(f->F14x, f->F14y)));
 }
 
+static void make_room_of_column(const flk_sampled *c, size_t n, size_t i)
+{
+    make_room(c->v, n, i);
+    if (c->vector[0]) {
+        make_room(c->vector[0], n, i);
+        make_room(c->vector[1], n, i);
+    }
+}
+
 /* Insert a sample before number i. */
 static void insert_sample(flk_samples *x, size_t i, double s)
 {
@@ -213,7 +244,7 @@ static void insert_sample(flk_samples *x, size_t i, double s)
     *make_room(x->s, x->n, i) = s;
     *make_room(x->force, x->n, i) = GSL_NAN;
     for (k = 0; k < x->n_columns; k++)
-        make_room(x->columns[k].v, x->n, i);
+        make_room_of_column(&x->columns[k], x->n, i);
     if (s <= 0 || s >= 1) {
         take_end(x, s, i);
     } else {
@@ -223,6 +254,7 @@ static void insert_sample(flk_samples *x, size_t i, double s)
             x->force[i] = largest_force(&row);
         for (k = 0; k < x->n_columns; k++)
             x->columns[k].v[i] = value_of(x, &x->columns[k], s, passed, &row);
+        take_vectors(x, i, &row);
     }
     x->f.a->rows_left -= (double)x->n_columns / 16;
     x->n++;
@@ -306,7 +338,7 @@ static void halve_steps(flk_samples *x, double step)
 
     for (k = 0; k < x->n_columns; k++)
         for (x->columns[k].largest = 0, i = 0; i < x->n; i++)
-            x->columns[k].largest = GSL_MAX_DBL(x->columns[k].largest, fabs(x->columns[k].v[i]));
+            flk_scale_take(&x->columns[k].largest, x->columns[k].v[i]);
     for (i = 0; i < x->n; i++)
         smooth[i] = (char)is_smooth(x, i, step);
     for (i = x->n - 1; i-- > 0;)
@@ -370,7 +402,7 @@ static void sample(flk_samples *x)
 
 /* More samples until no angle jumps by more than a sixth of a turn, or they are too close. */
 #define JUMP (1.0 / 6)
-#define CLOSEST_SAMPLES 1e-7
+#define CLOSEST_SAMPLES 1e-9
 
 static int angle_jumps(const flk_samples *x, size_t i)
 {
@@ -385,13 +417,64 @@ static int angle_jumps(const flk_samples *x, size_t i)
     return 0;
 }
 
+/* 1 if a direction may make a whole turn between samples i and i + 1, whose difference does not show it: its vector goes
+** around the origin.  Then that is on one side of the chord and on the other of the curve, which is as far from the chord as
+** its bend says. */
+#define BEND 0.5 /* times the bend of the samples: an arc is 1/8 of it away */
+
+/* The part of the bend of samples i - 1, i, i + 1 in a step of length h. */
+static double bend_at(const flk_samples *x, const double *v, size_t i, double h)
+{
+    const double *s = x->s + i;
+    double bend = ((v[i + 1] - v[i]) / (s[1] - s[0]) - (v[i] - v[i - 1]) / (s[0] - s[-1])) /
+                  (0.5 * (s[1] - s[-1]));
+
+    return gsl_isnan(bend) ? 0 : bend * h * h;
+}
+
+static double bend_of_vector(const flk_samples *x, const flk_sampled *c, size_t i)
+{
+    double h = x->s[i + 1] - x->s[i], before = 0, behind = 0;
+
+    if (i > 0)
+        before = flk_length(bend_at(x, c->vector[0], i, h), bend_at(x, c->vector[1], i, h));
+    if (i + 2 < x->n)
+        behind = flk_length(bend_at(x, c->vector[0], i + 1, h), bend_at(x, c->vector[1], i + 1, h));
+    return GSL_MAX_DBL(before, behind);
+}
+
+/* How far the origin is from the chord between two samples of a vector. */
+static double distance_of_chord(const flk_sampled *c, size_t i)
+{
+    const double *u = c->vector[0] + i, *v = c->vector[1] + i;
+    double du = u[1] - u[0], dv = v[1] - v[0], along = -(u[0] * du + v[0] * dv);
+    double part = along / (du * du + dv * dv);
+
+    part = part > 0 ? GSL_MIN_DBL(part, 1) : 0;
+    return flk_length(u[0] + part * du, v[0] + part * dv);
+}
+
+static int may_go_around(const flk_samples *x, size_t i)
+{
+    size_t k;
+
+    for (k = 0; k < x->n_columns; k++) {
+        const flk_sampled *c = &x->columns[k];
+
+        if (c->vector[0] && !gsl_isnan(c->v[i] + c->v[i + 1]) &&
+            distance_of_chord(c, i) < BEND * bend_of_vector(x, c, i))
+            return 1;
+    }
+    return 0;
+}
+
 static void resolve_jumps(flk_samples *x)
 {
     size_t i;
 
     for (i = 0; i + 1 < x->n; i++)
         while (x->n < FLK_SAMPLES_MOST && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES &&
-               angle_jumps(x, i))
+               (angle_jumps(x, i) || may_go_around(x, i)))
             insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
@@ -418,6 +501,20 @@ static void continue_angle(const flk_samples *x, flk_sampled *c)
 
 /* --------------------------------------------------------------------------------------------- pieces */
 
+/* The inertia forces of the links and their weights, for columns that need no forces in the pins. */
+static void take_inertia_forces(const fourlink_design *design, flk_scale *scale)
+{
+    double g = flk_length(design->gravity.x, design->gravity.y);
+    int i;
+
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+        const fourlink_link *link = &design->link[i];
+
+        flk_scale_take(&scale->force, link->mass * (scale->length * scale->acceleration + g));
+        flk_scale_take(&scale->force, link->inertia * scale->acceleration / scale->length);
+    }
+}
+
 double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_row *row)
 {
     const fourlink_design *design = &x->f.a->d->machine.mechanism.design;
@@ -441,6 +538,8 @@ double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_r
         flk_scale_take(&scale.force, gsl_hypot(f->F23x, f->F23y));
         flk_scale_take(&scale.force, gsl_hypot(f->F34x, f->F34y));
         flk_scale_take(&scale.force, gsl_hypot(f->F14x, f->F14y));
+    } else {
+        take_inertia_forces(design, &scale);
     }
     return c->of.c->scale * flk_scale_of(&scale, flk_column_quantity(c->of.c));
 }

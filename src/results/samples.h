@@ -23,6 +23,7 @@ typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples, continuous for an angle; NaN: no value, or a pole */
+    double *vector[2];  /* of a direction: the components of its vector there; else null */
     double size;        /* its largest magnitude in the middle of pieces so far, */
     double scale;       /* ... and that of its quantity in the middle of this piece */
     double largest;     /* the largest magnitude of the samples */

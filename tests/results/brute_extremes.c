@@ -217,7 +217,19 @@ typedef struct edge {
 static edge edges[100];
 static int n_edges;
 
-/* The rounding error of columns in a row at some distance from an edge. */
+/* The last digit of the largest value of a column's quantity in a row: the column may be a difference of such. */
+static double last_digit(unsigned long c, const double *v)
+{
+    double most = 0;
+    unsigned long k;
+
+    for (k = 0; k < n_columns; k++)
+        if (strcmp(columns[k].quantity, columns[c].quantity) == 0 && isfinite(v[k]))
+            most = fmax(most, fabs(v[k]));
+    return DBL_EPSILON * most;
+}
+
+/* The rounding error of columns in a row at some distance from an edge: three rows may agree by chance. */
 static void find_rough(double p, double distance, const double *v, double *rough)
 {
     double h = fmax(1e-5 * distance, 1e-12 * (1 + p)), before[COLUMNS], behind[COLUMNS];
@@ -225,9 +237,9 @@ static void find_rough(double p, double distance, const double *v, double *rough
     unsigned long c;
 
     for (c = 0; c < n_columns; c++)
-        rough[c] = is_there
-                       ? fabs(beside(c, before[c], v[c]) - 2 * v[c] + beside(c, behind[c], v[c]))
-                       : INFINITY;
+        rough[c] = is_there ? fmax(last_digit(c, v), fabs(beside(c, before[c], v[c]) - 2 * v[c] +
+                                                          beside(c, behind[c], v[c])))
+                            : INFINITY;
 }
 
 /* 1 if the crank is at rest at an edge, or starts there. */
@@ -634,15 +646,22 @@ static int has_pole(unsigned long c)
 
 /* 1 if a column grows to infinity on one side of the angle that is told: a pole narrower than the rows.  At distances
 ** that are each a tenth of the one before, a number that is added does not matter to the steps between rows. */
+static int grows_from(unsigned long c, const fourlink_value *f, double p, double h)
+{
+    double v[3][COLUMNS];
+
+    return !compute(p + h, v[0]) && !compute(p + h / 10, v[1]) && !compute(p + h / 100, v[2]) &&
+           (v[2][c] - v[1][c]) * f->value > 0 &&
+           fabs(v[2][c] - v[1][c]) > 5 * fabs(v[1][c] - v[0][c]);
+}
+
+/* Next to a place far away rows have no value. */
 static int grows(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * angle_unit, v[3][COLUMNS];
-    int side;
+    double p = sense * (f->angle - from) * angle_unit, h;
 
-    for (side = -1; side <= 1; side += 2)
-        if (!compute(p + side * 1e-7, v[0]) && !compute(p + side * 1e-8, v[1]) &&
-            !compute(p + side * 1e-9, v[2]) && (v[2][c] - v[1][c]) * f->value > 0 &&
-            fabs(v[2][c] - v[1][c]) > 5 * fabs(v[1][c] - v[0][c]))
+    for (h = 1e-7; h < 2e-5; h *= 10)
+        if (grows_from(c, f, p, h) || grows_from(c, f, p, -h))
             return 1;
     return 0;
 }
@@ -720,7 +739,8 @@ static int is_attained(unsigned long c, const fourlink_value *f, double size, in
         near = is_near(p, v);
         if (isnan(v[c]))
             near = !compute(p + (p < total / 2 ? 1e-7 : -1e-7), v);
-        far = apart(c, v[c], f->value) / size;
+        far = apart(c, v[c], f->value);
+        far = !is_angle(c) && far <= 4 * last_digit(c, v) ? 0 : far / size;
         if (far > SMOOTH)
             far = fmin(far, fmin(apart_beside(c, p, f->value), apart_about(c, p, f->value)) / size);
     }
@@ -738,18 +758,12 @@ static int is_attained(unsigned long c, const fourlink_value *f, double size, in
     return *is_open || far <= (near ? NEAR : SMOOTH);
 }
 
-/* The rounding error of a row: of the largest value of the column's quantity, from which it may be a difference. */
+/* The rounding error of a row. */
 static double rounding_at(unsigned long c, double p)
 {
-    double v[COLUMNS], most = 0;
-    unsigned long k;
+    double v[COLUMNS];
 
-    if (compute(p, v))
-        return 0;
-    for (k = 0; k < n_columns; k++)
-        if (strcmp(columns[k].quantity, columns[c].quantity) == 0 && isfinite(v[k]))
-            most = fmax(most, fabs(v[k]));
-    return 4 * DBL_EPSILON * most;
+    return compute(p, v) ? 0 : 4 * last_digit(c, v);
 }
 
 static void compare(unsigned long c, const fourlink_value *f, best *b, double size)

@@ -572,6 +572,107 @@ TEST(test_structural_errors)
     assert_true(tried > i / 4);
 }
 
+/* A direction can make nearly a whole turn between two samples, where its vector goes around the origin.  Beside the outer
+** dead centre a piston's force K and a torque T on the rod, without masses, give
+**
+**    F34 = (-K, (T / l - K sin(theta3)) / cos(theta3)),   K = k0 + (k1 - k0) x / x1,   T = t v / v1
+**
+** where K passes through 0 ever closer to the dead centre.  Against dense places, closer and closer to that. */
+typedef struct turning {
+    double r, l, k0, k1, t; /* m, N, N m */
+} turning;
+
+static double direction_of(const turning *m, double theta)
+{
+    double s = m->r / m->l * sin(theta), c = sqrt(1 - s * s);
+    double x = 2 * m->r * pow(sin(theta / 2), 2) + m->l * s * s / (1 + c);
+    double v = m->r * sin(theta) + m->l * s * (m->r / m->l) * cos(theta) / c; /* at 1 rad/s */
+    double K = m->k0 + (m->k1 - m->k0) * x;
+
+    return atan2((m->t * v / m->l + K * s) / c, -K) * 180 / PI;
+}
+
+static double range_of_direction(const turning *m, double from, double to)
+{
+    double angle = 0, last = 0, least = 0, most = 0, theta, now;
+    int i;
+
+    for (i = -4000; i <= 4000; i++) {
+        theta = (i < 0 ? from : to) * pow(10, -7 + 7 * abs(i) / 4000.0) * (i != 0);
+        now = direction_of(m, theta);
+        angle += i > -4000 ? remainder(now - last, 360) : 0;
+        last = now;
+        least = fmin(least, angle);
+        most = fmax(most, angle);
+    }
+    return most - least;
+}
+
+TEST(test_whole_turns_of_a_direction)
+{
+    uint64_t seed = 8;
+    int i, turns = 0;
+
+    for (i = 0; i < some_of(4000); i++) {
+        turning m;
+        double from = uniform(&seed, -90, -10), to = uniform(&seed, 10, 90), right, found;
+        fourlink_results *r;
+
+        m.r = uniform(&seed, 0.02, 0.2);
+        m.l = m.r * uniform(&seed, 1.2, 6);
+        m.k0 = pow(10, uniform(&seed, -6, 0)) * (uniform(&seed, -1, 1) < 0 ? -1 : 1);
+        m.k1 = (m.k0 < 0 ? 10 : -10) * uniform(&seed, 0.1, 1);
+        m.t = pow(10, uniform(&seed, -3, 0)) * (uniform(&seed, -1, 1) < 0 ? -1 : 1);
+        r = opened(print("mechanism = slider-crank\n[crank]\nlength = %.17g m\n[rod]\n"
+                         "length = %.17g m\n[load T]\nlink = rod\nover = v\ntorque = %.17g N m\n"
+                         "at_speed = 1 m/s\nexponent = 1\n[load K]\nlink = piston\nover = x\n"
+                         "force = 0 m %.17g N, 1 m %.17g N\n[gravity]\nacceleration = 0\n[motion]\n"
+                         "speed = 1 rad/s\nfrom = %.17g deg\nto = %.17g deg\n[table]\n"
+                         "columns = F34_dir\n",
+                         m.r, m.l, m.t, m.k0, m.k1, from, to));
+        right = range_of_direction(&m, from * PI / 180, to * PI / 180);
+        found = value_at(r, "max(F34_dir)", 0) - value_at(r, "min(F34_dir)", 0);
+        turns += right > 300;
+        if (!(fabs(found - right) <= 0.05))
+            fail_msg("case %d: a range of %.12g deg, not %.12g", i, found, right);
+        fourlink_results_free(r);
+    }
+    assert_true(turns > i / 20);
+}
+
+/* A load over a speed has its greatest value at the speed that its curve says, however narrow that is and however the
+** crank's speed changes. */
+TEST(test_corners_of_a_speed)
+{
+    static const char *const motions[] = {
+        "speed = 10 rad/s\nacceleration = %.17g rad/s2\nfrom = %.17g deg\nto = %.17g deg\n",
+        "acceleration = %.17g rad/s2\nfrom = %.17g deg\nrun_up = %.17g deg\n"};
+    uint64_t seed = 9;
+    int i;
+
+    for (i = 0; i < some_of(2000); i++) {
+        double from = uniform(&seed, -180, 180), to = from + uniform(&seed, 300, 720);
+        double width = pow(10, uniform(&seed, -6, -1)), most = uniform(&seed, 1, 100), v;
+        const char *machine = "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\n"
+                              "length = 170 mm\n[motion]\n";
+        const char *motion =
+            print(motions[i % 2], uniform(&seed, 1, i % 2 ? 90 : 9), from, i % 2 ? to - from : to);
+        fourlink_results *r = opened(print("%s%s", machine, motion));
+        double angle = from + (to - from) * uniform(&seed, 0.05, 0.95), found;
+
+        v = value_at(r, "v", angle);
+        fourlink_results_free(r);
+        r = opened(print("%s%s[load K]\nlink = piston\nover = v\nforce = %.17g m/s %.17g N, "
+                         "%.17g m/s %.17g N, %.17g m/s %.17g N\n",
+                         machine, motion, v - width, 0.5 * most, v, most, v + 2 * width,
+                         0.2 * most));
+        found = value_at(r, "min(F34x)", 0);
+        if (!(fabs(found + most) <= 1e-9 * most))
+            fail_msg("case %d: min(F34x) is %.12g, not %.12g: at %.12g m/s", i, found, -most, v);
+        fourlink_results_free(r);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
