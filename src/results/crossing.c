@@ -17,6 +17,7 @@
 #include "base/solve.h"
 #include "mechanics/mechanics.h"
 #include "crossing.h"
+#include "pole.h"
 
 #define EXACT 1e-9      /* of the scale of the row: closer, it has the value */
 #define CONTINUOUS 1e-6 /* ... a smaller step from piece to piece is no jump */
@@ -346,6 +347,45 @@ static void bound_pole(crossings *k, size_t i)
         insert_row(k, i + 2, b.high);
 }
 
+/* Poles between samples, by what they divide by: beside some the column is 0 before the next sample, and its samples have
+** one sign. */
+#define POLES 100     /* of a piece, at most */
+#define BESIDE_POLE 8 /* halvings of the distance to the samples beside it */
+
+typedef struct poles {
+    double s[POLES];
+    size_t n;
+} poles;
+
+static void keep_pole(void *data, const flk_pole *found)
+{
+    poles *p = data;
+
+    if (p->n < POLES && found->s > 0 && found->s < 1)
+        p->s[p->n++] = found->s;
+}
+
+/* Insert samples on both sides of each. */
+static void insert_beside_poles(crossings *k)
+{
+    const double *s = k->x.s;
+    size_t i = 0, j;
+    double low, high;
+    poles p;
+
+    p.n = 0;
+    if (gsl_finite(k->c->of.bound))
+        flk_poles_find(&k->x, k->c, keep_pole, &p);
+    for (j = 0; j < p.n; j++) {
+        while (i + 2 < k->x.n && s[i + 1] <= p.s[j])
+            i++;
+        low = p.s[j] - ldexp(p.s[j] - s[i], -BESIDE_POLE);
+        high = p.s[j] + ldexp(s[i + 1] - p.s[j], -BESIDE_POLE);
+        if (s[i] < low && low < high && high < s[i + 1] && insert_row(k, i + 1, low))
+            insert_row(k, i + 2, high);
+    }
+}
+
 /* 1 if between samples i and i + 1 the column may turn unseen: its slope changes much. */
 #define MUCH 4
 
@@ -431,6 +471,7 @@ static void insert_samples(crossings *k)
         take_row(k, i);
     if (x->n < 2)
         return;
+    insert_beside_poles(k);
     for (i = x->n - 1; i-- > 0;) {
         double from = s[i], to = s[i + 1];
         int part = is_bent(k, i) ? PARTS : 1;

@@ -150,6 +150,68 @@ TEST(test_poles)
     fourlink_results_free(r);
 }
 
+/* The instant centre I13 is where the lines of crank and rocker meet:
+**
+**    I13 = d sin(theta4) / sin(theta4 - theta2) (cos(theta2), sin(theta2))
+**
+** so that I13x has a value w where d sin(theta4) cos(theta2) - w sin(theta4 - theta2) changes its sign, which has no poles.
+** Crank and rocker are parallel close to 90 deg, where I13x is 0: its samples can have one sign on both sides of the pole.
+*/
+static double beyond(fourlink_results *r, fourlink_branch branch, double w, double d, double angle)
+{
+    double theta2 = angle * DEG, theta4 = value_at(r, "theta4", branch, angle) * DEG;
+
+    return d * sin(theta4) * cos(theta2) - w * sin(theta4 - theta2);
+}
+
+static int count_beside_poles(fourlink_results *r, fourlink_branch branch, double w, double d)
+{
+    const double step = 0.2;
+    double angles[MOST], last = beyond(r, branch, w, d, 0), now;
+    unsigned long n = crossings(r, "I13x", branch, w, angles), k;
+    int j, passed = 0;
+
+    for (j = 1; j <= 360 / step; j++, last = now) {
+        now = beyond(r, branch, w, d, j * step);
+        if (!(last * now < 0))
+            continue;
+        for (k = 0; k < n && fabs(angles[k] - (j - 0.5) * step) > 0.5 * step + 1e-6; k++)
+            ;
+        if (k == n)
+            fail_msg("I13x = %.12g is not found between %g and %g deg", w, (j - 1) * step,
+                     j * step);
+        passed++;
+    }
+    return passed;
+}
+
+TEST(test_beside_poles)
+{
+    uint64_t seed = 12;
+    int i, passed = 0;
+
+    for (i = 0; i < some_of(1000); i++) {
+        double parallel = (90 + pow(10, uniform(&seed, -5, 0.7)) * (i % 2 ? -1 : 1)) * DEG;
+        double a = uniform(&seed, 0.1, 0.4), c = uniform(&seed, 0.6, 1.5), d = 1, b;
+        double w = pow(10, uniform(&seed, -3, 2)) * (uniform(&seed, -1, 1) < 0 ? -1 : 1);
+        fourlink_results *r;
+        char deck[400];
+
+        b = hypot(d + (c - a) * cos(parallel), (c - a) * sin(parallel));
+        snprintf(deck, sizeof deck,
+                 "mechanism = four-bar\n[ground]\nlength = %.17g m\n[crank]\n"
+                 "length = %.17g m\n[coupler]\nlength = %.17g m\n[rocker]\n"
+                 "length = %.17g m\n[motion]\nspeed = 1 rad/s\n[units]\nlength = m\n"
+                 "[table]\ncolumns = I13x, theta4\n",
+                 d, a, b, c);
+        r = opened(deck);
+        passed += count_beside_poles(r, FOURLINK_OPEN, w, d);
+        passed += count_beside_poles(r, FOURLINK_CROSSED, w, d);
+        fourlink_results_free(r);
+    }
+    assert_true(passed > 2 * i);
+}
+
 /* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles
 ** are those of a scan in steps of 0.001 deg. */
 TEST(test_direction_beside_change_point)
