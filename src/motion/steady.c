@@ -10,7 +10,8 @@
 **
 ** The first is solved between speeds at which the machine gains and loses energy in a cycle.  It starts from
 ** the lowest speed above which the mean torque of a cycle at constant speed is negative: a run-up ends there,
-** because below it the machine gains speed.  The motion is stable if g' < 1.
+** because below it the machine gains speed.  The motion is stable if g' < 1; the speed is known if g' is not 1 but for
+** rounding error.
 **
 ** For the second, two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and
 ** with the same T not at all.  So the energy after a cycle grows with T, there is at most one T for each v,
@@ -45,6 +46,8 @@
 #define COARSE 1e-6      /* tolerance of the steps of first solutions, and their error */
 #define CLOSE 1e-12      /* of the energy, the cycle: solved */
 #define ROUNDED 1e-9     /* ... without getting closer: friction corners, last digits */
+/* The least part of a difference that a cycle takes away: the speed is known to ROUNDED / HOLDS, mostly to a tenth of that. */
+#define HOLDS 1e-6
 
 /* -------------------------------------------------------------------------------------------------- facts */
 
@@ -327,6 +330,15 @@ static int solve(problem *q, double tolerance, double close, double rounded)
                : flk_find_rising(excess, q, &q->speed, q->close, q->rounded);
 }
 
+/* 1 if a cycle takes differences of the speed away.  Where it takes less than rounding error makes, nothing holds the speed:
+** without losses a motor of constant power is as good as none at a speed of thousands of rad/s. */
+static int holds(const problem *q)
+{
+    double growth = growth_of(q->p); /* NaN: not known */
+
+    return (q->speed.slope != SLOPE || growth < 0) && !(growth > -HOLDS);
+}
+
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctuation)
 {
     const flk_rising guess = {0, SLOPE, LONGEST_STEP};
@@ -366,8 +378,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double fluctua
     q.speed_guess = q.speed;
     q.torque_guess = q.torque;
     solve(&q, COARSE, COARSE, 0.01);
-    p->is_steady = solve(&q, tolerance, CLOSE, ROUNDED) &&
-                   (q.balances || q.speed.slope != SLOPE || growth_of(p) < 0);
+    p->is_steady = solve(&q, tolerance, CLOSE, ROUNDED) && (q.balances || holds(&q));
     p->tolerance = tolerance;
     if (p->is_steady)
         return 1;

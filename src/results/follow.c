@@ -302,6 +302,7 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
     e->at_end = at_end;
     e->is_root = flk_follow_is_root(end);
     e->is_change = is_change(end);
+    e->is_lock = end == FLK_END_LOCK;
     e->least_order =
         end == FLK_END_LOCK ? 2 : 1; /* there forces grow as the inverse of the distance */
     e->greatest_order = end == FLK_END_CHANGE_REST || end == FLK_END_POLE ? 6
@@ -617,7 +618,7 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
     least = GSL_MAX_DBL(4 * b->error, EXACT * size);
     if (!is_direction)
         l->rough = reach;
-    if (b->error <= (e->is_change && !is_direction ? KNOWN : EXACT) * size) {
+    if (b->error <= ((e->is_change || e->is_lock) && !is_direction ? KNOWN : EXACT) * size) {
         l->reach = reach;
         lost = e->is_root ? gsl_pow_2(reach) : reach;
     }
@@ -727,6 +728,14 @@ static double growth_of(const flk_limit_rows *e, values y, int order)
     return e->is_root ? q / 2 : q;
 }
 
+/* Where friction locks, what has no friction in it grows by rounding error only. */
+static int may_have_pole(const flk_limit_rows *e, const flk_followed *t)
+{
+    int flags = flk_column_flags(t->c);
+
+    return !e->is_lock || (flags & FOURLINK_OF_FORCES && !(flags & FOURLINK_FRICTIONLESS));
+}
+
 void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order, of_scale;
@@ -738,7 +747,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     flk_limit_of_crank(e, l);
     l->n = is_vector ? 2 : 1;
     l->reach = 0;
-    for (k = 0; k < l->n && (is_vector || !(t->turn > 0)); k++) {
+    for (k = 0; k < l->n && (is_vector || !(t->turn > 0)) && may_have_pole(e, t); k++) {
         strength = find_pole_of(e, y[k], t->turn > 0, &order, &of_scale);
         if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size &&
             !is_surely_pole(e, y[k], of_scale, size))

@@ -102,7 +102,7 @@ int flk_followed_turns_over(const flk_followed *t, double from, double to);
 
 /* Rows near an end of the piece, on several scales.  x is the distance from the end, rad, or its root. */
 typedef struct flk_limit_rows {
-    int at_end, is_root, is_change;
+    int at_end, is_root, is_change, is_lock;
     int least_order, greatest_order; /* of the poles of columns there */
     double edge;                     /* rad passed at the end */
     double half;                     /* rad, of the piece */

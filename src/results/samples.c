@@ -562,19 +562,29 @@ static void find_sizes(flk_samples *x)
     }
 }
 
+#define ROUNDED 1e-7 /* rad */
+
+/* 1 for a stretch at whose end friction begins or ceases to lock, so short that rounding error has made it: there rows are
+** differences of forces that are as good as unbounded. */
+static int is_of_rounding(const flk_piece *p)
+{
+    return p->to - p->from < ROUNDED && (p->begin == FLK_END_LOCK || p->end == FLK_END_LOCK);
+}
+
 static void find_limits(flk_samples *x, int at_end)
 {
     flk_piece_end end = at_end ? x->f.piece.end : x->f.piece.begin;
+    int has_limit = flk_follow_has_limit(end) && !is_of_rounding(&x->f.piece);
     size_t k;
 
-    if (flk_follow_has_limit(end))
+    if (has_limit)
         flk_limit_rows_near(&x->f, x->needs, at_end, x->near);
     for (k = 0; k < x->n_columns; k++) {
         flk_sampled *c = &x->columns[k];
         flk_limit *l = &c->limit[at_end];
 
         flk_limit_none(l);
-        if (!flk_follow_has_limit(end))
+        if (!has_limit)
             continue;
         if (c->is_of_crank || c->of.is_noise)
             flk_limit_of_crank(x->near, l);
@@ -636,7 +646,7 @@ static void sample_part(flk_samples *x)
     x->rest.begin = FLK_END_LOCK;
     x->n_parts++;
     part->to = edge;
-    part->end = lock < 0 ? FLK_END_PLAIN : FLK_END_LOCK;
+    part->end = FLK_END_LOCK;
     x->has_limit = 1;
     find_limits(x, 1);
     sample(x);

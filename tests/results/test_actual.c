@@ -360,6 +360,46 @@ TEST(test_rate)
 #define BALANCED "[motor]\ntorque = constant\n"
 #define TEN "[motion]\nmode = steady\nmean_speed = 10 rad/s\ninterval = 45 deg\n"
 
+/* A motor of constant power P and a torque -c omega2 have a steady speed of (P / c)^(1/2), from which a difference shrinks in
+** a cycle by exp(-4 pi c / (J omega2)).  Where that is 1 but for rounding error nothing holds the speed. */
+TEST(test_what_holds_a_speed)
+{
+    uint64_t seed = 13;
+    int i, held = 0;
+
+    for (i = 0; i < some_of(1000); i++) {
+        double c = pow(10, uniform(&seed, -6, 1)), P = pow(10, uniform(&seed, 0, 4));
+        double speed = sqrt(P / c), growth = pow(10, uniform(&seed, -10, 0.5));
+        double J = 4 * PI * c / (growth * speed), error;
+        fourlink_results *r;
+        fourlink_value found;
+        int status;
+
+        r = opened_open(
+            print("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 "
+                  "mm\n[gravity]\nacceleration = 0\n[flywheel]\ninertia = %.17g kg m2\n"
+                  "[motor]\npower = %.17g W\nmax_torque = %.17g N m\n[load c]\nlink = crank\n"
+                  "over = omega2\ntorque = %.17g N m\nat_speed = 1 rad/s\nexponent = 1\n"
+                  "[motion]\nmode = steady\n",
+                  J, P, 10 * P / speed, -c));
+        status = fourlink_results_value(r, "mean_speed", FOURLINK_OPEN, 0, &found);
+        if (growth > 1.01e-6) {
+            if (status != FOURLINK_OK)
+                fail_msg("case %d: a motion of rate exp(-%g): %s", i, growth,
+                         fourlink_status_text(status));
+            error = fabs(found.value * found.to_si / speed - 1);
+            if (!(error <= 1e-9 + 3e-10 / growth))
+                fail_msg("case %d: %.12g rad/s, not %.12g: %g, growth %g", i,
+                         found.value * found.to_si, speed, error, growth);
+            held++;
+        } else if (growth < 0.99e-6 && status == FOURLINK_OK) {
+            fail_msg("case %d: a motion of rate exp(-%g) at %g rad/s", i, growth, found.value);
+        }
+        fourlink_results_free(r);
+    }
+    assert_true(held > i / 4 && held < 0.9 * i);
+}
+
 /* A motor that balances the loads has a steady motion with any flywheel, though the crank nearly comes
 ** to rest; two values are those of an independent integration, by Runge and Kutta's method in 4000
 ** steps. */

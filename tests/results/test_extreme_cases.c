@@ -673,6 +673,48 @@ TEST(test_corners_of_a_speed)
     }
 }
 
+/* The shaking force of a crank alone is m e omega2^2 at each angle, also beside a place where friction locks the machine and
+** the pin forces, of which it is the sum, grow without bound: that must not be rounding error. */
+TEST(test_shaking_force_beside_locks)
+{
+    uint64_t seed = 10;
+    int i, k, locked = 0;
+
+    for (i = 0; i < some_of(1500); i++) {
+        double d = uniform(&seed, 40, 60), a = i % 3 ? uniform(&seed, 5, 30) : d;
+        double b = i % 3 ? uniform(&seed, 20, 80) : uniform(&seed, 20, 60), right;
+        double c = i % 3 ? uniform(&seed, fmax(5, fabs(b - d)), b + d) : b,
+               speed = uniform(&seed, 1, 20);
+        double mass = uniform(&seed, 0.1, 3), cg = uniform(&seed, 0.5, 5);
+        fourlink_branch branch = i % 2 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+        fourlink_value most, least, force;
+        fourlink_results *r;
+        const char *deck =
+            print("mechanism = four-bar\n[ground]\nlength = %.17g mm\n[crank]\nlength = %.17g "
+                  "mm\nmass = %.17g kg\ninertia = 0.001 kg m2\ncg = %.17g mm\n[coupler]\n"
+                  "length = %.17g mm\n[rocker]\nlength = %.17g mm\n[gravity]\n"
+                  "acceleration = 0\n[motion]\nspeed = %.17g rad/s\nfrom = %.17g deg\nto = "
+                  "400 deg\n[load T]\nlink = rocker\ntorque = %.17g N m\n[friction]\n"
+                  "mu = %.17g\nradius = %.17g mm\n[table]\ncolumns = Fs, F34\n",
+                  d, a, mass, cg, b, c, speed, uniform(&seed, 0, 40), uniform(&seed, -9, 9),
+                  uniform(&seed, 0.05, 0.6), uniform(&seed, 3, 20));
+
+        r = opened(deck);
+        right = mass * cg / 1000 * speed * speed;
+        if (fourlink_results_value(r, "max(F34)", branch, 0, &force) == FOURLINK_OK) {
+            locked += isinf(force.value);
+            most = named(r, "max(Fs)", branch, 0);
+            least = named(r, "min(Fs)", branch, 0);
+            for (k = 0; k < 2; k++)
+                if (!(fabs((k ? most : least).value - right) <= 1e-6 * right))
+                    fail_msg("case %d: an extreme of Fs is %.12g at %.12g, not %.12g\n%s", i,
+                             (k ? most : least).value, (k ? most : least).angle, right, deck);
+        }
+        fourlink_results_free(r);
+    }
+    assert_true(locked > i / 10);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
