@@ -62,41 +62,6 @@ static double dead_centre_of(const fourlink_design *design)
     return sqrt(pow(r + design->link[3].length, 2) - e * e);
 }
 
-/* The deck with the coordinate at the values of a row, in the deck's axes. */
-static void prescribe(const coordinate *q, const fourlink_problem *problem, const columns *c,
-                      const double *row, fourlink_branch branch, double *K)
-{
-    double x = named(c, row, q->value), v = named(c, row, q->rate), a = named(c, row, q->second);
-    double way = q->is_pin ? -(double)branch : 1, w = named(c, row, "omega2");
-    const char *units[3] = {"m", "m/s", "m/s2"};
-    char value[100];
-
-    if (q->is_pin)
-        x = (double)branch * (dead_centre_of(&problem->mechanism.design) - x);
-    if (q->is_angle) {
-        units[0] = "rad";
-        units[1] = "rad/s";
-        units[2] = "rad/s2";
-    }
-    *K = way * v / w;
-    read_lines(&changed, base_text);
-    drop_sections(&changed, SECTION_MOTION);
-    set_line(&changed, KEY_MOTION_INPUT, q->name);
-    set_line(&changed, KEY_MOTION_DRIVE, "crank");
-    set_line(&changed, KEY_MOTION_SIDE, *K > 0 ? "rising" : "falling");
-    snprintf(value, sizeof value, "%.17g %s", x, units[0]);
-    set_line(&changed, KEY_MOTION_AT, value);
-    snprintf(value, sizeof value, "%.17g %s", way * v, units[1]);
-    set_line(&changed, KEY_MOTION_SPEED, value);
-    snprintf(value, sizeof value, "%.17g %s", way * a, units[2]);
-    set_line(&changed, KEY_MOTION_ACCELERATION, value);
-    set_line(&changed, KEY_TABLE_BRANCH, branch == FOURLINK_OPEN ? "open" : "crossed");
-    snprintf(value, sizeof value, "%.17g deg", instant);
-    if (strchr(q->name, '.') && !q->is_pin)
-        set_line(&changed, KEY_MOTION_NEAR, value); /* it may be there at several angles */
-    write_lines(&changed, changed_text, sizeof changed_text);
-}
-
 /* ---------------------------------------------------------------------------------------- an actuator between any links */
 
 static const char *const link_names[][3] = {{"crank", "coupler", "rocker"},
@@ -218,6 +183,59 @@ static int walk_at(const coordinate *q, const fourlink_problem *p, fourlink_bran
          : kind == FOURLINK_INVERTED_SLIDER_CRANK ? at.slide_v
                                                   : at.v;
     return 1;
+}
+
+/* theta4 where positions repeat after two turns: each angle of link 4 is met in both. */
+static double angle_in_turn(const coordinate *q, const fourlink_problem *p, fourlink_branch branch,
+                            double x, double K)
+{
+    const double beside = 1e-4; /* rad */
+    double theta2 = fmod(instant * PI / 180 - p->x_angle, 4 * PI), first, rate;
+
+    theta2 += theta2 < 0 ? 4 * PI : 0;
+    if (kind != FOURLINK_FOUR_BAR || p->mechanism.change_folded == p->mechanism.change_stretched ||
+        !walk_at(q, p, branch, beside, &first, &rate))
+        return x;
+    first -= beside * rate;
+    x -= 2 * PI * floor((x - first) / (2 * PI)); /* from the first angle on, rising */
+    return (K > 0 ? x : x - 2 * PI) + (theta2 < 2 * PI ? 0 : K > 0 ? 2 * PI : -2 * PI);
+}
+
+/* The deck with the coordinate at the values of a row, in the deck's axes. */
+static void prescribe(const coordinate *q, const fourlink_problem *problem, const columns *c,
+                      const double *row, fourlink_branch branch, double *K)
+{
+    double x = named(c, row, q->value), v = named(c, row, q->rate), a = named(c, row, q->second);
+    double way = q->is_pin ? -(double)branch : 1, w = named(c, row, "omega2");
+    const char *units[3] = {"m", "m/s", "m/s2"};
+    char value[100];
+
+    if (q->is_pin)
+        x = (double)branch * (dead_centre_of(&problem->mechanism.design) - x);
+    if (q->is_angle) {
+        units[0] = "rad";
+        units[1] = "rad/s";
+        units[2] = "rad/s2";
+    }
+    *K = way * v / w;
+    if (strcmp(q->name, "theta4") == 0)
+        x = angle_in_turn(q, problem, branch, x, *K);
+    read_lines(&changed, base_text);
+    drop_sections(&changed, SECTION_MOTION);
+    set_line(&changed, KEY_MOTION_INPUT, q->name);
+    set_line(&changed, KEY_MOTION_DRIVE, "crank");
+    set_line(&changed, KEY_MOTION_SIDE, *K > 0 ? "rising" : "falling");
+    snprintf(value, sizeof value, "%.17g %s", x, units[0]);
+    set_line(&changed, KEY_MOTION_AT, value);
+    snprintf(value, sizeof value, "%.17g %s", way * v, units[1]);
+    set_line(&changed, KEY_MOTION_SPEED, value);
+    snprintf(value, sizeof value, "%.17g %s", way * a, units[2]);
+    set_line(&changed, KEY_MOTION_ACCELERATION, value);
+    set_line(&changed, KEY_TABLE_BRANCH, branch == FOURLINK_OPEN ? "open" : "crossed");
+    snprintf(value, sizeof value, "%.17g deg", instant);
+    if (strchr(q->name, '.') && !q->is_pin)
+        set_line(&changed, KEY_MOTION_NEAR, value); /* it may be there at several angles */
+    write_lines(&changed, changed_text, sizeof changed_text);
 }
 
 #define STEP 1e-3   /* rad, of the walk */

@@ -32,7 +32,7 @@
 #define MOST_PARTS 2e4  /* of the whole motion, at first */
 #define HALVINGS 2000   /* at most */
 #define EXACT 1e-10     /* error of a part, relative to itself or to the whole */
-#define ROUNDING 1e-6   /* relative error that rows can have near a pole */
+#define ROUNDING 1e-6   /* relative error that rows can have near a pole, and a part of the whole */
 #define SHORTEST 1e-10  /* part of a piece that is not halved any more, */
 #define SHORTEST_OF_ANGLE \
     1e-9          /* ... of a direction, which is rounding where its vector vanishes, */
@@ -189,12 +189,14 @@ static double noise_in_part(means *m, int power, double from, double to)
     return noise;
 }
 
-/* 1 if the error of a part is rounding error of the rows, which halving does not reduce.  That of a corner can
-** be as small, and is reduced to about a quarter. */
+/* 1 if the error of a part is rounding error of the rows, which halving does not reduce.  It can be as large as the part's
+** own integral, where a difference of large terms passes through 0.  That of a corner can be as small, and is reduced to about
+** a quarter. */
 static int is_rounding(means *m, int power, double from, double to, const flk_integral *part,
                        const flk_integral *both)
 {
-    return part->error <= ROUNDING * part->size && part->error > both->error / 8 &&
+    return part->error <= ROUNDING * GSL_MAX_DBL(part->size, m->size[power]) &&
+           part->error > both->error / 8 &&
            part->error <= (to - from) * noise_in_part(m, power, from, to);
 }
 
