@@ -393,6 +393,25 @@ static double doubt_of_motion(fourlink_results *r, double theta2)
     return turns;
 }
 
+/* The same of a program: its times are rounded, so that the length of a segment is known to eps t / length, and forces follow
+** it some hundreds of times as much, of the tolerance of 1e4 eps. */
+static double doubt_of_program(void)
+{
+    const char *at = strstr(base_text, "\nprogram = ");
+    double time, last = NAN, shortest = INFINITY;
+    char word[20];
+
+    for (at = at ? at + 11 : NULL; at && sscanf(at, "%lf %19[a-z]", &time, word) == 2;) {
+        if (strcmp(word, "s") != 0)
+            return 1;
+        shortest = isnan(last) ? shortest : fmin(shortest, time - last);
+        last = time;
+        at += strcspn(at, ",\n");
+        at = *at == ',' ? at + 1 : NULL;
+    }
+    return isnan(last) ? 1 : fmax(1, 0.1 * fabs(last) / shortest);
+}
+
 static int follows_from_accelerations(const column *k)
 {
     return k->sort != PLAIN || k->q == QUANTITY_ANGULAR_ACCELERATION ||
@@ -419,7 +438,8 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
                             quickest, scale);
     for (j = 0; j < QUANTITY_COUNT && sort == COMPUTED_ROW && strstr(base_text, "[motor]"); j++)
         scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
-    turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2")) : 1;
+    turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2"))
+                                 : doubt_of_program();
     for (j = 0; j < a->c.n; j++) {
         double size = doubt *
                       (follows_from_accelerations(&a->c.list[j]) ? doubt_of_accelerations : 1) *
