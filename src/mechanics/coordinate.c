@@ -237,6 +237,41 @@ static int set_rates(const flk_coordinate *q, const fourlink_mechanism *mechanis
     return FOURLINK_OK;
 }
 
+/* With K3 and L3 those of a unit of omega3,
+**
+**    omega3 = (dq/dt) / K3,   alpha3 = (d2q/dt2 - L3 omega3^2) / K3
+*/
+int flk_coordinate_swing(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, const flk_prescribed *at, double theta2,
+                         int angles, fourlink_state *state)
+{
+    flk_prescribed unit;
+    double omega3;
+    int status = flk_mechanism_swing(mechanism, branch, theta2, 1, 0, 0, state);
+
+    if (status != FOURLINK_OK)
+        return status;
+    flk_coordinate_of(q, state, &unit);
+    if (!(fabs(unit.rate) > DEAD * scale_of(q, mechanism)))
+        return FOURLINK_DEAD_POSITION;
+    omega3 = at->rate / unit.rate;
+    return flk_mechanism_swing(mechanism, branch, theta2, omega3,
+                               (at->second - unit.second * omega3 * omega3) / unit.rate, angles,
+                               state);
+}
+
+/* The crank at a dead position, which it enters or leaves. */
+static int take_dead(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                     fourlink_branch branch, const flk_prescribed *at, fourlink_crank *crank,
+                     fourlink_state *state)
+{
+    int status = flk_coordinate_swing(q, mechanism, branch, at, crank->theta2, 0, state);
+
+    crank->omega2 = 0;
+    crank->alpha2 = status == FOURLINK_OK ? state->link[FOURLINK_CRANK].alpha : 0;
+    return status;
+}
+
 int flk_coordinate_crank_in(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, const flk_stretch *stretch,
                             const flk_prescribed *at, fourlink_crank *crank, fourlink_state *state)
@@ -244,6 +279,8 @@ int flk_coordinate_crank_in(const flk_coordinate *q, const fourlink_mechanism *m
     flk_prescribed unit;
     int status = find_crank(q, mechanism, branch, stretch, at->value, &crank->theta2, &unit, state);
 
+    if (status == FOURLINK_DEAD_POSITION)
+        return take_dead(q, mechanism, branch, at, crank, state);
     return status == FOURLINK_OK ? set_rates(q, mechanism, &unit, at, crank) : status;
 }
 
@@ -260,12 +297,15 @@ int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mecha
                                    fourlink_branch branch, const flk_stretch *stretch, double value,
                                    double c, fourlink_crank *crank)
 {
+    static const flk_prescribed still = {0, 0, 0};
     flk_prescribed unit;
     fourlink_state state;
     int status = find_crank(q, mechanism, branch, stretch, value, &crank->theta2, &unit, &state);
     int is_first = fabs(value - stretch->from) < fabs(value - stretch->to);
 
     crank->omega2 = crank->alpha2 = 0;
+    if (status == FOURLINK_DEAD_POSITION)
+        return take_dead(q, mechanism, branch, &still, crank, &state);
     if (status != FOURLINK_OK || fabs(unit.rate) >= DEAD * scale_of(q, mechanism) || c == 0)
         return status;
     if (!(c / unit.second > 0))
@@ -278,8 +318,13 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank)
 {
     flk_prescribed unit;
-    int status = at_unit_speed(q, mechanism, branch, crank->theta2, &unit);
+    fourlink_state state;
+    int status = unit_state(q, mechanism, branch, crank->theta2, &unit, &state);
 
+    if (status == FOURLINK_DEAD_POSITION) {
+        at->value = flk_coordinate_value(q, mechanism, branch, crank->theta2);
+        return take_dead(q, mechanism, branch, at, crank, &state);
+    }
     if (status != FOURLINK_OK)
         return status;
     at->value = unit.value;

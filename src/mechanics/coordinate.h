@@ -35,6 +35,12 @@ int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mecha
                                    fourlink_branch branch, const flk_stretch *stretch, double value,
                                    double c, fourlink_crank *crank);
 
+/* The motion in a dead position of the crank, of which a coordinate that link 3 or 4 has can carry it: a state with sine 0 and
+** omega2 = 0, and alpha2 the limit (mechanism.h).  FOURLINK_DEAD_POSITION if it cannot. */
+int flk_coordinate_swing(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                         fourlink_branch branch, const flk_prescribed *at, double theta2,
+                         int angles, fourlink_state *state);
+
 /* The same where theta2 of the crank is given, on any side; the value of `at` is set. */
 int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, flk_prescribed *at, fourlink_crank *crank);

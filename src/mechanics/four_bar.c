@@ -373,6 +373,31 @@ static void four_bar_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + m * c * z->y / b);
 }
 
+/* A dead position, where coupler and rocker lie in one line, u3 = s u4, s = +-1.  The crank stands still, and from the
+** velocity and the acceleration of C, on both links, along u4 and across it,
+**
+**    omega4 = s b omega3 / c
+**    alpha2 = (s b omega3^2 - c omega4^2) / (a sin(theta4 - theta2))
+**    alpha4 = [a alpha2 cos(theta4 - theta2) + s b alpha3] / c
+*/
+static void four_bar_swing(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    static const fourlink_vector zero = {0, 0};
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, b = link[3].length, c = link[4].length;
+    fourlink_link_state *crank = &state->link[2], *coupler = &state->link[3],
+                        *rocker = &state->link[4];
+    double s = FLK_DOT(coupler->axis, rocker->axis) < 0 ? -1 : 1;
+
+    rocker->k = s * b / c;
+    rocker->omega = rocker->k * coupler->omega;
+    crank->alpha = (s * b * coupler->omega * coupler->omega - c * rocker->omega * rocker->omega) /
+                   (a * FLK_CROSS(crank->axis, rocker->axis));
+    rocker->alpha =
+        (a * crank->alpha * FLK_DOT(crank->axis, rocker->axis) + s * b * coupler->alpha) / c;
+    rocker->k_origin = rocker->velocity = rocker->acceleration = zero;
+}
+
 /* The crank from the rocker.  With C = D + c (cos(theta4), sin(theta4)), f = AC and gamma the angle of the triangle ABC
 ** at A, theta2 = angle of AC +- gamma; theta4 rises with + gamma on the open branch, - gamma on the crossed one. */
 static double four_bar_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
@@ -420,5 +445,6 @@ const flk_kind flk_four_bar = {
     four_bar_limits,
     four_bar_turns,
     four_bar_balance,
+    four_bar_swing,
     four_bar_theta2_of,
 };

@@ -291,6 +291,28 @@ static void inverted_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + link[3].mass * FLK_CROSS(*lever, *z));
 }
 
+/* A dead position, where B is at the foot of the perpendicular from D, s = 0.  The crank stands still; from the second
+** derivative of B - D = s u + h n, with beta = theta3 - theta2,
+**
+**    ds/dt = h omega4,   a alpha2 cos(beta) = h omega4^2,   d2s/dt2 = a alpha2 sin(beta) + h alpha4
+*/
+static void inverted_swing(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    static const fourlink_vector zero = {0, 0};
+    double a = mechanism->design.link[2].length, h = mechanism->h;
+    fourlink_link_state *crank = &state->link[2], *lever = &state->link[4];
+    const fourlink_link_state *slider = &state->link[3];
+
+    lever->k = 1;
+    lever->omega = slider->omega;
+    lever->alpha = slider->alpha;
+    crank->alpha = h * lever->omega * lever->omega / (a * FLK_DOT(crank->axis, slider->axis));
+    lever->k_origin = lever->velocity = lever->acceleration = zero;
+    state->slide_v = h * lever->omega;
+    state->slide_a = a * crank->alpha * FLK_CROSS(crank->axis, slider->axis) + h * lever->alpha;
+    state->coriolis = 2 * lever->omega * state->slide_v;
+}
+
 /* The crank from the slide, or from the lever:
 **
 **    s      theta2 = +-gamma, in the triangle ABD at A, with f^2 = s^2 + h^2; s rises with + gamma where s > 0
@@ -344,5 +366,6 @@ const flk_kind flk_inverted = {
     inverted_limits,
     inverted_turns,
     inverted_balance,
+    inverted_swing,
     inverted_theta2_of,
 };

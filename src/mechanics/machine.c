@@ -150,6 +150,7 @@ int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int cl
 
     if (status != FOURLINK_OK)
         return status;
+    closed_form = closed_form && state->sine != 0; /* links 3 and 4 alone carry no force there */
     if (m->has_friction) {
         status = flk_friction_solve(mechanism, state, acting->held, acting->load, m->n_loads,
                                     &m->friction, closed_form, forces, losses);

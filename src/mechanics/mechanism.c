@@ -401,6 +401,35 @@ void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch br
     place(kind, mechanism, branch, theta2, &at, state);
 }
 
+int flk_mechanism_swing(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                        double omega3, double alpha3, int angles, fourlink_state *state)
+{
+    static const fourlink_vector zero = {0, 0};
+    const flk_kind *kind = flk_kind_of(mechanism->design.kind);
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double t;
+    int status = FOURLINK_OK;
+
+    flk_mechanism_place(mechanism, branch, theta2, state);
+    state->sine = 0;
+    state->v = state->a = state->slide_v = state->slide_a = state->coriolis = 0;
+    crank->k = crank->omega = 0;
+    coupler->k = 1;
+    coupler->omega = omega3;
+    coupler->alpha = alpha3;
+    coupler->k_origin = coupler->velocity = zero;
+    kind->swing(mechanism, state);
+    t = mechanism->design.link[FOURLINK_CRANK].length * crank->alpha;
+    coupler->acceleration.x = -t * crank->axis.y;
+    coupler->acceleration.y = t * crank->axis.x;
+    if (mechanism->design.n_groups)
+        status = flk_groups_follow(mechanism, state);
+    if (status == FOURLINK_OK && angles)
+        measure_angles(kind, mechanism, state);
+    return status;
+}
+
 /* The matrix may be singular, so the state is written only after the solution. */
 int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,

@@ -26,4 +26,9 @@ int flk_mechanism_stand(const fourlink_mechanism *mechanism, fourlink_branch bra
 void flk_mechanism_place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                          fourlink_state *state);
 
+/* The motion in a dead position, where the crank stands still while link 3 turns about B: omega2 = 0, alpha2 is set.  All k are
+** for a unit of omega3, so that of the crank is 0; the sine is 0.  FOURLINK_OK, or the status of an output. */
+int flk_mechanism_swing(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                        double omega3, double alpha3, int angles, fourlink_state *state);
+
 #endif

@@ -247,5 +247,6 @@ const flk_kind flk_scotch_yoke = {
     yoke_limits,
     yoke_turns,
     yoke_balance,
+    NULL,
     yoke_theta2_of,
 };

@@ -281,6 +281,27 @@ static void slider_crank_balance(const fourlink_mechanism *mechanism, double fra
     u->rocker.x = u->rocker.y = 0;
 }
 
+/* A dead position, where the rod is perpendicular to the line of stroke.  The crank stands still, and C stays on its line:
+**
+**    dX/dt = -l omega3 sin(theta3),   r alpha2 cos(theta2) = l omega3^2 sin(theta3)
+**    d2X/dt2 = -r alpha2 sin(theta2) - l alpha3 sin(theta3)
+*/
+static void slider_crank_swing(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    fourlink_link_state *crank = &state->link[2], *rod = &state->link[3], *piston = &state->link[4];
+    double sense = -(double)state->branch;
+
+    crank->alpha = l * rod->omega * rod->omega * rod->axis.y / (r * crank->axis.x);
+    piston->k = piston->omega = piston->alpha = 0;
+    piston->k_origin.x = -l * rod->axis.y;
+    piston->velocity.x = piston->k_origin.x * rod->omega;
+    piston->acceleration.x = -r * crank->alpha * crank->axis.y - l * rod->alpha * rod->axis.y;
+    piston->k_origin.y = piston->velocity.y = piston->acceleration.y = 0;
+    state->v = sense * piston->velocity.x;
+    state->a = sense * piston->acceleration.x;
+}
+
 /* The crank from the piston.  With C = (X, e), f = AC and gamma the angle of the triangle at A,
 **
 **    theta2 = angle of AC -+ gamma, rod opposite:   X rises with - gamma on the open branch, + gamma on the crossed one,
@@ -331,5 +352,6 @@ const flk_kind flk_slider_crank = {
     slider_crank_limits,
     slider_crank_turns,
     slider_crank_balance,
+    slider_crank_swing,
     slider_crank_theta2_of,
 };

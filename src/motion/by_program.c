@@ -168,6 +168,8 @@ static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end
     value = into_stretch(of, s, of_program[0], &beyond);
     if (fabs(value - s->from) > close && fabs(value - s->to) > close)
         return of_position;
+    if (flk_course_leaves_dead(x->course, x->branch, of->side, time))
+        return FLK_END_PLAIN;
     if (!flk_program_from_rest(x->course->d->program, time, &fourth) || gsl_isnan(fourth))
         return FLK_END_DEAD;
     return x->course->d->has_forces ? FLK_END_POLE : of_position;

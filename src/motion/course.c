@@ -15,6 +15,7 @@
 #include "course.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
+#include "mechanics/mechanism.h"
 #include "mechanics/spring.h"
 
 #define SHORT 0.5            /* rad, of a piece of rows by time */
@@ -351,6 +352,21 @@ static void begin_coordinate(const flk_course *c, flk_pieces *x)
     x->rate = one > 0 ? (x->end - x->first) / one : 0;
 }
 
+/* 1 if a place is a dead position of the crank that has a row: over the input all is smooth there. */
+int flk_course_leaves_dead(const flk_course *c, fourlink_branch branch, int side, double place)
+{
+    const flk_machine *machine = &c->d->machine;
+    flk_actual_row actual;
+    fourlink_state state;
+    fourlink_row row;
+
+    return !(c->d->has_forces && (machine->has_friction || !machine->mechanism.drive)) &&
+           c->type->at(c, branch, side, place, &row, &actual) == FOURLINK_OK &&
+           flk_mechanism_stand(&machine->mechanism, branch, &row.crank, &state) ==
+               FOURLINK_DEAD_POSITION &&
+           flk_course_swing(c, branch, place, row.crank.theta2, 0, &state) == FOURLINK_OK;
+}
+
 /* How the motion begins or ends at a place: at a dead centre of the coordinate, at which the crank is infinitely quick or
 ** comes to rest. */
 static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, int side,
@@ -363,8 +379,11 @@ static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, i
     fourlink_row row;
 
     flk_course_prescribed_at(x, place, &at, &row);
-    if (fabs(value - s->from) <= close || fabs(value - s->to) <= close)
-        return FLK_END_DEAD;
+    if (fabs(value - s->from) <= close || fabs(value - s->to) <= close) {
+        if (!flk_course_leaves_dead(c, branch, side, place))
+            return FLK_END_DEAD;
+        of_position = FLK_END_PLAIN;
+    }
     return join(at.rate == 0 && at.second != 0 && !x->motion.hold ? FLK_END_ROOT : FLK_END_PLAIN,
                 of_position);
 }
@@ -562,6 +581,17 @@ void flk_course_set_prescribed(const flk_course *c, double place, fourlink_state
 
     flk_course_prescribed_at(x, place, &at, &row);
     flk_coordinate_set(x->q, &at, state);
+}
+
+int flk_course_swing(const flk_course *c, fourlink_branch branch, double place, double theta2,
+                     int angles, fourlink_state *state)
+{
+    const deck_prescribed *x = c->d->prescribed;
+    flk_prescribed at;
+    fourlink_row row;
+
+    flk_course_prescribed_at(x, place, &at, &row);
+    return flk_coordinate_swing(x->q, &c->d->machine.mechanism, branch, &at, theta2, angles, state);
 }
 
 /* The crank after an angle passed. */

@@ -67,6 +67,14 @@ void flk_course_prescribed_at(const deck_prescribed *prescribed, double place, f
 ** of the crank hides: an acceleration that is 0. */
 void flk_course_set_prescribed(const flk_course *course, double place, fourlink_state *state);
 
+/* 1 if a place is a dead position of the crank that has a row: over the input all is smooth there. */
+int flk_course_leaves_dead(const flk_course *course, fourlink_branch branch, int side,
+                           double place);
+
+/* The motion by an input in a dead position of the crank, at a place of its rows. */
+int flk_course_swing(const flk_course *course, fourlink_branch branch, double place, double theta2,
+                     int angles, fourlink_state *state);
+
 /* ---------------------------------------------------------------------------------------------- pieces */
 
 /* A piece, in rad of the length. */

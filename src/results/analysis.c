@@ -87,13 +87,14 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
 {
     const fourlink_link *link = mechanism->design.link;
     const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
+    double crank = state->link[2].k; /* 1, but 0 in a dead position */
 
     e->condition = 1 / fabs(state->sine);
     e->I13.x = coupler->origin.x - quotient(coupler->k_origin.y, coupler->k);
     e->I13.y = coupler->origin.y + quotient(coupler->k_origin.x, coupler->k);
     if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {
-        e->mechanical_advantage = ratio(1, follower->k);
-        e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
+        e->mechanical_advantage = ratio(crank, follower->k);
+        e->I24.x = quotient(-link[1].length * follower->k, crank - follower->k);
         e->I24.y = 0;
         if (!flk_kind_has_slide(mechanism->design.kind)) {
             e->gamma = angle_at_C(&coupler->axis, &follower->axis);
@@ -101,9 +102,9 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
         }
     } else {
         e->mechanical_advantage =
-            ratio(-(double)state->branch * link[2].length, follower->k_origin.x);
+            ratio(-(double)state->branch * link[2].length * crank, follower->k_origin.x);
         e->I24.x = 0;
-        e->I24.y = -follower->k_origin.x;
+        e->I24.y = quotient(-follower->k_origin.x, crank);
     }
 }
 
@@ -285,6 +286,10 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     double whole[FLK_FORCES], part[FLK_FORCES], other[FLK_FORCES];
     int status, i;
 
+    if (state->sine == 0) { /* no standstill is solved where the crank is dead */
+        e->Ts_static = e->Ts_inertia = e->superposition = FLK_UNDEFINED;
+        return FOURLINK_OK;
+    }
     weightless.design.gravity.x = 0;
     weightless.design.gravity.y = 0;
     n_loads -= n_friction;
@@ -374,6 +379,20 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
                      &a->acting.ground_moment);
 }
 
+/* In a dead position of the crank, what is prescribed gives the motion.  The crank cannot drive there; and which way friction
+** acts, and what is derived from an engine's motion, follows from the crank's. */
+static int leave_dead_position(const flk_analysis *a, int needs, int forces,
+                               const fourlink_crank *crank, double place, int angles,
+                               fourlink_instant *at)
+{
+    const flk_machine *machine = &a->d->machine;
+
+    if ((forces && (machine->has_friction || !machine->mechanism.drive)) ||
+        needs & (NEED_ENGINE | NEED_SERIES | NEED_KLEIN))
+        return FOURLINK_DEAD_POSITION;
+    return flk_course_swing(&a->course, at->branch, place, crank->theta2, angles, &at->state);
+}
+
 /* Compute the motion, and with `forces` the loads and forces; returns a status.  At a place of the course, which may be
 ** null, what is prescribed has its own values in them all: where it moves at constant speed, an acceleration of
 ** rounding error would have an inertia force with a direction. */
@@ -391,6 +410,8 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
             ? flk_mechanism_move_from(&machine->mechanism, crank, angles, &at->state)
             : flk_mechanism_move(&machine->mechanism, at->branch, crank, angles, &at->state);
 
+    if (status == FOURLINK_DEAD_POSITION && place && a->d->prescribed)
+        status = leave_dead_position(a, needs, forces, crank, *place, angles, at);
     if (status != FOURLINK_OK)
         return status;
     if (place && a->d->prescribed)
@@ -401,6 +422,11 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
     else if (needs & (NEED_ENGINE | NEED_GAS))
         flk_machine_loads_at(machine, at->branch, crank->theta2, crank->omega2, &a->acting);
     at->gas_force = a->acting.gas_force;
+    row->speed = crank->omega2;
+    if (at->state.sine == 0) {
+        row->speed = at->state.link[FOURLINK_COUPLER].omega;
+        at->forces.Ts_work = FLK_UNDEFINED;
+    }
     if (forces && status == FOURLINK_OK && machine->mechanism.design.n_groups)
         find_group_forces(a, closed_form, row);
     return status;
@@ -485,14 +511,13 @@ void flk_analysis_along(flk_analysis *a, int needs, fourlink_branch branch, int 
 {
     const flk_course *c = &a->course;
     const deck *d = a->d;
+    int by_input = DECK_GOES_OVER_INPUT(d) && !d->prescribed->is_at_crank &&
+                   !d->machine.mechanism.design.n_groups;
+    int status = by_input
+                     ? flk_course_at_input(c, branch, side, place, &row->at.row, &row->at.state)
+                     : c->type->at(c, branch, side, place, &row->at.row, &row->actual);
 
-    if (DECK_GOES_OVER_INPUT(d) && !d->prescribed->is_at_crank &&
-        !d->machine.mechanism.design.n_groups)
-        complete(a, needs, branch,
-                 flk_course_at_input(c, branch, side, place, &row->at.row, &row->at.state), 1, row);
-    else
-        complete(a, needs, branch, c->type->at(c, branch, side, place, &row->at.row, &row->actual),
-                 0, row);
+    complete(a, needs, branch, status, by_input && row->at.state.sine != 0, row);
 }
 
 int flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,

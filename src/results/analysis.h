@@ -95,6 +95,8 @@ enum {
 /* One row. */
 typedef struct flk_row {
     fourlink_instant at;
+    double
+        speed; /* rad/s, with which the k of the state are multiplied: omega2, in a dead position omega3 */
     fourlink_engine engine; /* computed only if needed */
     fourlink_series series;
     fourlink_klein klein;

@@ -133,7 +133,7 @@ int flk_carried_value(flk_opened *o, const deck_expectation *e, const flk_name *
     if (!words[0] ||
         !flk_analysis_at_angle(&o->a, flk_column_need(&n->c) | NEED_ANGLES, e->branch, e->at,
                                &row) ||
-        row.at.status != FOURLINK_OK ||
+        row.at.status != FOURLINK_OK || row.at.state.sine == 0 ||
         follow(mechanism, &row.at.row.crank, &list, &row.at.state) != FOURLINK_OK)
         return FOURLINK_NO_SUCH_ROW;
     *value = flk_column_value(&n->c, &row);

@@ -119,7 +119,7 @@ static double value_of_drive(const flk_column *c, const flk_row *row)
     if (c->component == FORCE_OF)
         return force;
     if (c->component == POWER_OF)
-        return row->at.forces.at_crank * row->at.row.crank.omega2;
+        return row->at.forces.at_crank * row->speed;
     if (c->component == PRESSURE_OF)
         return pressure_of(c->of.actuator, force);
     if (prescribed && prescribed->q->actuator == c->of.actuator) {

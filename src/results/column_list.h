@@ -91,7 +91,7 @@ flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantag
 #define OF_RESIDUAL NEED_FORCES, FOURLINK_OF_ROUNDING, NULL, VALUE, FORCE(residual), 0
 #define SIZE_OF(F) NEED_FORCES, 0, NULL, SIZE, FORCE(F##x), FORCE(F##y)
 #define DIRECTION_OF(F) NEED_FORCES, 0, NULL, DIRECTION, FORCE(F##x), FORCE(F##y)
-#define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(at_crank), ROW(crank.omega2)
+#define POWER_OF_CRANK NEED_FORCES, 0, NULL, PRODUCT, FORCE(at_crank), offsetof(flk_row, speed)
 #define OF_MOTION(member) NEED_DERIVED, 0, NULL, VALUE, DERIVED(member), 0
 #define OF_POLES(member, denominator) NEED_DERIVED, 0, denominator, VALUE, DERIVED(member), 0
 #define X_OF_POLE(I, denominator) NEED_DERIVED, 0, denominator, PLACE_X, DERIVED(I.x), DERIVED(I.y)
