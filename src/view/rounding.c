@@ -12,12 +12,14 @@
 #include "system/format.h"
 
 /* Near a dead position rounding error grows with the condition number 1 / sin(mu); FORMAT_ROUNDING is so much
-** larger than that of a number that smaller ones do not matter. */
+** larger than that of a number that smaller ones do not matter.  In the position itself the input gives the motion. */
 #define CONDITION 1000
 
 static double growth_of(const fourlink_state *state)
 {
-    return GSL_MAX_DBL(1, 1 / (CONDITION * GSL_MIN_DBL(fabs(state->sine), state->group_sine)));
+    double sine = state->sine == 0 ? 1 : fabs(state->sine);
+
+    return GSL_MAX_DBL(1, 1 / (CONDITION * GSL_MIN_DBL(sine, state->group_sine)));
 }
 
 /* The deck's loads, with `all` of friction too, which comes last. */
