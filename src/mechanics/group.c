@@ -166,16 +166,18 @@ double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *st
     return margin;
 }
 
-static void scale_velocity(fourlink_link_state *link, double omega2)
+static void scale_velocity(fourlink_link_state *link, double speed)
 {
-    link->omega = link->k * omega2;
-    link->velocity.x = link->k_origin.x * omega2;
-    link->velocity.y = link->k_origin.y * omega2;
+    link->omega = link->k * speed;
+    link->velocity.x = link->k_origin.x * speed;
+    link->velocity.y = link->k_origin.y * speed;
 }
 
 void flk_groups_move(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
-    double omega2 = state->link[FOURLINK_CRANK].omega;
+    /* of which k is for a unit: in a dead position, where the crank stands still, that of link 3 */
+    double speed =
+        state->link[state->link[FOURLINK_CRANK].k != 0 ? FOURLINK_CRANK : FOURLINK_COUPLER].omega;
     int i;
 
     for (i = 0; i < mechanism->design.n_groups; i++) {
@@ -189,8 +191,8 @@ void flk_groups_move(const fourlink_mechanism *mechanism, fourlink_state *state)
             FLK_UNIT_VELOCITY(pivot, h.to, r);
         }
         types[h.group->end][h.group->hang]->move(&h, &pivot);
-        scale_velocity(h.rod, omega2);
-        scale_velocity(h.end, omega2);
+        scale_velocity(h.rod, speed);
+        scale_velocity(h.end, speed);
     }
 }
 

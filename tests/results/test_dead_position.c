@@ -22,7 +22,7 @@ enum { FOUR_BAR, ACTUATOR, ENGINE, PIN, SLIDE, LEVER, CASES };
 
 /* The columns of a kind, and their groups by letters: of lengths L, speeds S, accelerations A; angular ones W and B; forces
 ** F; power P; numbers N. */
-static const char *const columns[3][2] = {
+static const char *const columns[4][2] = {
     {"omega2, alpha2, omega3, alpha3, omega4, alpha4, C.x, C.y, C.vx, C.vy, C.ax, C.ay, G3.x, "
      "G3.y, "
      "G3.vx, G3.vy, G3.ax, G3.ay, F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y, drive, power, "
@@ -34,13 +34,18 @@ static const char *const columns[3][2] = {
      "WBWBLSALLSSAAFFFFFFFFPFFN"},
     {"omega2, alpha2, omega4, alpha4, slide, slide_v, slide_a, G4.x, G4.y, G4.vx, G4.vy, G4.ax, "
      "G4.ay, F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y, drive, power, Fsx, Fsy, residual",
-     "WBWBLSALLSSAAFFFFFFFFFPFFN"}};
+     "WBWBLSALLSSAAFFFFFFFFFPFFN"},
+    {"omega2, alpha2, omega3, alpha3, omega4, alpha4, P.x, P.v, P.a, P.rod_omega, P.rod_alpha, "
+     "P.FPx, "
+     "P.FPy, F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y, drive, power, Fsx, "
+     "Fsy, residual",
+     "WBWBWBLSAWBFFFFFFFFFFFPFFN"}};
 static const char letters[] = "LSAWBFPN";
 
 static char text[4000];
 static double worst[GROUPS];
-static int groups[COLUMNS], n_columns;
-static long n_rows[CASES], n_ends, n_unsure;
+static int groups[COLUMNS], n_columns, set;
+static long n_rows[CASES], n_outputs, n_ends, n_unsure;
 
 static const struct {
     const char *input, *drive, *unit;
@@ -61,7 +66,7 @@ static void add_link(const char *name, double length, const char *more, double s
 }
 
 /* A machine whose crank does not turn fully in most cases. */
-static void make_machine(int sort)
+static void make_machine(int sort, int has_output)
 {
     int is_wild = seldom(0.2);
     double size = seldom(0.2) ? power_of_ten(-2, 2) : 0.1, a, b, c, d, more = is_wild ? 1 : 0;
@@ -105,12 +110,20 @@ static void make_machine(int sort)
             : sort <= PIN    ? "rod"
                              : "lever",
             between(-100, 100), between(-100, 100), size * between(-2, 2));
+    if (has_output)
+        sprintf(
+            text + strlen(text),
+            "[output P]\nlink = coupler\nat = (%.17g, %.17g) m\nrod = %.17g m\nmass = %.17g kg\n"
+            "line = (0, %.17g) m\nangle = %.17g deg\n",
+            b * between(-1, 1), b * between(-1, 1), 3 * (a + b + c + d), between(0.1, 5),
+            size * between(-1, 1), between(0, 360));
 }
 
-static void choose_columns(int sort)
+static void choose_columns(int which)
 {
-    const char *of = columns[sort / 2][1];
+    const char *of = columns[which][1];
 
+    set = which;
     for (n_columns = 0; of[n_columns]; n_columns++)
         groups[n_columns] = (int)(strchr(letters, of[n_columns]) - letters);
 }
@@ -127,7 +140,7 @@ static fourlink_results *open_machine(int sort, int branch, int side, double spe
             "columns = %s\n[units]\nangle = rad\n",
             dyad ? "dyad" : "matrix", text, cases[sort].input, cases[sort].drive,
             side > 0 ? "rising" : "falling", speed, cases[sort].unit, speed * between(-3, 3),
-            cases[sort].unit, branch > 0 ? "open" : "crossed", columns[sort / 2][0]);
+            cases[sort].unit, branch > 0 ? "open" : "crossed", columns[set][0]);
     memset(&source, 0, sizeof source);
     source.text = whole;
     source.length = (unsigned long)strlen(whole);
@@ -192,6 +205,7 @@ static int check_end(fourlink_results *results, int sort, int branch, unsigned l
                      largest[groups[c]], text, cases[sort].input, branch);
     }
     n_rows[sort]++;
+    n_outputs += set == 3;
     return 1;
 }
 
@@ -202,10 +216,11 @@ TEST(the_row_of_a_dead_position_is_what_the_rows_beside_it_tend_to)
 
     for (number = 0; number < n; number++) {
         int sort = (int)(number % CASES), branch, side;
+        int has_output = sort <= ACTUATOR && number / CASES % 2;
 
         begin_chance(71, number);
-        make_machine(sort);
-        choose_columns(sort);
+        make_machine(sort, has_output);
+        choose_columns(has_output ? 3 : sort / 2);
         for (branch = 1; branch >= -1; branch -= 2)
             for (side = 1; side >= -1; side -= 2) {
                 double speed = (seldom(0.5) ? -1 : 1) * between(0.2, 3);
@@ -229,7 +244,8 @@ TEST(the_row_of_a_dead_position_is_what_the_rows_beside_it_tend_to)
     printf("; of each input");
     for (i = 0; i < CASES; i++)
         printf(" %s %ld", cases[i].input, n_rows[i]);
-    printf("\n");
+    printf("; %ld with an output\n", n_outputs);
+    assert_true(n_outputs > n / 50);
     for (i = 0; i < CASES; i++)
         assert_true(n_rows[i] > n / 100);
     assert_true(n_unsure < n_ends / 4);
