@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# drives.py FOURLINK N [FIRST [outputs]] - N random machines of the four kinds, moved by an input and driven anywhere, against
-# absolute coordinates with multipliers whose driver is at its real place (chains.py): the crank's motion, the effort, pin
-# forces.  With `outputs` each has a pair of links on one of the four, and is moved by that or by an actuator between any links.
+# drives.py FOURLINK N [FIRST [outputs|dead]] - N random machines of the four kinds, moved by an input and driven anywhere,
+# against absolute coordinates with multipliers whose driver is at its real place (chains.py): the crank's motion, the effort, pin
+# forces.  With `outputs` each has a pair of links on one of the four, and is moved by that or by an actuator between any links;
+# with `dead` each is near a dead position of the crank.
 #
 # The crank angle, its speed and its acceleration are chosen; the value of the input and its rates, which the deck gets, are
 # those of the chain in long doubles.  Wild ones have lengths of several orders, or are close to where the input or the
-# crank is dead.  A row may differ by its scale times what is known of it: (size / K)^2, and 1 / sine of the position.
+# crank is dead; with `dead` the sine of all positions is below 0.1.  A row may differ by its scale times what is known of it:
+# (size / K)^2, and 1 / sine of the position.
 import csv
 import io
 import random
@@ -19,9 +21,9 @@ sys.argv, arguments = sys.argv[:1], sys.argv[1:]
 from chains import REAL, Along, Angle, Distance, four_bar, inverted, slider_crank, with_rocker, with_slider, yoke  # noqa: E402
 
 EPS = 2.2e-16
-DOUBT = 1000
 fourlink, n, first = arguments[0], int(arguments[1]), int(arguments[2]) if len(arguments) > 2 else 0
-with_outputs = len(arguments) > 3 and arguments[3] == 'outputs'
+with_outputs, only_dead = arguments[3:] == ['outputs'], arguments[3:] == ['dead']
+DOUBT = 1000
 count, worst, failed, near_dead, refused = {}, {}, 0, 0, 0
 
 
@@ -139,6 +141,18 @@ def rate(driver, s, v, omega):
     return sum(g[1] * v[g[0]].real + g[2] * v[g[0]].imag + g[3] * omega[g[0]] for g in driver.gradient(s) if g[0])
 
 
+def sine_of(kind, origins, angles):
+    """0 in a dead position of the crank."""
+    if kind == 0:
+        return abs(float(np.sin(angles[2] - angles[1])))
+    if kind == 1:
+        return abs(float(np.cos(angles[1])))
+    if kind == 2:
+        r = origins[1] - origins[2]
+        return abs(float((r * np.exp(-1j * angles[2])).real / abs(r)))
+    return 1
+
+
 def value(driver, s):
     driver.value = 0
     return float(driver.error(s)[0])
@@ -159,13 +173,15 @@ def try_one(number):
     global near_dead, refused
     r = random.Random(number)
     kind, rig, text, drives, inputs, side, a, reach, dead = machine(r)
+    while only_dead and (not dead or kind != number % 3):
+        kind, rig, text, drives, inputs, side, a, reach, dead = machine(r)
     if with_outputs:
         rig, more, inputs, others, reach = with_output(r, kind, rig, a, reach)
         text, drives = text + more, dict(drives, **others)
     theta2, omega2 = r.uniform(0, 360), r.choice((1, -1)) * 10 ** r.uniform(-1, 1.5)
-    if r.random() < 0.2:
+    if not only_dead and r.random() < 0.2:
         theta2 = 90.0 * r.randrange(4) + r.choice((1, -1)) * 10 ** r.uniform(-4, 0.5)
-    elif dead and r.random() < 0.6:
+    elif dead and (only_dead or r.random() < 0.6):
         theta2 = r.choice((1, -1)) * np.degrees(np.arccos(r.choice(dead))) + r.choice((1, -1)) * 10 ** r.uniform(-4, 1)
         if kind == 1:
             theta2 = r.choice((theta2, -theta2))
@@ -175,9 +191,10 @@ def try_one(number):
         unit = rig.state(theta2, 1, 0)
     if not np.isfinite(sum(abs(f) for f in s.alpha[2:])).all():
         return
-    grows = max(1, float(abs(unit.omega[2][0])), float(abs(unit.omega[3][0])) if kind in (0, 2) else 1)
+    rates = max(1, float(abs(unit.omega[2][0])), float(abs(unit.omega[3][0])) if kind in (0, 2) else 1)
     if with_outputs:
-        grows = max([grows] + [float(abs(f[0])) for f in unit.omega[4:]])
+        rates = max([rates] + [float(abs(f[0])) for f in unit.omega[4:]])
+    grows = max(rates, 1 / sine_of(kind, *rig.place(np.radians(REAL(theta2)))))
     name, drive = r.choice(sorted(inputs)), r.choice(sorted(drives))
     q, p = inputs[name], drives[drive]
     x, K = value(q, s), float(rate(q, unit, unit.v, unit.omega)[0])
@@ -188,7 +205,7 @@ def try_one(number):
         L = float((rate(q, unit, unit.a, unit.alpha) + q.curvature(unit))[0]) / size
         bends = max([grows, abs(L)] + [float(abs(f[0])) for f in unit.alpha[4:]])
     Kp = float(rate(p, unit, unit.v, unit.omega)[0]) / (1 if isinstance(p, Angle) else a)
-    if not (abs(K) > 1e-4 * size and abs(Kp) > 1e-4 and grows < 1e4):
+    if not (abs(K) > 1e-4 * size and abs(Kp) > 1e-4 and grows < 1e4) or (only_dead and not grows > 10):
         return
     near_dead += grows > 10
     u = ('rad', 'rad/s', 'rad/s2') if isinstance(q, Angle) else ('m', 'm/s', 'm/s2')
@@ -222,7 +239,7 @@ def try_one(number):
 
 
 number = first
-while count.get('theta2', 0) < n and number < first + 20 * n:
+while count.get('theta2', 0) < n and number < first + 40 * n:
     try_one(number)
     number += 1
 print('%d machines of %d compared, %d near a dead position of the crank, %d without a row; %s' % (
