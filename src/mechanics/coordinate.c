@@ -17,6 +17,7 @@
 #include "coordinate.h"
 #include "group.h"
 #include "kind.h"
+#include "mechanism.h"
 
 #define DEAD 1e-7      /* of the crank's length, or of 1: K below it is 0 */
 #define SAMPLES 720    /* of a range of crank angles, denser towards its ends */
@@ -245,10 +246,15 @@ int flk_coordinate_swing(const flk_coordinate *q, const fourlink_mechanism *mech
                          fourlink_branch branch, const flk_prescribed *at, double theta2,
                          int angles, fourlink_state *state)
 {
+    fourlink_crank crank = {0, 0, 0};
     flk_prescribed unit;
     double omega3;
-    int status = flk_mechanism_swing(mechanism, branch, theta2, 1, 0, 0, state);
+    int status;
 
+    crank.theta2 = theta2;
+    if (flk_mechanism_stand(mechanism, branch, &crank, state) != FOURLINK_DEAD_POSITION)
+        return FOURLINK_DEAD_POSITION; /* that of an output */
+    status = flk_mechanism_swing(mechanism, branch, theta2, 1, 0, 0, state);
     if (status != FOURLINK_OK)
         return status;
     flk_coordinate_of(q, state, &unit);
@@ -319,7 +325,7 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
 {
     flk_prescribed unit;
     fourlink_state state;
-    int status = unit_state(q, mechanism, branch, crank->theta2, &unit, &state);
+    int status = flk_coordinate_unit_state(q, mechanism, branch, crank->theta2, &unit, &state);
 
     if (status == FOURLINK_DEAD_POSITION) {
         at->value = flk_coordinate_value(q, mechanism, branch, crank->theta2);
