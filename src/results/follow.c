@@ -736,8 +736,7 @@ static int may_have_pole(const flk_limit_rows *e, const flk_followed *t)
     return !e->is_lock || (flags & FOURLINK_OF_FORCES && !(flags & FOURLINK_FRICTIONLESS));
 }
 
-void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double rounding,
-                    flk_limit *l)
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order, of_scale;
     double strength;
@@ -750,9 +749,8 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     l->reach = 0;
     for (k = 0; k < l->n && (is_vector || !(t->turn > 0)) && may_have_pole(e, t); k++) {
         strength = find_pole_of(e, y[k], t->turn > 0, &order, &of_scale);
-        if (t->turn <= 0 &&
-            ((fabs(strength) <= LEAST_POLE * size && !is_surely_pole(e, y[k], of_scale, size)) ||
-             fabs(y[k][0][0] - y[k][0][1]) <= rounding))
+        if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size &&
+            !is_surely_pole(e, y[k], of_scale, size))
             continue;
         has_pole |= strength != 0;
         l->order = GSL_MAX_INT(l->order, of_scale);

@@ -571,17 +571,6 @@ static int is_of_rounding(const flk_piece *p)
     return p->to - p->from < ROUNDED && (p->begin == FLK_END_LOCK || p->end == FLK_END_LOCK);
 }
 
-/* The rounding error of a column in the rows closest to an end: it can be a difference of forces that grow there. */
-#define LAST_DIGITS 16
-
-static double rounding_near(const flk_samples *x, const flk_sampled *c)
-{
-    const flk_row *row = &x->near->row[0][0];
-
-    return row->at.status == FOURLINK_OK ? LAST_DIGITS * DBL_EPSILON * flk_samples_scale(x, c, row)
-                                         : 0;
-}
-
 static void find_limits(flk_samples *x, int at_end)
 {
     flk_piece_end end = at_end ? x->f.piece.end : x->f.piece.begin;
@@ -600,7 +589,7 @@ static void find_limits(flk_samples *x, int at_end)
         if (c->is_of_crank || c->of.is_noise)
             flk_limit_of_crank(x->near, l);
         else
-            flk_limit_find(x->near, &c->of, c->size, rounding_near(x, c), l);
+            flk_limit_find(x->near, &c->of, c->size, l);
     }
 }
 
