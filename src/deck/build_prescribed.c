@@ -526,8 +526,8 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
 
     p->d->one_instant = 1;
     x->motion.interval = 1; /* any value */
-    x->is_at_crank = IS_DRAWN(at) ||
-                     (!x->q->is_angle && flk_quantity_of_key(use, KEY_MOTION_AT) == QUANTITY_ANGLE);
+    x->is_at_crank =
+        at->word || (!x->q->is_angle && flk_quantity_of_key(use, KEY_MOTION_AT) == QUANTITY_ANGLE);
     x->motion.from = x->motion.to = x->is_at_crank ? 0 : at->si[0];
     x->theta2 = flk_setting_crank_angle(p, at) - p->d->axes.angle;
     if (x->is_at_crank) {

@@ -88,7 +88,8 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
     else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
         x->words = fourlink_deck_link_text(d, s->word);
     else if (s->word)
-        x->words = key->form == FORM_CRANK ? "drawn"
+        x->words = IS_CRANK_NAMED(s) && key->form == FORM_CRANK ? "a crank angle"
+                   : key->form == FORM_CRANK                    ? "drawn"
                    : is_unknown(t->key, s)
                        ? "unknown"
                        : "constant"; /* torque of a motor that balances the loads */

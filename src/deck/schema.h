@@ -63,7 +63,7 @@ typedef enum value_form {
     FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, 50 %, mid, ... */
     FORM_PLACE,    /* a place on the page: (41, 37.5) mm, 140 mm at 30 deg */
     FORM_LINE,     /* two places on the page */
-    FORM_CRANK,    /* a crank angle, or `drawn` */
+    FORM_CRANK,    /* a crank angle, or `drawn`; of an instant also `theta2 = 60 deg` */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
     FORM_EITHER    /* a quantity or another one, by its unit; see flk_quantity_of_key */

@@ -360,16 +360,27 @@ static quantity quantity_by_unit(const unit *u, quantity other)
 
 quantity flk_values_quantity_at(const setting *at)
 {
-    return !IS_SET(at) || IS_DRAWN(at) ? QUANTITY_ANGLE
-                                       : quantity_by_unit(&at->unit, QUANTITY_ANGLE);
+    return !IS_SET(at) || at->word ? QUANTITY_ANGLE : quantity_by_unit(&at->unit, QUANTITY_ANGLE);
+}
+
+/* Take the angle of `theta2 = 60 deg`; 0 if it is none. */
+static int cut_crank(text value, text *angle)
+{
+    text name, rest;
+
+    if (!flk_text_cut(value, "=", &name, &rest) || !flk_text_equal(name, "theta2"))
+        return 0;
+    *angle = rest;
+    return 1;
 }
 
 static quantity quantity_of_place(const section_use *use, key_code key, quantity bare)
 {
     const setting *s = flk_setting_of(use, key);
+    text angle;
     unit u;
 
-    if (flk_text_equal(s->value, "drawn"))
+    if (flk_text_equal(s->value, "drawn") || cut_crank(s->value, &angle))
         return QUANTITY_ANGLE;
     return unit_of_text(s->value, &u) ? quantity_by_unit(&u, bare) : bare;
 }
@@ -500,6 +511,23 @@ static int read_unknown(parser *p, key_code code, setting *s)
     return 1;
 }
 
+/* An instant may be named by its crank angle, whatever the rows go over. */
+static void read_crank(parser *p, const section_use *use, key_code code, setting *s)
+{
+    int may_name = code == KEY_MOTION_AT || code == KEY_EXPECT_AT || code == KEY_MISPRINT_AT;
+    text angle = s->value;
+
+    s->word = flk_text_equal(s->value, "drawn")         ? CRANK_DRAWN
+              : may_name && cut_crank(s->value, &angle) ? CRANK_NAMED
+                                                        : 0;
+    if (IS_DRAWN(s))
+        check_drawn(p, s);
+    else
+        flk_piece_read(p, s, angle,
+                       IS_CRANK_NAMED(s) ? QUANTITY_ANGLE : flk_quantity_of_key(use, code),
+                       &s->si[0]);
+}
+
 static void read_setting(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
@@ -523,10 +551,7 @@ static void read_setting(parser *p, const section_use *use, key_code code, setti
         }
         break;
     case FORM_CRANK:
-        s->word = flk_text_equal(s->value, "drawn");
-        if (s->word ? check_drawn(p, s)
-                    : flk_piece_read(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
-            check_sign(p, key, s);
+        read_crank(p, use, code, s);
         break;
     case FORM_QUANTITY:
     case FORM_EITHER:
