@@ -248,6 +248,7 @@ static void take_settings(deck *d, const deck *from)
     memcpy(d->units, from->units, sizeof d->units);
     memcpy(d->bare, from->bare, sizeof d->bare);
     memcpy(d->shown, from->shown, sizeof d->shown);
+    d->over = &flk_abscissas[0];
     d->sweep = from->sweep;
     d->settings = share(d, from->settings);
 }

@@ -686,7 +686,7 @@ def check_free_body(body, polygon, deck, position, row, link, size):
     length = max(map(abs, deck.slide_range(1))) if link == 4 and deck.yoke else \
         crank if link == 4 and deck.slides or deck.slot and link == 3 else \
         abs(position.origin[link] - (position.B if link == 2 or deck.slot else position.C))
-    checks.near('the longest arrow of the ' + where, max(abs(line.vector) for line in lines), 0.8 * length, 1e-4 * length + 1e-5 * size, 1)
+    checks.near('the longest arrow of the ' + where, max(abs(line.vector) for line in lines), 0.65 * length, 1e-4 * length + 1e-5 * size, 1)
     coarse = 1e-6 * size / (scale * largest) * 20  # seven digits of places far from the origin
     enlarged = [float(re.match(r'friction circles ([0-9.]+):1', note).group(1)) for note in body.notes if note.startswith('friction circles')]
     enlarged = enlarged[0] if enlarged else 1

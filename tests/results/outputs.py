@@ -114,7 +114,7 @@ def check_ranges(deck, branch, angles, rows, facts):
 for deck in decks:
     with open(deck, 'rb') as file:
         text = file.read()
-    if b'[output' not in text or b'[pins]' in text or b'[friction]' in text:  # that jumps where a joint reverses
+    if b'[output' not in text or b'[pins]' in text or b'\ninput' in text or b'[friction]' in text:  # that jumps where a joint reverses
         continue
     head = run('--interval=%g deg' % STEP, '-c', 'all', deck)
     if not head:

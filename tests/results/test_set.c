@@ -185,6 +185,7 @@ TEST(test_all_numbers_of_the_decks)
         source = deck_source(text);
         r = opened(text);
         n = numbers_of(r, numbers);
+        assert_int_not_equal(fourlink_results_set(r, "crank.length", -1, NULL), FOURLINK_OK);
         fourlink_results_free(r);
         for (k = i % step; k < n; k += step)
             check_number(&source, &numbers[k], &done);
