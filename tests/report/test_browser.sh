@@ -207,8 +207,11 @@ END {
         if (words[i] ~ /^[0-9]/ && !seen[words[i]]++) # of the contents
             continue
         headings++
-        if (words[i] ~ /Discussion/) # empty lines are below
+        if (words[i] ~ /Discussion/) { # empty lines are below, which fill the page too
+            if (bottom[i] + 110 > lowest[on[i]])
+                lowest[on[i]] = bottom[i] + 110
             continue
+        }
         below = 0
         for (k = 1; k <= n; k++)
             if (k != i && on[k] == on[i] && top[k] > top[i] + 2 && top[k] < top[i] + 130 && left[k] < right[i] + 60 && right[k] > left[i] && bottom[k] < height - 31)
