@@ -147,6 +147,8 @@ static void block_ends(sheet *s, fourlink_branch branch)
     if (s->v.problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
         return;
     status = view_find_extremes(&s->v, branch, &extremes);
+    if (status == FOURLINK_NO_MEMORY) /* which is told */
+        return;
     if (status == FOURLINK_LONG_SEARCH) {
         line_put(&s->l, "# max, min: %s\n", fourlink_status_text(status));
         s->failed++;

@@ -131,6 +131,8 @@ int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *fou
     int status;
 
     results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list, &found->n);
+    if (memory_has_failed())
+        return FOURLINK_NO_MEMORY;
     for (i = 0; i < v->n_columns && (v->columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
         ;
     if (found->n || i == v->n_columns)
