@@ -21,9 +21,10 @@
 int flk_opened_prepare(flk_opened *o, int branch, int groups)
 {
     int has_facts = (groups & (FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION)) != 0;
+    int of_motion = groups & ~(FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_NAMES);
     int status = FOURLINK_OK, i;
 
-    for (i = 0; i < 2 && status == FOURLINK_OK && groups & ~FOURLINK_FACTS_LIMITS; i++) {
+    for (i = 0; i < 2 && status == FOURLINK_OK && of_motion; i++) {
         int each = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 
         if (branch ? branch == each : i == 0 ? o->d.open : o->d.crossed)

@@ -29,6 +29,8 @@ static fourlink_source with_columns(const char *contents, const fourlink_change 
     return source;
 }
 
+#define ALL_FACTS (FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION)
+
 static digest check_everything(const char *contents, const fourlink_change columns[2],
                                const char *name)
 {
@@ -99,6 +101,52 @@ TEST(test_everything_of_the_decks)
         globfree(&found);
     }
     assert_true(n >= 15);
+}
+
+/* The names of facts are those of all decks, described alike, and no others. */
+TEST(test_names_of_facts)
+{
+    static char text[20000];
+    glob_t decks;
+    unsigned long n, m, k, j;
+    size_t i;
+
+    assert_int_equal(glob(SOURCE_DIR "/data/*.deck", 0, NULL, &decks), 0);
+    for (i = 0; i < decks.gl_pathc; i++) {
+        fourlink_source source = {0};
+        fourlink_results *r = NULL, *same = NULL;
+        const fourlink_value *names, *facts;
+        fourlink_value one;
+
+        read_whole(decks.gl_pathv[i], text, sizeof text);
+        source.text = text;
+        source.length = strlen(text);
+        source.design = FOURLINK_ANY_DESIGN;
+        assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+        assert_int_equal(fourlink_results_open(&source, 0, &same, NULL, NULL), FOURLINK_OK);
+        assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_NAMES, &names, &n),
+                         FOURLINK_OK);
+        assert_int_equal(fourlink_results_facts(same, 0, ALL_FACTS, &facts, &m), FOURLINK_OK);
+        for (k = 0; k < n; k++) {
+            assert_true(names[k].words || isnan(names[k].value));
+            assert_int_equal(fourlink_results_find(same, names[k].name, &one), FOURLINK_OK);
+            assert_int_equal(one.handle, names[k].handle);
+            for (j = 0; j < k; j++)
+                assert_string_not_equal(names[k].name, names[j].name);
+        }
+        for (j = 0; j < m; j++) {
+            for (k = 0; k < n && names[k].handle != facts[j].handle; k++)
+                ;
+            if (k == n)
+                fail_msg("%s: %s is no name", decks.gl_pathv[i], facts[j].name);
+            assert_string_equal(names[k].name, facts[j].name);
+            assert_string_equal(names[k].meaning, facts[j].meaning);
+            assert_string_equal(names[k].quantity, facts[j].quantity);
+        }
+        fourlink_results_free(r);
+        fourlink_results_free(same);
+    }
+    globfree(&decks);
 }
 
 /* Linkages that reach in part or nowhere, pass change points, stop, or are far out of proportion. */

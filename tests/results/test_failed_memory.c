@@ -207,6 +207,8 @@ TEST(test_motion_that_nobody_asked_for)
             assert_int_equal(fourlink_results_list(r, which, &list, &n), FOURLINK_OK);
         assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_LIMITS, &list, &n),
                          FOURLINK_OK);
+        assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_NAMES, &list, &n),
+                         FOURLINK_OK);
         assert_int_equal(watched_memory(), 0);
         assert_true(memory_for(r, "omega4") > 0);
         assert_int_equal(memory_for(r, "omega4"), 0);
