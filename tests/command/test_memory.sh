@@ -36,6 +36,27 @@ if (ulimit -v 65536 && "$fourlink" --version >out) 2>err; then
     check '1500 answers in 64 MB' sh -c 'ulimit -v 65536; "$0" --answers=class --scores -f csv "$1" >out; test $? -eq 1' "$fourlink" asked.deck
     lines out 1501
 fi
+# the first decks of a csv stay open between its header and their rows, the others are read again: their rows are the same,
+# and each says once what it has to say
+sed '/^\[motion\]/,$d' "$alvi" >plain.deck
+printf '[motion]\nspeed = 10 rad/s\nacceleration = 5 rad/s2\nat = 40 deg\n' | cat plain.deck - >noted.deck
+for i in 1 2 20 30 40; do cp noted.deck decks/d$i.deck; done
+"$fourlink" -f csv -b open -i 90deg decks/d1.deck >one 2>one.err
+noted=$(wc -l <one.err)
+check "notes of one: $noted" test "$noted" -gt 0
+i=0
+while [ $i -lt 40 ]; do
+    i=$((i + 1))
+    echo "decks/d$i.deck"
+done >names
+"$fourlink" -f csv -b open -i 90deg $(cat names) >out 2>err
+check "notes: $(wc -l <err)" test "$(wc -l <err)" -eq $((5 * noted))
+while read -r name; do
+    "$fourlink" -f csv -b open -i 90deg "$name" decks/d50.deck 2>/dev/null | grep "^$name,"
+done <names >expected
+sed 1d out | grep '^decks/d' >rows
+same rows expected
+
 # what can be read only once is kept
 cat "$alvi" | "$fourlink" -f csv - decks/d1.deck >out 2>err
 "$fourlink" -f csv "$alvi" decks/d1.deck | sed "s,^$alvi,<stdin>," >expected
