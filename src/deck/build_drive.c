@@ -135,32 +135,29 @@ static int drive_of_link(parser *p, text name, flk_drive *drive)
 /* The drive of the slider or rocker of an output that is named; 0 if it names none. */
 static int drive_of_output(parser *p, text name, flk_drive *drive)
 {
-    const fourlink_design *design = &p->d->machine.mechanism.design;
-    int i;
+    int i = flk_deck_output(p->d, name);
 
-    for (i = 0; i < design->n_groups; i++)
-        if (flk_text_same(name, p->d->outputs[i].name[1])) {
-            drive->sort = FLK_DRIVE_OUTPUT;
-            drive->link = FOURLINK_END_OF(i);
-            drive->is_torque = p->d->groups[i].end == FOURLINK_GROUP_TURNS;
-            drive->to = drive->is_torque ? p->d->groups[i].to : 0;
-            return 1;
-        }
-    return 0;
+    if (i < 0)
+        return 0;
+    drive->sort = FLK_DRIVE_OUTPUT;
+    drive->link = FOURLINK_END_OF(i);
+    drive->is_torque = p->d->groups[i].end == FOURLINK_GROUP_TURNS;
+    drive->to = drive->is_torque ? p->d->groups[i].to : 0;
+    return 1;
 }
 
 /* The drive of the actuator or of the load that is named; 0 if it names none. */
 static int drive_by_name(parser *p, text name, flk_drive *drive)
 {
     deck *d = p->d;
+    int actuator = flk_deck_actuator(d, name);
     size_t i;
 
-    for (i = 0; i < d->n_actuators; i++)
-        if (flk_text_same(name, d->actuators[i].name)) {
-            drive->sort = FLK_DRIVE_ENDS;
-            drive->actuator = &d->actuators[i];
-            return 1;
-        }
+    if (actuator >= 0) {
+        drive->sort = FLK_DRIVE_ENDS;
+        drive->actuator = &d->actuators[actuator];
+        return 1;
+    }
     for (i = 0; i < d->machine.n_elements; i++) {
         const flk_element *e = &d->machine.element[i];
         const flk_given_load *given = e->data;

@@ -72,11 +72,9 @@ int flk_build_is_prescribed(parser *p)
 static int find_actuator(parser *p, const setting *input, text name, flk_coordinate *q)
 {
     const flk_actuator *x;
-    size_t i;
+    int i = flk_deck_actuator(p->d, name);
 
-    for (i = 0; i < p->d->n_actuators && !flk_text_same(name, p->d->actuators[i].name); i++)
-        ;
-    if (i == p->d->n_actuators)
+    if (i < 0)
         return flk_mistake(p->mistakes, input->place, "there is no [actuator %t]", name);
     x = &p->d->actuators[i];
     q->what = FLK_OF_ACTUATOR;
@@ -90,11 +88,9 @@ static int find_actuator(parser *p, const setting *input, text name, flk_coordin
 static int find_output(parser *p, const setting *input, text name, flk_coordinate *q)
 {
     const fourlink_group *g;
-    int n = p->d->machine.mechanism.design.n_groups, i, turns;
+    int i = flk_deck_output(p->d, name), turns;
 
-    for (i = 0; i < n && !flk_text_same(name, p->d->outputs[i].name[1]); i++)
-        ;
-    if (i == n)
+    if (i < 0)
         return flk_mistake(p->mistakes, input->place, "there is no [output %t]", name);
     g = &p->d->groups[i];
     turns = g->end == FOURLINK_GROUP_TURNS;

@@ -56,6 +56,24 @@ const char *fourlink_deck_link_text(const deck *d, int link)
                : fourlink_link_text((int)d->machine.mechanism.design.kind, link);
 }
 
+int flk_deck_output(const deck *d, text name)
+{
+    int i = d->machine.mechanism.design.n_groups;
+
+    while (i-- > 0 && !flk_text_same(name, d->outputs[i].name[1]))
+        ;
+    return i;
+}
+
+int flk_deck_actuator(const deck *d, text name)
+{
+    int i = (int)d->n_actuators;
+
+    while (i-- > 0 && !flk_text_same(name, d->actuators[i].name))
+        ;
+    return i;
+}
+
 void *flk_deck_keep(deck *d, size_t size)
 {
     kept *k = calloc(1, sizeof *k + size);

@@ -263,6 +263,10 @@ extern const fourlink_abscissa flk_abscissas[2 + FLK_COORDINATES];
 ** rows; what they go over. */
 int flk_deck_rows(const deck *d, fourlink_range *range, fourlink_abscissa *over);
 
+/* The number of the output, of the actuator of this name, from 0; -1: there is none. */
+int flk_deck_output(const deck *d, text name);
+int flk_deck_actuator(const deck *d, text name);
+
 /* The quantity of what the rows go over. */
 quantity flk_deck_over(const deck *d);
 

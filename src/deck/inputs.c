@@ -87,10 +87,10 @@ static int describe_input(const deck *d, const target *t, deck_input *x)
         x->words = d->prescribed->q->name; /* NAME.length */
     else if (s->word > FOURLINK_FOLLOWER && (key->form == FORM_LINK || key->form == FORM_BODY))
         x->words = fourlink_deck_link_text(d, s->word);
+    else if (s->word && key->form == FORM_CRANK)
+        x->words = IS_DRAWN(s) ? "drawn" : "a crank angle";
     else if (s->word)
-        x->words = IS_CRANK_NAMED(s) && key->form == FORM_CRANK ? "a crank angle"
-                   : key->form == FORM_CRANK                    ? "drawn"
-                   : is_unknown(t->key, s)
+        x->words = is_unknown(t->key, s)
                        ? "unknown"
                        : "constant"; /* torque of a motor that balances the loads */
     else

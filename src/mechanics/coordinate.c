@@ -35,14 +35,6 @@ static double scale_of(const flk_coordinate *q, const fourlink_mechanism *mechan
     return q->is_angle ? 1 : mechanism->design.link[FOURLINK_CRANK].length;
 }
 
-static int at_unit_speed(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                         fourlink_branch branch, double theta2, flk_prescribed *unit)
-{
-    fourlink_state state;
-
-    return flk_coordinate_unit_state(q, mechanism, branch, theta2, unit, &state);
-}
-
 /* 1 if two values are the same, to rounding. */
 static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism, double x, double y)
 {
@@ -387,10 +379,13 @@ typedef struct rate_search {
 static double rate_at(double theta2, void *data)
 {
     const rate_search *s = data;
+    fourlink_state state;
     flk_prescribed unit;
 
-    return at_unit_speed(s->q, s->mechanism, s->branch, theta2, &unit) == FOURLINK_OK ? unit.rate
-                                                                                      : GSL_NAN;
+    return flk_coordinate_unit_state(s->q, s->mechanism, s->branch, theta2, &unit, &state) ==
+                   FOURLINK_OK
+               ? unit.rate
+               : GSL_NAN;
 }
 
 /* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length; one that is searched may have no
@@ -441,7 +436,7 @@ static void take_sample(stretches *t, const flk_sample *p)
     t->last.x = p->x;
 }
 
-static double nearness_at(double theta2, void *data)
+static double nearness_of_rate(double theta2, void *data)
 {
     const rate_search *s = data;
 
@@ -466,7 +461,7 @@ static int find_dip(stretches *t, const flk_sample p[3], flk_sample *lowest)
         turned[i].x = p[i].x;
         turned[i].value = -t->of.sign * p[i].value;
     }
-    *lowest = flk_find_peak(nearness_at, &t->of, turned, 0);
+    *lowest = flk_find_peak(nearness_of_rate, &t->of, turned, 0);
     lowest->value *= -t->of.sign;
     return t->of.sign * lowest->value < 0;
 }
@@ -519,8 +514,8 @@ static int join_ends(const flk_coordinate *q, double turn, flk_stretch *list, in
 }
 
 /* The stretches of a range of crank angles, which groups that move the coordinate may end and begin again. */
-static int add_range(const rate_search *s, double from, double to, int is_turn, flk_stretch *list,
-                     int n)
+static int add_reach_range(const rate_search *s, double from, double to, int is_turn,
+                           flk_stretch *list, int n)
 {
     double ends[FLK_GROUPS_ENDS], turn = to - from, begin;
     size_t n_ends = 0, i;
@@ -572,8 +567,8 @@ int flk_coordinate_stretches(const flk_coordinate *q, const fourlink_mechanism *
     for (i = 0; i < reach.n_ranges; i++) {
         int is_turn = reach.to[i] - reach.from[i] >= 2 * M_PI * (1 - 1e-15);
 
-        n = add_range(&s, reach.from[i], is_turn ? reach.from[i] + turn : reach.to[i], is_turn,
-                      list, n);
+        n = add_reach_range(&s, reach.from[i], is_turn ? reach.from[i] + turn : reach.to[i],
+                            is_turn, list, n);
     }
     for (i = 0; i < n && q->is_searched; i++)
         flk_search_prepare(q, &reduced, branch, &list[i]);

@@ -53,8 +53,8 @@ void flk_search_reduce(const flk_coordinate *q, const fourlink_mechanism *mechan
 /* ---------------------------------------------------------------------------------------------- the stretch */
 
 /* The value at a crank angle of a stretch, at its ends too. */
-static double value_at(const flk_coordinate *q, const fourlink_mechanism *mechanism,
-                       fourlink_branch branch, const flk_stretch *s, double theta2)
+static double value_in_stretch(const flk_coordinate *q, const fourlink_mechanism *mechanism,
+                               fourlink_branch branch, const flk_stretch *s, double theta2)
 {
     double value = flk_coordinate_value(q, mechanism, branch, theta2);
     double beside = BESIDE * (s->theta2_to - s->theta2_from);
@@ -123,7 +123,7 @@ void flk_search_prepare(const flk_coordinate *q, const fourlink_mechanism *mecha
         theta2 = i == n ? s->theta2_to
                         : s->theta2_from + 0.5 * (s->theta2_to - s->theta2_from) *
                                                (1 - flk_cosine(M_PI * i / n));
-        value = value_at(q, mechanism, branch, s, theta2);
+        value = value_in_stretch(q, mechanism, branch, s, theta2);
         last = i && q->is_angle ? follow(last, s->side, value) : value;
         if (i % PARTS == 0) {
             s->node[i / PARTS].theta2 = theta2;
@@ -199,7 +199,7 @@ typedef struct search {
 
 /* By how much the coordinate is beyond the value, so that it rises, at an angle inside the bracket, which it replaces one
 ** end of; and the next angle.  Where there is no position it is the nearer end of the stretch. */
-static double take(search *x, double theta2, const flk_prescribed *unit, double *next)
+static double take_angle(search *x, double theta2, const flk_prescribed *unit, double *next)
 {
     int side = x->stretch->side;
     double now = x->q->is_angle ? follow(x->from, side, unit->value) : unit->value;
@@ -236,7 +236,7 @@ static int search_between(search *x, double *theta2, flk_prescribed *unit, fourl
             next = GSL_NAN;
             continue;
         }
-        beyond = take(x, *theta2, unit, &next);
+        beyond = take_angle(x, *theta2, unit, &next);
         if (beyond == 0 || fabs(next - *theta2) <= 0.5 * DBL_EPSILON * (1 + fabs(*theta2)))
             break;
         if (fabs(next - *theta2) > 0.5 * last) {

@@ -45,6 +45,11 @@ void flk_machine_finish(flk_machine *m)
     m->n_loads += m->has_friction ? FOURLINK_FRICTION_LOADS : 0;
 }
 
+int flk_machine_leaves_dead(const flk_machine *m)
+{
+    return m->mechanism.drive && !m->has_friction;
+}
+
 size_t flk_machine_count(const flk_machine *m, const flk_element_type *type)
 {
     size_t i, n = 0;

@@ -360,7 +360,7 @@ int flk_course_leaves_dead(const flk_course *c, fourlink_branch branch, int side
     fourlink_state state;
     fourlink_row row;
 
-    return !(c->d->has_forces && (machine->has_friction || !machine->mechanism.drive)) &&
+    return (!c->d->has_forces || flk_machine_leaves_dead(machine)) &&
            c->type->at(c, branch, side, place, &row, &actual) == FOURLINK_OK &&
            flk_mechanism_stand(&machine->mechanism, branch, &row.crank, &state) ==
                FOURLINK_DEAD_POSITION &&

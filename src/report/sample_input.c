@@ -65,6 +65,12 @@ static double angle_of(double cosine)
     return acos(GSL_MAX_DBL(-1, GSL_MIN_DBL(1, cosine)));
 }
 
+static void put_heading_of_rates(math *m)
+{
+    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
+                     "</p>\n");
+}
+
 /* The triangle ABC: f = AC, psi its direction. */
 static void put_triangle(report *r, math *m, const fourlink_vector *C, const char *f,
                          const char *psi, const char *beta, double rod)
@@ -95,8 +101,7 @@ static void put_rocker_of_four_bar(report *r, math *m, const fourlink_state *at_
     math_let(m, "yC", "c * sin theta4", C.y);
     put_triangle(r, m, &C, "[ xC ^2 + yC ^2 ]", "atan2 ( yC , xC )",
                  "acos { a ^2 + fA ^2 - b ^2 | 2 * a * fA }", design->link[3].length);
-    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
-                     "</p>\n");
+    put_heading_of_rates(m);
     math_let(m, "K3", "{ a * sin ( theta4 - theta2 ) | b * sin ( theta3 - theta4 ) }",
              at_one->link[3].omega);
     math_let(m, "K4", "{ a * sin ( theta3 - theta2 ) | c * sin ( theta3 - theta4 ) }",
@@ -133,8 +138,7 @@ static void put_piston(report *r, math *m, const fourlink_state *at_one)
                "its angle \316\262 at A:</p>\n");
     put_triangle(r, m, &C, "[ xC ^2 + e ^2 ]", "atan2 ( e , xC )",
                  "acos { r ^2 + fA ^2 - l ^2 | 2 * r * fA }", design->link[3].length);
-    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
-                     "</p>\n");
+    put_heading_of_rates(m);
     math_let(m, "K3", "- { r * cos theta2 | l * cos theta3 }", at_one->link[3].omega);
     math_let(m, "KC", "- r * sin theta2 - l * K3 * sin theta3", at_one->link[4].velocity.x);
     math_let(m, "L3", "{ r * sin theta2 + l * K3 ^2 * sin theta3 | l * cos theta3 }",
@@ -153,8 +157,7 @@ static void put_yoke(report *r, math *m, const fourlink_state *at_one)
     let_either(r, m, "beta - asin { xC * sin beta <e - e * cos beta > | a }", beta - angle,
                "beta - 180deg + asin { xC * sin beta <e - e * cos beta > | a }",
                beta - M_PI + angle);
-    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
-                     "</p>\n");
+    put_heading_of_rates(m);
     math_let(m, "Ks", "{ a * cos theta2 | sin beta }", at_one->slide_v);
     math_let(m, "KC", "- a * sin theta2 - Ks * cos beta", at_one->link[4].velocity.x);
     math_let(m, "Ls", "- { a * sin theta2 | sin beta }", at_one->slide_a);
@@ -162,6 +165,15 @@ static void put_yoke(report *r, math *m, const fourlink_state *at_one)
 }
 
 /* ------------------------------------------------------------------------------ inverted */
+
+static void put_rates_of_lever(math *m, const fourlink_state *at_one)
+{
+    put_heading_of_rates(m);
+    math_let(m, "K3", "{ a * cos ( theta3 - theta2 ) | s }", at_one->link[3].omega);
+    math_let(m, "Ks", "a * sin ( theta3 - theta2 ) <h + h * K3 >", at_one->slide_v);
+    math_let(m, "L3", "{ a * sin ( theta3 - theta2 ) - 2 * Ks * K3 <h + h * K3 ^2 > | s }",
+             at_one->link[3].alpha);
+}
 
 static void put_slide(report *r, math *m, const fourlink_state *at_one)
 {
@@ -175,12 +187,7 @@ static void put_slide(report *r, math *m, const fourlink_state *at_one)
     math_let(m, "f", "[ s ^2 + h ^2 ]", f);
     math_let(m, "betaA", "acos { a ^2 + d ^2 - f ^2 | 2 * a * d }", of_B);
     let_either(r, m, "betaA", of_B, "- betaA", -of_B);
-    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
-                     "</p>\n");
-    math_let(m, "K3", "{ a * cos ( theta3 - theta2 ) | s }", at_one->link[3].omega);
-    math_let(m, "Ks", "a * sin ( theta3 - theta2 ) <h + h * K3 >", at_one->slide_v);
-    math_let(m, "L3", "{ a * sin ( theta3 - theta2 ) - 2 * Ks * K3 <h + h * K3 ^2 > | s }",
-             at_one->link[3].alpha);
+    put_rates_of_lever(m, at_one);
     math_let(m, "Ls", "- a * cos ( theta3 - theta2 ) <h + h * L3 > + s * K3 ^2", at_one->slide_a);
 }
 
@@ -193,12 +200,7 @@ static void put_lever(report *r, math *m, const fourlink_state *at_one)
     page_print(m->p, "<p>The loop equations without s, solved for \316\270\342\202\202:</p>\n");
     let_either(r, m, "theta3 + asin { <h h > - d * sin theta3 | a }", theta3 + angle,
                "theta3 + 180deg - asin { <h h > - d * sin theta3 | a }", theta3 + M_PI - angle);
-    page_print(m->p, "<p>K and L are the first and the second derivative by \316\270\342\202\202:"
-                     "</p>\n");
-    math_let(m, "K3", "{ a * cos ( theta3 - theta2 ) | s }", at_one->link[3].omega);
-    math_let(m, "Ks", "a * sin ( theta3 - theta2 ) <h + h * K3 >", at_one->slide_v);
-    math_let(m, "L3", "{ a * sin ( theta3 - theta2 ) - 2 * Ks * K3 <h + h * K3 ^2 > | s }",
-             at_one->link[3].alpha);
+    put_rates_of_lever(m, at_one);
 }
 
 /* ------------------------------------------------------------------------------ all */
@@ -221,21 +223,16 @@ static void put_rates(report *r, math *m, const coordinate *q)
     math_let(m, "alpha2", equation, crank->alpha2);
 }
 
-/* What the deck calls its input; null: the crank, or the length of an actuator. */
-static const char *name_of_input(const report *r)
+/* 1 for an input from which the crank follows in closed form by what is written here. */
+static int is_known(const char *name)
 {
     static const char *const known[] = {"theta4", "x", "C.x", "slide"};
-    const fourlink_value *inputs;
-    unsigned long n, i;
     size_t k;
 
-    fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
-    for (i = 0; i < n; i++)
-        if (strcmp(inputs[i].name, "motion.input") == 0 && inputs[i].words)
-            for (k = 0; k < sizeof known / sizeof known[0]; k++)
-                if (strcmp(inputs[i].words, known[k]) == 0)
-                    return known[k];
-    return NULL;
+    for (k = 0; k < sizeof known / sizeof known[0]; k++)
+        if (strcmp(name, known[k]) == 0)
+            return 1;
+    return 0;
 }
 
 void sample_put_input(report *r, math *m)
@@ -244,14 +241,15 @@ void sample_put_input(report *r, math *m)
                             of_rocker = {"theta4", "omega4", "alpha4", "K4", "L4", 0, 0},
                             of_lever = {"theta3", "omega3", "alpha3", "K3", "L3", 0, 0},
                             of_slide = {"s", "sdot", "sddot", "Ks", "Ls", 0, 0};
-    const char *name = name_of_input(r);
+    const char *name = view_input(&r->v);
     const fourlink_state *now = &r->now.state;
     fourlink_state at_one;
     coordinate q;
-    int is_slide = name && strcmp(name, "slide") == 0;
+    int is_slide;
 
-    if (!name || !find_unit(r, &at_one))
+    if (!name || !is_known(name) || !find_unit(r, &at_one))
         return;
+    is_slide = strcmp(name, "slide") == 0;
     page_print(m->p,
                "<h3>Crank from the input</h3>\n<p>The deck prescribes %s; that the crank moves "
                "as given above follows from it.</p>\n",

@@ -83,16 +83,10 @@ static const shape *find_shape(const fourlink_program_part *part, double tau)
 static int find_moved(const report *r, const symbols **names, double now[3])
 {
     const fourlink_state *state = &r->now.state;
-    const fourlink_value *inputs;
-    const char *input = "";
-    unsigned long n, i;
+    const char *input = view_input(&r->v);
 
-    fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
-    for (i = 0; i < n; i++)
-        if (strcmp(inputs[i].name, "motion.input") == 0 && inputs[i].words)
-            input = inputs[i].words;
     *names = &of_length;
-    if (!*input) {
+    if (!input) {
         *names = &of_crank;
         now[0] = r->now.row.crank.theta2;
         now[1] = r->now.row.crank.omega2;

@@ -379,15 +379,13 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
                      &a->acting.ground_moment);
 }
 
-/* In a dead position of the crank, what is prescribed gives the motion.  The crank cannot drive there; and which way friction
-** acts, and what is derived from an engine's motion, follows from the crank's. */
+/* In a dead position of the crank, what is prescribed gives the motion.  What is derived from an engine's motion follows from
+** the crank's. */
 static int leave_dead_position(const flk_analysis *a, int needs, int forces,
                                const fourlink_crank *crank, double place, int angles,
                                fourlink_instant *at)
 {
-    const flk_machine *machine = &a->d->machine;
-
-    if ((forces && (machine->has_friction || !machine->mechanism.drive)) ||
+    if ((forces && !flk_machine_leaves_dead(&a->d->machine)) ||
         needs & (NEED_ENGINE | NEED_SERIES | NEED_KLEIN))
         return FOURLINK_DEAD_POSITION;
     return flk_course_swing(&a->course, at->branch, place, crank->theta2, angles, &at->state);

@@ -86,22 +86,10 @@ static void put_prescribed(sheet *s)
                   q == QUANTITY_ANGLE ? QUANTITY_ANGULAR_ACCELERATION : QUANTITY_ACCELERATION);
 }
 
-/* The crank, or what is prescribed in place of its angle. */
-static const char *name_of_input(const sheet *s)
-{
-    const fourlink_value *list;
-    unsigned long n, i;
-
-    fourlink_results_list(s->v.results, FOURLINK_INPUTS, &list, &n);
-    for (i = 0; i < n; i++)
-        if (strcmp(list[i].name, "motion.input") == 0 && strcmp(list[i].words, "theta2") != 0)
-            return list[i].words;
-    return "crank";
-}
-
 static void put_speed(sheet *s)
 {
     const fourlink_motion *motion = &s->v.problem.motion;
+    const char *input = view_input(&s->v);
     int mode = s->v.problem.mode;
 
     if (mode == FOURLINK_MODE_FREE)
@@ -109,7 +97,7 @@ static void put_speed(sheet *s)
     else if (mode != FOURLINK_MODE_GIVEN)
         line_put(&s->l, mode == FOURLINK_MODE_STEADY ? "# steady motion" : "# run-up from rest");
     else if (!s->v.problem.over.is_crank_angle)
-        line_put(&s->l, "# %s by a program", name_of_input(s));
+        line_put(&s->l, "# %s by a program", input ? input : "crank");
     else if (motion->run_up > 0)
         line_put(&s->l, "# crank from rest");
     else

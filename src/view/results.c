@@ -65,11 +65,11 @@ int results_value(fourlink_results *results, const char *name, fourlink_branch b
     return noted(fourlink_results_value(results, name, branch, angle, value));
 }
 
-void results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
-                   unsigned long *n)
+int results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
+                  unsigned long *n)
 {
     *n = 0;
-    noted(fourlink_results_facts(results, branch, groups, facts, n));
+    return noted(fourlink_results_facts(results, branch, groups, facts, n));
 }
 
 int results_gave_up(int status)

@@ -28,8 +28,8 @@ int results_get(fourlink_results *results, int handle, fourlink_branch branch, d
                 fourlink_value *value);
 int results_value(fourlink_results *results, const char *name, fourlink_branch branch, double angle,
                   fourlink_value *value);
-void results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
-                   unsigned long *n);
+int results_facts(fourlink_results *results, int branch, int groups, const fourlink_value **facts,
+                  unsigned long *n);
 
 /* The i-th comparison; 0 if memory fails, and all of it is 0, with empty texts. */
 int results_check(fourlink_results *results, unsigned long i, fourlink_check *check);

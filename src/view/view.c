@@ -108,6 +108,18 @@ void view_take(view *v, fourlink_results *results)
     view_take_design(v, results);
 }
 
+const char *view_input(const view *v)
+{
+    const fourlink_value *list;
+    unsigned long n, i;
+
+    fourlink_results_list(v->results, FOURLINK_INPUTS, &list, &n);
+    for (i = 0; i < n; i++)
+        if (strcmp(list[i].name, "motion.input") == 0 && strcmp(list[i].words, "theta2") != 0)
+            return list[i].words;
+    return NULL;
+}
+
 int view_find_solution(const fourlink_deck *deck, fourlink_solution **found)
 {
     unsigned long chosen, n;
@@ -128,11 +140,11 @@ int view_find_extremes(const view *v, fourlink_branch branch, view_extremes *fou
 {
     fourlink_value one;
     unsigned long i;
-    int status;
+    int status =
+        results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list, &found->n);
 
-    results_facts(v->results, (int)branch, FOURLINK_FACTS_EXTREMES, &found->list, &found->n);
-    if (memory_has_failed())
-        return FOURLINK_NO_MEMORY;
+    if (status != FOURLINK_OK)
+        return status;
     for (i = 0; i < v->n_columns && (v->columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
         ;
     if (found->n || i == v->n_columns)

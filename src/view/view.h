@@ -45,6 +45,9 @@ int view_find_motion(view *v);
 /* The linkage that a synthesis has found, for the caller to free; null of another deck.  0: out of memory. */
 int view_find_solution(const fourlink_deck *deck, fourlink_solution **found);
 
+/* What a deck prescribes in place of the crank angle, by its name; null: nothing. */
+const char *view_input(const view *v);
+
 /* The extremes of the columns of the deck's table on a branch; valid until facts are asked for again. */
 typedef struct view_extremes {
     const fourlink_value *list;
