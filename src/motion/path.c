@@ -297,13 +297,19 @@ static int cut(const flk_node *node, int i, double value, int rises, double *par
 }
 
 /* The node at the end of a step, or where it first leaves the cell, and why.  A speed with a peak may leave
-** the cell and return. */
+** the cell and return.  One that begins at an end of the piece of the motor's curve leaves it only when it is clear of that:
+** with its peak there it would be cut again and again, and time would stand still. */
 static ending end_step(const flk_path *p, const flk_node *node, const cell *c, flk_node *after)
 {
     double sense = p->equation.sense, part = flk_node_peak(node, 0, 1);
     double low = sense > 0 ? c->slowest : -c->fastest, high = sense > 0 ? c->fastest : -c->slowest;
+    double speed = node->y[FLK_SPEED], clear = NUDGE * fabs(speed);
     ending why = IN_CELL;
 
+    if (speed - low < clear)
+        low = speed - clear;
+    if (high - speed < clear)
+        high = speed + clear;
     for (;; part = 1) {
         if (fabs(node->y[FLK_SPEED]) > STILL * c->slow &&
             cut(node, FLK_SPEED, 0, c->turning < 0, &part))

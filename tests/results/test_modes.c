@@ -3,6 +3,7 @@
 ** test_modes.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a
 ** fluctuation; against an independent solver.
 */
+#include "chance.h"
 #include "machines.h"
 
 #define LOADED PUMP FORCE FAN
@@ -295,6 +296,56 @@ TEST(test_fortran)
 }
 
 /* Columns and facts of the actual motion are not those of a given one. */
+/* A pump by a motor whose torque falls along a line, of which a third point may be given. */
+static fourlink_results *open_with_points(const char *load, double torque, double no_load,
+                                          double speed)
+{
+    char curve[200], contents[2000];
+
+    snprintf(curve, sizeof curve, "%.17g rad/s %.17g N m, ", speed, torque * (1 - speed / no_load));
+    snprintf(contents, sizeof contents,
+             PUMP "%s[motor]\ncurve = 0 rad/s %.17g N m, %s%.17g rad/s 0 N m\n" FLYWHEEL STEADY,
+             load, torque, speed > 0 ? curve : "", no_load);
+    return opened(contents);
+}
+
+/* A point on a straight line changes nothing, though the speed turns back exactly there. */
+TEST(test_speed_with_its_peak_at_a_point_of_the_curve)
+{
+    static const char *const names[] = {"mean_speed", "fluctuation_exact", "period"};
+    double worst = 0;
+    int compared = 0, i, j, k;
+
+    for (i = 0; i < 40; i++) {
+        const char *load;
+        double torque, no_load;
+        fourlink_results *line;
+
+        begin_chance(66, i);
+        torque = 80 + 200 * chance();
+        no_load = 10 + 40 * chance();
+        load = seldom(0.5) ? FORCE FAN : FORCE;
+        line = open_with_points(load, torque, no_load, 0);
+        for (j = 0; j < 16; j++) {
+            double speed = value_at(line, j % 2 ? "max(omega2)" : "min(omega2)", 0);
+            fourlink_results *points;
+
+            if (!(speed < 0.999 * no_load))
+                continue; /* the loads drive it */
+            points = open_with_points(load, torque, no_load, speed * (1 + (j / 2 - 4) * 1e-16));
+
+            for (k = 0; k < 3; k++, compared++)
+                worst = fmax(worst,
+                             fabs(value_at(points, names[k], 0) / value_at(line, names[k], 0) - 1));
+            fourlink_results_free(points);
+        }
+        fourlink_results_free(line);
+    }
+    assert_true(compared > 1000);
+    if (!(worst < 1e-9))
+        fail_msg("differs by %g", worst);
+}
+
 TEST(test_given)
 {
     static const char *const names[] = {"T_motor", "J", "energy", "energy_residual"};
