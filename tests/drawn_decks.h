@@ -82,7 +82,7 @@ static int find_drawn(const fourlink_mechanism *m, int has_own_slide, fourlink_s
     for (i = 0; i < TRIES; i++) {
         crank.theta2 = drawn_at = between(-PI, PI);
         if (fourlink_analyse(m, drawn_branch, &crank, NULL, 0, at, NULL) == FOURLINK_OK &&
-            at->mu > CLEAR &&
+            at->mu > CLEAR && !(m->design.n_groups && at->group_sine < CLEAR) &&
             (m->design.kind != FOURLINK_SLIDER_CRANK ||
              at->link[4].origin.x > 0.01 * m->design.link[2].length) &&
             (m->design.kind != FOURLINK_INVERTED_SLIDER_CRANK ||
@@ -109,12 +109,49 @@ static void set_drawn(deck_block *b, key_code on_link, key_code key, const fourl
     snprintf(line->value, sizeof line->value, "(%.17g, %.17g) mm", 1e3 * place.x, 1e3 * place.y);
 }
 
-/* Points of loads, springs and tracers, and centres of mass, by their places. */
+/* Points of outputs and their centres of mass by their places. */
+static void set_drawn_output(deck_block *b, const fourlink_state *drawn, const fourlink_group *g,
+                             int i)
+{
+    set_drawn(b, KEY_OUTPUT_AT, KEY_OUTPUT_PLACE, drawn, g->link, g->at);
+    if (g->to)
+        set_drawn(b, KEY_OUTPUT_TO_AT, KEY_OUTPUT_TO_PLACE, drawn, g->to, g->pivot);
+    set_drawn(b, KEY_OUTPUT_ROD_CG, KEY_OUTPUT_ROD_CG_PLACE, drawn, FOURLINK_ROD_OF(i),
+              g->body[0].cg);
+    set_drawn(b, KEY_OUTPUT_END_CG, KEY_OUTPUT_END_CG_PLACE, drawn, FOURLINK_END_OF(i),
+              g->body[1].cg);
+}
+
+/* A point of a link of an output, by its place on the link, and as drawn. */
+static void add_drawn_point(deck_lines *d, const fourlink_state *drawn, const char *name, int link)
+{
+    deck_lines *decks[2];
+    char header[40], value[100];
+    fourlink_vector at;
+    int i;
+
+    at.x = between(-1, 1) * drawn_size;
+    at.y = between(-1, 1) * drawn_size;
+    snprintf(header, sizeof header, "[point D%d]", link);
+    snprintf(value, sizeof value, "(%.17g, %.17g) m", at.x, at.y);
+    decks[0] = &base;
+    decks[1] = d;
+    for (i = 0; i < 2; i++) {
+        deck_block *b = add_block(decks[i], header);
+
+        add_line(b, "link", name);
+        add_line(b, "at", value);
+    }
+    set_drawn(&d->block[d->n - 1], KEY_POINT_AT, KEY_POINT_PLACE, drawn, link, at);
+}
+
+/* Points of loads, springs, tracers and outputs, and centres of mass, by their places. */
 static void set_drawn_points(deck_lines *d, const fourlink_deck *deck, const fourlink_state *drawn)
 {
     static fourlink_load loads[200];
     fourlink_problem problem;
     unsigned long n[3] = {0, 0, 0};
+    int n_blocks = d->n, n_outputs = 0;
     fourlink_spring spring;
     fourlink_vector at;
     int i, link, k;
@@ -122,7 +159,7 @@ static void set_drawn_points(deck_lines *d, const fourlink_deck *deck, const fou
     fourlink_deck_problem(deck, &problem);
     if (problem.n_loads <= 200)
         fourlink_deck_loads(deck, drawn_branch, drawn_at, loads, NULL);
-    for (i = 0; i < d->n; i++) {
+    for (i = 0; i < n_blocks; i++) {
         deck_block *b = &d->block[i];
 
         if (b->section == SECTION_POINT) {
@@ -137,6 +174,14 @@ static void set_drawn_points(deck_lines *d, const fourlink_deck *deck, const fou
                 loads[n[2]].force.y != 0) /* one that is off has no place */
                 set_drawn(b, KEY_LOAD_AT, KEY_LOAD_PLACE, drawn, loads[n[2]].link, loads[n[2]].at);
             n[2]++;
+        } else if (b->section == SECTION_OUTPUT) {
+            const fourlink_group *g = &problem.mechanism.design.group[n_outputs];
+
+            set_drawn_output(b, drawn, g, n_outputs);
+            for (k = FOURLINK_ROD_OF(n_outputs) + (g->hang != FOURLINK_HANGS_BY_ROD);
+                 k <= FOURLINK_END_OF(n_outputs); k++)
+                add_drawn_point(d, drawn, fourlink_deck_link_text(deck, k), k);
+            n_outputs++;
         }
         for (k = FOURLINK_CRANK; k <= FOURLINK_FOLLOWER; k++)
             if (b->section == flk_section_of_link(problem.mechanism.design.kind, k) &&
@@ -160,6 +205,7 @@ static int draw_pins(deck_lines *d)
     fourlink_vector tip = {0, 0}, ground = {1, 0};
     fourlink_problem problem;
     const fourlink_link *link;
+    fourlink_mistake mistake;
     fourlink_state drawn;
     char value[100];
     int i, k, has_own_slide, is_line;
@@ -229,7 +275,10 @@ static int draw_pins(deck_lines *d)
         set_guide(d, problem.mechanism.design.offset);
     else if (kind == FOURLINK_SLIDER_CRANK)
         set_line(d, KEY_GROUND_ANGLE, value);
-    return 1;
+    write_lines(&base, base_text, sizeof base_text);
+    r = open_deck(base_text, NULL, &mistake); /* an input may have no value on this branch alone */
+    fourlink_results_free(r);
+    return r != NULL;
 }
 
 /* With places in the axes of link 1. */

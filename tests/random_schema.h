@@ -381,7 +381,12 @@ static const struct {
     {KEY_OUTPUT_SLOT_ANGLE,
      KEY_OUTPUT_END_INERTIA,
      "70 deg\nslot = output",
-     {KEY_OUTPUT_ROD, KEY_COUNT}}};
+     {KEY_OUTPUT_ROD, KEY_COUNT}},
+    {KEY_OUTPUT_END_CG_PLACE, KEY_OUTPUT_END_MASS, "(30, 20) mm", {KEY_OUTPUT_END_CG, KEY_COUNT}},
+    {KEY_OUTPUT_ROD_CG_PLACE,
+     KEY_OUTPUT_ROD_MASS,
+     "40 mm at 60 deg",
+     {KEY_OUTPUT_ROD_CG, KEY_COUNT}}};
 
 static int is_follower(key_code k)
 {

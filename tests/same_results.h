@@ -380,17 +380,22 @@ static double doubt_of_accelerations = 1; /* ... and these and what follows from
 static int was_locked;
 static fourlink_branch compared; /* of the rows */
 
-/* By how much more a row may be wrong than the integration of a turn: that errs in each one, and a steady motion gathers
-** what a cycle leaves of a difference. */
-static double doubt_of_motion(fourlink_results *r, double theta2)
+/* A steady motion gathers what a cycle leaves of a difference. */
+static double doubt_of_steady(fourlink_results *r)
 {
     fourlink_value rate;
+
+    return fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK
+               ? 1 / fmax(1e-4, 1 - fabs(rate.value))
+               : 1;
+}
+
+/* By how much more a row may be wrong than the integration of a turn: that errs in each one. */
+static double doubt_of_motion(fourlink_results *r, double theta2)
+{
     double turns = 1 + fabs(theta2) / (2 * PI);
 
-    if (strstr(base_text, "mode = steady") &&
-        fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK)
-        turns /= fmax(1e-4, 1 - fabs(rate.value));
-    return turns;
+    return strstr(base_text, "mode = steady") ? turns * doubt_of_steady(r) : turns;
 }
 
 /* The same of a program: its times are rounded, so that the length of a segment is known to eps t / length, and forces follow
@@ -571,7 +576,10 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
             present->undecided++;
             continue;
         }
+        /* the crank's angle at which the input stands still is known to the root of a rounding error */
+        doubt *= status == FOURLINK_INPUT_DEAD_CENTRE ? 1e4 : 1;
         condition = compare_rows(a, b, expected, row, where);
+        doubt /= status == FOURLINK_INPUT_DEAD_CENTRE ? 1e4 : 1;
         is_near |=
             status != FOURLINK_OK || condition > NEAR_DEAD || named(&a->c, expected, "omega2") == 0;
     }
@@ -585,6 +593,7 @@ static int sort_of_statistic(int which, int is_near)
            : is_near                         ? NEAR_EXTREME
            : which < FOURLINK_MEAN           ? EXTREME
            : strstr(base_text, "[friction]") ? RUBBING_MEAN
+           : is_computed(base_text)          ? COMPUTED_FACT
                                              : MEAN;
 }
 
@@ -760,7 +769,9 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                                            "flywheel_inertia flywheel_fluctuation ")
                     ? fabs(expected) * doubt_of_energies(facts, n)
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 100 /* of differences, over a cycle */
-                : strcmp(facts[i].name, "K") == 0                 /* a difference of squares */
+                : strcmp(facts[i].name, "fluctuation_exact") == 0
+                    ? fmax(fabs(expected), 1e-4)  /* a difference of speeds */
+                : strcmp(facts[i].name, "K") == 0 /* a difference of squares */
                     ? fmax(fabs(expected), d * d)
                     : fabs(expected);
         if (!present->is_exact && strcmp(facts[i].quantity, "angle") == 0) {
@@ -771,7 +782,7 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                         ? 1e3
                         : 1;
         }
-        scale *= doubt_of_motion(a->r, 0);
+        scale *= doubt_of_steady(a->r);
         compare(is_fitted                ? FITTED
                 : is_computed(base_text) ? COMPUTED_FACT
                                          : FACT,

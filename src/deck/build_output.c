@@ -10,6 +10,7 @@
 #include "build_place.h"
 #include "build_point.h"
 #include "parser.h"
+#include "pins.h"
 #include "settings.h"
 #include "vector.h"
 
@@ -50,12 +51,12 @@ static void check_name(parser *p, const section_use *use)
 /* ---------------------------------------------------------------------------------------------- masses */
 
 /* The keys of its links: of the rod, of slider or rocker. */
-enum { MASS, UNIFORM, CG, GYRATION, INERTIA, KEYS };
+enum { MASS, UNIFORM, CG, CG_PLACE, GYRATION, INERTIA, KEYS };
 
-#define KEYS_OF(X)                                                         \
-    {                                                                      \
-        KEY_OUTPUT_##X##MASS, KEY_OUTPUT_##X##UNIFORM, KEY_OUTPUT_##X##CG, \
-            KEY_OUTPUT_##X##GYRATION, KEY_OUTPUT_##X##INERTIA              \
+#define KEYS_OF(X)                                                                      \
+    {                                                                                   \
+        KEY_OUTPUT_##X##MASS, KEY_OUTPUT_##X##UNIFORM, KEY_OUTPUT_##X##CG,              \
+            KEY_OUTPUT_##X##CG_PLACE, KEY_OUTPUT_##X##GYRATION, KEY_OUTPUT_##X##INERTIA \
     }
 static const key_code keys_of[2][KEYS] = {KEYS_OF(ROD_), KEYS_OF(END_)};
 
@@ -85,6 +86,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
                   *gyration = flk_setting_of(use, keys[GYRATION]),
                   *inertia = flk_setting_of(use, keys[INERTIA]),
                   *cg = flk_setting_of(use, keys[CG]),
+                  *cg_place = flk_setting_of(use, keys[CG_PLACE]),
                   *uniform = flk_setting_of(use, keys[UNIFORM]);
     const setting *other = IS_SET(gyration) ? gyration : uniform->word ? uniform : NULL;
     fourlink_link *link = &p->d->groups[number].body[!is_rod];
@@ -100,7 +102,7 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
     if (cg->of_centre)
         flk_mistake(p->mistakes, cg->place, "'%t': G is the centre of mass itself", cg->value);
     else
-        flk_build_place(p, cg, FOURLINK_ROD_OF(number) + !is_rod, &link->cg);
+        flk_build_point(p, cg, cg_place, FOURLINK_ROD_OF(number) + !is_rod, &link->cg);
     if (IS_SET(gyration) && IS_SET(inertia))
         flk_mistake(p->mistakes, gyration->place, "give only one of gyration and inertia");
     link->inertia =
@@ -108,7 +110,8 @@ static void build_masses(parser *p, const section_use *use, int number, int is_r
     if (link->inertia > FOURLINK_NUMBER_MAX)
         flk_mistake(p->mistakes, gyration->place,
                     "the resulting moment of inertia is out of range");
-    if (link->mass > 0 && link->length > 0 && !IS_SET(cg) && !IS_SET(gyration) && !IS_SET(inertia))
+    if (link->mass > 0 && link->length > 0 && !IS_SET(cg) && !IS_SET(cg_place) &&
+        !IS_SET(gyration) && !IS_SET(inertia))
         flk_mistake(
             NOTES(p), mass->place,
             "%s is a point mass at %s: write %suniform = yes for a uniform bar, %scg = 0 mm "
@@ -332,6 +335,7 @@ static void build_output(parser *p, const section_use *use, int number)
         build_slot(p, use, g);
         g->side = side_of(p, use, g);
     }
+    flk_pins_draw_outputs(p);
     build_masses(p, use, number, 0);
     if (g->hang == FOURLINK_HANGS_BY_ROD)
         build_masses(p, use, number, 1);

@@ -108,10 +108,6 @@ int flk_build_point(parser *p, const setting *at, const setting *place, int link
     if (IS_SET(at) && IS_SET(place))
         return flk_mistake(p->mistakes, place->place,
                            "give the point either on its link or by its place as drawn, not both");
-    if (IS_SET(place) && link > FOURLINK_FOLLOWER)
-        return flk_mistake(p->mistakes, place->place,
-                           "[pins] draw the four links: give the point of %s with 'at'",
-                           fourlink_deck_link_text(p->d, link));
     if (IS_SET(place))
         return link && flk_pins_place(p, place, link, on_link);
     flk_build_place(p, at, link, on_link);

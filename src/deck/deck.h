@@ -51,7 +51,9 @@ typedef struct deck_pins {
     double theta2;     /* rad, the crank as drawn, from x of link 1 */
     double side; /* 1, sine of the angle between the links that meet in line in a dead position */
     int branch;  /* as drawn; 0: not determined */
-    fourlink_vector origin[5], axis[5]; /* m, 1: of the links, as drawn on the page */
+    fourlink_vector origin[FOURLINK_LINKS],
+        axis[FOURLINK_LINKS]; /* m, 1: of the links, as drawn on the page; axis 0 of
+                                                                    those of an output that cannot be assembled there */
 } deck_pins;
 
 enum { AXES_GROUND = 1, AXES_PAGE = 2 };

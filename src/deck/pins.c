@@ -13,6 +13,7 @@
 #include "base/cycle.h"
 #include "base/quantity.h"
 #include "base/trig.h"
+#include "mechanics/group.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanics.h"
 #include "mechanics/mechanism.h"
@@ -152,6 +153,36 @@ static void place_link(deck_pins *pins, int link, fourlink_vector origin, fourli
     pins->origin[link] = origin;
     pins->axis[link].x = along.x / length;
     pins->axis[link].y = along.y / length;
+}
+
+/* A place or a direction of the ground's frame on the page. */
+static fourlink_vector on_page(const deck_pins *pins, fourlink_vector u, int is_place)
+{
+    fourlink_vector axis, v;
+
+    flk_sine_cosine(pins->angle, &axis.y, &axis.x);
+    v.x = axis.x * u.x - axis.y * u.y + (is_place ? pins->A.x : 0);
+    v.y = axis.y * u.x + axis.x * u.y + (is_place ? pins->A.y : 0);
+    return v;
+}
+
+/* A place or a direction of the page in the ground's frame. */
+static fourlink_vector on_ground(const deck_pins *pins, fourlink_vector u, int is_place)
+{
+    fourlink_vector axis, v;
+
+    flk_sine_cosine(pins->angle, &axis.y, &axis.x);
+    if (is_place)
+        u = minus(u, pins->A);
+    v.x = FLK_DOT(u, axis);
+    v.y = FLK_CROSS(axis, u);
+    return v;
+}
+
+static void place_assembled(deck_pins *pins, int link, const fourlink_state *state)
+{
+    place_link(pins, link, on_page(pins, state->link[link].origin, 1),
+               on_page(pins, state->link[link].axis, 0));
 }
 
 /* Four-bar:
@@ -333,6 +364,12 @@ int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at)
                            "'%t' is a place as drawn, which needs [pins]: without them give the "
                            "point of the link with 'at', or 'cg'",
                            s->value);
+    if (link > FOURLINK_FOLLOWER && axis.x == 0 && axis.y == 0)
+        return !p->mistakes->count &&
+               flk_mistake(
+                   p->mistakes, s->place,
+                   "%s cannot be assembled in the drawn position, in which '%t' is a point of it",
+                   fourlink_deck_link_text(p->d, link), s->value);
     if (link == FOURLINK_GROUND) {
         origin = pins->A;
         flk_sine_cosine(pins->angle, &axis.y, &axis.x);
@@ -343,6 +380,28 @@ int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at)
     at->x = FLK_DOT(place, axis);
     at->y = FLK_CROSS(axis, place);
     return 1;
+}
+
+/* ------------------------------------------------------------------------------------------ outputs */
+
+void flk_pins_draw_outputs(parser *p)
+{
+    deck_pins *pins = &p->d->pins;
+    const fourlink_mechanism *mechanism = &p->d->machine.mechanism;
+    int number = mechanism->design.n_groups - 1, i;
+    fourlink_state state;
+
+    if (!pins->is_there || p->mistakes->count)
+        return;
+    memset(&state, 0, sizeof state);
+    for (i = FOURLINK_CRANK; i < FOURLINK_ROD_OF(number); i++) {
+        state.link[i].origin = on_ground(pins, pins->origin[i], 1);
+        state.link[i].axis = on_ground(pins, pins->axis[i], 0);
+    }
+    if (flk_groups_margin(mechanism, &state) < -FLK_DEAD)
+        return;
+    place_assembled(pins, FOURLINK_ROD_OF(number), &state);
+    place_assembled(pins, FOURLINK_END_OF(number), &state);
 }
 
 /* ------------------------------------------------------------------------------------------ rough places */
@@ -376,17 +435,6 @@ static int take_lengths(parser *p, deck_pins *pins, const drawing *x, fourlink_d
                          ? flk_setting_find(p, KEY_LEVER_OFFSET)->si[0]
                          : pins->offset;
     return 1;
-}
-
-/* A place or a direction of the ground's frame on the page. */
-static fourlink_vector on_page(const deck_pins *pins, fourlink_vector u, int is_place)
-{
-    fourlink_vector axis, v;
-
-    flk_sine_cosine(pins->angle, &axis.y, &axis.x);
-    v.x = axis.x * u.x - axis.y * u.y + (is_place ? pins->A.x : 0);
-    v.y = axis.y * u.x + axis.x * u.y + (is_place ? pins->A.y : 0);
-    return v;
 }
 
 /* The end of link 3 at C, or C on a lever, as assembled. */
@@ -474,8 +522,7 @@ static void find_rough(parser *p, deck_pins *pins, const drawing *x)
         return;
     }
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        place_link(pins, i, on_page(pins, best.link[i].origin, 1),
-                   on_page(pins, best.link[i].axis, 0));
+        place_assembled(pins, i, &best);
     note_moved(p, x, PIN_B, pins->origin[FOURLINK_COUPLER], design.link[2].length);
     note_moved(p, x, PIN_C, assembled_C(pins, &design, &best), design.link[2].length);
     note_moved(p, x, PIN_D, pins->origin[FOURLINK_FOLLOWER], design.link[2].length);

@@ -190,6 +190,9 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
       "direction of the slot, from the line or in the link")                                       \
     X(OUTPUT, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND,                                   \
       "rocker with a slot: distance at which this passes its pin")                                 \
+    X(OUTPUT, END_CG_PLACE, "cg_place", PLACE, LENGTH, ANY, ANY_KIND, "centre of mass as drawn")   \
+    X(OUTPUT, ROD_CG_PLACE, "rod_cg_place", PLACE, LENGTH, ANY, ANY_KIND,                          \
+      "centre of mass of the rod as drawn")                                                        \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND, "diameter of the cylinder")         \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")  \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND, "pressure on the cover side")   \
