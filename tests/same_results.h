@@ -199,10 +199,11 @@ static double named(const columns *c, const double *row, const char *name)
 }
 
 /* Of a row in SI units, the scale of each quantity, and 1 / sin(mu); `w` is the speed of the crank, or what counts as it. */
-static double find_scales(const columns *c, const double *row, double crank, double w,
+static double find_scales(const columns *c, const double *row, const fourlink_link *links, double w,
                           double *scale)
 {
-    double a = fabs(named(c, row, "alpha2")), condition, arm, x;
+    double crank = links[FOURLINK_CRANK].length, a = fabs(named(c, row, "alpha2")), condition, arm,
+           x;
     int j;
 
     for (j = 0; j < QUANTITY_COUNT; j++)
@@ -223,6 +224,8 @@ static double find_scales(const columns *c, const double *row, double crank, dou
     AT_LEAST(SPEED, crank * w);
     AT_LEAST(ACCELERATION, crank * (w * w + a));
     AT_LEAST(TORQUE, scale[QUANTITY_FORCE] * arm);
+    for (j = FOURLINK_CRANK; j <= FOURLINK_FOLLOWER; j++)
+        AT_LEAST(TORQUE, links[j].inertia * scale[QUANTITY_ANGULAR_ACCELERATION]);
     AT_LEAST(FORCE, scale[QUANTITY_TORQUE] / arm);
     AT_LEAST(POWER, scale[QUANTITY_TORQUE] * w);
     AT_LEAST(ENERGY, scale[QUANTITY_TORQUE]);
@@ -439,8 +442,8 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
     }
     quickest = fmax(sort == COMPUTED_ROW || strstr(base_text, "\nprogram = ") ? quickest : 0,
                     fabs(named(&a->c, expected, "omega2")));
-    condition = find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length,
-                            quickest, scale);
+    condition =
+        find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link, quickest, scale);
     for (j = 0; j < QUANTITY_COUNT && sort == COMPUTED_ROW && strstr(base_text, "[motor]"); j++)
         scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
     turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2"))

@@ -51,7 +51,7 @@ static void find_form(rewriting *r, text contents)
 }
 
 /* Cut NAME = VALUE; 0 if a line is not of this form.  Of a spreadsheet the value is that and its unit. */
-static int cut_line(const rewriting *r, text line, text *name, text *value, text *units)
+static int cut_answer(const rewriting *r, text line, text *name, text *value, text *units)
 {
     text rest = line;
 
@@ -100,7 +100,7 @@ static int is_place(const deck *d, int is_branch, text value)
 }
 
 /* Write a line of answers. */
-static void put_line(rewriting *r, text line, text_place place)
+static void put_answer(rewriting *r, text line, text_place place)
 {
     parser *p = r->p;
     char *start = r->out, *begin;
@@ -113,7 +113,7 @@ static void put_line(rewriting *r, text line, text_place place)
         return;
     }
     r->has_begun = 1;
-    if (!cut_line(r, line, &name, &value, &units)) {
+    if (!cut_answer(r, line, &name, &value, &units)) {
         flk_mistake(&p->d->slips, place, "expected NAME = VALUE, not '%t'", line);
         return;
     }
@@ -171,7 +171,7 @@ text flk_answers_plain(parser *p, text contents)
             line = flk_text_trim(line);
             if (r.separator == '=' || (line.length && line.start[0] == '#'))
                 line = flk_line_without_comment(line);
-            put_line(&r, line, place);
+            put_answer(&r, line, place);
         }
         if (rest.start)
             *r.out++ = (char)line_end;

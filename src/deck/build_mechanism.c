@@ -22,8 +22,8 @@
 #include "vector.h"
 
 /* Refuse a key that the kind of mechanism does not have. */
-static void refuse_key(parser *p, const section_use *use, const setting *s, const char *words,
-                       const key_info *key)
+static void refuse_key_of_kind(parser *p, const section_use *use, const setting *s,
+                               const char *words, const key_info *key)
 {
     int is_plain = use->section == SECTION_TOP || use->section == SECTION_PINS;
 
@@ -75,7 +75,7 @@ int flk_build_kind(parser *p)
         for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
             s = flk_setting_of(use, k);
             if (IS_SET(s) && !(flk_key_table[k].kinds & (int)kind))
-                refuse_key(p, use, s, words, &flk_key_table[k]);
+                refuse_key_of_kind(p, use, s, words, &flk_key_table[k]);
         }
     }
     return 1;

@@ -132,7 +132,7 @@ static int check_positions(parser *p, const setting *s, const lists *l)
                        "the coupler only turns about a point: no four links are needed for that");
 }
 
-static int read_points(parser *p, lists *l)
+static int read_point_lists(parser *p, lists *l)
 {
     setting *s = flk_task_find(p, KEY_SYNTHESIS_POSITIONS);
     text name;
@@ -284,7 +284,7 @@ int flk_task_points(parser *p)
         return 0;
     memset(l, 0, sizeof *l);
     t->has_points = 1;
-    if (!read_points(p, l))
+    if (!read_point_lists(p, l))
         return 0;
     task->kind = p->d->machine.mechanism.design.kind;
     task->n = l->n;

@@ -412,7 +412,7 @@ static void check_both_sides(parser *p, const deck_prescribed *x, const setting 
 }
 
 /* Refuse a place by the crank as it is drawn: it is one of the coordinate. */
-static void check_drawn(parser *p, const deck_prescribed *x, const setting *s)
+static void refuse_drawn(parser *p, const deck_prescribed *x, const setting *s)
 {
     if (IS_DRAWN(s))
         flk_mistake(p->mistakes, s->place, "'drawn' is a crank angle: give a value of %s",
@@ -591,8 +591,8 @@ void flk_build_prescribed(parser *p)
     p->d->prescribed = x;
     if (x->has_both)
         check_both_sides(p, x, side);
-    check_drawn(p, x, flk_setting_find(p, KEY_MOTION_FROM));
-    check_drawn(p, x, flk_setting_find(p, KEY_MOTION_TO));
+    refuse_drawn(p, x, flk_setting_find(p, KEY_MOTION_FROM));
+    refuse_drawn(p, x, flk_setting_find(p, KEY_MOTION_TO));
     if (flk_mistakes_count(p->mistakes))
         return;
     x->program = p->d->program;

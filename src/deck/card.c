@@ -117,7 +117,7 @@ static size_t cut_words(text line, text fields[MOST_FIELDS])
     return cut(line, ' ', fields);
 }
 
-static size_t cut_line(const card *c, text line, text fields[MOST_FIELDS])
+static size_t cut_card_line(const card *c, text line, text fields[MOST_FIELDS])
 {
     if (c->separator == ';')
         return cut(line, ';', fields);
@@ -189,7 +189,7 @@ static int keep_unit(card *c, int column, text t)
 static void read_header(card *c)
 {
     text fields[MOST_FIELDS];
-    size_t n = cut_line(c, c->line, fields);
+    size_t n = cut_card_line(c, c->line, fields);
     int i;
 
     c->headers++;
@@ -209,7 +209,7 @@ static int is_header(const card *c)
     if (is_number_start(flk_text_unquoted(line)) ||
         (line.start[0] == '"' && line.length > 1 && is_number_start(flk_text_from(line, 1))))
         return 0;
-    return c->headers == 0 || (c->headers == 1 && cut_line(c, line, fields) == 2 &&
+    return c->headers == 0 || (c->headers == 1 && cut_card_line(c, line, fields) == 2 &&
                                is_unit_of(fields[0], c->q[0]) && is_unit_of(fields[1], c->q[1]));
 }
 
@@ -287,7 +287,7 @@ static int read_point(card *c, text t, int is_long, point *result)
 static int read_row(card *c, point *result)
 {
     text fields[MOST_FIELDS];
-    size_t n = cut_line(c, c->line, fields), i;
+    size_t n = cut_card_line(c, c->line, fields), i;
     char out[ROW_SIZE] = "";
     int is_long = 0;
 

@@ -52,7 +52,7 @@ static double value_at(const search *x, double theta2, double *rate)
     return FLK_DOT(g->direction, r);
 }
 
-static double rate_at(double theta2, void *data)
+static double output_rate_at(double theta2, void *data)
 {
     double rate;
 
@@ -107,7 +107,7 @@ int flk_group_limits_find(const fourlink_mechanism *mechanism, fourlink_branch b
         if (before * rate < 0 || (rate == 0 && before != 0)) {
             flk_bracket b = flk_bracket_of(theta2 - 2 * M_PI / SAMPLES, theta2, before, rate);
 
-            zero = rate == 0 ? theta2 : flk_find_zero(rate_at, &x, &b, 0);
+            zero = rate == 0 ? theta2 : flk_find_zero(output_rate_at, &x, &b, 0);
             take(&x, zero, go_on(&x, value_at(&x, zero, &unused)), limits);
         }
         go_on(&x, value);

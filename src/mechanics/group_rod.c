@@ -16,7 +16,7 @@
 **
 ** v and a being the velocity and the acceleration of P.  It is dead where the rod is square to the line.
 */
-static double place_slider(const flk_hanging *h, const fourlink_vector *pivot)
+static double place_slider_by_rod(const flk_hanging *h, const fourlink_vector *pivot)
 {
     const fourlink_vector *u = &h->group->direction, *p = &h->rod->origin;
     double l = h->group->rod, c, square, rho;
@@ -67,8 +67,9 @@ static void accelerate_slider(const flk_hanging *h, const fourlink_vector *pivot
 **
 **    FQ = Fu u + Fn nu,   Fu = u.f6,   -l e5 x FQ = M5
 */
-static fourlink_vector solve_slider(const fourlink_group *group, const fourlink_link_state *rod,
-                                    const fourlink_link_state *end, const flk_body body[2])
+static fourlink_vector solve_slider_by_rod(const fourlink_group *group,
+                                           const fourlink_link_state *rod,
+                                           const fourlink_link_state *end, const flk_body body[2])
 {
     const fourlink_vector *u = &group->direction, *e5 = &rod->axis;
     double along = FLK_DOT(*u, body[1].force), across;
@@ -153,8 +154,9 @@ static void accelerate_rocker(const flk_hanging *h, const fourlink_vector *pivot
 **
 **    -l e5 x FQ = M5,   r e6 x FQ = M6
 */
-static fourlink_vector solve_rocker(const fourlink_group *group, const fourlink_link_state *rod,
-                                    const fourlink_link_state *end, const flk_body body[2])
+static fourlink_vector solve_rocker_by_rod(const fourlink_group *group,
+                                           const fourlink_link_state *rod,
+                                           const fourlink_link_state *end, const flk_body body[2])
 {
     const fourlink_vector *e5 = &rod->axis, *e6 = &end->axis;
     double m5 = -FLK_MOMENT_ABOUT_ORIGIN(&body[0]) / group->rod;
@@ -166,7 +168,7 @@ static fourlink_vector solve_rocker(const fourlink_group *group, const fourlink_
     return FQ;
 }
 
-const flk_group_type flk_slider_by_rod = {place_slider, move_slider, accelerate_slider,
-                                          solve_slider};
+const flk_group_type flk_slider_by_rod = {place_slider_by_rod, move_slider, accelerate_slider,
+                                          solve_slider_by_rod};
 const flk_group_type flk_rocker_by_rod = {place_rocker, move_rocker, accelerate_rocker,
-                                          solve_rocker};
+                                          solve_rocker_by_rod};

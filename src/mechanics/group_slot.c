@@ -268,7 +268,7 @@ static void accelerate_rocker_in_slot(const flk_hanging *h, const fourlink_vecto
 **    slider   S u.n = u.f6
 **    rocker   S rho x n = M6
 */
-static fourlink_vector force_of(const fourlink_vector *e, double S)
+static fourlink_vector slot_force(const fourlink_vector *e, double S)
 {
     fourlink_vector F;
 
@@ -283,7 +283,7 @@ static fourlink_vector solve_slider(const fourlink_group *group, const fourlink_
     const fourlink_vector *u = &group->direction, *e = &rod->axis;
 
     (void)end;
-    return force_of(e, FLK_DOT(*u, body[1].force) / FLK_CROSS(*e, *u));
+    return slot_force(e, FLK_DOT(*u, body[1].force) / FLK_CROSS(*e, *u));
 }
 
 static fourlink_vector solve_rocker(const fourlink_group *group, const fourlink_link_state *rod,
@@ -294,7 +294,7 @@ static fourlink_vector solve_rocker(const fourlink_group *group, const fourlink_
     (void)group;
     rho.x = rod->origin.x - end->origin.x;
     rho.y = rod->origin.y - end->origin.y;
-    return force_of(&rod->axis, FLK_MOMENT_ABOUT_ORIGIN(&body[1]) / FLK_DOT(rho, rod->axis));
+    return slot_force(&rod->axis, FLK_MOMENT_ABOUT_ORIGIN(&body[1]) / FLK_DOT(rho, rod->axis));
 }
 
 const flk_group_type flk_slider_with_slot = {place_slider_with_slot, move_slider_with_slot,

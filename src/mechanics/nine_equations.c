@@ -46,9 +46,9 @@ int flk_check_loads(const fourlink_mechanism *mechanism, const fourlink_load *lo
 /* The arm of a joint from the point about which the moments of a link are taken: `about`, from its origin.
 ** The pins of a link with a length are at its origin and its tip.  This needs no difference of positions,
 ** which has few digits for a short link behind a long crank. */
-static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                              const fourlink_state *state, const fourlink_joint *joint, int i,
-                              const fourlink_vector *about)
+static fourlink_vector joint_arm(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                                 const fourlink_state *state, const fourlink_joint *joint, int i,
+                                 const fourlink_vector *about)
 {
     const fourlink_link_state *link = &state->link[i], *other = &state->link[joint->at];
     int is_tip = joint->at == i ? joint->is_tip : !joint->slider && kind->has_length[i];
@@ -114,7 +114,7 @@ static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism
             double *x = A + at->row[row], *y = A + at->row[row + 1], *m = A + at->row[row + 2];
             double f = side * scale->force[link], s = side * scale->moment[link];
             fourlink_vector rho =
-                arm_of(kind, mechanism, state, joint, link, &about[link - FOURLINK_CRANK]);
+                joint_arm(kind, mechanism, state, joint, link, &about[link - FOURLINK_CRANK]);
 
             if (joint->slider) {
                 fourlink_vector n = normal_of(&state->link[joint->slider]);

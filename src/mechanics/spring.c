@@ -70,8 +70,8 @@ static double angle_between(const fourlink_mechanism *mechanism, const fourlink_
 }
 
 /* s, the length or angle minus the free one. */
-static double beyond(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                     const fourlink_spring *spring)
+static double stretch_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_spring *spring)
 {
     fourlink_vector P, Q, v;
 
@@ -87,8 +87,8 @@ static double beyond(const fourlink_mechanism *mechanism, const fourlink_state *
 static int is_slack(const fourlink_mechanism *mechanism, const fourlink_state *state,
                     const fourlink_spring *spring)
 {
-    return spring->only == FOURLINK_PUSHES  ? !(beyond(mechanism, state, spring) < 0)
-           : spring->only == FOURLINK_PULLS ? !(beyond(mechanism, state, spring) > 0)
+    return spring->only == FOURLINK_PUSHES  ? !(stretch_of(mechanism, state, spring) < 0)
+           : spring->only == FOURLINK_PULLS ? !(stretch_of(mechanism, state, spring) > 0)
                                             : 0;
 }
 
@@ -279,7 +279,7 @@ static int apply_spring(const flk_element *element, const flk_machine *machine,
 static double switching(const flk_element *element, const flk_machine *machine,
                         const fourlink_state *state)
 {
-    return beyond(&machine->mechanism, state, element->data);
+    return stretch_of(&machine->mechanism, state, element->data);
 }
 
 static size_t list_spring_switches(const flk_element *element, const flk_machine *machine,

@@ -95,7 +95,7 @@ static int input_at(const flk_course *c, fourlink_branch branch, int side, doubl
 }
 
 /* theta2 at a time, by the program itself or by its input, also where there is no row. */
-static double theta2_at(const flk_course *c, fourlink_branch branch, double time)
+static double theta2_by_program(const flk_course *c, fourlink_branch branch, double time)
 {
     const deck_prescribed *x = c->d->prescribed;
     double of_program[3], beyond, value;
@@ -120,7 +120,7 @@ static void input_begin(const flk_course *c, flk_pieces *x)
     flk_program_limits(program, &reach);
     for (from = c->over.first; from < c->over.last; from = to) {
         to = flk_program_way(program, from);
-        turned += fabs(theta2_at(c, x->branch, to) - theta2_at(c, x->branch, from));
+        turned += fabs(theta2_by_program(c, x->branch, to) - theta2_by_program(c, x->branch, from));
     }
     most = reach.travel > 0 ? flk_program_highest(program) * duration / reach.travel : 1;
     x->first = c->over.first;
@@ -142,7 +142,7 @@ static double crank_past(double time, void *data)
 {
     const crank_search *s = data;
 
-    return theta2_at(s->course, s->branch, time) - s->theta2;
+    return theta2_by_program(s->course, s->branch, time) - s->theta2;
 }
 
 static double find_crank(crank_search *s, double from, double to)
@@ -184,8 +184,8 @@ static void next_piece(const flk_pieces *x, flk_piece *piece)
     flk_direction p;
     crank_search s;
 
-    p.from = theta2_at(c, x->branch, from);
-    way = theta2_at(c, x->branch, to) - p.from;
+    p.from = theta2_by_program(c, x->branch, from);
+    way = theta2_by_program(c, x->branch, to) - p.from;
     p.corners = c->corners;
     p.branch = x->branch;
     p.sense = way < 0 ? -1 : 1;
@@ -222,8 +222,8 @@ static int pass_by_input(const flk_course *c, fourlink_branch branch, double the
     s.branch = branch;
     for (from = c->over.first; from < c->over.last; from = to) {
         to = flk_program_way(c->d->program, from);
-        at[0] = theta2_at(c, branch, from);
-        at[1] = theta2_at(c, branch, to);
+        at[0] = theta2_by_program(c, branch, from);
+        at[1] = theta2_by_program(c, branch, to);
         s.theta2 = flk_cycle_place(theta2, GSL_MIN(at[0], at[1]) - INSIDE, period);
         if (s.theta2 > GSL_MAX(at[0], at[1]) + INSIDE)
             continue;

@@ -368,6 +368,13 @@ void flk_analysis_close(flk_analysis *a)
     memset(a, 0, sizeof *a);
 }
 
+double flk_analysis_mean_speed(const flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual_facts *actual = flk_actual_facts_of(a->course.actual, branch);
+
+    return actual ? actual->mean_speed : a->d->motion.speed;
+}
+
 /* The forces in the outputs, and what these exert on the ground. */
 static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
 {

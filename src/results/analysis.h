@@ -138,6 +138,9 @@ typedef struct flk_analysis {
 int flk_analysis_open(flk_analysis *a, const deck *d, const flk_analysis *like);
 void flk_analysis_close(flk_analysis *a);
 
+/* omega2, rad/s, or the mean of a motion that is computed; NaN if it has none. */
+double flk_analysis_mean_speed(const flk_analysis *a, fourlink_branch branch);
+
 /* Compute any crank position; the caller fills row->at.row.  `needs` says what to compute. */
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row);

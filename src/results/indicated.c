@@ -99,14 +99,6 @@ static int is_of_turns(double angle)
     return turns > 0.5 && fabs(turns - floor(turns + 0.5)) < 1e-9 * turns;
 }
 
-/* The speed of the crank, or the mean of its computed motion. */
-static double speed_of(const flk_analysis *a, fourlink_branch branch)
-{
-    const flk_actual_facts *actual = flk_actual_facts_of(a->course.actual, branch);
-
-    return actual ? actual->mean_speed : a->d->motion.speed;
-}
-
 /* 1 if this speed is that of each cycle. */
 static int has_constant_speed(const deck *d)
 {
@@ -129,7 +121,7 @@ static double stroke_of(const deck *d, const flk_gas *gas, fourlink_branch branc
 int flk_indicated_find(const flk_analysis *a, fourlink_branch branch, flk_indicated *found)
 {
     const deck *d = a->d;
-    double omega = speed_of(a, branch), stroke, work;
+    double omega = flk_analysis_mean_speed(a, branch), stroke, work;
     card c;
 
     c.gas = flk_gas_on_piston(&d->machine);

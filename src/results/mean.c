@@ -705,14 +705,6 @@ static double efficiency_of(const moment *m)
     return without < 0 ? with / without : with == without ? FLK_UNDEFINED : 0;
 }
 
-/* The speed of the crank, or the mean of its steady motion; NaN if it has none. */
-static double speed_of(const flk_analysis *a, fourlink_branch branch)
-{
-    const flk_actual_facts *actual = flk_actual_facts_of(a->course.actual, branch);
-
-    return actual ? actual->mean_speed : a->d->motion.speed;
-}
-
 const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch)
 {
     flk_turning *t = &a->turning[branch == FOURLINK_OPEN ? 0 : 1];
@@ -725,7 +717,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     m.a = a;
     m.branch = branch;
     m.crank.theta2 = 0;
-    m.crank.omega2 = speed_of(a, branch);
+    m.crank.omega2 = flk_analysis_mean_speed(a, branch);
     m.crank.alpha2 = 0;
     m.mean = m.without = 0;
     m.cuts = a->turning_memory;

@@ -44,7 +44,7 @@ double flk_output_error(const fourlink_state *state, fourlink_kind kind, double 
 }
 
 /* `ratio` of the links.  Returns the size of the linkage. */
-static double measure(fourlink_solution *s)
+static double measure_links(fourlink_solution *s)
 {
     double longest = 0, shortest = GSL_POSINF;
     int i;
@@ -300,7 +300,7 @@ int flk_check_solution(fourlink_solution *s, flk_freedom freedom)
 {
     fourlink_mechanism mechanism;
     fourlink_reach reach;
-    double size = measure(s);
+    double size = measure_links(s);
     int i, first = FOURLINK_OPEN, status = fourlink_prepare(&s->design, &mechanism);
 
     if (!(size <= FOURLINK_LENGTH_MAX))

@@ -85,7 +85,7 @@ static int check_cognate(const fourlink_cognate_task *task)
 }
 
 /* The cognate's lengths, place and coupler point. */
-static int set_linkage(const fourlink_cognate_task *task, fourlink_solution *s)
+static int set_cognate(const fourlink_cognate_task *task, fourlink_solution *s)
 {
     const fourlink_link *link = task->design.link;
     gsl_complex one = gsl_complex_rect(1, 0);
@@ -121,7 +121,7 @@ static int find_cognate(const void *data, fourlink_solution *s)
     if (status == FOURLINK_OK)
         status = fourlink_prepare(&task->design, &mechanism);
     if (status == FOURLINK_OK)
-        status = set_linkage(task, s);
+        status = set_cognate(task, s);
     if (status == FOURLINK_OK)
         status = set_cognate_positions(task, &mechanism, s);
     if (status != FOURLINK_OK)

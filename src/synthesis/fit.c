@@ -127,7 +127,7 @@ static double swing_of(const search *s, unsigned long i, double x, const fourlin
 }
 
 /* The linkage of a place, and its swings at p and q.  They depend a little on its coupler b: repetition. */
-static int set_linkage(search *s, const double x[3], fourlink_solution *found, double swing[2])
+static int set_fitted(search *s, const double x[3], fourlink_solution *found, double swing[2])
 {
     double K[3], W, b = 0, before = GSL_POSINF;
     int status = FOURLINK_OK, pass;
@@ -156,7 +156,7 @@ typedef struct lengths {
     int n;
 } lengths;
 
-static void measure(const search *s, const fourlink_design *design, lengths *l)
+static void measure_lengths(const search *s, const fourlink_design *design, lengths *l)
 {
     double longest = 0, shortest = GSL_POSINF;
     int i;
@@ -184,7 +184,7 @@ static double set_excesses(const search *s, const fourlink_design *design, doubl
     lengths l;
     int i, j;
 
-    measure(s, design, &l);
+    measure_lengths(s, design, &l);
     for (i = 0; i < PAIRS; i++)
         row[i] = 0;
     for (i = 0; i < l.n && l.ratio > AIM; i++)
@@ -205,7 +205,7 @@ static double sum_at(search *s, const double x[3], int sign, double most, double
     fourlink_solution found;
     double ends[2], sum;
 
-    if (set_linkage(s, x, &found, ends) != FOURLINK_OK)
+    if (set_fitted(s, x, &found, ends) != FOURLINK_OK)
         return GSL_POSINF;
     sum = set_excesses(s, &found.design, &row[n]);
     for (i = 0; i < n && sum <= most; i++) {
@@ -347,8 +347,8 @@ static void take(search *s, const place *start, double last_decrease)
     descend(s, &at, last_decrease);
     first = at;
     l.ratio = GSL_POSINF;
-    for (k = 0; k < 8 && set_linkage(s, at.x, &found, swing) == FOURLINK_OK; k++) {
-        measure(s, &found.design, &l);
+    for (k = 0; k < 8 && set_fitted(s, at.x, &found, swing) == FOURLINK_OK; k++) {
+        measure_lengths(s, &found.design, &l);
         if (l.ratio <= RATIO)
             break;
         s->stiffness *= 10;
