@@ -446,6 +446,7 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
         find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link, quickest, scale);
     for (j = 0; j < QUANTITY_COUNT && sort == COMPUTED_ROW && strstr(base_text, "[motor]"); j++)
         scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
+    scale[QUANTITY_POWER] = fmax(scale[QUANTITY_POWER], scale[QUANTITY_TORQUE] * quickest);
     turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2"))
                                  : doubt_of_program();
     for (j = 0; j < a->c.n; j++) {
