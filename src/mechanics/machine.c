@@ -220,12 +220,15 @@ static int missing_torque(const flk_machine *m, fourlink_state *state, const flk
 static int find_alpha(const flk_machine *m, const flk_machine_place *place, fourlink_state *state,
                       const flk_acting *acting, flk_machine_torque *torque)
 {
-    double last = torque->alpha2, at, missing_last, missing_here, slope = place->total, size;
+    double last = torque->alpha2, at, missing_last, missing_here, slope = place->total, size, known;
+    double omega2 = state->link[FOURLINK_CRANK].omega;
     flk_bracket b = flk_bracket_of(0, 0, GSL_POSINF, GSL_NEGINF);
     int i, status = missing_torque(m, state, acting, torque->T_motor, last, &missing_last);
 
     at = last - (status == FOURLINK_OK ? missing_last : 0) / slope;
     size = fabs(torque->net) + place->total * fabs(at);
+    known =
+        1e-11 * size + 1e-13 * place->J * omega2 * omega2; /* of which the net torque is the rest */
     if (status == FOURLINK_OK)
         flk_bracket_take(&b, last, missing_last, 1);
     for (i = 0; status == FOURLINK_OK && i < STEPS && at != last; i++) {
@@ -234,7 +237,7 @@ static int find_alpha(const flk_machine *m, const flk_machine_place *place, four
             break;
         slope = (missing_here - missing_last) / (at - last);
         if (!(slope > 0))
-            return fabs(missing_here) <= 1e-11 * size ? FOURLINK_OK : FOURLINK_LOCKED;
+            return fabs(missing_here) <= known ? FOURLINK_OK : FOURLINK_LOCKED;
         torque->alpha2 = at;
         if (fabs(missing_here) <= 1e-15 * size)
             break;
@@ -245,9 +248,8 @@ static int find_alpha(const flk_machine *m, const flk_machine_place *place, four
         if (b.f_low < 0 && b.f_high > 0 && !(b.low < at && at < b.high))
             at = flk_bracket_next(&b);
     }
-    return status == FOURLINK_OK && i == STEPS && fabs(missing_last) > 1e-11 * size
-               ? FOURLINK_LOCKED
-               : status;
+    return status == FOURLINK_OK && i == STEPS && fabs(missing_last) > known ? FOURLINK_LOCKED
+                                                                             : status;
 }
 
 /* All loads at the actual speeds. */

@@ -346,6 +346,46 @@ TEST(test_speed_with_its_peak_at_a_point_of_the_curve)
         fail_msg("differs by %g", worst);
 }
 
+/* Joints with a coefficient of 0 change nothing, also where the acceleration passes 0: there all of the torque is rounding
+** error, which is no lock. */
+TEST(test_friction_that_is_zero)
+{
+    double worst = 0, most = 0;
+    int i, j;
+
+    for (i = 0; i < 100; i++) {
+        fourlink_results *r[2];
+        double end[2], far, rod, speed;
+
+        begin_chance(67, i);
+        far = pow(10, 1 + 2 * chance());
+        rod = 120 + 200 * chance();
+        speed = 5 + 50 * chance();
+        for (j = 0; j < 2; j++) {
+            static char contents[2000];
+
+            snprintf(
+                contents, sizeof contents,
+                "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1 kg\ncg = (1, %.6g) m\n"
+                "[rod]\nlength = %.6g mm\nmass = 1 kg\n[piston]\nmass = 1 kg\n"
+                "%s[motion]\nmode = free\nspeed = %.6g rad/s\nturns = 20\n",
+                far, rod, j ? "[friction]\nmu = 0\nradius = 5 mm\n" : "", speed);
+            r[j] = opened(contents);
+            assert_int_equal(fourlink_results_end(r[j], FOURLINK_OPEN, &end[j]), FOURLINK_OK);
+        }
+        for (j = 0; j <= 7200; j += 240) {
+            speed = value_at(r[0], "omega2", j);
+            worst = fmax(worst, fabs(value_at(r[1], "omega2", j) / speed - 1));
+            most = fmax(most, speed);
+        }
+        fourlink_results_free(r[0]);
+        fourlink_results_free(r[1]);
+    }
+    assert_true(most > 50);
+    if (!(worst < 1e-9))
+        fail_msg("differs by %g", worst);
+}
+
 TEST(test_given)
 {
     static const char *const names[] = {"T_motor", "J", "energy", "energy_residual"};
