@@ -63,7 +63,8 @@ static int find_value(flk_analysis *a, flk_extremes *x, const char *name, fourli
     status = flk_extremes_find(x, a, &c, branch, statistic, 0, &found);
     if (status != FOURLINK_OK)
         return status;
-    *value = found.value / c.scale;
+    *value = flk_column_flags(&c) & FOURLINK_CRANK_ANGLE ? found.value * a->d->motion.angle_unit
+                                                         : found.value / c.scale;
     if (angle)
         *angle = gsl_finite(found.value) ? found.angle : GSL_NAN;
     return FOURLINK_OK;

@@ -119,22 +119,25 @@ TEST(test_against_rows)
         }
 }
 
-/* The same numbers as the deck that says the same, a run-up and a part of a revolution in radians too. */
+/* The same numbers as the deck that says the same, a run-up and a part of a revolution in radians too; of a drag link, whose
+** angles go beyond a turn, as well. */
 TEST(test_against_a_deck)
 {
     static const char *const motions[] = {"speed = 12 rad/s\n",
                                           "acceleration = 9 rad/s2\nrun_up = 300 deg\n",
                                           "speed = -5 rad/s\nfrom = 0.5 rad\nto = -2.5 rad\n"};
+    static const double lengths[][4] = {{0.1, 0.35, 0.3, 0.4}, {0.3, 0.35, 0.4, 0.1}};
     size_t i, k;
     unsigned long n;
     int statistic;
 
-    for (i = 0; i < COUNT(motions); i++) {
+    for (i = 0; i < 2 * COUNT(motions); i++) {
+        const double *l = lengths[i % 2];
         fourlink_results *r =
-            opened(four_bar(0.1, 0.35, 0.3, 0.4,
-                            print("[load]\nlink = rocker\ntorque = 4 N m\n[units]\nangle = rad\n"
-                                  "[motion]\n%sinterval = 0.1\n[table]\ncolumns = all\n",
-                                  motions[i])));
+            opened(four_bar(l[0], l[1], l[2], l[3],
+                            print("[load]\nlink = rocker\ntorque = 4 N m\n[units]\nangle = %s\n"
+                                  "[motion]\n%sinterval = 0.1 rad\n[table]\ncolumns = all\n",
+                                  i % 3 ? "rad" : "deg", motions[i / 2])));
         fourlink_problem p = problem_of(r);
         fourlink_load load = {0};
         const fourlink_value *list;
