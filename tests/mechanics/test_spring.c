@@ -173,7 +173,7 @@ TEST(test_work_of_dampers)
 typedef struct follower {
     int link, to;
     fourlink_spring spring;
-    double before, previous; /* its angle, and that of the links */
+    double free_angle, before, previous; /* its angle, and that of the links */
 } follower;
 
 static double turned(const sample *s, int link)
@@ -182,7 +182,7 @@ static double turned(const sample *s, int link)
 }
 
 /* The angle of a torsional spring against steps that are added up, through every position that is reached. */
-static void follow(const sample *s, follower *f, double free_angle, int has_previous, int is_first)
+static void follow(const sample *s, follower *f, int has_previous, int is_first)
 {
     double angle = turned(s, f->link) - turned(s, f->to);
     fourlink_spring_state at;
@@ -192,7 +192,7 @@ static void follow(const sample *s, follower *f, double free_angle, int has_prev
     if (has_previous)
         assert_near(at.length - f->before, remainder(angle - f->previous, 2 * PI), 1e-6);
     else if (is_first)
-        assert_true(fabs(at.length - free_angle) <= PI + 0.2);
+        assert_true(fabs(at.length - f->free_angle) <= PI + 0.2);
     f->previous = angle;
     f->before = at.length;
 }
@@ -200,17 +200,19 @@ static void follow(const sample *s, follower *f, double free_angle, int has_prev
 /* Springs between all links, on a branch: each position is computed once. */
 static void follow_springs(sample *s)
 {
-    double free_angle = -0.7;
-    follower all[12];
+    static const double free_angles[] = {
+        -0.7, 2.9}; /* reached from the first position one way and the other */
+    follower all[24];
     int i, k, link, to, n = 0, has_previous = 0, steps = 0;
 
     assert_int_equal(fourlink_prepare(&s->design, &s->mechanism), FOURLINK_OK);
     for (link = 1; link <= 4; link++)
         for (to = 1; to <= 4; to++)
-            if (link != to) {
+            for (k = 0; k < 2 && link != to; k++) {
                 all[n].link = link;
                 all[n].to = to;
-                all[n++].spring = torsional(&s->mechanism, link, to, 1, free_angle, 0, 0);
+                all[n].free_angle = free_angles[k];
+                all[n++].spring = torsional(&s->mechanism, link, to, 1, free_angles[k], 0, 0);
             }
     for (i = 1; i < 4 * 7200; i += tries_all() ? 2 : 14) {
         s->crank.theta2 = i * PI / 7200;
@@ -220,7 +222,7 @@ static void follow_springs(sample *s)
             continue;
         }
         for (k = 0; k < n; k++)
-            follow(s, &all[k], free_angle, has_previous, steps == 0);
+            follow(s, &all[k], has_previous, steps == 0);
         steps += has_previous;
         has_previous = 1;
     }
@@ -267,6 +269,8 @@ TEST(test_turns)
     follow_all(FOURLINK_FOUR_BAR, 4, 3, 2, 1, 0);
     follow_all(FOURLINK_SLIDER_CRANK, 1, 3, 0, 0, 0.3);
     follow_all(FOURLINK_SLIDER_CRANK, 3, 2, 0, 0, 0.3);
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 0.3, 0, 0, 0.5); /* two ranges, one of them below 0 */
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 0.3, 0, 0, -0.5);
     follow_all(FOURLINK_SLIDER_CRANK, 1, 1, 0, 0, 0);
     follow_all(FOURLINK_SLIDER_CRANK, 1, 1.5, 0, 0, 0.5);  /* change point at -90 deg */
     follow_all(FOURLINK_SLIDER_CRANK, 1, 1.5, 0, 0, -0.5); /* at 90 deg */

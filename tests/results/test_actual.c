@@ -717,6 +717,41 @@ TEST(test_pendulum)
     fourlink_results_free(s);
 }
 
+/* A parallelogram that swings about the position in which it is flat is a simple pendulum of the crank's length, whose energy
+** and small swings are known. */
+TEST(test_pendulum_at_a_change_point)
+{
+    static const double starts[][2] = {{180.2, 0.01}, {180.2, -0.0001}, {179.9, -0.02}, {181, 0}};
+    const double k = sqrt(9.81 / 0.03);
+    unsigned long i, n;
+    size_t j;
+
+    for (j = 0; j < sizeof starts / sizeof starts[0]; j++) {
+        fourlink_results *r = opened_open(
+            print("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 30 mm\n"
+                  "mass = 1 kg\ncg = 30 mm\n[coupler]\nlength = 80 mm\nmass = 1 kg\ncg = 40 mm\n"
+                  "[rocker]\nlength = 30 mm\n[gravity]\nacceleration = 9.81 m/s2\n"
+                  "direction = 180 deg\n[motion]\nmode = free\nspeed = %g rad/s\n"
+                  "from = %g deg\nduration = 2 s\nrows = time\ntime_step = 10 ms\n",
+                  starts[j][1], starts[j][0]));
+        double first = (starts[j][0] - 180) * DEG, speed = starts[j][1];
+        double size = hypot(first, speed / k), half = sin(first / 2);
+        double energy = speed * speed + 4 * k * k * half * half;
+
+        for (i = 0, n = problem_of(r).n_rows; i < n; i++) {
+            fourlink_instant at = row_of(r, i);
+            double away = (at.row.angle - 180) * DEG, w = at.row.crank.omega2;
+            double phase = k * at.row.time;
+
+            assert_near(w * w + 4 * k * k * sin(away / 2) * sin(away / 2), energy, 1e-10 * energy);
+            assert_near(away, first * cos(phase) + speed / k * sin(phase),
+                        size * size * size * (1 + phase) / 16 + 1e-10 * size);
+        }
+        assert_int_equal(n, 201);
+        fourlink_results_free(r);
+    }
+}
+
 /* A load that opposes the rocker in both directions, as dry friction does, takes T |dtheta4| of the
 ** energy: the crank stops where it is spent, and stays there. */
 TEST(test_rest_between_two_loads)

@@ -362,6 +362,12 @@ TEST(degenerate_positions)
     task = good;
     task.angle[1] = INFINITY;
     REFUSED(motion, &task, FOURLINK_BAD_NUMBER);
+    task = good;
+    task.left.pivot.y = NAN;
+    REFUSED(motion, &task, FOURLINK_BAD_NUMBER);
+    task = good;
+    task.right.rotation[1] = -INFINITY;
+    REFUSED(motion, &task, FOURLINK_BAD_NUMBER);
     REFUSED(motion, NULL, FOURLINK_NULL);
 }
 

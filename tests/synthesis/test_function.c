@@ -209,7 +209,8 @@ TEST(chebyshev_spacing)
     assert_int_equal(fourlink_chebyshev(0, 1, 3, NULL), FOURLINK_NULL);
 }
 
-/* Points of a known linkage, any number of them, with any weights and both fits: K of that linkage. */
+/* Points of a known linkage, any number of them, with any weights and both fits: K of that linkage, also where its crank or its
+** rocker points the other way. */
 TEST(known_linkages)
 {
     uint64_t seed = 11;
@@ -218,6 +219,7 @@ TEST(known_linkages)
     for (int k = 0; k < some_of(3000); k++) {
         int is_slider = k % 3 == 0;
         double theta2[N], output[N], weight[N], from = uniform(&seed, 0, 2 * PI), K[3];
+        double crank_turn = k / 21 % 2 ? PI : 0, rocker_turn = !is_slider && k / 42 % 2 ? PI : 0;
         fourlink_function_task task = {0};
         fourlink_design d = {.kind = is_slider ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR};
         fourlink_branch branch = k % 2 ? FOURLINK_OPEN : FOURLINK_CROSSED;
@@ -245,12 +247,15 @@ TEST(known_linkages)
             if (fourlink_position(&m, branch, theta2[i], &at) != FOURLINK_OK ||
                 fabs(at.sine) < 0.05)
                 break;
-            output[i] = is_slider ? at.link[4].origin.x : at.link[4].theta;
+            output[i] = is_slider ? at.link[4].origin.x : at.link[4].theta - rocker_turn;
+            theta2[i] -= crank_turn;
         }
         if (i < task.n)
             continue;
         n_tried++;
         a = d.link[2].length, b = d.link[3].length, c = d.link[4].length, e = d.offset;
+        a = crank_turn > 0 ? -a : a;
+        c = rocker_turn > 0 ? -c : c;
         K[0] = is_slider ? 2 * a : task.ground / a;
         K[1] = is_slider ? 2 * a * e : task.ground / c;
         K[2] = is_slider ? a * a + e * e - b * b
@@ -258,7 +263,8 @@ TEST(known_linkages)
         FOUND(function, &task, &s);
         for (int j = 0; j < 3; j++)
             assert_near(s.K[j], K[j], 1e-12 * s.condition * (fabs(K[0]) + fabs(K[1]) + fabs(K[2])));
-        assert_near(s.crank_turn, 0, 0);
+        assert_near(s.crank_turn, crank_turn, 0);
+        assert_near(s.rocker_turn, rocker_turn, 0);
         for (int j = 0; s.condition < 1e4 && j < s.n_positions; j++)
             assert_int_equal(s.position[j].branch, branch);
     }
@@ -534,7 +540,7 @@ TEST(dead_at_a_point)
 }
 
 /* Random tasks, wild ones among them: the fit does not depend on what was fitted before, on the unit of
-** length, or on the order in which weights and points stand; it is within its bounds, and no worse than that
+** length, on the sense of the angles, or on the order in which weights and points stand; it is within its bounds, and no worse than that
 ** of the equation where that has longer links or not. */
 TEST(fits_of_the_angle)
 {
@@ -570,11 +576,12 @@ TEST(fits_of_the_angle)
         FOUND(function, &task, &same);
         assert_memory_equal(&s[0], &same, sizeof same);
 
-        mirror = task; /* the points backwards, and a unit of length of 1/4 m */
+        mirror =
+            task; /* the points backwards and mirrored in the ground, and a unit of length of 1/4 m */
         scale = k % 2 ? 1 : 4;
         for (unsigned long i = 0; i < task.n; i++) {
-            back[0][task.n - 1 - i] = theta2[i];
-            back[1][task.n - 1 - i] = output[i] * scale;
+            back[0][task.n - 1 - i] = k % 2 ? -theta2[i] : PI - theta2[i];
+            back[1][task.n - 1 - i] = -output[i] * scale;
             back[2][task.n - 1 - i] = weight[i];
         }
         mirror.ground = 4;
