@@ -440,6 +440,7 @@ TEST(texts_in_a_terminal)
     check_words(DISPLAY_LEFT, "word", 100, "          word");
     check_words(DISPLAY_RIGHT, "word", 100, "      word");
     check_words(DISPLAY_MIDDLE, "word", 100, "        word");
+    check_words(DISPLAY_LEFT, "two words  ", 100, "          two words");
     check_words(DISPLAY_RIGHT, "word", 20, "word");
     check_words(DISPLAY_LEFT, "word", 515, "                                                word");
     check_words(DISPLAY_MIDDLE, "\316\270\342\202\202 = 3", 50, "  \316\270\342\202\202 = 3");

@@ -99,6 +99,38 @@ for ending in png pdf; do
     check "without rsvg-convert: $?" test ! -e y.$ending
     says 'rsvg-convert, which makes png and pdf, is not installed; its package is librsvg2-bin'
 done
+# what the converter does: its output is the file, byte by byte; why it fails is told; it inherits nothing that is open
+mkdir -p bin
+# converter LINE...: rsvg-convert is a script of these lines
+converter() {
+    printf '%s\n' '#!/bin/sh' "$@" >bin/rsvg-convert
+    chmod +x bin/rsvg-convert
+}
+plain_path=$PATH
+PATH=$PWD/bin:$PATH
+for bytes in 1 8193; do
+    converter 'cat >svg' "head -c $bytes svg"
+    run 0 --plot=y.png "$fourbar"
+    quiet
+    check "a picture of $bytes bytes" test "$(head -c $bytes svg)" = "$(cat y.png)"
+done
+rm y.png
+converter 'true <&9 && echo open >inherited' 'echo ran >ran' 'echo x'
+run 0 --plot=y.png "$fourbar" 9<"$fourbar"
+check 'the converter is run' test -s ran
+check 'an open file is not handed on' test ! -e inherited
+rm y.png
+fails_with() {
+    "$fourlink" --plot=y.png "$fourbar" >out 2>err
+    check "exit status of a converter that fails: $1" test $? -eq 3
+    check "no file: $1" test ! -e y.png
+    says "$1"
+}
+converter 'echo a library is missing >&2' 'exit 127'
+fails_with 'rsvg-convert failed: a library is missing'
+converter 'echo x' 'kill -9 $$'
+fails_with 'rsvg-convert failed'
+PATH=$plain_path
 "$(command -v env)" PATH=/nonexistent "$fourlink" --plot=y.svg "$fourbar" >out 2>err
 check 'an SVG needs no other program' test -s y.svg
 # a picture that moves: all frames, the last again the first

@@ -114,6 +114,16 @@ for kind in vectors mechanism; do
     quiet
     check "friction is in F34, $kind" none 'friction = ' v.list
 done
+# the links of an output have no friction, so that their free bodies stay as they are
+sed '/^\[expect\]/,$d' "$data/watt-six-bar.deck" >plain.deck
+{ cat plain.deck && printf '[friction]\nmu = 0.3\nradius = 12 mm\n'; } >rubbed.deck
+for deck in plain rubbed; do
+    listed 0 v.list --plot-kind=vectors --branch=open $deck.deck
+    arrows v.list | grep '^free body of arm' >$deck.arrows
+done
+check "arrows of an output: $(wc -l <plain.arrows)" test "$(wc -l <plain.arrows)" -ge 8
+check 'they are the same with friction' test "$(paste -d ' ' plain.arrows rubbed.arrows | tr '\t' ' ' |
+    awk '{n = NF / 2; for (i = n - 3; i <= n; i++) bad += ($i - $(i + n)) ^ 2 > 1e-4} END {print NR, bad + 0}')" = "$(wc -l <plain.arrows) 0"
 # in the mechanism: a zigzag and a spiral in black, their names and forces; a damper has no zigzag
 listed 0 v.list --plot-at='20 deg' friction.deck
 check 'the name of a spring' test -n "$(places_of S v.list)"

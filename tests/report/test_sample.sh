@@ -78,6 +78,22 @@ for units in 'in, lbf' 'ft, slug, hp' 'cm, kN, kW' 'mm, kgf, rpm, m/s'; do
         sample "$deck" --branch=open --units="$units"
     done
 done
+# the crank from an input, on both sides of it
+sed '/^interval/d; /^\[expect\]/,$d' "$data/scotch-yoke-pump.deck" >yoke.deck
+sed '/^interval/d' norton.deck >lever.deck
+sed '/^interval/d' crank.deck >piston.deck
+while read -r deck input at unit; do
+    for side in rising falling; do
+        sample $deck.deck --branch=open -s motion.input=$input -s "motion.at=$at $unit" -s "motion.speed=0.7 ${unit#m}/s" -s motion.side=$side
+    done
+done <<'END'
+lever slide 180 mm
+lever theta4 2.6 rad
+piston x 20 mm
+piston C.x 95 mm
+yoke x 20 mm
+yoke C.x -15 mm
+END
 # friction: the moments of pins, the force of a guide, also of one whose couple presses its edges
 for deck in norton.deck offset.deck; do
     { cat $deck; printf '[friction]\nA = 0.1\nradius_A = 15 mm\nB = 8 %%\nradius_B = 10 mm\nD = 0.1\nradius_D = 9 mm\nguide = 0.1\nguide_length = 50 mm\n'; } >rubbed-$deck

@@ -218,6 +218,51 @@ TEST(round_numbers)
     }
 }
 
+/* --------------------------------------------------------------------------------------------- turned */
+
+static int same(fourlink_vector p, fourlink_vector q)
+{
+    return fabs(p.x - q.x) <= 1e-12 && fabs(p.y - q.y) <= 1e-12;
+}
+
+static fourlink_vector towards(double angle)
+{
+    return place_at(cos(angle), sin(angle));
+}
+
+/* Gravity points down in a drawing, unless it is on a page; without it nothing is turned.  On the page a direction turns as
+** places do. */
+TEST(drawings_that_are_turned)
+{
+    fourlink_design design = {0};
+    view v = {0};
+    int i;
+
+    chance_state = 4;
+    v.design = &design;
+    for (i = 0; i < 1000; i++) {
+        double down = between(-PI, PI), angle = between(-PI, PI), size = power_of_ten(-6, 6);
+        fourlink_vector g = towards(down);
+
+        v.problem.axes_on_page = 0;
+        design.gravity = place_at(size * g.x, i % 9 ? size * g.y : 0);
+        down = i % 9 ? down : g.x > 0 ? 0 : PI;
+        assert_true(same(towards(down + geometry_turn(&v)), place_at(0, -1)));
+        assert_true(view_direction(&v, angle) == angle);
+        assert_true(same(view_place(&v, g), g));
+        v.problem.axes_on_page = 1;
+        v.problem.x_angle = between(-PI, PI);
+        v.problem.A = place_at(between(-1, 1), between(-1, 1));
+        assert_true(geometry_turn(&v) == v.problem.x_angle);
+        g = minus(view_place(&v, towards(angle)), view_place(&v, place_at(0, 0)));
+        assert_true(same(towards(view_direction(&v, angle)), g));
+        assert_true(fabs(view_direction(&v, angle)) <= PI + 1e-12);
+    }
+    v.problem.axes_on_page = 0;
+    design.gravity = place_at(0, 0);
+    assert_true(geometry_turn(&v) == 0);
+}
+
 int main(void)
 {
     return run_all_tests(watch_gsl);

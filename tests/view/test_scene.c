@@ -342,6 +342,22 @@ static void check_polygon(const scene_polygon *p)
 
 static long n_bodies;
 
+/* Forces on the pins P and Q of several outputs have the output's number. */
+static void check_name(const scene_force *f)
+{
+    int n = shown.design->n_groups, i;
+    char sub[TRACKS_NAME];
+
+    for (i = 0; i < n; i++) {
+        int is_P = f->of == TRACK_OF_OUTPUT(i) + OUTPUT_FP;
+
+        if (!is_P && f->of != TRACK_OF_OUTPUT(i) + OUTPUT_FQ)
+            continue;
+        snprintf(sub, sizeof sub, n > 1 ? "%c%d" : "%c", is_P ? 'P' : 'Q', i + 1);
+        assert_string_equal(f->sub, sub);
+    }
+}
+
 /* The forces on a link, weight and -m a among them, and their moments about A are in equilibrium. */
 static void check_equilibrium(const scene *s, const tracks *t)
 {
@@ -365,6 +381,7 @@ static void check_equilibrium(const scene *s, const tracks *t)
                 const scene_force *f = &s->forces[i];
                 fourlink_vector F = get(t, f->of);
 
+                check_name(f);
                 F = place_at(f->sign * F.x, f->sign * F.y);
                 sum = plus(sum, F);
                 moment += cross(get(t, f->at), F);
