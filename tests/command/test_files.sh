@@ -11,7 +11,10 @@ cp card.txt own/..card.txt
 cp card.txt own/sub/card.txt
 cp card.txt other/card.txt
 cp card.txt owner.txt # begins like the folder
+mkdir own-too # begins like the folder, too
+cp card.txt own-too/card.txt
 ln -s ../other/card.txt own/out.txt
+ln -s ../own-too/card.txt own/near.txt
 ln -s "$work/own/card.txt" own/in.txt
 ln -s ../other own/folder
 ln -s own/none.txt own/dangling.txt
@@ -37,7 +40,7 @@ for name in card.txt ./card.txt sub/card.txt in.txt ..card.txt .//card.txt '"car
     quiet
     check "$name: beside a deck of this folder, and of standard input" test "$(wc -l <twice)" -eq "$(($(wc -l <expected) * 2))"
 done
-for name in ../card.txt ../own/card.txt sub/../card.txt "$work/card.txt" "$work/own/card.txt" out.txt folder/card.txt \
+for name in ../card.txt ../own/card.txt sub/../card.txt "$work/card.txt" "$work/own/card.txt" out.txt near.txt folder/card.txt \
     ../owner.txt sub/../../card.txt; do
     engine "$name" >own/x.deck
     for option in -fcsv --check --list --summary; do

@@ -16,5 +16,9 @@ done
 sweep 'crank.length = 18 mm to 22 mm step 0 mm' 'rocker.length = 56 mm +- 90 mm' 'samples = 2'
 valgrind -q --error-exitcode=9 --leak-check=full "$fourlink" t.deck >out 2>err
 check 'valgrind, mistakes' test $? -eq 2
+# through five poses, exactly and nearly
+printf 'mechanism = four-bar\n[synthesis]\ntask = motion\npositions = (0, 0) mm 0 deg, (24, 10) mm -10 deg, (40, 5) mm -25 deg, (55, -5) mm -38 deg, (70, -20) mm -50 deg\n' >t.deck
+valgrind -q --error-exitcode=9 --leak-check=full "$fourlink" --synthesis t.deck >out 2>err
+check "valgrind, a synthesis: $(head -n 3 err)" test $? -eq 0
 
 finish

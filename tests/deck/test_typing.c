@@ -37,6 +37,8 @@ static const struct {
     {"crank.length", "15 mm", 0.015, NULL},
     {"crank.length", "1,5 mm", 0, "'1,5 mm': a comma as decimal mark: write 1.5"},
     {"crank.length", "66,5", 0, "'66,5': a comma as decimal mark: write 66.5"},
+    {"crank.length", "66,50", 0, "'66,50': a comma as decimal mark: write 66.50"},
+    {"crank.length", "1,000", 0, "'1,000': a comma within a number: write 1000 or 1.000"},
     {"crank.length", "0,219 m", 0, "'0,219 m': a comma as decimal mark: write 0.219"},
     {"crank.length", "1,000 mm", 0, "'1,000 mm': a comma within a number: write 1000 or 1.000"},
     {"crank.length", "1,000,000 mm", 0,

@@ -30,6 +30,7 @@ objects() { every "$1 objects" "length == $1"; }
 
 run 0 -f json "$matrix"
 quiet
+check 'what ends the rows and the deck has a line of its own' test "$(tail -n 1 out)" = ']}]}'
 objects 1
 gives 'the keys, in order' \
     'keys_unsorted == ["deck", "title", "mechanism", "inputs", "columns", "facts", "branches"]' \

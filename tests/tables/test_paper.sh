@@ -37,6 +37,10 @@ same out expected
 grep -v "^[0-9]*${tab}10.5${tab}0.00${tab}-" expected >open
 run 0 -f paper -b open "$alvi"
 same out open
+# the last row of a whole turn is the first again; of a part it is not
+run 0 -f paper -b open -s 'motion.to=80 deg' "$alvi"
+head -n 4 open >part
+same out part
 run 0 -f paper -s motion.at=40 -b open "$alvi"
 lines out 2
 

@@ -49,6 +49,8 @@ fits 80
 check 'rows of a sweep' grep -Eq '^ *60 ' out
 shows 120 -b open -i '60 deg' "$matrix"
 blocks 2
+holds 'what belongs together in one block, though some more of it would fit the first' '
+    /^# theta2/ {n++; names[n] = $0} END {exit !(names[1] ~ /alpha4 +mu$/ && names[2] ~ /theta2 +F12x.*F14y +Ts$/)}'
 shows 200 -b open -i '60 deg' "$matrix"
 blocks 1
 run 0 -b open -i '60 deg' "$matrix"
