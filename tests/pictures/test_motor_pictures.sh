@@ -16,7 +16,7 @@ run 0 --plot=r.svg --plot-kind=columns --plot-x=time --columns=omega2,T_motor --
 shows r.svg 'time (s)' 'ω₂ (rad/s)' 'T motor (N·m)'
 
 # a crank that comes to rest: the picture is of the way to there, wherever angles are counted from
-{ cat "$decks/engine.deck" | sed '/^\[motion\]/,$d' && printf '[motion]\nmode = free\nspeed = 3 rad/s\nturns = 1\nfrom = 300 deg\n'; } >rest.deck
+{ sed '/^\[motion\]/,$d' "$decks/engine.deck" && printf '[motion]\nmode = free\nspeed = 3 rad/s\nturns = 1\nfrom = 300 deg\n'; } >rest.deck
 for from in 300 -60; do
     "$fourlink" --plot=r$from.svg --plot-kind=animation -b open -s "motion.from=$from deg" rest.deck >out 2>err
     says 'stalls'

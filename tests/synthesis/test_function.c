@@ -540,8 +540,8 @@ TEST(dead_at_a_point)
 }
 
 /* Random tasks, wild ones among them: the fit does not depend on what was fitted before, on the unit of
-** length, on the sense of the angles, or on the order in which weights and points stand; it is within its bounds, and no worse than that
-** of the equation where that has longer links or not. */
+** length, on the sense of the angles, or on the order in which weights and points stand; it is within
+** its bounds, and no worse than that of the equation where that has longer links or not. */
 TEST(fits_of_the_angle)
 {
     uint64_t seed = 32;
@@ -576,8 +576,7 @@ TEST(fits_of_the_angle)
         FOUND(function, &task, &same);
         assert_memory_equal(&s[0], &same, sizeof same);
 
-        mirror =
-            task; /* the points backwards and mirrored in the ground, and a unit of length of 1/4 m */
+        mirror = task; /* the points backwards and mirrored, and a unit of length of 1/4 m */
         scale = k % 2 ? 1 : 4;
         for (unsigned long i = 0; i < task.n; i++) {
             back[0][task.n - 1 - i] = k % 2 ? -theta2[i] : PI - theta2[i];
