@@ -404,50 +404,13 @@ static int is_bent(const crossings *k, size_t i)
     return most > MUCH * least;
 }
 
-typedef struct turning {
-    crossings *k;
-    double x, y; /* F(s2) - F(s1) */
-} turning;
-
-static void vector_at(const crossings *k, double s, double *x, double *y)
-{
-    const flk_column *c = k->c->of.c;
-    flk_row row;
-
-    flk_follow_row(&k->x.f, flk_column_need(c), flk_follow_inside(&k->x.f, s), &row);
-    flk_column_vector(c, &row, x, y);
-}
-
-static double along_change(double s, void *data)
-{
-    const turning *t = data;
-    double x, y;
-
-    vector_at(t->k, s, &x, &y);
-    return x * t->x + y * t->y;
-}
-
-/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0.
-** Insert a sample there between samples i and i + 1, where samples show only that the vector turns. */
+/* Insert a sample where a vector has its least size between samples i and i + 1, which show only that it turns. */
 static void insert_least_size(crossings *k, size_t i)
 {
-    double from = k->x.s[i], to = k->x.s[i + 1], before, behind, x[2], y[2];
-    flk_bracket b;
-    turning t;
+    double s;
 
-    vector_at(k, from, &x[0], &y[0]);
-    vector_at(k, to, &x[1], &y[1]);
-    t.k = k;
-    t.x = x[1] - x[0];
-    t.y = y[1] - y[0];
-    before = x[0] * t.x + y[0] * t.y;
-    behind = x[1] * t.x + y[1] * t.y;
-    if (!(before < 0 && behind > 0))
-        return;
-    b = flk_bracket_of(from, to, before, behind);
-    from = flk_find_zero(along_change, &t, &b, 1e-6 * GSL_MIN_DBL(-before, behind));
-    if (from > k->x.s[i] && from < to)
-        insert_row(k, i + 1, from);
+    if (flk_samples_find_least_size(&k->x, k->c, i, &s))
+        insert_row(k, i + 1, s);
 }
 
 static int has_value(const crossings *k, size_t i)
@@ -481,7 +444,7 @@ static void insert_samples(crossings *k)
     }
     insert_row(k, 1, s[0] + BESIDE_END * (s[1] - s[0]));
     insert_row(k, x->n - 1, s[x->n - 1] - BESIDE_END * (s[x->n - 1] - s[x->n - 2]));
-    for (i = x->n - 1; i-- > 0 && flk_column_has_vector(k->c->of.c) && !(k->c->of.turn > 0);)
+    for (i = x->n - 1; i-- > 0 && k->c->vector[0] && !(k->c->of.turn > 0);)
         insert_least_size(k, i);
     for (i = 0; i + 1 < x->n; i++) {
         if (has_value(k, i) && has_value(k, i + 1))

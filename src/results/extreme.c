@@ -103,6 +103,25 @@ static void offer_corner(const sought *k, int which, int end)
               flk_follow_place(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
 }
 
+/* The column at an end where it is 0 / 0: as just inside or, where it is that there too, by rows beside it. */
+#define BESIDE 1e-4 /* of the piece */
+
+static double value_at_end(const sought *k, int end)
+{
+    flk_polynomial of;
+    int i;
+
+    if (!gsl_isnan(k->c->corner[end]))
+        return k->c->corner[end];
+    for (of.n = 0, i = 1; i <= 3; i++) {
+        double s = sqrt(BESIDE * i);
+
+        flk_polynomial_add(&of, BESIDE * i,
+                           flk_samples_value(k->x, k->c, end ? 1 - s : s, GSL_NAN));
+    }
+    return flk_polynomial_value(&of, 0);
+}
+
 /* Offer the first of the best samples, and what is at the ends of the piece. */
 static void offer_samples(const sought *k, int which)
 {
@@ -125,7 +144,7 @@ static void offer_samples(const sought *k, int which)
         if (k->c->is_inside[end] && x->n > 0)
             offer_corner(k, which, end);
         else if (gsl_finite(k->c->of.bound) && x->n > 2 && gsl_isnan(v[end ? x->n - 1 : 0]))
-            offer_at(k, which, k->c->corner[end], end); /* 0 / 0 there */
+            offer_at(k, which, value_at_end(k, end), end);
 }
 
 /* ------------------------------------------------------------------------------------------------ peaks */
@@ -208,7 +227,7 @@ static int take_top(flk_function *f, sought *k, flk_polynomial *of, double low, 
 static void sharpen(flk_function *f, sought *k, double low, double high, flk_sample *best)
 {
     double middle = best->x;
-    double step = GSL_MIN_DBL((high - low) / 40, GSL_MIN_DBL(middle - low, high - middle) / 2);
+    double step = GSL_MIN_DBL((high - low) / 60, GSL_MIN_DBL(middle - low, high - middle) / 2);
     flk_polynomial of;
     int i;
 
@@ -420,72 +439,43 @@ static void refine(sought *k, int which)
     }
 }
 
-/* ---------------------------------------------------------------------------------------- narrow peaks */
+/* ------------------------------------------------------------------------------------------ least sizes */
 
-#define HIDDEN 8         /* times its roughness: so far a column may exceed a sample */
-#define ROUGH 2e-6       /* of the column's size there: less hides nothing */
-#define NARROWEST 2e-6   /* s: no samples are closer */
-#define MOST_INSERTED 40 /* of a piece, for a column */
-
-/* How far a sample is from the polynomial through the four nearest: with equal steps on both sides, and with
-** any. */
-static double roughness_of_even(const double *v)
+/* 1 if no sample beside this one is less: refine() has searched about it. */
+static int is_low(const sought *k, size_t i)
 {
-    return fabs(v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
+    const double *v = k->c->v + i;
+
+    return !(i > 0 && v[-1] < v[0]) && !(i + 1 < k->x->n && v[1] < v[0]);
 }
 
-static double roughness(const flk_samples *x, const double *v, size_t i)
-{
-    size_t from = i < 2 ? 0 : GSL_MIN(i - 2, x->n - 5), j;
-    flk_polynomial p;
+/* Offer the least size of a vector between samples that do not show it, as where a force nearly vanishes; where it does
+** vanish, its size has a corner, and the place is better known by the components. */
+#define VANISHES 1e-9 /* of the column's size */
 
-    for (p.n = 0, j = from; j < from + 5; j++)
-        if (j != i)
-            flk_polynomial_add(&p, x->s[j], v[j]);
-    return fabs(flk_polynomial_value(&p, x->s[i]) - v[i]);
-}
-
-/* 1 if the column near so rough a value may be better than the best. */
-static int may_be_better(const sought *k, double value, double rough)
-{
-    return value + HIDDEN * rough > best_so_far(k, 0) ||
-           value - HIDDEN * rough < -best_so_far(k, 1);
-}
-
-/* 1 if a better value may hide beside sample i, as where a force nearly vanishes. */
-static int may_hide(const sought *k, size_t i)
+static void refine_least_sizes(sought *k)
 {
     const flk_samples *x = k->x;
-    const double *v = k->c->v;
-    double least = GSL_MAX_DBL(ROUGH * GSL_MAX_DBL(fabs(v[i - 1]), fabs(v[i + 1])), k->b->noise);
-    double rough = i < 2 || i + 2 >= x->n ? GSL_POSINF : roughness_of_even(v + i);
+    flk_sample at[3], top;
+    double least = -best_so_far(k, 1);
+    int vanishes = least > 0 && least < VANISHES * k->c->size;
+    size_t i;
 
-    if (!(rough > least && may_be_better(k, v[i], rough)))
-        return 0;
-    rough = roughness(x, v, i);
-    return rough > least && may_be_better(k, v[i], rough);
-}
+    for (i = 0; i + 1 < x->n && x->n > 2; i++) {
+        int is_hidden = !is_low(k, i) && !is_low(k, i + 1) &&
+                        -flk_samples_least_size(x, k->c, i) > best_so_far(k, 1);
 
-static void offer_sample(const sought *k, size_t i)
-{
-    offer_at(k, 0, k->c->v[i], k->x->s[i]);
-    offer_at(k, 1, k->c->v[i], k->x->s[i]);
-}
-
-/* Insert samples where a better value may hide. */
-static void resolve_narrow(sought *k, flk_samples *x)
-{
-    size_t i, most = x->n + MOST_INSERTED;
-
-    for (i = 1; i + 1 < x->n && x->n > 4 && x->n < most; i++) {
-        if (!may_hide(k, i) || x->s[i + 1] - x->s[i - 1] < NARROWEST || flk_follow_is_over(&x->f))
+        if (!(is_hidden || vanishes) || is_flat(k, i) || flk_follow_is_over(&x->f) ||
+            !flk_samples_find_least_size(x, k->c, i, &at[1].x))
             continue;
-        if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
-            !flk_samples_insert(x, i, 0.5 * (x->s[i - 1] + x->s[i])))
-            return;
-        offer_sample(k, i);
-        offer_sample(k, i + 2);
-        i = i > 4 ? i - 4 : 0;
+        at[0] = sample_of(k, i);
+        at[1].value = peak_at(at[1].x, k);
+        at[2] = sample_of(k, i + 1);
+        if (!(at[1].value > at[0].value && at[1].value > at[2].value))
+            continue;
+        top = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
+        sharpen(peak_at, k, at[0].x, at[2].x, &top);
+        offer_at(k, 1, -top.value, top.x);
     }
 }
 
@@ -546,7 +536,7 @@ static void find_noise(search *x)
 
 /* --------------------------------------------------------------------------------------- piece by piece */
 
-static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
+static void search_column(const flk_samples *x, const flk_sampled *c, flk_bests *b)
 {
     sought k;
     int which;
@@ -559,10 +549,10 @@ static void search_column(flk_samples *x, const flk_sampled *c, flk_bests *b)
     for (which = 0; which < 2; which++)
         offer_samples(&k, which);
     flk_poles_find(x, c, offer_pole, &k);
-    if (!c->of.is_noise && !(c->of.turn > 0) && !gsl_finite(c->of.bound))
-        resolve_narrow(&k, x);
     for (which = 0; which < 2 && !c->of.is_noise; which++)
         refine(&k, which);
+    if (c->vector[0] && !(c->of.turn > 0))
+        refine_least_sizes(&k);
 }
 
 /* Angles start anew after a piece in which the linkage cannot be assembled. */

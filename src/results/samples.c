@@ -62,7 +62,7 @@ void flk_samples_add(flk_samples *x, const flk_column *column)
     flk_follow_column(&x->f, &c->of, column);
     c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) && !x->f.a->d->prescribed;
     c->v = x->force + FLK_SAMPLES_MOST * (ARRAYS * x->n_columns - ARRAYS + 1);
-    if (c->of.turn > 0 && flk_column_has_vector(column)) {
+    if (flk_column_has_vector(column)) {
         c->vector[0] = c->v + FLK_SAMPLES_MOST;
         c->vector[1] = c->vector[0] + FLK_SAMPLES_MOST;
     }
@@ -443,15 +443,23 @@ static double bend_of_vector(const flk_samples *x, const flk_sampled *c, size_t 
     return GSL_MAX_DBL(before, behind);
 }
 
-/* How far the origin is from the chord between two samples of a vector. */
-static double distance_of_chord(const flk_sampled *c, size_t i)
+/* The part of the chord between two samples of a vector at which it is closest to the origin, and how far it is
+** from that. */
+static double part_of_chord(const flk_sampled *c, size_t i)
 {
     const double *u = c->vector[0] + i, *v = c->vector[1] + i;
     double du = u[1] - u[0], dv = v[1] - v[0], along = -(u[0] * du + v[0] * dv);
     double part = along / (du * du + dv * dv);
 
-    part = part > 0 ? GSL_MIN_DBL(part, 1) : 0;
-    return flk_length(u[0] + part * du, v[0] + part * dv);
+    return part > 0 ? GSL_MIN_DBL(part, 1) : 0;
+}
+
+static double distance_of_chord(const flk_sampled *c, size_t i)
+{
+    const double *u = c->vector[0] + i, *v = c->vector[1] + i;
+    double part = part_of_chord(c, i);
+
+    return flk_length(u[0] + part * (u[1] - u[0]), v[0] + part * (v[1] - v[0]));
 }
 
 static int may_go_around(const flk_samples *x, size_t i)
@@ -461,7 +469,7 @@ static int may_go_around(const flk_samples *x, size_t i)
     for (k = 0; k < x->n_columns; k++) {
         const flk_sampled *c = &x->columns[k];
 
-        if (c->vector[0] && !gsl_isnan(c->v[i] + c->v[i + 1]) &&
+        if (c->vector[0] && c->of.turn > 0 && !gsl_isnan(c->v[i] + c->v[i + 1]) &&
             distance_of_chord(c, i) < BEND * bend_of_vector(x, c, i))
             return 1;
     }
@@ -677,4 +685,75 @@ int flk_samples_next(flk_samples *x)
         if (x->columns[i].of.turn > 0)
             continue_angle(x, &x->columns[i]);
     return 1;
+}
+
+/* ------------------------------------------------------------------------------------------ least size */
+
+/* The bend of a component before a step and behind it; at an end of the piece both are the same. */
+static void bends_of(const flk_samples *x, const double *v, size_t i, double bend[2])
+{
+    double h = x->s[i + 1] - x->s[i];
+
+    bend[0] = i > 0 ? bend_at(x, v, i, h) : 0;
+    bend[1] = i + 2 < x->n ? bend_at(x, v, i + 1, h) : bend[0];
+    bend[0] = i > 0 ? bend[0] : bend[1];
+}
+
+/* Where the chord is closest to the origin, the curve is beside it by its bend, which is known to within its change
+** over the step.  It is no farther from the chord than that is long: where the bend says so, it is rounding error. */
+double flk_samples_least_size(const flk_samples *x, const flk_sampled *c, size_t i)
+{
+    double part = part_of_chord(c, i), arc = part * (1 - part) / 2, F[2], off[2], d[2], bend[2];
+    int k;
+
+    for (k = 0; k < 2; k++) {
+        const double *v = c->vector[k] + i;
+
+        d[k] = v[1] - v[0];
+        bends_of(x, c->vector[k], i, bend);
+        F[k] = v[0] + part * d[k] - arc * (bend[0] + part * (bend[1] - bend[0]));
+        off[k] = arc * (bend[1] - bend[0]);
+    }
+    return c->of.c->scale * GSL_MAX_DBL(flk_length(F[0], F[1]) - flk_length(off[0], off[1]),
+                                        distance_of_chord(c, i) - flk_length(d[0], d[1]));
+}
+
+typedef struct turning {
+    const flk_samples *x;
+    const flk_column *c;
+    double along[2]; /* F(s2) - F(s1) */
+} turning;
+
+static double along_change(double s, void *data)
+{
+    const turning *t = data;
+    double u, v;
+    flk_row row;
+
+    flk_follow_row(&t->x->f, flk_column_need(t->c), flk_follow_corner(&t->x->f, s), &row);
+    flk_column_vector(t->c, &row, &u, &v);
+    return u * t->along[0] + v * t->along[1];
+}
+
+/* The size of a vector is small where it is at right angles to its change: F(s) . (F(s2) - F(s1)) = 0. */
+#define NEARLY 1e-12 /* of the product at the nearer sample */
+
+int flk_samples_find_least_size(const flk_samples *x, const flk_sampled *c, size_t i, double *s)
+{
+    const double *u = c->vector[0] + i, *v = c->vector[1] + i;
+    double before, behind;
+    flk_bracket b;
+    turning t;
+
+    t.along[0] = u[1] - u[0];
+    t.along[1] = v[1] - v[0];
+    before = u[0] * t.along[0] + v[0] * t.along[1];
+    behind = u[1] * t.along[0] + v[1] * t.along[1];
+    if (!(before < 0 && behind > 0) || x->s[i + 1] - x->s[i] <= CLOSEST_SAMPLES)
+        return 0;
+    t.x = x;
+    t.c = c->of.c;
+    b = flk_bracket_of(x->s[i], x->s[i + 1], before, behind);
+    *s = flk_find_zero(along_change, &t, &b, NEARLY * GSL_MIN_DBL(-before, behind));
+    return *s > x->s[i] && *s < x->s[i + 1];
 }

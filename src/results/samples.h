@@ -23,7 +23,7 @@ typedef struct flk_sampled {
     flk_followed of;
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples, continuous for an angle; NaN: no value, or a pole */
-    double *vector[2];  /* of a direction: the components of its vector there; else null */
+    double *vector[2];  /* of a size or direction: its vector there; else null */
     double size;        /* its largest magnitude in the middle of pieces so far, */
     double scale;       /* ... and that of its quantity in the middle of this piece */
     double largest;     /* the largest magnitude of the samples */
@@ -70,6 +70,11 @@ int flk_samples_next(flk_samples *x);
 
 /* Insert a sample of all columns before number i, which is not the first; 0 if there is no room. */
 int flk_samples_insert(flk_samples *x, size_t i, double s);
+
+/* Where the vector of a column has its least size between samples i and i + 1, nearly: where it is at right angles to
+** its change over the step.  0 if that is nowhere.  And how small it may be there, by how it bends. */
+int flk_samples_find_least_size(const flk_samples *x, const flk_sampled *c, size_t i, double *s);
+double flk_samples_least_size(const flk_samples *x, const flk_sampled *c, size_t i);
 
 /* A column at a parameter.  An angle is moved by whole turns next to `near`; it is NaN half a turn from
 ** it. */

@@ -150,6 +150,26 @@ TEST(test_place_of_a_flat_extreme)
     fourlink_results_free(r);
 }
 
+/* The centre of mass of the rod is at the crank pin: F_C has no moment about I but that of the rod's moment of inertia,
+** and IY = -I theta3'' / (m r) on the side where theta3' > 0, with theta3' = -lambda cos(theta2) / cos(theta3) and
+** lambda = r / l.  At 90 deg it is 0 / 0, and jumps from -IY to IY = I / (m l sqrt(1 - lambda^2)). */
+TEST(test_jump_where_a_quotient_is_undefined)
+{
+    static const double ratios[] = {3, 20, 200, 547, 5000};
+    size_t i;
+
+    for (i = 0; i < COUNT(ratios); i++) {
+        double expected = 0.005 / sqrt(1 - 1 / (ratios[i] * ratios[i]));
+        char *deck = print("mechanism = slider-crank\n[crank]\nlength = %.17g mm\n[rod]\n"
+                           "length = 200 mm\nmass = 1 kg\ninertia = 0.001 kg m2\n[piston]\n"
+                           "[motion]\nspeed = 10 rad/s\n",
+                           200 / ratios[i]);
+
+        check(deck, FOURLINK_OPEN, "max(klein_IY)", expected, 1e-9 * expected);
+        check(deck, FOURLINK_OPEN, "min(klein_IY)", -expected, 1e-9 * expected);
+    }
+}
+
 /* With a rod as long as the crank x = 2 a cos(theta2): at 90 deg the piston's acceleration turns over. */
 TEST(test_direction_of_vanishing_force)
 {
