@@ -2,6 +2,7 @@
 **
 ** follow.c - columns along the motion of a branch, piece by piece, and their limits where there is no row.
 */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -538,17 +539,19 @@ static double find_growth_of_ratios(const flk_limit_rows *e, values y, int *orde
 }
 
 /* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
-** order `of_scale` on the scale on which it was found, 0 if on none. */
-static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, int *order,
-                           int *of_scale)
+** order `of_scale` on the scale on which it was found, 0 if on none.  Where rows of a finite column are differences of
+** unbounded forces, their rounding error grows as these do: steps no larger than that are none of a pole. */
+static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, double rounding,
+                           int *order, int *of_scale)
 {
+    int may_grow = !has_direction && e->is_root && fabs(y[0][0] - y[0][1]) > rounding;
     double strength, growth;
 
     *order = *of_scale = find_pole(e, y, &strength);
     growth = has_direction ? 0 : find_growth(e, y, order);
-    if (growth == 0 && strength == 0 && !has_direction && e->is_root)
+    if (growth == 0 && strength == 0 && may_grow)
         growth = find_growth_of_steps(e, y, order);
-    if (growth == 0 && strength == 0 && !has_direction && e->is_root)
+    if (growth == 0 && strength == 0 && may_grow)
         growth = find_growth_of_ratios(e, y, order);
     return growth != 0 ? growth : strength;
 }
@@ -728,6 +731,8 @@ static double growth_of(const flk_limit_rows *e, values y, int order)
     return e->is_root ? q / 2 : q;
 }
 
+#define ROUNDING (4 * DBL_EPSILON) /* of a row, times the size of its forces */
+
 /* Where friction locks, what has no friction in it grows by rounding error only. */
 static int may_have_pole(const flk_limit_rows *e, const flk_followed *t)
 {
@@ -736,7 +741,8 @@ static int may_have_pole(const flk_limit_rows *e, const flk_followed *t)
     return !e->is_lock || (flags & FOURLINK_OF_FORCES && !(flags & FOURLINK_FRICTIONLESS));
 }
 
-void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double scale,
+                    flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order, of_scale;
     double strength;
@@ -748,7 +754,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     l->n = is_vector ? 2 : 1;
     l->reach = 0;
     for (k = 0; k < l->n && (is_vector || !(t->turn > 0)) && may_have_pole(e, t); k++) {
-        strength = find_pole_of(e, y[k], t->turn > 0, &order, &of_scale);
+        strength = find_pole_of(e, y[k], t->turn > 0, ROUNDING * scale, &order, &of_scale);
         if (t->turn <= 0 && fabs(strength) <= LEAST_POLE * size &&
             !is_surely_pole(e, y[k], of_scale, size))
             continue;

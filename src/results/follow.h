@@ -126,8 +126,9 @@ typedef struct flk_limit {
     flk_polynomial of[2];
 } flk_limit;
 
-/* Find the limit of a column; `size` is its size elsewhere. */
-void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l);
+/* Find the limit of a column; `size` is its size elsewhere, `scale` that of its quantity in the closest row. */
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double scale,
+                    flk_limit *l);
 
 /* No limit, where there are rows; the limit of a column of the crank, which has a value there. */
 void flk_limit_none(flk_limit *l);

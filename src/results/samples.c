@@ -579,6 +579,13 @@ static int is_of_rounding(const flk_piece *p)
     return p->to - p->from < ROUNDED && (p->begin == FLK_END_LOCK || p->end == FLK_END_LOCK);
 }
 
+static double scale_beside(const flk_samples *x, const flk_sampled *c)
+{
+    const flk_row *row = &x->near->row[0][0];
+
+    return row->at.status == FOURLINK_OK ? flk_samples_scale(x, c, row) : 0;
+}
+
 static void find_limits(flk_samples *x, int at_end)
 {
     flk_piece_end end = at_end ? x->f.piece.end : x->f.piece.begin;
@@ -597,7 +604,7 @@ static void find_limits(flk_samples *x, int at_end)
         if (c->is_of_crank || c->of.is_noise)
             flk_limit_of_crank(x->near, l);
         else
-            flk_limit_find(x->near, &c->of, c->size, l);
+            flk_limit_find(x->near, &c->of, c->size, scale_beside(x, c), l);
     }
 }
 
@@ -609,6 +616,13 @@ static double lock_at(double passed, void *data)
 
     flk_follow_row(&x->f, x->needs, passed, &row);
     return row.at.status == FOURLINK_LOCKED ? GSL_NEGINF : GSL_POSINF;
+}
+
+/* 1 so close to a place at which a slider goes beyond all bounds that rounding error decides whether friction locks. */
+static int is_beside_pole(const flk_piece *p, double passed)
+{
+    return (passed - p->from < ROUNDED && p->begin == FLK_END_POLE) ||
+           (p->to - passed < ROUNDED && p->end == FLK_END_POLE);
 }
 
 /* The first angle passed at which friction begins to lock the mechanism (or ceases to, if *lock < 0), on
@@ -626,7 +640,9 @@ static double find_edge(flk_samples *x, double *lock)
             continue;
         b = flk_bracket_of(low, high, *lock, -*lock);
         flk_find_zero(lock_at, x, &b, 0);
-        return *lock < 0 ? b.high : b.low;
+        if (!is_beside_pole(&x->f.piece, b.low))
+            return *lock < 0 ? b.high : b.low;
+        *lock = -*lock;
     }
     return GSL_POSINF;
 }

@@ -136,7 +136,7 @@ static flk_limit limit_of(place *p, const flk_column *c, const formula *u, const
         }
     flk_follow_column(&p->f, &t, c);
     size = v ? hypot(size, formula_at(v, far)) : fabs(size);
-    flk_limit_find(&p->rows, &t, size * c->scale, &l);
+    flk_limit_find(&p->rows, &t, size * c->scale, size * c->scale, &l);
     l.value /= c->scale;
     return l;
 }
