@@ -100,7 +100,9 @@ static double sine_at(double theta2, void *data)
 
 #define IS_IN_SLOT(g) ((g)->hang == FOURLINK_HANGS_IN_SLOT && (g)->end == FOURLINK_GROUP_SLIDES)
 
-/* Take where slots turn through the line of their slider. */
+/* Take where slots turn through the line of their slider.  At a dead position itself there is no row. */
+#define INSIDE 1e-10 /* rad */
+
 static void search_sines(search *x, double from, double to)
 {
     int n = (int)ceil(SAMPLES * (to - from) / (2 * M_PI)) + 8, i;
@@ -110,7 +112,8 @@ static void search_sines(search *x, double from, double to)
         double before = GSL_NAN, last = from;
 
         for (i = 0; i <= n && IS_IN_SLOT(g); i++) {
-            double at = from + (to - from) * i / n, sine = sine_at(at, x);
+            double at = GSL_MAX(from + INSIDE, GSL_MIN(from + (to - from) * i / n, to - INSIDE));
+            double sine = sine_at(at, x);
 
             if (before * sine < 0 && x->n < x->most) {
                 flk_bracket bracket = flk_bracket_of(last, at, before, sine);

@@ -1452,6 +1452,53 @@ TEST(test_ends_once)
     }
 }
 
+/* A slot that turns through the line close to a dead position of the four links, 0.06 to 6e-6 deg from it: of 2,000 rockers on the
+** coupler. */
+TEST(test_ends_beside_dead_positions)
+{
+    uint64_t seed = 68;
+    int tried = 0, k;
+
+    while (tried < 2000) {
+        fourlink_design d;
+        fourlink_group g;
+        fourlink_load load;
+        fourlink_mechanism m;
+        fourlink_reach reach;
+        fourlink_state s;
+        double ends[8], at, apart = INFINITY;
+        size_t n, i;
+
+        set_case(O4, 1, &d, &g, &load);
+        d.kind = FOURLINK_FOUR_BAR;
+        d.offset = 0;
+        for (k = 0; k < 4; k++)
+            d.link[FOURLINK_GROUND + k].length = uniform(&seed, 0.05, 0.15);
+        d.n_groups = 0;
+        if (fourlink_prepare(&d, &m) != FOURLINK_OK ||
+            fourlink_reach_of(&m, &reach) != FOURLINK_OK || reach.to[0] - reach.from[0] > 6)
+            continue;
+        at = reach.to[0] - pow(10, uniform(&seed, -7, -3));
+        assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, at, &s), FOURLINK_OK);
+        g.link = FOURLINK_COUPLER;
+        g.at.x = g.at.y = 0.01;
+        g.pivot.x = 0.02;
+        g.pivot.y = 0.01;
+        set_direction(&g.direction, 1, 15);
+        /* the slot in the coupler's axes: the line, turned back by theta3 */
+        g.slot.x = g.direction.x * s.link[3].axis.x + g.direction.y * s.link[3].axis.y;
+        g.slot.y = g.direction.y * s.link[3].axis.x - g.direction.x * s.link[3].axis.y;
+        d.n_groups = 1;
+        assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+        n = flk_groups_ends(&m, FOURLINK_OPEN, 2 * PI, ends, 8);
+        for (i = 0; i < n; i++)
+            apart = fmin(apart, fabs(remainder(ends[i] - at, 2 * PI)));
+        if (!(apart < 1e-12))
+            fail_msg("deck %d: the end at %.12g is missed by %g", tried, at, apart);
+        tried++;
+    }
+}
+
 /* Strokes and swings of the theory, and its greatest angles. */
 TEST(test_limits)
 {
