@@ -296,6 +296,7 @@ static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch
     /* the crank angle is known to eps near, omega2 to its near, and alpha2 = (a - L omega2^2) / K to near more */
     doubt = 20 * (near > 1 ? near * near : 1);
     doubt_of_accelerations = near > 1 ? near : 1;
+    inertia_in_doubt = problem.mechanism.design.link[2].inertia;
     memcpy(expected, crank_row, sizeof expected);
     if (!has_failed && strstr(base_text, "[spring") &&
         fabs(named(&b.c, row, "theta2") - named(&a->c, expected, "theta2")) > 1e-3)
@@ -303,6 +304,7 @@ static void compare_prescribed_row(side *a, const coordinate *q, fourlink_branch
     else if (!has_failed)
         compare_rows(a, &b, expected, row, where);
     doubt = doubt_of_accelerations = 1;
+    inertia_in_doubt = 0;
     fourlink_results_free(b.r);
 }
 

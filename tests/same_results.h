@@ -198,6 +198,9 @@ static double named(const columns *c, const double *row, const char *name)
     return j < 0 || !isfinite(row[j]) ? 0 : row[j];
 }
 
+/* kg m2, of the crank, if its acceleration has an error as large as omega2^2 has: the torque has that of its inertia. */
+static double inertia_in_doubt;
+
 /* Of a row in SI units, the scale of each quantity, and 1 / sin(mu); `w` is the speed of the crank, or what counts as it. */
 static double find_scales(const columns *c, const double *row, const fourlink_link *links, double w,
                           double *scale)
@@ -227,6 +230,7 @@ static double find_scales(const columns *c, const double *row, const fourlink_li
     for (j = FOURLINK_CRANK; j <= FOURLINK_FOLLOWER; j++)
         AT_LEAST(TORQUE, links[j].inertia * scale[QUANTITY_ANGULAR_ACCELERATION]);
     AT_LEAST(FORCE, scale[QUANTITY_TORQUE] / arm);
+    AT_LEAST(TORQUE, inertia_in_doubt * w * w);
     AT_LEAST(POWER, scale[QUANTITY_TORQUE] * w);
     AT_LEAST(ENERGY, scale[QUANTITY_TORQUE]);
 #undef AT_LEAST
